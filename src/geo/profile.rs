@@ -378,7 +378,7 @@ impl Profile {
         way.done()
     }
 
-    /// The way that never falls from one point of a bare chain to another: what falls away is bridged level, to its end.
+    /// The way that never falls from one point to another: what falls away is bridged level, to its end.
     pub fn rise(&self, start: Point2, end: Point2) -> Vec<Leg> {
         let highest = self.highest(start.x, end.x).max(end.y).max(start.y);
         let mut legs = self.between(start.x, end.x).climb(start, highest);

@@ -156,8 +156,8 @@ T2025 Error "turning-side" "tool stands on the wrong side of the contour"
 part will be, or it is not clear whether the cycle works outside or inside. Nothing is written: position the tool at the corner of the blank."
 
 T2026 Note "turning-left-standing" "falling parts of the contour are left standing"
-"Parts of the contour that fall behind a higher one can only be reached by plunging, which this cycle does not do on the control either. The cuts \
-end as if the contour went on level. Rough these parts with a cycle of their own."
+"Parts of the contour that fall behind a higher one can only be reached by plunging, which this cycle does not do as it is programmed. The cuts \
+end as if the contour went on level. G810, G819, G820 and G829 cut these parts with a feed above 0 in E; else rough them with a cycle of their own."
 
 T2027 Note "turning-nose-unknown" "nose radius of the tool is not known"
 "Contour cycles compensate the radius of the nose. The program does not hold it: without tool data the programmed point of the tool follows the \

@@ -1,6 +1,9 @@
-//! How a thread depth is divided into cuts.
+//! How a depth is divided into cuts.
 
+use crate::diag::codes;
 use crate::ir::cycle::thread::Infeed;
+
+use super::track::Failure;
 
 /// What division may lose: 0.9 / 0.3 is three cuts, not four.
 const SLACK: f64 = 1e-9;
@@ -79,6 +82,24 @@ fn ceil(parts: f64) -> f64 {
 /// Number of equal steps of at most `most` that make up `depth`; 0 for no depth.
 pub fn steps(depth: f64, most: f64) -> u64 {
     ceil((depth / most).max(0.0)) as u64
+}
+
+/// Place after `k` of `steps` equal steps from one place to another; the end is exact.
+pub fn place(from: f64, to: f64, k: u64, steps: u64) -> f64 {
+    if k >= steps { to } else { from + (to - from) * (k as f64 / steps as f64) }
+}
+
+/// Ends of the equal cuts of at most `most` from one height to another, one at least.
+///
+/// # Errors
+/// G3040 more than `limit` cuts.
+pub fn heights(from: f64, to: f64, most: f64, limit: u64) -> Result<impl Iterator<Item = f64>, Failure> {
+    let cuts = steps(from - to, most).max(1);
+    if cuts > limit {
+        let message = format!("the infeed makes {cuts} cuts, more than {limit}");
+        return Err(Failure::new(codes::G3040, message, "program a larger infeed"));
+    }
+    Ok((1..=cuts).map(move |k| place(from, to, k, cuts)))
 }
 
 #[cfg(test)]

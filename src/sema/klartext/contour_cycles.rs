@@ -1,4 +1,4 @@
-//! Pockets along contours of subprograms: cycle 14 names them, cycle 20 says how they are milled, cycles 21 to 24 mill them.
+//! Pockets along contours of subprograms: cycles 21 to 24.
 //!
 //! Source: K 6.6; F B7 (docs/sources.md).
 
@@ -13,10 +13,8 @@ use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
 use crate::ir::cycle::{Cycle, Drilling, PilotHoles, Region};
 use crate::ir::{Feed, Side};
 use crate::machine::{Axis, AxisSet};
-use crate::parser::klartext::ast::Block;
-use crate::text::Loc;
 
-use super::cycle_definition::Open;
+use super::contour_data::{Known, NamedContours, Roughed, Values};
 use super::cycles::call::Call;
 use super::cycles::contours::{COARSE_TOOL, FEED_FACTOR, RECIPROCATING_FEED, RETRACT_FEED};
 use super::cycles::contours::{
@@ -28,8 +26,6 @@ use super::drilling::steps;
 use super::labels::Label;
 use super::{Outcome, Reported, Run};
 
-/// Most contours that cycle 14 names.
-const MOST_CONTOURS: usize = 14;
 /// What a control takes for rapid traverse.
 const FASTEST: f64 = 99_999.0;
 /// Least and greatest factor of the overlap.
@@ -37,149 +33,13 @@ const OVERLAPS: core::ops::RangeInclusive<f64> = 0.1..=1.9999;
 /// What arithmetic may add to an element that is all rounded away, mm.
 const TOLERANCE: f64 = 1e-6;
 
-/// What cycles 14, 20 and 270 say for the cycles behind them.
-#[derive(Debug, Default)]
-pub(super) struct Contours {
-    named: Known<NamedContours>,
-    pocket: Known<Values>,
-    pub train: Known<Values>,
-    roughed: Option<Roughed>,
-}
-
-#[derive(Debug, Default)]
-pub(super) enum Known<T> {
-    #[default]
-    Nothing,
-    /// Its definition was refused, which was reported.
-    Lost,
-    Given(Rc<T>),
-}
-
-/// Cycle 14.
-#[derive(Debug)]
-pub(super) struct NamedContours {
-    pub labels: Vec<Label>,
-    /// Index of the program whose labels they are.
-    pub program: usize,
-    pub loc: Loc,
-}
-
-/// A definition with the values that it set.
-#[derive(Debug)]
-pub(super) struct Values {
-    pub cycle: DefinedCycle,
-    set: Vec<(u32, f64)>,
-}
-
-/// The last run of cycle 22.
-#[derive(Debug)]
-struct Roughed {
-    named: Rc<NamedContours>,
-    pocket: Rc<Values>,
-    radius: f64,
-}
-
 /// What the cycles of a pocket take.
 struct Pocket {
     named: Rc<NamedContours>,
     data: Rc<Values>,
 }
 
-impl Contours {
-    /// The definition of this cycle was refused.
-    pub fn lose(&mut self, number: u32) {
-        match number {
-            14 => self.named = Known::Lost,
-            20 => self.pocket = Known::Lost,
-            _ => self.train = Known::Lost,
-        }
-    }
-}
-
 impl Run<'_> {
-    // Definitions.
-
-    /// `CYCL DEF 14.1 CONTOUR LABEL1 /2 /"NAME"`: the name of the part is written in the language of the control.
-    pub(super) fn contour_labels(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let code = crate::text::decode::readable(block.span.of(text)).into_owned();
-        let list = code.split_once('.').map_or("", |(_, rest)| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
-        let from = list.find(|c: char| c.is_ascii_digit() || c == '"' || c == '/').unwrap_or(list.len());
-        let mut labels = Vec::new();
-        let mut rest = list[from..].trim_start_matches(['/', ' ', '\t']);
-        while !rest.is_empty() {
-            let (label, behind) = match rest.strip_prefix('"') {
-                Some(name) => name.split_once('"').map(|(name, behind)| (Some(Label::Name(name.into())), behind)),
-                None => {
-                    let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
-                    Some((rest[..end].parse().ok().filter(|n| *n > 0).map(Label::Number), &rest[end..]))
-                }
-            }
-            .unwrap_or((None, ""));
-            match label {
-                Some(label) if !labels.contains(&label) && starts_another(behind) => labels.push(label),
-                _ => return self.cycle_word(block.span, 14),
-            }
-            rest = behind.trim_start_matches(['/', ' ', '\t']);
-        }
-        let open = self.open_cycle();
-        open.contours.append(&mut labels);
-        Ok(())
-    }
-
-    pub(super) fn contour_geometry(&mut self, open: &Open) -> Outcome {
-        if open.contours.is_empty() || open.contours.len() > MOST_CONTOURS {
-            let message = format!("cycle 14 names {} contours", open.contours.len());
-            let help = format!("write 1 to {MOST_CONTOURS} labels: `CYCL DEF 14.1 CONTOUR LABEL 1 /2`");
-            return self.fail_help(codes::K2402, self.block_span(), message, help);
-        }
-        let (labels, program, loc) = (open.contours.clone(), self.level().program, self.here.origin.loc);
-        self.contours.named = Known::Given(Rc::new(NamedContours { labels, program, loc }));
-        Ok(())
-    }
-
-    pub(super) fn contour_data(&mut self, open: &Open) -> Outcome {
-        self.contours.pocket = Known::Given(self.values_of(open)?);
-        Ok(())
-    }
-
-    pub(super) fn contour_train_data(&mut self, open: &Open) -> Outcome {
-        self.contours.train = Known::Given(self.values_of(open)?);
-        Ok(())
-    }
-
-    fn values_of(&mut self, open: &Open) -> Outcome<Rc<Values>> {
-        let mm = self.level().frame.unit.mm();
-        let cycle = DefinedCycle::new(open, self.here.origin.loc, mm);
-        self.all_are_set(&cycle, &format!("cycle {}", open.number))?;
-        Ok(Rc::new(Values { cycle, set: open.parameters.clone() }))
-    }
-
-    // What they say where a cycle runs.
-
-    /// A parameter of cycle 20 or 270, which has to be what it was.
-    pub(super) fn kept(&mut self, data: &Values, q: Q) -> Outcome<f64> {
-        let now = self.cycle_number(&data.cycle, q)?;
-        let set = data.set.iter().rev().find(|(number, _)| *number == q.0).map(|(_, value)| *value);
-        match set {
-            Some(set) if set != now => self.cycle_value(
-                &data.cycle,
-                &format!(
-                    "it set {q} to {set}, and {q} is {now} now: which of the two counts is open; define the cycle anew"
-                ),
-            ),
-            _ => Ok(now),
-        }
-    }
-
-    pub(super) fn kept_length(&mut self, data: &Values, q: Q) -> Outcome<f64> {
-        Ok(self.kept(data, q)? * self.level().frame.unit.mm())
-    }
-
-    fn kept_unsigned(&mut self, data: &Values, q: Q) -> Outcome<f64> {
-        let value = self.kept_length(data, q)?;
-        if value >= 0.0 { Ok(value) } else { self.cycle_value(&data.cycle, &format!("{q} = {value} is below zero")) }
-    }
-
     /// The contours that the cycle takes.
     pub(super) fn named_contours(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Rc<NamedContours>> {
         if call.placed {
@@ -550,11 +410,6 @@ impl Run<'_> {
 fn finishing(feed: Feed, step: f64, (wall, arc): (bool, Option<f64>)) -> Finish {
     let onto = arc.map_or(Onto::Usual, Onto::Quarter);
     Finish { wall, floor: !wall, feed, step, speed: None, onto, inserts: false }
-}
-
-/// Is the list of labels over, or does another one follow?
-fn starts_another(rest: &str) -> bool {
-    rest.is_empty() || rest.starts_with(['/', ' ', '\t'])
 }
 
 /// Does a closed contour turn to the left?

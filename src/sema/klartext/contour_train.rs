@@ -11,7 +11,7 @@ use crate::ir::cycle::{Cycle, PathMilling};
 use crate::ir::{Side, compensation::Search};
 use crate::sema::Reported;
 
-use super::contour_cycles::Known;
+use super::contour_data::Known;
 use super::cycles::DefinedCycle;
 use super::cycles::call::Call;
 use super::cycles::contours::{

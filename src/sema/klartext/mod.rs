@@ -14,6 +14,7 @@ mod change;
 mod compensation;
 mod contour;
 mod contour_cycles;
+mod contour_data;
 mod contour_train;
 mod cycle;
 mod cycle_definition;
@@ -97,7 +98,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         vars: Vars::default(),
         proposed: RefCell::default(),
         cycles: Cycles::default(),
-        contours: contour_cycles::Contours::default(),
+        contours: contour_data::Contours::default(),
         capture: None,
         defined: tool::Defined::default(),
         approach: None,
@@ -215,7 +216,7 @@ struct Run<'a> {
     proposed: RefCell<Proposed>,
     cycles: Cycles,
     /// What cycles 14, 20 and 270 say.
-    contours: contour_cycles::Contours,
+    contours: contour_data::Contours,
     /// A contour whose subprogram runs.
     capture: Option<Box<capture::Capture>>,
     /// Tools of TOOL DEF.

@@ -198,7 +198,9 @@ impl Run<'_> {
             if falls || layers.leans_over() {
                 let message =
                     format!("G{number} leaves the parts of the contour standing that fall behind higher ones");
-                self.report(Diagnostic::new(codes::T2026, self.here.origin.loc, message));
+                let found = Diagnostic::new(codes::T2026, self.here.origin.loc, message);
+                let cuts = !matches!(number, 817 | 818 | 827 | 828) && falls;
+                self.report(if cuts { found.help("E with a feed above 0 cuts them") } else { found });
             }
             return Ok(layers);
         }

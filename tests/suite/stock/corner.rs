@@ -226,6 +226,7 @@ impl Case {
             blank: Blank::Box { front: 0.0, top: self.seen_way()[1] },
             limits: UNLIMITED,
             plunge: PLUNGE,
+            beyond: self.nose,
             steps: Some(0.0),
         }
     }

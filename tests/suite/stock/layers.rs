@@ -271,6 +271,7 @@ impl Case {
             },
             limits: self.limits,
             plunge: PLUNGE,
+            beyond: self.nose,
             steps: (!(self.by_tip && self.cycle == Cycle::Classic)).then_some(0.0),
         }
     }

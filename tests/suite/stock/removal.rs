@@ -120,6 +120,8 @@ pub struct Part {
     pub blank: Blank,
     pub limits: Limits,
     pub plunge: f64,
+    /// How far the nose may reach beyond the end of the contour.
+    pub beyond: f64,
     /// How much roughing leaves at most on its allowances and what the nose cannot reach, where that is known.
     pub steps: Option<f64>,
 }
@@ -333,7 +335,7 @@ impl Part {
                 // In front of the contour nothing holds the nose, behind its end a wall.
                 if x < 0.0 {
                     wanted[i].max(-50.0)
-                } else if x > end + self.nose {
+                } else if x > end + self.beyond {
                     1e3
                 } else {
                     wanted[i]

@@ -1,4 +1,4 @@
-//! Roughing of HEIDENHAIN controls: random calls of G81, G82, G817 to G829.
+//! Roughing of HEIDENHAIN controls: random calls of G81, G82, G810 to G829.
 
 use core::fmt::Write;
 
@@ -15,7 +15,7 @@ struct Case {
     side: Side,
     position: usize,
     nose: f64,
-    /// Last digit of G81x and G82x; `None` for G81 and G82 themselves.
+    /// Last digit of G81x and G82x, 0 along a finished part; `None` for G81 and G82 themselves.
     kind: Option<usize>,
     most: f64,
     along: f64,
@@ -43,9 +43,14 @@ impl Case {
         let out = if chance(dice, 60) { 1.0 } else { -1.0 };
         let along = if chance(dice, 30) { 1.0 } else { -1.0 };
         let side = Side { radial, out, along, zero: zero(radial, out, along) };
-        let kind = if chance(dice, 15) { None } else { Some(7 + dice.roll(3)) };
+        let kind = match dice.roll(8) {
+            0 => None,
+            // In a bore it needs one in the blank.
+            1 | 2 if !radial || out > 0.0 => Some(0),
+            _ => Some(7 + dice.roll(3)),
+        };
         let mut pieces = if kind.is_some() {
-            let (valleys, closes) = (chance(dice, if kind == Some(9) { 70 } else { 30 }), chance(dice, 50));
+            let (valleys, closes) = (chance(dice, if matches!(kind, Some(0 | 9)) { 70 } else { 30 }), chance(dice, 50));
             contour(dice, valleys, closes)
         } else {
             let (length, height) = (real(dice, 0.5, 40.0), real(dice, 0.5, 15.0));
@@ -63,14 +68,15 @@ impl Case {
             pieces.insert(0, Piece { from: [0.0, 0.0], to: [0.0, high], arc: None });
         }
         let corners: Vec<usize> = side.positions().into_iter().filter(|position| *position <= 4).collect();
-        let ahead = chance(dice, 80);
-        let position = corners[if ahead { 0 } else { dice.roll(corners.len()) }];
+        let position = corners[if chance(dice, 80) { 0 } else { dice.roll(corners.len()) }];
         let nose = if kind.is_none() || chance(dice, 15) { 0.0 } else { real(dice, 0.1, 1.2) };
         let (along, up) = if chance(dice, 40) { (0.0, 0.0) } else { (real(dice, 0.0, 0.4), real(dice, 0.0, 0.4)) };
         let front = if chance(dice, 15) { 0.0 } else { -real(dice, 0.1, 5.0) };
         let above = if kind.is_none() || chance(dice, 15) { 0.0 } else { real(dice, 0.0, 3.0) };
+        // A nose that lies ahead of its point reaches over the contour.
+        let ahead = side.center(position, nose)[0] > 0.0;
         Case {
-            start: [front, top(&pieces) + above],
+            start: [front, top(&pieces) + above + if ahead { up } else { 0.0 }],
             pieces,
             side,
             position,
@@ -90,38 +96,57 @@ impl Case {
     }
 
     fn text(&self) -> String {
-        let mut text = format!("%1.nc\nN1 T1 G95 F{ROUGH} G97 S800 M3\n");
+        if self.kind == Some(0) {
+            let contour = self.contour();
+            return format!(
+                "HEADER\n#UNIT METRIC\nFINISHED PART\n{contour}MACHINING\n{} NS10 NE{}\nEND\n",
+                self.call(),
+                9 + self.pieces.len()
+            );
+        }
+        let contour = if self.kind.is_some() { self.contour() + "N9000 G80\n" } else { String::new() };
+        format!("%1.nc\n{}\n{contour}END\n", self.call())
+    }
+
+    /// Tool, start, and the cycle itself.
+    fn call(&self) -> String {
         let far = self.side.part([self.start[0] - 3.0, self.start[1] + 3.0]);
         let start = self.side.part(self.start);
-        writeln!(text, "N2 G0 X{:.6} Z{:.6}\nN3 G0 X{:.6} Z{:.6}", far[1], far[0], start[1], start[0]).unwrap();
-        writeln!(text, "N4 G47 P{}", self.clearance).unwrap();
+        let mut text = format!(
+            "N501 T1 G95 F{ROUGH} G97 S800 M3\nN502 G0 X{:.6} Z{:.6}\nN503 G0 X{:.6} Z{:.6}\nN504 G47 P{}\n",
+            far[1], far[0], start[1], start[0], self.clearance
+        );
         let (z, x) = if self.side.radial { (self.along, self.up) } else { (self.up, self.along) };
         if self.apart && (z > 0.0 || x > 0.0) {
             let sign = if self.kind.is_none() && self.side.radial && self.side.out < 0.0 { -1.0 } else { 1.0 };
-            writeln!(text, "N5 G57 X{:.6} Z{z:.6}", sign * 2.0 * x).unwrap();
+            writeln!(text, "N505 G57 X{:.6} Z{z:.6}", sign * 2.0 * x).unwrap();
         }
         let base = if self.side.radial { 81 } else { 82 };
         let Some(kind) = self.kind else {
             let corner = self.side.part(self.pieces[0].to);
             let infeed = if self.side.radial { "I" } else { "K" };
             let (fed, back) = (u8::from(self.fed), u8::from(self.back));
-            writeln!(text, "N6 G{base} X{:.6} Z{:.6} {infeed}{} Q{fed} V{back}", corner[1], corner[0], self.most)
+            write!(text, "N506 G{base} X{:.6} Z{:.6} {infeed}{} Q{fed} V{back}", corner[1], corner[0], self.most)
                 .unwrap();
-            return text + "END\n";
+            return text;
         };
-        write!(text, "N6 G{base}{kind} P{} H{}", self.most, self.smoothing).unwrap();
+        write!(text, "N506 G{base}{kind} P{} H{}", self.most, self.smoothing).unwrap();
         if !self.apart {
             write!(text, " I{:.6} K{z:.6}", 2.0 * x).unwrap();
         }
-        match self.plunge {
-            Some(feed) if kind == 9 => writeln!(text, " E{feed}").unwrap(),
-            _ => text.push('\n'),
+        if let (0 | 9, Some(feed)) = (kind, self.plunge) {
+            write!(text, " E{feed}").unwrap();
         }
+        text
+    }
+
+    /// From N9 on.
+    fn contour(&self) -> String {
         let turned = |p: &Piece| Piece { from: p.to, to: p.from, arc: p.arc.map(|(c, ccw)| (c, !ccw)) };
         let list: Vec<Piece> =
             if self.reversed { self.pieces.iter().rev().map(turned).collect() } else { self.pieces.clone() };
         let first = self.side.part(list[0].from);
-        writeln!(text, "N7 G0 X{:.6} Z{:.6}", first[1], first[0]).unwrap();
+        let mut text = format!("N9 G0 X{:.6} Z{:.6}\n", first[1], first[0]);
         for (i, piece) in list.iter().enumerate() {
             let to = self.side.part(piece.to);
             let (code, radius) = match piece.arc {
@@ -133,7 +158,16 @@ impl Case {
             };
             writeln!(text, "N{} G{code} X{:.6} Z{:.6}{radius}", 10 + i, to[1], to[0]).unwrap();
         }
-        text + "N9000 G80\nEND\n"
+        text
+    }
+
+    /// Falling parts are cut.
+    fn plunges(&self) -> bool {
+        match self.kind {
+            Some(0) => self.plunge.is_some_and(|feed| feed > 0.0),
+            Some(9) => self.plunge != Some(0.0),
+            _ => false,
+        }
     }
 
     fn config(&self) -> String {
@@ -150,7 +184,7 @@ impl Case {
             side: self.side,
             nose: self.nose,
             center: self.side.center(self.position, self.nose),
-            relief: self.kind == Some(9) && self.plunge != Some(0.0),
+            relief: self.plunges(),
             along: self.along,
             up: self.up,
             around: 0.0,
@@ -158,6 +192,7 @@ impl Case {
             blank: Blank::Box { front: self.start[0], top: self.start[1] },
             limits: UNLIMITED,
             plunge: if self.plunge.is_none() { ROUGH / 2.0 } else { PLUNGE },
+            beyond: -self.along,
             steps: Some(if stays { self.most } else { 0.0 }),
         }
     }

@@ -20,7 +20,7 @@ use crate::ir::cycle::recess::Operation;
 use super::groove_cutter::GrooveCutter;
 use super::infeed;
 use super::track::{Failure, Strokes, Track, View};
-use super::valley::{Above, NoValley, Oversize, Slot, Valley};
+use super::valley::{Above, Oversize, Slot, Valley};
 use super::{CycleItem, Expand, Start};
 
 /// Most plunges of a groove, and most steps of a plunge.
@@ -89,7 +89,7 @@ impl<'g> Groove<'g> {
             contour = contour.iter().rev().map(Element::reversed).collect();
             walls.reverse();
         }
-        let valley = Valley::new(&contour).map_err(no_groove)?;
+        let valley = Valley::new(&contour).map_err(|why| why.refused("groove"))?;
         let tool = &grooving.tool;
         let left = Oversize { around: allowance.around, along: walls, up: allowance.depth };
         let slot = |nose: f64, left: Oversize| valley.slot(tool.width, nose, left, Above::Nothing);
@@ -136,10 +136,8 @@ impl<'g> Groove<'g> {
         let mut order: Vec<u64> = (0..=self.gaps).collect();
         let from_middle = |i: &u64| (2 * i).abs_diff(self.gaps);
         order.sort_by_key(|i| (from_middle(i), if at_end { self.gaps - i } else { *i }));
-        let place = |i: u64| {
-            if i == self.gaps && i > 0 { end } else { begin + (end - begin) * (i as f64 / self.gaps.max(1) as f64) }
-        };
-        order.into_iter().map(place).collect()
+        // A single one stands at the beginning.
+        order.into_iter().map(|i| infeed::place(begin, end, i, self.gaps.max(1))).collect()
     }
 
     /// Positions outside of the floor on the wall towards -x and on the other one, from the floor outwards.
@@ -149,7 +147,7 @@ impl<'g> Groove<'g> {
         let spacing = WALL_SHARE * self.grooving.tool.width;
         let positions = |from: f64, sense: f64, run: f64| -> Vec<f64> {
             let count = infeed::steps(run, spacing);
-            let places = (1..=count).map(|k| from + sense * run * (k as f64 / count as f64));
+            let places = (1..=count).map(|k| infeed::place(from, from + sense * run, k, count));
             places.filter(|x| self.depth(*x) > NO_DEPTH).collect()
         };
         [positions(begin, -1.0, runs[0]), positions(end, 1.0, runs[1])]
@@ -198,7 +196,7 @@ impl<'g> Groove<'g> {
         cutter.above(x);
         let steps = infeed::steps(depth, most).max(1);
         for k in 1..=steps {
-            let y = self.surface - if k == steps { depth } else { depth * (k as f64 / steps as f64) };
+            let y = infeed::place(self.surface, self.surface - depth, k, steps);
             cutter.line(Point2::new(x, y), self.grooving.feeds.plunge);
             if k < steps {
                 cutter.rapid_up((y + retract).min(cutter.clear));
@@ -252,15 +250,6 @@ impl<'g> Groove<'g> {
             cutter.lift();
         }
     }
-}
-
-fn no_groove(why: NoValley) -> Failure {
-    let message = match why {
-        NoValley::Waves => "the contour is not one groove: it has to fall to its floor and rise again, only once",
-        NoValley::Leans => "a wall of the groove leans over, so that the tool cannot reach behind it",
-        NoValley::Open => "the contour begins or ends at the floor of the groove: one of its walls is missing",
-    };
-    Failure::new(codes::G3044, message, "describe one groove from rim to rim, seen from the tool")
 }
 
 #[cfg(test)]

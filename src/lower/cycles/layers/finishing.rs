@@ -169,20 +169,8 @@ fn finished(region: &Region<'_>) -> Result<Path, Failure> {
         // Nothing of it lies inside of the limits.
         return Ok(Path { start, legs: Vec::new() });
     }
-    if levels {
-        let highest = profile.highest(start.x, end.x).max(end.y).max(start.y);
-        let mut legs = profile.between(start.x, end.x).climb(start, highest);
-        let at = legs.last().map_or(start, Leg::to);
-        let end = Point2::new(end.x.max(at.x), at.y.max(end.y));
-        let corner = Point2::new(end.x, at.y);
-        for to in [corner, end] {
-            if distance(legs.last().map_or(start, Leg::to), to) > crate::geo::SAME_POINT {
-                legs.push(Leg::Line { to });
-            }
-        }
-        return Ok(Path { start, legs });
-    }
-    Ok(Path { start, legs: profile.follow(start, end) })
+    let legs = if levels { profile.rise(start, end) } else { profile.follow(start, end) };
+    Ok(Path { start, legs })
 }
 
 /// Along a contour that leans over somewhere: parallel to it, as far as the nose finds room.

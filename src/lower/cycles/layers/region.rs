@@ -306,13 +306,7 @@ fn levels(layers: &Layers, contour: &[Element], left: &Left, top: f64, floor: f6
     let mut list = vec![top];
     let mut from = top;
     for end in ends {
-        let cuts = infeed::steps(from - end, layers.most).max(1);
-        if cuts > MOST_CUTS || list.len() as u64 > MOST_CUTS {
-            let message = format!("the infeed makes {cuts} cuts, more than {MOST_CUTS}");
-            return Err(Failure::new(codes::G3040, message, "program a larger infeed"));
-        }
-        list.extend((1..cuts).map(|k| from - (from - end) * (k as f64 / cuts as f64)));
-        list.push(end);
+        list.extend(infeed::heights(from, end, layers.most, (MOST_CUTS + 1).saturating_sub(list.len() as u64))?);
         from = end;
     }
     Ok(list)

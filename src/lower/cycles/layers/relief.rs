@@ -4,9 +4,10 @@ use crate::diag::codes;
 use crate::geo::Point2;
 use crate::geo::profile::{Dip, LEVEL, backwards, mirrored};
 use crate::ir::cycle::layers::{LEAST_DIP, Relief, Trace};
+use crate::lower::cycles::infeed;
 use crate::lower::cycles::track::Failure;
 
-use super::{Cutter, MOST_CUTS, infeed_steps};
+use super::{Cutter, MOST_CUTS};
 
 impl Cutter<'_> {
     /// # Errors
@@ -45,16 +46,11 @@ impl Cutter<'_> {
         if top - low.y <= LEAST_DIP {
             return Ok(Vec::new());
         }
-        let cuts = infeed_steps(top - low.y, layers.most).max(1);
-        if cuts > MOST_CUTS {
-            let message = format!("the infeed makes {cuts} cuts, more than {MOST_CUTS}");
-            return Err(Failure::new(codes::G3040, message, "program a larger infeed"));
-        }
+        let heights = infeed::heights(top, low.y, layers.most, MOST_CUTS)?;
         let left = |y: f64| region.behind.first_above(y, -low.x).map_or(dip.left, |x| -x);
         let right = |y: f64| region.rough.first_above(y, low.x).unwrap_or(dip.right);
         let mut before = top;
-        for k in 1..=cuts {
-            let y = if k == cuts { low.y } else { top - (top - low.y) * (k as f64 / cuts as f64) };
+        for y in heights {
             let start = Point2::new(left(y), y);
             let seen = Point2::new(-start.x, y);
             let up = region.behind.climb(seen, (before + layers.clearance.lift).min(dip.rim));

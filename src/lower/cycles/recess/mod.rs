@@ -18,7 +18,7 @@ use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessTurning};
 use super::groove_cutter::GrooveCutter;
 use super::infeed;
 use super::track::{Failure, Strokes, Track, View};
-use super::valley::{Above, NoValley, Oversize, Slot, Valley};
+use super::valley::{Above, Oversize, Slot, Valley};
 use super::{CycleItem, Expand, Start};
 
 /// Most levels of one groove.
@@ -92,7 +92,7 @@ impl<'r> Groove<'r> {
         let along = if recess.into.is_radial() { last.x - first.x } else { last.y - first.y };
         let view = View::new(recess.into, along);
         let contour: Vec<Element> = recess.contour.iter().map(|element| view.element(element)).collect();
-        let valley = Valley::new(&contour).map_err(no_groove)?;
+        let valley = Valley::new(&contour).map_err(|why| why.refused("recess"))?;
 
         let tool = &recess.tool;
         let oversize = if recess.into.is_radial() { recess.oversize } else { recess.oversize.yx() };
@@ -138,11 +138,7 @@ impl<'r> Groove<'r> {
 
     /// Height of level `k`, counted from 1.
     fn level(&self, k: u64) -> f64 {
-        if k >= self.levels {
-            self.rough.floor
-        } else {
-            self.blank - (self.blank - self.rough.floor) * (k as f64 / self.levels as f64)
-        }
+        infeed::place(self.blank, self.rough.floor, k, self.levels)
     }
 
     fn rough(&self, cutter: &mut GrooveCutter<'_>) {
@@ -219,7 +215,7 @@ impl<'r> Groove<'r> {
         let (first, last) = (self.rough.begin(self.blank), self.rough.end(self.blank));
         let gaps = infeed::steps(last - first, width);
         for k in 0..=gaps {
-            let x = if k == gaps { last } else { first + (last - first) * (k as f64 / gaps as f64) };
+            let x = infeed::place(first, last, k, gaps);
             let y = self.rough.depth_at(x, self.blank);
             cutter.above(x);
             cutter.line(Point2::new(x, y), self.recess.feeds.plunge);
@@ -247,15 +243,6 @@ impl<'r> Groove<'r> {
             cutter.lift();
         }
     }
-}
-
-fn no_groove(why: NoValley) -> Failure {
-    let message = match why {
-        NoValley::Waves => "the contour is not one recess: it has to fall to its floor and rise again, only once",
-        NoValley::Leans => "a wall of the recess leans over, so that the tool cannot reach behind it",
-        NoValley::Open => "the contour begins or ends at the floor of the recess: one of its walls is missing",
-    };
-    Failure::new(codes::G3044, message, "describe one recess from rim to rim, seen from the tool")
 }
 
 #[cfg(test)]
