@@ -9,6 +9,7 @@ use similar::TextDiff;
 
 use crate::compare::{Difference, Step, steps_of_text};
 use crate::diag::report::xml::{HEAD as HEAD_OF_XML, escaped};
+use crate::driver::Failure;
 use crate::emit::Output as _;
 use crate::target::{self, Target};
 use crate::text::decode::{escaped_json, harmless_lines};
@@ -76,7 +77,7 @@ pub(super) fn test(args: &Test) -> std::result::Result<Exit, Trouble> {
         return Err("`partc test` writes human, concise or json".to_owned());
     }
     let reporter = Reporter::new(&args.common, &Findings::SHOWN, Stdout::Taken, None)?;
-    let mut run = Run { args, format, cases: Vec::new(), reporter, taken: BTreeMap::new() };
+    let mut run = Run { args, format, cases: Vec::new(), reporter, taken: BTreeMap::new(), internal: false };
     for program in &programs {
         if let Err(trouble) = run.one(program) {
             run.reporter.trouble(trouble);
@@ -157,6 +158,8 @@ struct Run<'a> {
     reporter: Reporter,
     /// Golden outputs, and the program each belongs to.
     taken: BTreeMap<PathBuf, PathBuf>,
+    /// Some output was not what its program says.
+    internal: bool,
 }
 
 impl Run<'_> {
@@ -177,7 +180,10 @@ impl Run<'_> {
             return self.show(program, Result::NoGolden, None);
         }
         let mut now = Vec::new();
-        session.compile(dialect, &settings, &files, &mut now, None).map_err(|error| format!("{shown}: {error}"))?;
+        if let Err(failure) = session.compile(dialect, &settings, &files, &mut now, None) {
+            self.internal |= matches!(failure, Failure::Mismatch(_));
+            return Err(format!("{shown}: {failure}"));
+        }
         let now = String::from_utf8(now).map_err(|error| format!("{shown}: {error}"))?;
         if session.diags.has_errors() {
             self.reporter.session(session);
@@ -255,6 +261,9 @@ impl Run<'_> {
         }
         if let Some(file) = &self.args.junit {
             write(file, &self.junit()).map_err(|error| format!("{}: {error}", file.display()))?;
+        }
+        if self.internal {
+            return Ok(Exit::Internal);
         }
         if !self.reporter.troubles().is_empty() {
             return Ok(Exit::Usage);
