@@ -205,7 +205,7 @@ impl Family for PathMilling {
 
     /// Above the end of the way from the contour.
     fn leaves(&self, at: &mut Pos) {
-        let back = self.alternates && self.levels().len() % 2 == 0;
+        let back = self.alternates && self.levels().len().is_multiple_of(2);
         if let Some(touch) = if back { self.comes() } else { self.goes() } {
             self.mill.leaves_above(touch.centre, at);
         }
