@@ -12,7 +12,7 @@ use crate::sema::run::step;
 use crate::text::{Loc, Span};
 
 use super::labels::Label;
-use super::words::{FeedWord, Words};
+use super::words::{Comp, FeedWord, Words};
 use super::{Outcome, Reported, Run};
 
 /// Most elements of a contour, roundings and chamfers counted.
@@ -140,11 +140,16 @@ impl Run<'_> {
     }
 
     pub(super) fn no_m_in_contour(&mut self, w: &Words) -> Outcome {
-        let Some(m) = w.m().first().filter(|_| self.is_capturing()) else { return Ok(()) };
-        let message = format!("M{} stands in the contour {}", m.number, self.contour_name());
+        if !self.is_capturing() {
+            return Ok(());
+        }
+        let paraxial = matches!(w.comp, Some(Comp::Paraxial(_))).then_some(w.comp_span);
+        let speed = w.speed.map(|_| w.speed_span);
+        let Some(span) = w.m().first().map(|m| m.span).or(speed).or(paraxial) else { return Ok(()) };
+        let message = format!("`{}` stands in the contour {}", self.word_text(span), self.contour_name());
         self.fail_help(
             codes::K2951,
-            m.span,
+            span,
             message,
             "move it in front of the cycle call: in which pass the control would carry it out is not known",
         )

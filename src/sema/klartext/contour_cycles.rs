@@ -299,7 +299,8 @@ impl Run<'_> {
         let Some(mill) = self.contour_mill(cycle, &pocket.data, radius, (feeds, step))? else { return Ok(None) };
         let region = self.roughed_pocket(cycle, &pocket, mill)?;
         let made = self.sound(cycle, region)?;
-        self.contours.roughed = Some(Roughed { named: pocket.named, pocket: pocket.data, radius });
+        let (outline, frame) = (made.outline.clone(), self.st.ctx.frame.clone());
+        self.contours.roughed = Some(Roughed { named: pocket.named, radius, outline, frame, pocket: pocket.data });
         Ok(Some(Cycle::Region(made)))
     }
 
@@ -312,7 +313,7 @@ impl Run<'_> {
         let Some(mill) = self.contour_mill(cycle, &pocket.data, radius, (feeds, 0.0))? else { return Ok(None) };
         let region = self.roughed_pocket(cycle, &pocket, mill)?;
         let finish = Some(finishing(feeds.plane, 0.0, (false, None)));
-        let cleared = self.is_roughed(&pocket);
+        let cleared = self.is_roughed(&pocket, &region);
         self.sound(cycle, Region { rough: false, finish, cleared, ..region }).map(|made| Some(Cycle::Region(made)))
     }
 
@@ -361,10 +362,13 @@ impl Run<'_> {
         self.sound(cycle, region).map(|made| Some(Cycle::Region(made)))
     }
 
-    /// Was this contour roughed with these data?
-    fn is_roughed(&self, pocket: &Pocket) -> bool {
+    /// Was this pocket roughed here, with these data, and by no larger cutter?
+    fn is_roughed(&self, pocket: &Pocket, region: &Region) -> bool {
         self.contours.roughed.as_ref().is_some_and(|roughed| {
-            Rc::ptr_eq(&roughed.named, &pocket.named) && Rc::ptr_eq(&roughed.pocket, &pocket.data)
+            Rc::ptr_eq(&roughed.pocket, &pocket.data)
+                && roughed.outline == region.outline
+                && roughed.frame == self.st.ctx.frame
+                && roughed.radius <= region.mill.radius
         })
     }
 

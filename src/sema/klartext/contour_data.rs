@@ -5,6 +5,8 @@
 use std::rc::Rc;
 
 use crate::diag::codes;
+use crate::geo::Element;
+use crate::ir::Frame;
 use crate::parser::klartext::ast::Block;
 use crate::text::Loc;
 
@@ -54,8 +56,11 @@ pub(super) struct Values {
 #[derive(Debug)]
 pub(super) struct Roughed {
     pub named: Rc<NamedContours>,
-    pub pocket: Rc<Values>,
     pub radius: f64,
+    /// What was cleared, and the system in which it was.
+    pub outline: Vec<Element>,
+    pub frame: Frame,
+    pub pocket: Rc<Values>,
 }
 
 impl Contours {
