@@ -11,8 +11,8 @@ use crate::text::{FileId, Span};
 
 use super::Trouble;
 use super::args::Common;
-use super::diff::unified;
 use super::edit::{Edit, Program, apply, write};
+use super::unified::unified;
 
 /// Most times that a program is checked again: one change may make room for another.
 const MOST_ROUNDS: usize = 10;

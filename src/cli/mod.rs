@@ -18,6 +18,7 @@ mod pool;
 mod report;
 mod run;
 mod targets;
+mod unified;
 
 use std::io::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -87,6 +88,7 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
         Command::Trace(trace) => run::trace(trace),
         Command::Plot(plot) => plot::plot(plot),
         Command::Test(test) => golden::test(test),
+        Command::Diff(two) => diff::diff(two),
         Command::Config(show) => config::command(show),
         Command::Explain { code, format } => listing::explain(code, *format),
         Command::Rules { format } => listing::rules(*format),
