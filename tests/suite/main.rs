@@ -59,6 +59,7 @@ mod sinumerik_alarms;
 mod skip_marks;
 mod start;
 mod stock;
+mod supply;
 mod sweep;
 mod tamper;
 #[path = "../../fuzz/src/targets.rs"]

@@ -361,6 +361,12 @@ impl Family for Pocket {
             }
         };
         let circle = matches!(self.shape, Shape::Circle { .. });
+        let endless = match self.insertion {
+            Insertion::Strokes { .. } => PocketFault::Mill(MillFault::TooManyLevels),
+            Insertion::Predrilled | Insertion::Vertical | Insertion::Helix { .. } | Insertion::Sway { .. } => {
+                PocketFault::Pitch
+            }
+        };
         let rings = self.shape.room(radius).least() / self.width;
         let rules = [
             (numbers.into_iter().all(usable) && places.into_iter().all(f64::is_finite), PocketFault::Number),
@@ -370,7 +376,7 @@ impl Family for Pocket {
             (round, PocketFault::Corner),
             (self.width > 0.0 && self.width <= 2.0 * radius + SAME, PocketFault::Width),
             (rings <= MOST_RINGS, PocketFault::TooManyRings),
-            (self.insertion.ends(&self.mill), PocketFault::Pitch),
+            (self.insertion.ends(&self.mill), endless),
             (parts(self.mill.heights.way(), finish[0]) <= MOST_LEVELS, PocketFault::FinishingStep),
             (insertion && (self.strategy == Strategy::Levels || circle), PocketFault::Insertion),
             (self.rough || self.finish.is_some_and(|finish| finish.wall || finish.floor), PocketFault::Nothing),

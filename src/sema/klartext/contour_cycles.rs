@@ -154,7 +154,7 @@ impl Run<'_> {
 
     /// Q9 and Q15: does the tool climb?
     pub(super) fn is_climb(&mut self, cycle: &DefinedCycle, q: Q, value: f64) -> Outcome<bool> {
-        self.turns_by_m3(cycle, q)?;
+        self.turns_by_m3(cycle, Some(q))?;
         match value {
             1.0 => Ok(true),
             -1.0 => Ok(false),

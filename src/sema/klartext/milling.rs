@@ -327,12 +327,12 @@ impl Run<'_> {
             -1.0 => false,
             other => return self.cycle_value(cycle, &format!("the kind of milling Q351 = {other} is not +1 or -1")),
         };
-        self.turns_by_m3(cycle, CLIMB)?;
+        self.turns_by_m3(cycle, by_choice.then_some(CLIMB))?;
         Ok(climbs)
     }
 
-    /// Climb and up-cut milling, by `q`, are defined for M3.
-    pub(super) fn turns_by_m3(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome {
+    /// Climb and up-cut milling, by `q` where there is a choice, are defined for M3.
+    pub(super) fn turns_by_m3(&mut self, cycle: &DefinedCycle, q: Option<Q>) -> Outcome {
         if self.st.spindle.turn() == Some(Turn::CounterClockwise) {
             self.report(
                 Diagnostic::new(
@@ -341,11 +341,7 @@ impl Run<'_> {
                     format!(
                         "cycle {}: climb {} defined for M3, and the spindle turns by M4",
                         cycle.number,
-                        if cycle.gives_q(q) {
-                            format!("and up-cut milling ({q}) are")
-                        } else {
-                            "milling is".to_owned()
-                        }
+                        q.map_or("milling is".to_owned(), |q| format!("and up-cut milling ({q}) are"))
                     ),
                 )
                 .also(cycle.loc, "the cycle is defined here")
