@@ -1,5 +1,9 @@
 //! What tests, benches and fuzz targets of this repository look into, by folder.
 
+pub mod compare {
+    pub use crate::compare::{Difference, Step, Steps, play, steps_of_text};
+}
+
 pub mod diag {
     pub use crate::diag::{CallPath, Diagnostic, Diags, Severity, codes, render};
 }
@@ -13,7 +17,7 @@ pub mod driver {
 }
 
 pub mod emit {
-    pub use crate::emit::{LineMap, Output, Printer, plot, reread};
+    pub use crate::emit::{LineMap, Output, Printer, plot};
 }
 
 pub mod geo {

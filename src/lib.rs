@@ -18,6 +18,7 @@
 
 #[cfg(feature = "cli")]
 pub mod cli;
+mod compare;
 mod diag;
 mod dialect;
 mod driver;

@@ -1,8 +1,8 @@
 //! What holds for any bytes: plain functions, called by the libFuzzer targets beside this file and by the test suite.
 
+use partc::internals::compare::{Difference, steps_of_text};
 use partc::internals::dialect;
 use partc::internals::driver::Session;
-use partc::internals::emit::reread;
 use partc::internals::machine::{Compensation, Settings, config, tools, tree};
 use partc::internals::parser::symbols::Symbols;
 use partc::internals::parser::{klartext, mtc200, sinumerik, turning};
@@ -147,9 +147,10 @@ pub fn tables(bytes: &[u8]) {
     }
 }
 
-/// Any text as a printed program that is read back and compared with itself.
+/// Any bytes as a printed program that is read back and compared with itself.
 pub fn outputs(bytes: &[u8]) {
-    let Ok(text) = std::str::from_utf8(bytes) else { return };
-    let moves = reread::read(text);
-    assert_eq!(reread::read(text), moves);
+    if let Ok(steps) = steps_of_text(bytes, 0.001) {
+        let found = Difference::between(&steps, &steps, 0.001);
+        assert!(found.is_same(), "{}", found.text(&steps, &steps, ["a", "b"]));
+    }
 }

@@ -30,6 +30,11 @@ pub(super) enum Command {
     /// targets are passed over. A difference is shown as text and as motion; version and source hash in the head do not
     /// count.
     Test(Test),
+    /// Compare what two programs have the machine do
+    ///
+    /// Each is a part program in any language, or plain G-code such as partc prints (.ngc, .gcode, .nc, .tap). Moves, arcs, feeds,
+    /// tools, speeds and functions are compared, whatever words say them; exit code 1 if something differs.
+    Diff(Diff),
     /// Show the configuration in force, or its JSON Schema
     Config(Config),
     /// Explain a diagnostic code
@@ -174,8 +179,35 @@ pub(super) struct Test {
     /// Write the golden outputs anew, also those that do not exist yet
     #[arg(long)]
     pub update: bool,
+    /// Write the results as JUnit XML, too
+    #[arg(long, value_name = "FILE")]
+    pub junit: Option<PathBuf>,
     #[command(flatten)]
     pub common: Common,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(super) struct Diff {
+    /// The first program
+    pub a: PathBuf,
+    /// The second program
+    pub b: PathBuf,
+    /// Lengths, angles, feeds and speeds that differ by this much are the same
+    #[arg(long, value_name = "MM", default_value_t = 0.001, value_parser = tolerance)]
+    pub tolerance: f64,
+    /// Draw both paths into an SVG picture
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+    /// Overwrite a picture that partc did not draw
+    #[arg(long)]
+    pub force: bool,
+    #[command(flatten)]
+    pub common: Common,
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "a number of millimetres".to_owned())?;
+    if value.is_finite() && (0.0..=10.0).contains(&value) { Ok(value) } else { Err("0 to 10 millimetres".to_owned()) }
 }
 
 #[derive(Debug, ClapArgs)]

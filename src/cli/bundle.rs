@@ -64,3 +64,48 @@ fn text(mismatch: &Mismatch, session: &Session, config: &str) -> String {
         block.text.trim_end(),
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use clap::Parser as _;
+
+    use super::super::args::Args;
+    use super::super::{Exit, dispatch};
+    use super::*;
+    use crate::emit::printer::disturb::DISTURBED;
+
+    fn run(folder: &Path, option: &[&str]) -> Exit {
+        let input = folder.join(DISTURBED).display().to_string();
+        let args = ["partc", "compile", &input].into_iter().chain(option.iter().copied());
+        dispatch(&Args::try_parse_from(args).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn a_wrong_output_is_not_written_and_can_be_reported() {
+        let folder = std::env::temp_dir().join(format!("partc-bundle-{}", std::process::id()));
+        let _ = fs::remove_dir_all(&folder);
+        fs::create_dir_all(&folder).unwrap();
+        let program = "0 BEGIN PGM A MM\n1 L X+10.25 Y+5 Z+2 R0 FMAX\n2 END PGM A MM\n";
+        fs::write(folder.join(DISTURBED), program).unwrap();
+        fs::write(folder.join("partc.toml"), "[output]\ncomments = false\n").unwrap();
+        let [output, report] = ["DISTURBED.ngc", "DISTURBED.partc-report.txt"].map(|name| folder.join(name));
+        assert_eq!(run(&folder, &[]), Exit::Internal);
+        assert!(!output.exists());
+        let text = fs::read_to_string(&report).unwrap();
+        for part in
+            ["an axis ends elsewhere", "DISTURBED.H:2: 1 L X+10.25", "G0 X10 Y5 Z2", "comments = false", program]
+        {
+            assert!(text.contains(part), "{part} is missing:\n{text}");
+        }
+        // The next report takes the place of this one, and of no other file.
+        fs::write(&report, "mine").unwrap();
+        assert_eq!(run(&folder, &[]), Exit::Internal);
+        assert_eq!(fs::read_to_string(&report).unwrap(), "mine");
+        assert!(folder.join("DISTURBED.partc-report.1.txt").exists());
+        assert_eq!(run(&folder, &["--no-verify"]), Exit::Clean);
+        assert!(fs::read_to_string(&output).unwrap().contains("G0 X10 Y5 Z2"));
+        fs::remove_dir_all(&folder).unwrap();
+    }
+}

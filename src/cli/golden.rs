@@ -7,8 +7,10 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 use similar::TextDiff;
 
+use crate::compare::{Difference, Step, steps_of_text};
+use crate::diag::report::xml::{HEAD as HEAD_OF_XML, escaped};
+use crate::driver::Failure;
 use crate::emit::Output as _;
-use crate::emit::reread::Change;
 use crate::target::{self, Target};
 use crate::text::decode::{escaped_json, harmless_lines};
 
@@ -23,6 +25,9 @@ use super::{Exit, Trouble};
 
 /// Lines of the head that name the version of partc and the hash of the source, not the path.
 const HEAD: [&str; 2] = ["(partc ", "(source "];
+/// Printed numbers that differ by less are the same.
+const SAME: f64 = 1e-7;
+const NAMES: [&str; 2] = ["golden", "now"];
 /// Most lines shown of a difference.
 const MOST_LINES: usize = 60;
 
@@ -72,7 +77,7 @@ pub(super) fn test(args: &Test) -> std::result::Result<Exit, Trouble> {
         return Err("`partc test` writes human, concise or json".to_owned());
     }
     let reporter = Reporter::new(&args.common, &Findings::SHOWN, Stdout::Taken, None)?;
-    let mut run = Run { args, format, cases: Vec::new(), reporter, taken: BTreeMap::new() };
+    let mut run = Run { args, format, cases: Vec::new(), reporter, taken: BTreeMap::new(), internal: false };
     for program in &programs {
         if let Err(trouble) = run.one(program) {
             run.reporter.trouble(trouble);
@@ -104,13 +109,57 @@ fn golden_extension(target: &Target) -> String {
     }
 }
 
+/// The motion of a golden output and of what is printed now, where both can be read.
+struct Change {
+    steps: std::result::Result<[Vec<Step>; 2], String>,
+}
+
+impl Change {
+    fn between(before: &str, now: &str) -> Change {
+        let steps =
+            |name: &str, text: &str| steps_of_text(text.as_bytes(), SAME).map_err(|stop| format!("{name}: {stop}"));
+        Change { steps: steps("golden", before).and_then(|before| Ok([before, steps("now", now)?])) }
+    }
+
+    fn text(&self) -> String {
+        match &self.steps {
+            Ok([before, now]) => Difference::between(before, now, SAME).text(before, now, NAMES),
+            Err(why) => format!("motion: {why}\n"),
+        }
+    }
+
+    fn json(&self) -> Value {
+        match &self.steps {
+            Ok([before, now]) => {
+                let mut found = Difference::between(before, now, SAME).json(before, now, NAMES);
+                // By name, as there are always these two.
+                let [golden, now] = [0, 1].map(|i| found["programs"][i].take());
+                found["programs"].take();
+                json!({ "same": found["same"], "differing": found["differing"], "largest": found["largest"], "golden": golden, "now": now })
+            }
+            Err(why) => json!({ "same": false, "unreadable": why }),
+        }
+    }
+}
+
+/// One program and what came of it.
+struct Case {
+    path: PathBuf,
+    result: Result,
+    motion: Option<Value>,
+    /// What differs, in a few lines.
+    text: Option<String>,
+}
+
 struct Run<'a> {
     args: &'a Test,
     format: Format,
-    cases: Vec<(PathBuf, Result, Option<Value>)>,
+    cases: Vec<Case>,
     reporter: Reporter,
     /// Golden outputs, and the program each belongs to.
     taken: BTreeMap<PathBuf, PathBuf>,
+    /// Some output was not what its program says.
+    internal: bool,
 }
 
 impl Run<'_> {
@@ -131,7 +180,10 @@ impl Run<'_> {
             return self.show(program, Result::NoGolden, None);
         }
         let mut now = Vec::new();
-        session.compile(dialect, &settings, &files, &mut now, None).map_err(|error| format!("{shown}: {error}"))?;
+        if let Err(failure) = session.compile(dialect, &settings, &files, &mut now, None) {
+            self.internal |= matches!(failure, Failure::Mismatch(_));
+            return Err(format!("{shown}: {failure}"));
+        }
         let now = String::from_utf8(now).map_err(|error| format!("{shown}: {error}"))?;
         if session.diags.has_errors() {
             self.reporter.session(session);
@@ -160,7 +212,8 @@ impl Run<'_> {
     ) -> std::result::Result<(), Trouble> {
         let change = difference.map(|(_, before, now)| Change::between(before, now));
         let json = change.as_ref().map(Change::json);
-        self.cases.push((path.to_path_buf(), result, json));
+        let short = change.as_ref().map(Change::text);
+        self.cases.push(Case { path: path.to_path_buf(), result, motion: json, text: short });
         if self.format == Format::Json || (self.args.common.report.quiet && !result.fails()) {
             return Ok(());
         }
@@ -175,15 +228,15 @@ impl Run<'_> {
     }
 
     fn finish(self) -> std::result::Result<Exit, Trouble> {
-        let count = |result| self.cases.iter().filter(|case| case.1 == result).count() as u32;
-        let failed = self.cases.iter().filter(|case| case.1.fails()).count() as u32;
+        let count = |result| self.cases.iter().filter(|case| case.result == result).count() as u32;
+        let failed = self.cases.iter().filter(|case| case.result.fails()).count() as u32;
         let (same, written) = (count(Result::Same), count(Result::Written));
         let nothing = failed + same + written == 0;
         if self.format == Format::Json {
             let cases: Vec<Value> = self
                 .cases
                 .iter()
-                .map(|(path, result, motion)| {
+                .map(|Case { path, result, motion, .. }| {
                     json!({ "file": path.to_string_lossy(), "result": result.word(), "motion": motion })
                 })
                 .collect();
@@ -206,6 +259,12 @@ impl Run<'_> {
             let all = counted(self.cases.len() as u32, "case", "cases");
             print(format!("{all}: {}\n", parts.join(", ")).as_bytes())?;
         }
+        if let Some(file) = &self.args.junit {
+            write(file, &self.junit()).map_err(|error| format!("{}: {error}", file.display()))?;
+        }
+        if self.internal {
+            return Ok(Exit::Internal);
+        }
         if !self.reporter.troubles().is_empty() {
             return Ok(Exit::Usage);
         }
@@ -214,6 +273,37 @@ impl Run<'_> {
             return Err(format!("{dir}: no golden output to compare with; `partc test --update` writes them"));
         }
         Ok(if failed > 0 { Exit::Errors } else { Exit::Clean })
+    }
+}
+
+impl Run<'_> {
+    /// The results as JUnit XML: a program is a test case.
+    fn junit(&self) -> String {
+        let troubles = self.reporter.troubles();
+        let mut cases = String::new();
+        for case in &self.cases {
+            let name = escaped(&case.path.to_string_lossy().replace('\\', "/"));
+            cases += &format!("    <testcase classname=\"partc test\" name=\"{name}\">");
+            if case.result.fails() {
+                let text = case.text.as_deref().unwrap_or_default();
+                cases += &format!("<failure message=\"{}\">{}</failure>", case.result.word(), escaped(text));
+            } else if case.result == Result::NoGolden {
+                cases += "<skipped/>";
+            }
+            cases += "</testcase>\n";
+        }
+        for trouble in troubles {
+            let text = escaped(trouble);
+            cases += &format!(
+                "    <testcase classname=\"partc test\" name=\"{text}\"><error message=\"{text}\"/></testcase>\n"
+            );
+        }
+        let failures = self.cases.iter().filter(|case| case.result.fails()).count();
+        let (tests, errors) = (self.cases.len() + troubles.len(), troubles.len());
+        let counts = format!("tests=\"{tests}\" failures=\"{failures}\" errors=\"{errors}\"");
+        format!(
+            "{HEAD_OF_XML}<testsuites {counts}>\n  <testsuite name=\"partc test\" {counts}>\n{cases}  </testsuite>\n</testsuites>\n"
+        )
     }
 }
 

@@ -3,6 +3,7 @@
 mod args;
 mod bundle;
 mod config;
+mod diff;
 mod disk;
 mod edit;
 mod fix;
@@ -86,6 +87,7 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
         Command::Trace(trace) => run::trace(trace),
         Command::Plot(plot) => plot::plot(plot),
         Command::Test(test) => golden::test(test),
+        Command::Diff(two) => diff::diff(two),
         Command::Config(show) => config::command(show),
         Command::Explain { code, format } => listing::explain(code, *format),
         Command::Rules { format } => listing::rules(*format),

@@ -14,7 +14,6 @@ pub mod number;
 mod page;
 pub mod plot;
 pub mod printer;
-pub mod reread;
 pub mod trace;
 
 use std::io;

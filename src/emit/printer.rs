@@ -94,6 +94,10 @@ impl<'a> Printer<'a> {
             closed: false,
         };
         printer.head(source, lathe);
+        #[cfg(test)]
+        if source.ends_with(disturb::DISTURBED) {
+            printer.disturb(disturb::Disturbance::Decimals(0));
+        }
         printer
     }
 

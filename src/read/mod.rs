@@ -109,6 +109,24 @@ impl Reader {
         }
     }
 
+    /// A control as LinuxCNC switches on: XY plane, absolute positions, centres from the start of the arc, feed a minute,
+    /// nothing compensated. Millimetres or inches it takes from its own settings, so that a program has to say them.
+    pub fn at_power_on() -> Reader {
+        let mut reader = Reader::new();
+        reader.modes = Modes {
+            plane: Some(Plane::Xy),
+            incremental: Some(false),
+            absolute_centers: Some(false),
+            feed_kind: Some(FeedKind::PerMinute),
+            diameter: Some(false),
+            cycles_are_off: true,
+            cutter: Some(Cutter::default()),
+            length: Some(0),
+            ..reader.modes
+        };
+        reader
+    }
+
     /// What the next lines of `text` up to `end` do; lines that only set modes are read on the way. `text` shrinks by
     /// what is read. `None` at its end. Bytes behind `end` mean nothing, and let numbers be read in one piece.
     ///

@@ -182,8 +182,8 @@ impl Reader {
     /// Takes the axes of the line; a bit for each.
     fn ends(&mut self, block: &mut Block) -> Result<u16, Fault> {
         let mut axes = 0;
-        for axis in 0..AXES {
-            let Some(number) = block.take(LETTERS[axis]) else { continue };
+        for (axis, letter) in LETTERS.iter().enumerate() {
+            let Some(number) = block.take(*letter) else { continue };
             let rotary = (3..6).contains(&axis);
             let mut units = if rotary { number } else { self.length(number)? };
             if axis == 0 && self.modes.diameter == Some(true) {

@@ -66,7 +66,7 @@ impl Reader {
             return None;
         }
         self.known |= axes;
-        self.modes.motion = Some(u8::from(path == Path::Line));
+        self.modes.motion = Some(u8::from(matches!(path, Path::Line)));
         self.lines += 1;
         Some((Move { path, axes, machine: false }, at))
     }

@@ -85,7 +85,7 @@ impl Validator {
             {
                 Err(Why::new("the blocks of the arc take another time"))
             }
-            _ => Ok(()),
+            Feed::InverseTime(_) | Feed::PerMinute(_) | Feed::PerRevolution(_) => Ok(()),
         }
     }
 

@@ -18,7 +18,7 @@ impl Validator {
         let feed = match &mv.path {
             Path::Rapid => None,
             Path::Line(feed) => Some(*feed),
-            _ => return self.check_other(mv, text),
+            Path::Arc(..) | Path::Thread { .. } | Path::Carried { .. } => return self.check_other(mv, text),
         };
         let Text { bytes: mut rest, mut end } = text;
         if end == 0 {

@@ -1,6 +1,7 @@
 //! Every golden output means to two readers what the compiler meant: to LinuxCNC's interpreter, and to a small reader
 //! of our own, which is always there.
 
+use partc::internals::compare::{Difference, Steps, steps_of_text};
 use partc::internals::diag::Diags;
 use partc::internals::dialect;
 use partc::internals::driver::Session;
@@ -8,6 +9,7 @@ use partc::internals::emit::Printer;
 use partc::internals::ir::motion;
 use partc::internals::ir::{Function, Origin, Pos};
 use partc::internals::machine::Settings;
+use partc::internals::machine::settings::ToolChange;
 use partc::internals::text::{Files, Memory, Opened};
 use partc::internals::validate::{Mismatch, Validator};
 
@@ -247,6 +249,39 @@ fn golden_outputs_mean_what_they_say_to_rs274() {
             failures.push(format!("{}: {why}", case.name));
         }
     }
+    report(&failures, cases.len());
+}
+
+/// `partc diff` finds no difference between a program and what is printed for it.
+#[test]
+fn a_program_and_its_output_are_the_same_motion() {
+    let exact = |case: &&Case| case.is_exact() && case.settings.output.tool_change == ToolChange::Change;
+    let cases: Vec<&Case> = all().iter().filter(exact).collect();
+    let mut failures = Vec::new();
+    for case in &cases {
+        let tolerance = 10f64.powi(-i32::from(case.decimals));
+        let mut meant = Steps::new(tolerance);
+        for (item, _) in &case.items {
+            let origin = Origin::default();
+            match item {
+                Item::Move(mv) => motion::Sink::movement(&mut meant, mv, &origin),
+                Item::Function(function) => motion::Sink::function(&mut meant, function, &origin),
+                Item::BeginsAt(at) => motion::Sink::begins_at(&mut meant, at),
+                Item::Lost => motion::Sink::lost(&mut meant, &origin),
+            }
+        }
+        let meant = meant.finish();
+        match steps_of_text(case.output.as_bytes(), tolerance) {
+            Ok(printed) => {
+                let found = Difference::between(&meant, &printed, tolerance);
+                if !found.is_same() {
+                    failures.push(format!("{}: {}", case.name, found.text(&meant, &printed, ["meant", "printed"])));
+                }
+            }
+            Err(stop) => failures.push(format!("{}: {stop}", case.name)),
+        }
+    }
+    assert!(cases.len() > 3000);
     report(&failures, cases.len());
 }
 

@@ -7,7 +7,7 @@ mod json;
 mod jsonl;
 mod junit;
 mod sarif;
-mod xml;
+pub mod xml;
 
 use crate::text::Sources;
 

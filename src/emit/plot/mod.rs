@@ -52,6 +52,8 @@ pub struct Plot<'a> {
     /// Index of the tool's colour and the tools in order of appearance.
     colour: usize,
     tools: Vec<Option<u32>>,
+    /// Programs instead of tools have colours.
+    names: Vec<String>,
     open: Option<(Pen, usize)>,
     in_path: u32,
     /// The programmed contour beside which the tool travels, not yet drawn, and where it ends.
@@ -87,6 +89,7 @@ impl<'a> Plot<'a> {
             at: Pos::UNKNOWN,
             colour: 0,
             tools: vec![None],
+            names: Vec::new(),
             open: None,
             in_path: 0,
             contour: Vec::new(),
@@ -102,6 +105,19 @@ impl<'a> Plot<'a> {
         plot
     }
 
+    /// What comes now belongs to another program, which has a colour of its own.
+    pub fn program(&mut self, name: &str) {
+        self.close();
+        self.at.clear();
+        if self.names.is_empty() {
+            self.tools.clear();
+        }
+        let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
+        self.tools.push(Some(self.names.len() as u32));
+        self.colour = self.names.len();
+        self.names.push(name.to_owned());
+    }
+
     /// Ends the picture.
     ///
     /// # Errors
@@ -114,6 +130,7 @@ impl<'a> Plot<'a> {
             diameter: self.diameter,
             extents: self.extents,
             tools: &self.tools,
+            names: &self.names,
             rapids: self.rapids,
             threads: self.threads,
             contours: self.contours,
@@ -333,7 +350,7 @@ impl Sink for Plot<'_> {
     }
 
     fn function(&mut self, function: &Function, _: &Origin) {
-        if let Function::ToolChange { number } = function {
+        if let (Function::ToolChange { number }, []) = (function, self.names.as_slice()) {
             let tool = Some(*number);
             self.colour = match self.tools.iter().position(|known| *known == tool) {
                 Some(index) => index,

@@ -72,6 +72,8 @@ pub(super) struct Scene<'a> {
     pub(super) diameter: bool,
     pub(super) extents: Extents,
     pub(super) tools: &'a [Option<u32>],
+    /// Names that stand for tools, where programs are drawn.
+    pub(super) names: &'a [String],
     pub(super) rapids: bool,
     pub(super) threads: bool,
     pub(super) contours: bool,
@@ -312,7 +314,10 @@ impl Scene<'_> {
             x += (3.4 + 0.5 * name.len() as f64) * font;
         };
         for (i, tool) in self.tools.iter().enumerate().take(COLOURS.len()) {
-            let name = tool.map_or("path".to_owned(), |number| format!("T{number}"));
+            let name = match self.names.get(i) {
+                Some(name) => escaped(name),
+                None => tool.map_or("path".to_owned(), |number| format!("T{number}")),
+            };
             entry(s, &format!("c t{i}"), &name);
         }
         if self.tools.len() > COLOURS.len() {

@@ -8,6 +8,9 @@ use super::super::modal::FeedKind;
 use super::super::number::Places;
 use super::Printer;
 
+/// A program of this name is printed wrong.
+pub const DISTURBED: &str = "DISTURBED.H";
+
 /// What a printer may get wrong about itself or its target.
 #[derive(Debug, Clone, Copy)]
 pub enum Disturbance {

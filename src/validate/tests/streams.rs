@@ -78,7 +78,7 @@ pub fn stream(dice: &mut Dice, length: usize) -> Stream {
         settings.output.tool_change = ToolChange::Stop;
     }
     let plane = if settings.machine.kind == MachineKind::Lathe { Plane::Zx } else { Plane::Xy };
-    let unit = 0.1f64.powi(i32::from(settings.output.decimals));
+    let unit = 1.0 / f64::from(10u32.pow(u32::from(settings.output.decimals)));
     let feed = Feed::PerMinute(100.0);
     let grbl = target == "grbl";
     let mut maker =

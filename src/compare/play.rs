@@ -1,0 +1,217 @@
+//! Plain G-code as motion items: what a reader of it finds, in the language that everything after the compiler speaks.
+
+use core::f64::consts::TAU;
+
+use crate::geo::{Plane, Point2};
+use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
+use crate::ir::motion::{Arc, Move, Path, Sink};
+use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::machine::{Axis, AxisSet};
+use crate::read::{self, AXES, Act, FeedKind, Reader, SCALE, Speed};
+use crate::text::Loc;
+
+/// Where a program cannot be read, and why.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Stop {
+    pub line: u64,
+    pub why: String,
+}
+
+impl std::fmt::Display for Stop {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "line {} cannot be read: {}", self.line, self.why)
+    }
+}
+
+/// Gives what the program does to `sink`, each item with its line.
+///
+/// # Errors
+/// The first line that is no plain G-code.
+pub fn play(text: &[u8], sink: &mut dyn Sink) -> Result<(), Stop> {
+    let mut player = Player { reader: Reader::at_power_on(), sink, selected: None, waiting: None, cutter: None };
+    let (mut rest, mut end) = (text, text.len());
+    loop {
+        let before = player.reader.lines();
+        let act = player.reader.next(&mut rest, &mut end);
+        let stop = |why: String| Stop { line: player.reader.lines().max(before), why };
+        match act.map_err(|fault| stop(fault.why))? {
+            Some(act) => player.act(act).map_err(|why| Stop { line: player.reader.lines(), why: why.to_owned() })?,
+            None => break,
+        }
+    }
+    player.bring_forth(None);
+    Ok(())
+}
+
+struct Player<'a> {
+    reader: Reader,
+    sink: &'a mut dyn Sink,
+    /// The tool that T chose last.
+    selected: Option<u32>,
+    /// A T word that a change in the same line may use: the tool and the line.
+    waiting: Option<(u32, u64)>,
+    cutter: Option<read::Cutter>,
+}
+
+impl Player<'_> {
+    fn origin(&self) -> Origin {
+        let line = u32::try_from(self.reader.lines()).unwrap_or(u32::MAX);
+        Origin { loc: Loc { line, ..Loc::default() }, ..Origin::default() }
+    }
+
+    fn does(&mut self, function: Function) {
+        let origin = self.origin();
+        self.sink.function(&function, &origin);
+    }
+
+    /// A T word that no change in its line uses tells the changer what comes next.
+    fn bring_forth(&mut self, act: Option<&Act>) {
+        if let Some((number, line)) = self.waiting.take()
+            && !(act == Some(&Act::Change) && line == self.reader.lines())
+        {
+            self.does(Function::ToolPrepare { number });
+        }
+    }
+
+    fn act(&mut self, act: Act) -> Result<(), &'static str> {
+        self.bring_forth(Some(&act));
+        match act {
+            Act::Move(mv) => return self.movement(&mv),
+            Act::Select(tool) => {
+                self.selected = Some(tool);
+                self.waiting = Some((tool, self.reader.lines()));
+            }
+            Act::Change => {
+                let number = self.selected.ok_or("a change to a tool that no T has chosen")?;
+                self.does(Function::ToolChange { number });
+            }
+            Act::Speed(speed) => self.speed(speed),
+            Act::M { number, spindle, angle } => self.m_function(number, spindle, angle)?,
+            Act::Dwell(seconds) => self.does(Function::Dwell(real(seconds))),
+            Act::Offset(number) => self.does(Function::WorkOffset(number)),
+        }
+        Ok(())
+    }
+
+    fn spindle(&mut self, number: u8, spindle: Spindle) {
+        self.does(match number {
+            0 => Function::Spindle(spindle),
+            _ => Function::SpindleOf { number: number.saturating_add(1), spindle },
+        });
+    }
+
+    fn speed(&mut self, speed: Speed) {
+        let value = real(speed.value);
+        let order = match speed.constant_cut {
+            Some(limit) => Spindle::CuttingSpeed { speed: value, limit: limit.map(real) },
+            None => Spindle::Speed(value),
+        };
+        self.spindle(speed.spindle, order);
+    }
+
+    fn m_function(&mut self, number: u32, spindle: u8, angle: Option<i64>) -> Result<(), &'static str> {
+        match number {
+            0 => self.does(Function::Stop),
+            1 => self.does(Function::OptionalStop),
+            2 | 30 => self.does(Function::End { rewind: number == 30 }),
+            3 => self.spindle(spindle, Spindle::Start(Turn::Clockwise)),
+            4 => self.spindle(spindle, Spindle::Start(Turn::CounterClockwise)),
+            5 => self.spindle(spindle, Spindle::Stop),
+            7 => self.does(Function::Coolant(Coolant::Mist)),
+            8 => self.does(Function::Coolant(Coolant::Flood)),
+            9 => self.does(Function::Coolant(Coolant::Off)),
+            19 => {
+                let angle = angle.ok_or("M19 without its angle")?;
+                self.spindle(spindle, Spindle::Orient(real(angle)));
+            }
+            _ => self.does(Function::Aux(number)),
+        }
+        Ok(())
+    }
+
+    fn movement(&mut self, mv: &read::Move) -> Result<(), &'static str> {
+        let side = self.side();
+        let axes: AxisSet = bits(mv.axes).collect();
+        let mut end = Pos::UNKNOWN;
+        let told = if mv.machine { mv.axes } else { self.reader.known() };
+        for axis in bits(told) {
+            end.set(axis, real(self.reader.at()[axis.index()]));
+        }
+        let plane = self.reader.modes().plane.map_or(Plane::Xy, plane);
+        let path = match mv.path {
+            read::Path::Rapid => Path::Rapid,
+            read::Path::Line => Path::Line(self.feed()?),
+            read::Path::Thread(lead) => Path::Thread { lead: real(lead) },
+            read::Path::Arc(arc) => Path::Arc(exact(&arc)?, self.feed()?),
+        };
+        let mut axes = axes;
+        if let read::Path::Arc(arc) = mv.path {
+            arc.plane.axes()[..2].iter().for_each(|axis| axes.insert(Axis::ALL[*axis]));
+        }
+        let origin = self.origin();
+        self.sink.movement(&Move { end, axes, path, side, plane, machine: mv.machine }, &origin);
+        Ok(())
+    }
+
+    /// The side that holds; a new cutter is told first.
+    fn side(&mut self) -> Side {
+        let cutter = self.reader.modes().cutter.unwrap_or_default();
+        if cutter.side != 0 && self.cutter != Some(cutter) {
+            self.cutter = Some(cutter);
+            let radius = cutter.diameter.map(|diameter| real(diameter) / 2.0);
+            self.does(Function::Cutter(CutterData { number: cutter.tool, radius, known: radius }));
+        }
+        match cutter.side {
+            1 => Side::Left,
+            -1 => Side::Right,
+            _ => Side::None,
+        }
+    }
+
+    fn feed(&self) -> Result<Feed, &'static str> {
+        let feed = self.reader.feed().filter(|feed| *feed > 0).map(real).ok_or("a cut without a feed")?;
+        match self.reader.modes().feed_kind {
+            Some(FeedKind::PerMinute) => Ok(Feed::PerMinute(feed)),
+            Some(FeedKind::PerRevolution) => Ok(Feed::PerRevolution(feed)),
+            Some(FeedKind::InverseTime) => Ok(Feed::InverseTime(feed)),
+            None => Err("what the feed counts, nobody has said"),
+        }
+    }
+}
+
+/// An arc by its exact sweep.
+fn exact(arc: &read::Arc) -> Result<Arc, &'static str> {
+    let point = |p: [i64; 2]| Point2::new(real(p[0]), real(p[1]));
+    let (from, to, center) = (point(arc.from), point(arc.to), point(arc.center));
+    if arc.from == arc.center || arc.to == arc.center {
+        return Err("an arc without a radius");
+    }
+    let sense = f64::from(arc.turns.signum());
+    let angle = |p: Point2| libm::atan2(p.y - center.y, p.x - center.x);
+    let mut part = sense * (angle(to) - angle(from));
+    if part <= 0.0 {
+        part += TAU;
+    }
+    if arc.from == arc.to {
+        part = TAU;
+    }
+    let sweep = sense * (part + TAU * f64::from(arc.turns.abs() - 1));
+    Ok(Arc { plane: plane(arc.plane), from, center, sweep })
+}
+
+fn plane(plane: read::Plane) -> Plane {
+    match plane {
+        read::Plane::Xy => Plane::Xy,
+        read::Plane::Zx => Plane::Zx,
+        read::Plane::Yz => Plane::Yz,
+    }
+}
+
+fn real(units: i64) -> f64 {
+    units as f64 / SCALE as f64
+}
+
+/// The axes of a set of bits.
+fn bits(set: u16) -> impl Iterator<Item = Axis> {
+    (0..AXES).filter(move |i| set & (1 << i) != 0).map(|i| Axis::ALL[i])
+}

@@ -1,0 +1,333 @@
+//! What a program does, step by step, without how it was said.
+
+use core::f64::consts::TAU;
+
+use crate::geo::{Plane, Point2, distance, turned};
+use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
+use crate::ir::motion::{Move, Path, Sink};
+use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::machine::Axis;
+
+/// One thing that a program does, and the block that asks for it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step {
+    pub file: u16,
+    /// From 1.
+    pub line: u32,
+    pub does: Does,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub enum Does {
+    Travel(Travel),
+    /// A word such as `M3` or `S`, and its numbers.
+    Function(String, [f64; 2]),
+}
+
+/// A move with everything that holds for it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Travel {
+    pub kind: Kind,
+    /// Where it starts and ends, as far as it is known.
+    pub start: Pos,
+    pub end: Pos,
+    /// The feed; `None` where there is none, or where the machine has to work it out.
+    pub feed: Option<Feed>,
+    pub side: Side,
+    pub machine: bool,
+    pub tool: Option<u32>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    Rapid,
+    Line,
+    /// The way of a turn of the spindle.
+    Thread(f64),
+    Arc {
+        plane: Plane,
+        center: Point2,
+        sweep: f64,
+    },
+}
+
+impl Travel {
+    /// Where the machine is after this part of the way.
+    pub fn place(&self, part: f64) -> Pos {
+        let mut place = Pos::UNKNOWN;
+        for (axis, end) in self.end.iter() {
+            let start = self.start.get(axis).unwrap_or(end);
+            place.set(axis, start + (end - start) * part);
+        }
+        if let Kind::Arc { plane, center, sweep } = self.kind
+            && let Some(from) = self.start.in_plane(plane)
+        {
+            place.set_in_plane(plane, center + turned(from - center, sweep * part));
+        }
+        place
+    }
+
+    /// Way of the main axes in mm, as far as the start is known.
+    pub fn length(&self) -> f64 {
+        if self.machine {
+            return 0.0;
+        }
+        let way = |axis: Axis| self.end.get(axis).zip(self.start.get(axis)).map_or(0.0, |(end, start)| end - start);
+        let [x, y, z] = [Axis::X, Axis::Y, Axis::Z].map(way);
+        match self.kind {
+            Kind::Arc { plane, center, sweep } => {
+                let (_, _, third) = plane.axes();
+                let radius = self.end.in_plane(plane).map_or(0.0, |end| distance(end, center));
+                libm::hypot(radius * sweep, way(Axis::ALL[third]))
+            }
+            Kind::Rapid | Kind::Line | Kind::Thread(_) => libm::hypot(libm::hypot(x, y), z),
+        }
+    }
+}
+
+/// Keeps the steps of a motion stream. A way that is no way is none; parts of one arc are one arc.
+#[derive(Debug)]
+pub struct Steps {
+    list: Vec<Step>,
+    /// A way that is no longer is none, in mm.
+    nothing: f64,
+    at: Pos,
+    tool: Option<u32>,
+    cutter: CutterData,
+    offset: Option<u8>,
+}
+
+impl Steps {
+    /// Ways up to half the tolerance are none.
+    pub fn new(tolerance: f64) -> Steps {
+        let (list, at) = (Vec::new(), Pos::UNKNOWN);
+        Steps { list, nothing: tolerance / 2.0, at, tool: None, cutter: CutterData::default(), offset: None }
+    }
+
+    /// All steps. A program that does not say how it ends stops at its end.
+    pub fn finish(mut self) -> Vec<Step> {
+        let ends = |step: &Step| matches!(&step.does, Does::Function(word, _) if word == "end");
+        if !self.list.iter().rev().any(ends) {
+            let origin = Origin::default();
+            self.function("end", [0.0; 2], &origin);
+        }
+        self.list
+    }
+
+    fn function(&mut self, word: &str, numbers: [f64; 2], origin: &Origin) {
+        let does = Does::Function(word.to_owned(), numbers);
+        self.list.push(Step { file: origin.loc.file.0, line: origin.loc.line, does });
+    }
+
+    fn spindle(&mut self, spindle: Spindle, number: u8, origin: &Origin) {
+        let number = f64::from(number);
+        match spindle {
+            Spindle::Start(Turn::Clockwise) => self.function("M3", [number, 0.0], origin),
+            Spindle::Start(Turn::CounterClockwise) => self.function("M4", [number, 0.0], origin),
+            Spindle::Stop => self.function("M5", [number, 0.0], origin),
+            Spindle::Speed(speed) => self.function("S", [number, speed], origin),
+            Spindle::CuttingSpeed { speed, limit } => {
+                if let Some(limit) = limit {
+                    self.function("speed limit", [number, limit], origin);
+                }
+                self.function("cutting speed", [number, speed], origin);
+            }
+            Spindle::Orient(angle) => self.function("M19", [number, angle], origin),
+        }
+    }
+
+    /// Makes one arc of this one and the one in front of it, where they are parts of it.
+    fn joins(&mut self, next: &Travel) -> bool {
+        let Some(Step { does: Does::Travel(last), .. }) = self.list.last_mut() else { return false };
+        let (Kind::Arc { plane, center, sweep }, Kind::Arc { plane: other, center: about, sweep: more }) =
+            (last.kind, next.kind)
+        else {
+            return false;
+        };
+        let by_time = matches!(next.feed, Some(Feed::InverseTime(_)));
+        let radius = self.at.in_plane(plane).map_or(0.0, |at| distance(at, center));
+        let same = plane == other
+            && sweep.signum() == more.signum()
+            && distance(center, about) <= MOST_APART
+            && last.feed == next.feed
+            && !by_time
+            && last.side == next.side;
+        // An axis that goes along goes evenly: by the turn.
+        let even = same
+            && next.end.iter().all(|(axis, end)| {
+                let (first, second, _) = plane.axes();
+                let in_plane = axis.index() == first || axis.index() == second;
+                let Some((start, middle)) = last.start.get(axis).zip(last.end.get(axis)) else { return in_plane };
+                let share = sweep / (sweep + more);
+                in_plane || (start + (end - start) * share - middle).abs() <= MOST_APART
+            });
+        if !even || radius < MOST_APART {
+            return false;
+        }
+        last.kind = Kind::Arc { plane, center, sweep: sweep + more };
+        last.end = next.end;
+        true
+    }
+}
+
+/// How far the centres of parts of one arc may lie apart by their rounding, in mm.
+const MOST_APART: f64 = 0.0025;
+
+impl Sink for Steps {
+    fn movement(&mut self, mv: &Move, origin: &Origin) {
+        let kind = match &mv.path {
+            Path::Rapid => Kind::Rapid,
+            Path::Line(_) | Path::Carried { .. } => Kind::Line,
+            Path::Thread { lead } => Kind::Thread(*lead),
+            Path::Arc(arc, _) => Kind::Arc { plane: arc.plane, center: arc.center, sweep: arc.sweep },
+        };
+        let start = self.at;
+        let mut end = if mv.machine { Pos::UNKNOWN } else { start };
+        for axis in mv.axes.iter() {
+            if let Some(value) = mv.end.get(axis) {
+                end.set(axis, value);
+            }
+        }
+        let travel =
+            Travel { kind, start, end, feed: mv.path.feed(), side: mv.side, machine: mv.machine, tool: self.tool };
+        let stays = |(axis, end): (Axis, f64)| start.get(axis).is_some_and(|start| (start - end).abs() <= self.nothing);
+        let is_way = matches!(kind, Kind::Arc { .. }) || mv.machine || !end.iter().all(stays);
+        if !is_way {
+            return;
+        }
+        if !self.joins(&travel) {
+            let does = Does::Travel(travel);
+            self.list.push(Step { file: origin.loc.file.0, line: origin.loc.line, does });
+        }
+        if mv.machine {
+            mv.axes.iter().for_each(|axis| self.at.forget(axis));
+        } else {
+            self.at = end;
+        }
+    }
+
+    fn function(&mut self, function: &Function, origin: &Origin) {
+        let none = [0.0; 2];
+        match function {
+            Function::ToolChange { number } => {
+                self.tool = Some(*number);
+                self.function("tool", [f64::from(*number), 0.0], origin);
+            }
+            Function::ToolPrepare { number } => self.function("T", [f64::from(*number), 0.0], origin),
+            Function::Cutter(cutter) => self.cutter = *cutter,
+            Function::Spindle(spindle) => self.spindle(*spindle, 0, origin),
+            Function::SpindleOf { number, spindle } => self.spindle(*spindle, number.saturating_sub(1), origin),
+            Function::Coolant(Coolant::Mist) => self.function("M7", none, origin),
+            Function::Coolant(Coolant::Flood) => self.function("M8", none, origin),
+            Function::Coolant(Coolant::Off) => self.function("M9", none, origin),
+            Function::Dwell(seconds) => self.dwell(*seconds, origin),
+            Function::Stop => self.function("M0", none, origin),
+            Function::OptionalStop => self.function("M1", none, origin),
+            // What the control counts among its own.
+            Function::Aux(number @ (0 | 1 | 3..=5 | 7..=9)) => self.function(&format!("M{number}"), none, origin),
+            Function::Aux(number) => self.function("M", [f64::from(*number), 0.0], origin),
+            Function::WorkOffset(number) => {
+                self.at.clear();
+                if self.offset.replace(*number) != Some(*number) {
+                    self.function("work offset", [f64::from(*number), 0.0], origin);
+                }
+            }
+            Function::End { rewind } => self.function("end", [f64::from(u8::from(*rewind)), 0.0], origin),
+            Function::FeedSpindle(_) | Function::Transformation(_) | Function::Plane(_) | Function::Comment(_) => {}
+        }
+    }
+
+    fn lost(&mut self, _: &Origin) {
+        self.at.clear();
+    }
+
+    fn begins_at(&mut self, at: &Pos) {
+        self.at.update(at);
+    }
+}
+
+impl Steps {
+    /// Waits that follow each other are one.
+    fn dwell(&mut self, seconds: f64, origin: &Origin) {
+        match self.list.last_mut() {
+            Some(Step { does: Does::Function(word, numbers), .. }) if word == "dwell" => numbers[0] += seconds,
+            _ => self.function("dwell", [seconds, 0.0], origin),
+        }
+    }
+}
+
+impl Step {
+    /// The step in words of G-code; the line is named, where it is asked for.
+    pub fn text(&self) -> String {
+        format!("{} (line {})", self.does.text(), self.line)
+    }
+}
+
+impl Does {
+    fn text(&self) -> String {
+        match self {
+            Does::Travel(travel) => travel.text(),
+            Does::Function(word, [first, second]) => match word.as_str() {
+                "tool" => format!("T{first} M6"),
+                "T" | "M" => format!("{word}{first}"),
+                "end" => if *first > 0.0 { "M30" } else { "M2" }.to_owned(),
+                "dwell" | "work offset" => format!("{word} {}", shown(*first)),
+                "S" if *first == 0.0 => format!("S{}", shown(*second)),
+                "cutting speed" | "speed limit" | "M19" | "S" => {
+                    let spindle = if *first > 0.0 { format!(" of spindle {}", first + 1.0) } else { String::new() };
+                    format!("{word} {}{spindle}", shown(*second))
+                }
+                _ if *first > 0.0 => format!("{word} of spindle {}", first + 1.0),
+                _ => word.clone(),
+            },
+        }
+    }
+}
+
+impl Travel {
+    fn text(&self) -> String {
+        let word = match self.kind {
+            Kind::Rapid => "G0",
+            Kind::Line => "G1",
+            Kind::Thread(_) => "G33",
+            Kind::Arc { sweep, .. } if sweep > 0.0 => "G3",
+            Kind::Arc { .. } => "G2",
+        };
+        let mut text = if self.machine { format!("G53 {word}") } else { word.to_owned() };
+        for (axis, value) in self.end.iter() {
+            text += &format!(" {}{}", axis.letter(), shown(value));
+        }
+        match self.kind {
+            Kind::Arc { plane, center, sweep } => {
+                let (first, second, _) = plane.axes();
+                if let Some(from) = self.start.in_plane(plane) {
+                    let mut off = [(first, center.x - from.x), (second, center.y - from.y)];
+                    off.sort_by_key(|(axis, _)| *axis);
+                    text += &off.map(|(axis, off)| format!(" {}{}", ["I", "J", "K"][axis], shown(off))).concat();
+                }
+                let turns = libm::ceil(sweep.abs() / TAU - 1e-6);
+                if turns > 1.0 {
+                    text += &format!(" P{turns}");
+                }
+            }
+            Kind::Thread(lead) => text += &format!(" K{}", shown(lead)),
+            Kind::Rapid | Kind::Line => {}
+        }
+        match self.feed {
+            Some(Feed::PerMinute(feed)) => text += &format!(" F{}", shown(feed)),
+            Some(Feed::PerRevolution(feed)) => text += &format!(" F{} a turn", shown(feed)),
+            Some(Feed::InverseTime(feed)) => text += &format!(" F{} by time", shown(feed)),
+            None => {}
+        }
+        text + match self.side {
+            Side::None => "",
+            Side::Left => " left of the contour",
+            Side::Right => " right of the contour",
+        }
+    }
+}
+
+/// A number as it is shown: four places, no `-0`.
+pub fn shown(value: f64) -> f64 {
+    libm::round(value * 1e4) / 1e4 + 0.0
+}

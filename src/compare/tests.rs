@@ -1,0 +1,107 @@
+use core::f64::consts::TAU;
+
+use super::*;
+
+fn steps(text: &str) -> Vec<Step> {
+    steps_of_text(format!("G21 G90\n{text}").as_bytes(), 0.001).unwrap_or_else(|stop| panic!("{stop}\n{text}"))
+}
+
+fn between(a: &str, b: &str) -> (Difference, String) {
+    let (a, b) = (steps(a), steps(b));
+    let found = Difference::between(&a, &b, 0.001);
+    let text = found.text(&a, &b, ["golden", "now"]);
+    (found, text)
+}
+
+#[test]
+fn steps_carry_what_holds_for_them() {
+    let list = steps("(G1 X9)\nG17\nT1 M6\nG0 X0 Y0\nG1 X10 F100\nG3 X10 Y0 I-5 J0 P2\nG53 G0 Z-1\nM30\n%\n");
+    let texts: Vec<String> = list.iter().map(Step::text).collect();
+    let expected = [
+        "T1 M6 (line 4)",
+        "G0 X0 Y0 (line 5)",
+        "G1 X10 Y0 F100 (line 6)",
+        "G3 X10 Y0 I-5 J0 P2 F100 (line 7)",
+        "G53 G0 Z-1 (line 8)",
+        "M30 (line 9)",
+    ];
+    assert_eq!(texts, expected);
+    let Does::Travel(circles) = &list[3].does else { panic!("a move") };
+    assert!((circles.length() - 2.0 * TAU * 5.0).abs() < 1e-9 && circles.tool == Some(1));
+}
+
+/// The same in the words of many: increments, modal words, inches, radii, centres from zero, lower case, no blanks.
+#[test]
+fn words_do_not_matter() {
+    let plain = "G0 X0 Y0\nG1 X25.4 Y0 F254\nG3 X25.4 Y20 I0 J10\nG1 X0 Y20\nM5\nM30\n";
+    for other in [
+        "g0x0y0\nn20 g1 x25.4 f254\ng3y20j10\ng1x0\nm5\nm30",
+        "G0 X0 Y0\nG91\nG1 X25.4 F254\nG3 Y20 J10\nG1 X-25.4\nM5 M30",
+        "G0 X0 Y0 F254\nG1 X25.4\nG3 X25.4 Y20 R10\nG1 X0\nM5\nM30",
+        "G0 X0 Y0\nG1 X25.4 F254\nG90.1\nG3 Y20 I25.4 J10\nG1 X0\nM5\nM30",
+        "G0 X0 Y0\nG20\nG1 X1 F10\nG21\nG3 Y20 J10\nG1 X0\nM5\nM30",
+        "G0 X0 Y0\nG1 X25.4 F254\nG3 X35.4 Y10 J10\nX25.4 Y20 I-10\nG1 X0\nM5\nM30",
+    ] {
+        let (found, text) = between(plain, other);
+        assert!(found.is_same(), "{other}\n{text}");
+    }
+}
+
+#[test]
+fn a_difference_names_its_first_step_and_its_size() {
+    let (found, text) = between("G0 X0 Y0\nG1 X10 F100\n", "G0 X0 Y0\n(new)\nG1 X10.5 F100\n");
+    assert!(text.starts_with("motion: 1 of 2 moves differs, by up to 0.5\n"), "{text}");
+    assert!(
+        text.contains("golden: G1 X10 Y0 F100 (line 3)") && text.contains("now: G1 X10.5 Y0 F100 (line 4)"),
+        "{text}"
+    );
+    assert!(text.contains("golden: 10 mm") && text.contains("now: 10.5 mm"), "{text}");
+    assert_eq!((found.differing, found.only, found.largest), (1, [0, 0], 0.5));
+}
+
+#[test]
+fn one_block_more_leaves_the_others_the_same() {
+    let line = |n: i32| format!("G1 X{} Y{} F100\n", n * 7 % 13, n);
+    let a: String = (0..200).map(line).collect();
+    let b: String = (0..200).filter(|n| *n != 50).map(|n| if n == 120 { line(n) + "M8\n" } else { line(n) }).collect();
+    let (found, text) = between(&a, &b);
+    assert_eq!((found.differing, found.only, found.functions), (0, [1, 1], 1), "{text}");
+    assert!(text.contains("199 moves; 0 differ, 1 are only in golden, 1 only in now"), "{text}");
+}
+
+#[test]
+fn feeds_tools_senses_and_order_count() {
+    let base = "T1 M6\nS100 M3\nG0 X0 Y0\nG1 X10 F100\nG2 X20 I5 J0\nM8\nG0 Z5\n";
+    for (from, to, what) in [
+        ("F100", "F101", "in the feed alone"),
+        ("T1", "T2", "T2"),
+        ("G2 ", "G3 ", "G3"),
+        ("M8\nG0 Z5\n", "G0 Z5\nM8\n", "M8"),
+        ("M3", "M4", "M4"),
+        ("S100", "S200", "S200"),
+        ("I5 J0", "I5 J0 P2", "P2"),
+        ("G1 X10", "G0 X10", "G0"),
+        ("G0 Z5\n", "G0 Z5\nG4 P1\n", "dwell 1"),
+        ("G2 X20 I5 J0", "G1 X20", "G1 X20"),
+    ] {
+        let (found, text) = between(base, &base.replace(from, to));
+        assert!(!found.is_same() && text.contains(what), "{to}\n{text}");
+    }
+    assert_eq!(between(base, &base.replace("F100", "F101")).0.feeds, 2);
+}
+
+#[test]
+fn what_is_no_plain_program_is_said_with_its_line() {
+    for (text, line, why) in [
+        ("G21 G90\nG1 X#1 F1\n", 2, "is no number"),
+        ("G90\nG1 X1 F1\n", 2, "millimetres or inches"),
+        ("G21\nG81 X1 Z-3 R2 F1\n", 2, "no word that is read"),
+        ("G21\nG1 X1\n", 2, "without a feed"),
+        ("G21\nG2 X1 Y1 I1 J0 F1\n", 2, "unknown place"),
+        ("G21\n/G0 X1\n", 2, "decided at the machine"),
+        ("G21\nM2\nG0 X1\n", 3, "behind the end"),
+    ] {
+        let stop = steps_of_text(text.as_bytes(), 0.001).expect_err(text);
+        assert!(stop.line == line && stop.why.contains(why), "{text}: {stop}");
+    }
+}
