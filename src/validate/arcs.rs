@@ -30,6 +30,8 @@ struct Course {
     /// What of it was printed.
     swept: f64,
     blocks: f64,
+    /// The blocks are lines; they are all of one kind.
+    as_lines: bool,
     /// F of its first block.
     feed: i64,
 }
@@ -44,6 +46,7 @@ impl Validator {
             sweep: arc.sweep,
             swept: 0.0,
             blocks: 0.0,
+            as_lines: false,
             feed: 0,
         };
         let [first, second, _] = plane(arc.plane).axes();
@@ -56,6 +59,11 @@ impl Validator {
                 return Err(Why::new("an axis moves that shall stand"));
             }
             let to = [self.reader.at()[first], self.reader.at()[second]];
+            let line = matches!(found.path, read::Path::Line);
+            if course.blocks > 0.0 && line != course.as_lines {
+                return Err(Why::new("an arc is either arcs or lines"));
+            }
+            course.as_lines = line;
             course.blocks += 1.0;
             course.swept += match found.path {
                 read::Path::Arc(found) => self.part(&course, &found, arc)?,

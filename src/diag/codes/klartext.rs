@@ -479,7 +479,7 @@ one of these is refused. The datum and the rotation that the cycle sets have to 
 K2852 Error "shift-under-turned-plane" "datum shift and turned working plane are mixed"
 "A datum shift in front of PLANE or cycle 19 is measured along the axes of the part, one behind it along the turned ones. What becomes of the \
 one where the other is programmed anew, or where the plane turns back first, no manual page says. Reset the shift before the plane turns, and \
-the plane after the shift that belongs to it."
+the plane after the shift that belongs to it. A mirror of X or Y and an uneven scaling by cycle 26 have to be programmed after the turn, too, and reset before the next one."
 
 K2853 Note "plane-turned" "turn about the tool axis is printed in the coordinates"
 "PLANE or cycle 19 turns the system about the tool axis only, so nothing is tilted. The control may turn the rotary table instead of the \

@@ -21,11 +21,16 @@ calls this one: write it in front of the cycle, or the value in place of PREDEF.
 
 K2945 Error "point-table-unreadable" "point table cannot be read"
 "SEL PATTERN names a point table: `BEGIN NAME.PNT MM`, a line with the names of the columns (NR X Y Z FADE CLEARANCE), one place a line, `[END]`. The values \
-stand under their columns. A place with FADE Y is left out, CLEARANCE is a height at which the tool goes to the place and from it."
+stand under their columns. A line with as many words as the table has columns may stand beside them; any other word that \
+does not stand under one name is refused. A place with FADE Y is left out, CLEARANCE is a height at which the tool goes to the place and from it."
 
 K2946 Error "tangent-behind-cycle" "tangential arc directly behind a cycle"
 "CT and CTP go on in the direction of the element in front of them. Behind a cycle call that would be some way of the cycle, which manuals do not print. Put a line \
 or an arc of the contour between the two, or give the circle by its centre or its radius."
+
+K2947 Error "cycle-of-another-unit" "cycle is called in a program of another unit"
+"The parameters of a cycle are numbers without a unit. A cycle that a program in MM defines, and a called program in INCH runs, or the other way round, would be made with \
+lengths of the wrong size, and no manual says which unit counts. Define the cycle in the program that calls it."
 
 K8141 Note "klartext-cycle-way" "way of the tool in a cycle is partc's own"
 "Manuals print what the cycle makes, and not every move of its way. partc makes a way of its own, described in docs/cycles.md, that reaches the programmed \

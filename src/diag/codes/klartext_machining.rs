@@ -27,8 +27,23 @@ K8103 Warning "nothing-to-finish" "cycle finishes, and no allowance is left"
 that roughing left."
 
 K8104 Note "cycle-end-open" "where a cycle leaves the tool is open"
-"The manuals do not say where the tool stands in the working plane after this cycle. partc takes the position as unknown: an incremental word needs an absolute one in front \
-of it. A block with one axis of the plane goes from the end of the path of partc. Said once for each cycle and program."
+"The manuals do not say where the tool stands in the working plane after this cycle. partc takes the position as unknown: until a block names both axes, \
+incremental words, cuts, cycles, and moves of one axis of the plane are refused (K2001), and only the tool axis may move, at rapid traverse or upwards. Said once for each cycle and program."
+
+K8105 Warning "pattern-without-places" "pattern has no place left"
+"The point table has no line, or FADE leaves out every place, so CYCL CALL PAT runs the cycle nowhere. Check the table."
+
+K8106 Warning "places-twice" "places of a pattern lie on each other"
+"Two places of the pattern are the same, so the cycle runs there twice: a distance or a step of 0, or more than one turn. Check the number of places, their distance and \
+the angles."
+
+K8107 Warning "mirrored-milling-sense" "mirror turns climb into up-cut milling"
+"Under a mirror of one axis the tool goes round the other way, and the spindle does not. partc mirrors the path with the part, so that climb milling (Q351 = +1) becomes up-cut \
+milling. Whether the control keeps the kind of milling is not confirmed. Compare, and give the kind of milling the other sign where it does."
+
+K8108 Warning "corner-radius-not-counted" "corner radius of the cutter is not counted"
+"The milling cycles compute their paths for a cutter with sharp corners. With a corner radius (R2 of the tool table, `[tools.N] corner_radius`, DR2) a rounding stays at the foot of \
+each wall, and cusps stay on the floor between paths that lie farther apart than the flat part of the cutter is wide. Give a smaller overlap factor, or finish with another cutter."
 
 K9030 Error "milling-frame" "milling cycle under a scaling or a mirrored tool axis"
 "A scaling would change the sizes of the cycle and not the cutter, and a tool axis that is mirrored or tilted would lead the tool from the far side. Shifts, rotations and \

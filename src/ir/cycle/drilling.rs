@@ -135,8 +135,8 @@ pub struct Removal {
     /// Seconds at the start plane.
     pub dwell: f64,
     pub ahead: Ahead,
-    /// The last way out stops at the start plane, too.
-    pub at_the_end: bool,
+    /// The last way out stops at the start plane, too; at this feed, `None` for rapid.
+    pub last: Option<Option<Feed>>,
 }
 
 /// Distance in front of the last depth, where rapid traverse back into the hole ends.
@@ -335,7 +335,7 @@ impl Levels {
 impl Pecking {
     /// Steps without dwell, chips removed at rapid.
     pub fn new(first: f64, degression: Degression) -> Pecking {
-        let removal = Removal { back: None, dwell: 0.0, ahead: Ahead::ByDepth, at_the_end: false };
+        let removal = Removal { back: None, dwell: 0.0, ahead: Ahead::ByDepth, last: None };
         Pecking {
             from: 0.0,
             first,
@@ -427,6 +427,7 @@ impl Family for Drilling {
                 (seconds(peck.way) && peck.breaks.is_possible(), DrillingFault::Peck),
                 (peck.removal.ahead.is_possible(), DrillingFault::Peck),
                 (peck.removal.back.is_none_or(|back| positive(back.value())), DrillingFault::Feed),
+                (peck.removal.last.flatten().is_none_or(|last| positive(last.value())), DrillingFault::Feed),
             ],
         };
         if !positive(self.feed.value()) && !matches!(self.method, Method::Tap(Tap { lead: Some(_), .. })) {

@@ -16,6 +16,8 @@ use super::{Outcome, Reported, Run};
 
 /// What arithmetic may lose at a size, mm.
 const SAME: f64 = 1e-9;
+/// A smaller circle of the centre is none: the tool goes straight down, mm.
+const STRAIGHT: f64 = 1e-5;
 
 impl Run<'_> {
     /// The cutter of a cycle that has one level; nothing where the depth is 0.
@@ -75,7 +77,7 @@ impl Run<'_> {
             let message = format!("the drilled hole Q342 = {} is not smaller than Q335", 2.0 * drilled);
             return self.cycle_value(cycle, &message);
         }
-        if size < radius + SAME {
+        if size < radius + STRAIGHT {
             return Ok(Vec::new());
         }
         let given = self.cycle_option(cycle, OVERLAP)? != 0.0;

@@ -136,6 +136,7 @@ impl Run<'_> {
 
     /// A parameter of cycle 20 or 270, which has to be what it was.
     pub(super) fn kept(&mut self, data: &Values, q: Q) -> Outcome<f64> {
+        self.same_unit(&data.cycle)?;
         let now = self.cycle_number(&data.cycle, q)?;
         let set = data.set.iter().rev().find(|(number, _)| *number == q.0).map(|(_, value)| *value);
         match set {

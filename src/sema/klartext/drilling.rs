@@ -39,6 +39,7 @@ impl Run<'_> {
             (false, false) => Needs::Turning,
         };
         self.cycle_may_run(cycle, spindle)?;
+        self.leave_open_end(AxisSet::EMPTY, false);
         self.check_pitch(cycle)?;
         let Some(hole) = self.hole(cycle, call)? else { return Ok(()) };
         if let Err(fault) = hole.check() {
@@ -165,7 +166,7 @@ impl Run<'_> {
         let dwell = self.cycle_dwell(cycle, DWELL_ABOVE)?;
         let back = self.retract_feed(cycle, RETRACT_FEED, Some(cut.feed))?;
         let breaks = if times > 0.0 { Breaks::Times(times as u32) } else { Breaks::Never };
-        let removal = Removal { back, dwell, ahead: Ahead::Evenly([ahead; 2]), at_the_end: true };
+        let removal = Removal { back, dwell, ahead: Ahead::Evenly([ahead; 2]), last: Some(back) };
         Ok(Method::Peck(Pecking { breaks, way, removal, ..steps(first, shorter, cut.dwell) }))
     }
 
@@ -186,7 +187,8 @@ impl Run<'_> {
         let shorter = (self.cycle_length(cycle, DECREMENT)?, self.cycle_length(cycle, LEAST_PLUNGE)?);
         let way = self.cycle_length(cycle, BREAK_WAY)?;
         let breaks = if every > 0.0 { Breaks::Every(every) } else { Breaks::Never };
-        let removal = Removal { back, dwell: 0.0, ahead: Ahead::Evenly(ahead), at_the_end: true };
+        // Chips are removed at rapid traverse; Q208 is for the way out of the finished hole.
+        let removal = Removal { back: None, dwell: 0.0, ahead: Ahead::Evenly(ahead), last: Some(back) };
         Ok(Method::Peck(Pecking { from, breaks, way, removal, ..steps(first, shorter, cut.dwell) }))
     }
 
@@ -301,6 +303,6 @@ pub(super) fn steps(first: f64, (less, least): (f64, f64), dwell: f64) -> Peckin
     // The least step counts only where the steps become shorter.
     let least = if less == 0.0 { least.min(0.0) } else { least };
     let mut peck = Pecking { dwell_at_bottom: dwell, ..Pecking::new(first, Degression::Plain { less, least }) };
-    peck.removal.at_the_end = true;
+    peck.removal.last = Some(None);
     peck
 }

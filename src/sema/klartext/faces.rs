@@ -70,6 +70,7 @@ impl Run<'_> {
         let (corner, size) = self.face_of(cycle, call)?;
         let mill = self.face_cutter(cycle, call)?;
         let finishing = self.finishing_feed(cycle, &mill)?;
+        self.floor_in_one_cut(cycle, &mill)?;
         let face = self.paths_of_face(cycle, mill, (corner, size), 0)?;
         let last = (mill.heights.allowance > 0.0).then_some(finishing);
         Ok(Some(Cycle::Facing(self.sound(cycle, Facing { last, ..face })?)))
@@ -86,6 +87,9 @@ impl Run<'_> {
         let mill = self.face_cutter(cycle, call)?;
         let (operation, along) = (self.choice(cycle, OPERATION, 2)?, self.choice(cycle, ALONG, 1)?);
         let finishing = self.finishing_feed(cycle, &mill)?;
+        if operation != 1 {
+            self.floor_in_one_cut(cycle, &mill)?;
+        }
         let place = self.face_at(cycle)?;
         let face = self.paths_of_face(cycle, mill, place, along as usize)?;
         let allowance = mill.heights.allowance;
@@ -160,7 +164,13 @@ impl Run<'_> {
         let link = mill.feeds.depth;
         let links = match strategy {
             0 | 2 => Links::At(link),
-            1 => Links::Inside(link),
+            1 => {
+                self.way_of_cycle(
+                    cycle,
+                    "with Q389 = 1 the inner ways end beyond where manuals print them, so that nothing stays between two paths",
+                );
+                Links::Inside(link)
+            }
             3 => return self.cycle_unbuilt(cycle, "paths without overrun (Q389=3)"),
             _ => return self.cycle_unbuilt(cycle, "paths from outside inwards (Q389=4)"),
         };

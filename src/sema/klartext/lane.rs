@@ -23,6 +23,7 @@ impl Run<'_> {
             && self.approach.is_none()
             && matches!(st.tool.change, Change::None)
             && st.corner.is_none()
+            && st.left_by.is_none()
             && !st.polar.has_last()
             && st.feed.plunge_share().is_none()
             && !st.feed.is_per_revolution()

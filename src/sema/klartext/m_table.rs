@@ -144,6 +144,8 @@ pub(super) fn conflict(a: u32, b: u32) -> bool {
         126 | 127 => 4,
         136 | 137 => 5,
         116 | 117 => 6,
+        // The one ends the call that the other begins.
+        89 | 99 => 8,
         _ => 0,
     };
     let coolant = |n: u32| matches!(n, 13 | 14);
@@ -171,7 +173,14 @@ mod tests {
 
     #[test]
     fn contradictions() {
-        assert!(conflict(3, 4) && conflict(8, 9) && conflict(13, 9) && conflict(3, 5) && conflict(13, 3));
+        assert!(
+            conflict(3, 4)
+                && conflict(8, 9)
+                && conflict(13, 9)
+                && conflict(3, 5)
+                && conflict(13, 3)
+                && conflict(99, 89)
+        );
         assert!(!conflict(3, 8) && !conflict(5, 9) && !conflict(13, 91) && !conflict(99, 30));
     }
 }

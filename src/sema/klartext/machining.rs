@@ -25,10 +25,26 @@ pub(super) enum Needs {
 impl Run<'_> {
     /// Runs the cycle where the tool stands.
     pub(super) fn run_cycle(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome {
+        self.same_unit(cycle)?;
         match cycle.row().nature {
             Nature::Milling(making) => self.mill(cycle, making, call),
             _ => self.drill(cycle, call),
         }
+    }
+
+    /// Q parameters have no unit: those of a definition count in the unit of its program, which a call has to share.
+    pub(super) fn same_unit(&mut self, cycle: &DefinedCycle) -> Outcome {
+        if cycle.mm == self.level().frame.unit.mm() {
+            return Ok(());
+        }
+        let message =
+            format!("cycle {} is called in a program of another unit than that of its definition", cycle.number);
+        self.report(
+            Diagnostic::new(codes::K2947, self.here.origin.loc, message)
+                .also(cycle.loc, "the cycle is defined here")
+                .help("define the cycle in the program that calls it, or give both programs the same unit"),
+        );
+        Err(Reported)
     }
 
     /// Are all parameters of the definition there? Looked at when it is complete.
@@ -133,7 +149,13 @@ impl Run<'_> {
     /// What the parameter holds now.
     pub(super) fn cycle_number(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
         if let Some(word) = cycle.word(q) {
-            return self.cycle_unbuilt(cycle, &format!("{word} as the value of {q}"));
+            let message = format!("cycle {}: {word} as the value of {q} is not supported", cycle.number);
+            self.report(
+                Diagnostic::new(codes::K9001, self.here.origin.loc, message)
+                    .also(cycle.loc, "the cycle is defined here")
+                    .help(format!("write a number: `{q}=+750`")),
+            );
+            return Err(Reported);
         }
         if !cycle.sets(q) {
             return self.cycle_value(cycle, &format!("{q} is missing"));

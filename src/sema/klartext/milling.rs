@@ -4,11 +4,11 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Point2};
-use crate::ir::Feed;
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill};
 use crate::ir::cycle::pocket::Insertion;
 use crate::ir::cycle::{Cycle, Family};
 use crate::ir::function::Turn;
+use crate::ir::{Feed, Pos};
 use crate::machine::{Axis, AxisSet};
 
 use super::cycles::call::Call;
@@ -45,9 +45,14 @@ impl Run<'_> {
         self.frame_keeps_the_cutter(cycle)?;
         let Some(made) = making(self, cycle, call)? else { return Ok(()) };
         self.says_own_path(cycle);
+        if !matches!(made, Cycle::ThreadMilling(_)) {
+            self.warn_of_rounded_cutter(cycle);
+        }
         let mut end = made.leaves(self.st.position.at());
+        self.st.left_by = None;
         if ends_anywhere(&made) {
             self.says_open_end(cycle);
+            self.st.left_by = Some(cycle.loc);
             let (first, second, _) = self.st.plane().axes();
             for axis in [first, second] {
                 end.forget(Axis::ALL[axis]);
@@ -86,6 +91,30 @@ impl Run<'_> {
         Err(Reported)
     }
 
+    /// The paths are those of a cutter with sharp corners.
+    fn warn_of_rounded_cutter(&mut self, cycle: &DefinedCycle) {
+        let Some(tool) = self.st.tool.active() else { return };
+        let rounding = tool.corner_radius.unwrap_or(0.0) + tool.table_deltas[2] + tool.call_deltas[2];
+        if rounding <= 0.0 {
+            return;
+        }
+        let flat = 2.0 * (tool.effective_radius().unwrap_or(0.0) - rounding).max(0.0);
+        let text = format!(
+            "cycle {}: the corner radius {} mm of the cutter is not counted: it stays at the foot of walls, and as cusps on floors where paths lie \
+             farther apart than {} mm",
+            cycle.number,
+            shown(rounding),
+            shown(flat)
+        );
+        if self.job.diags.first_text(codes::K8108, &text) {
+            self.report(
+                Diagnostic::new(codes::K8108, self.here.origin.loc, text)
+                    .also(cycle.loc, "the cycle is defined here")
+                    .help("give a smaller overlap factor, or finish with a cutter that has no corner radius"),
+            );
+        }
+    }
+
     /// Once for each kind of cycle: which path is made.
     fn says_own_path(&mut self, cycle: &DefinedCycle) {
         let what = cycle.row().called();
@@ -106,6 +135,39 @@ impl Run<'_> {
             let found = Diagnostic::new(codes::K8104, self.here.origin.loc, text);
             self.report(found.help("name both axes of the plane in the next block that moves in it"));
         }
+    }
+
+    /// A block leaves the open place where a cycle ended: only a retract may, and one that names both axes.
+    #[cold]
+    pub(super) fn leave_open_end(&mut self, named: AxisSet, harmless: bool) {
+        let Some(cycle) = self.st.left_by else { return };
+        let (first, second, _) = self.st.plane().axes();
+        let plane = [Axis::ALL[first], Axis::ALL[second]];
+        let missing = |axis: &Axis| !named.contains(*axis) && self.st.position.get(*axis).is_none();
+        let Some(axis) = plane.iter().copied().find(missing) else {
+            self.st.left_by = None;
+            return;
+        };
+        if harmless && plane.iter().all(|axis| !named.contains(*axis)) {
+            return;
+        }
+        self.st.left_by = None;
+        if self.st.position.is_lost(axis) {
+            return;
+        }
+        let message =
+            format!("the block needs the position of {}, and where the cycle left the tool is open", axis.letter());
+        self.report(
+            Diagnostic::new(codes::K2001, self.here.origin.loc, message)
+                .also(cycle, "the cycle is defined here")
+                .help("name both axes of the plane in the next block that moves in it, or that cuts"),
+        );
+    }
+
+    /// Does the tool go no deeper?
+    pub(super) fn rises(&self, end: &Pos) -> bool {
+        let axis = self.st.axis();
+        matches!((self.st.position.get(axis), end.get(axis)), (Some(from), Some(to)) if to >= from)
     }
 
     /// Arguments that make a cycle, or what is wrong with them.
@@ -215,6 +277,40 @@ impl Run<'_> {
         Ok(Some(Asked { rough: operation != 2, wall, floor, allowance, step, feed }))
     }
 
+    /// A wider `allowance` than `most` would leave stock between roughing and finishing.
+    pub(super) fn finishing_meets_roughing(
+        &mut self,
+        cycle: &DefinedCycle,
+        (allowance, most): (f64, f64),
+        radius: f64,
+    ) -> Outcome {
+        if allowance <= most + 1e-9 {
+            return Ok(());
+        }
+        let message = format!(
+            "the allowance on the wall is {} mm, and one finishing cut with the tool of {} mm takes off {} mm here: stock would stay between \
+             the two",
+            shown(allowance),
+            shown(2.0 * radius),
+            shown(most)
+        );
+        self.cycle_value(cycle, &message)
+    }
+
+    /// The floor is finished in one cut, which goes no deeper than any other.
+    pub(super) fn floor_in_one_cut(&mut self, cycle: &DefinedCycle, mill: &Mill) -> Outcome {
+        let Heights { allowance, step, .. } = mill.heights;
+        if allowance <= step + 1e-9 {
+            return Ok(());
+        }
+        let message = format!(
+            "the floor would be finished in one cut of {} mm (Q369), deeper than the infeed Q202 = {} mm",
+            shown(allowance),
+            shown(step)
+        );
+        self.cycle_value(cycle, &message)
+    }
+
     pub(super) fn nothing_to_finish(&mut self, cycle: &DefinedCycle, what: &str) {
         self.report(
             Diagnostic::new(codes::K8103, self.here.origin.loc, format!("cycle {}: {what}", cycle.number))
@@ -253,7 +349,27 @@ impl Run<'_> {
             );
             return Err(Reported);
         }
+        self.warn_of_mirrored_sense(cycle);
         Ok(())
+    }
+
+    /// A mirror turns the way round, and not the spindle.
+    fn warn_of_mirrored_sense(&mut self, cycle: &DefinedCycle) {
+        let (first, second, _) = self.st.plane().axes();
+        let linear = self.st.ctx.frame.linear();
+        let area =
+            linear[(first, first)] * linear[(second, second)] - linear[(first, second)] * linear[(second, first)];
+        if area >= 0.0 {
+            return;
+        }
+        let text = format!("cycle {}: the mirror turns climb into up-cut milling, and up-cut into climb", cycle.number);
+        if self.job.diags.first_text(codes::K8107, &text) {
+            self.report(
+                Diagnostic::new(codes::K8107, self.here.origin.loc, text)
+                    .also(cycle.loc, "the cycle is defined here")
+                    .help("give the kind of milling the other sign where the control keeps it under a mirror"),
+            );
+        }
     }
 
     /// Width of a cut: Q370 radii.
@@ -332,6 +448,11 @@ impl Run<'_> {
         );
         Err(Reported)
     }
+}
+
+/// Without the last digits of arithmetic.
+pub(super) fn shown(length: f64) -> f64 {
+    libm::round(length * 1e6) / 1e6
 }
 
 /// Is the place open at which the control leaves the tool?

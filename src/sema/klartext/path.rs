@@ -192,6 +192,9 @@ impl Run<'_> {
     /// Sends a move and takes over its end.
     #[inline]
     pub(super) fn send(&mut self, end: &Pos, path: Path) {
+        if self.st.left_by.is_some() {
+            self.leave_open_end(end.known(), path.is_rapid() || self.rises(end));
+        }
         let mv = Move { end: *end, path, side: self.st.compensation.side(), coords: Coords::Frame };
         if self.approach.is_none() || !self.wait_for_contour(&mv) {
             self.movement(&mv);
@@ -241,6 +244,7 @@ impl Run<'_> {
         }
         let (path, coords) = (Path::straight(feed), Coords::Machine);
         self.forbid_open_approach()?;
+        self.leave_open_end(end.known(), feed.is_none());
         self.movement(&Move { end, path, side: self.st.compensation.side(), coords });
         self.st.moved_by_machine(end.known());
         self.st.feed.last_rapid = feed.is_none();

@@ -222,6 +222,14 @@ impl Run<'_> {
                 return self.no_pattern(span.start as usize, span.end as usize, &what);
             }
         }
+        if of("STEP").is_some() && of("END").is_some() {
+            let what = format!("{name} has STEP and END, and each says where the last place lies");
+            return self.no_pattern(span.start as usize, span.end as usize, &what);
+        }
+        if matches!(name, "CIRC" | "PITCHCIRC") && of("D").is_some_and(|size| size < 0.0) {
+            let what = format!("the diameter D of {name} is below zero");
+            return self.no_pattern(span.start as usize, span.end as usize, &what);
+        }
         let surface = of(&w).unwrap_or(0.0) * mm;
         let at = Point2::new(x * mm, y * mm);
         let mut missing = None;
@@ -279,6 +287,7 @@ impl Run<'_> {
                 format!("the places of {name} are visited line by line, to and fro"),
             ));
         }
+        self.warn_of_repeated_places(name, offsets.iter().map(|offset| at + *offset), self.loc(span));
         list.extend(offsets.into_iter().map(|offset| Place { at: at + offset, surface, clearance: None }));
         Ok(())
     }
@@ -315,6 +324,18 @@ impl Run<'_> {
         if cycle.number < FIRST_PLACED {
             return self.cycle_unbuilt(&cycle, "running it at the places of a pattern");
         }
+        self.has_a_surface(&cycle, "CYCL CALL PAT")?;
+        if places.list.is_empty() {
+            self.report(
+                Diagnostic::new(
+                    codes::K8105,
+                    self.here.origin.loc,
+                    "CYCL CALL PAT runs the cycle nowhere: the point table has no place left",
+                )
+                .also(places.loc, "it is selected here")
+                .help("add places to the table, or take FADE out of those that shall be machined"),
+            );
+        }
         let own = self.cycle_length(&cycle, SURFACE)?;
         if own != 0.0 && places.list.iter().any(|place| place.surface != 0.0) {
             self.report(
@@ -337,10 +358,10 @@ impl Run<'_> {
             self.goes_on()?;
             let clear = self.heights(&cycle, place.surface)?;
             let axis = self.st.axis();
-            let free = place.clearance.map_or(clear.start(), |height| height.max(clear.start()));
+            let free = place.clearance.map_or(clear.second, |height| height.max(clear.second));
             if self.st.position.get(axis).is_none_or(|at| at < free) {
                 let mut up = Pos::UNKNOWN;
-                up.set(axis, free.max(clear.second));
+                up.set(axis, free);
                 self.send(&up, Path::Rapid);
             }
             let mut end = Pos::UNKNOWN;

@@ -11,15 +11,20 @@ use crate::ir::{Feed, Pos};
 use crate::machine::AxisSet;
 use crate::parser::klartext::ast::Block;
 use crate::sema::common::plane::plane_axes;
+use crate::sema::cycle_table::Name;
+use crate::text::Loc;
 
 use super::cycles::DefinedCycle;
 use super::cycles::call::{Call, Heights, Retract};
 use super::cycles::patterns::{
     AT_SECOND, CENTER, CIRCLE, COLUMNS, LINES, NUMBER, ON_ARCS, SPACING, START, START_ANGLE, STEP, STOP_ANGLE, TURN,
 };
-use super::cycles::{PlacesOf, Q};
+use super::cycles::{PlacesOf, Q, SURFACE};
 use super::words::{Admits, FeedWord, Words};
 use super::{Outcome, Reported, Run};
+
+/// Places that are nearer than this are one, mm.
+const SAME_PLACE: f64 = 1e-6;
 
 /// Most places of a pattern.
 const MOST: f64 = 99_999.0;
@@ -37,7 +42,8 @@ impl Run<'_> {
         let cycle = self.pattern_subject(&by)?;
         let Some(places) = places else { return self.cycle_unbuilt(pattern, "this pattern") };
         self.all_are_set(pattern, &by)?;
-        if cycle.number < FIRST_PLACED {
+        let old = matches!(cycle.number, 1 | 2 | 17);
+        if cycle.number < FIRST_PLACED && !old {
             return self.cycle_unbuilt(pattern, &format!("a pattern of cycle {}", cycle.number));
         }
         if self.cycle_option(pattern, ON_ARCS)? != 0.0 {
@@ -50,16 +56,75 @@ impl Run<'_> {
         };
         let places = places(self, pattern)?;
         self.budget.take(places.len() as u64 / PLACES_A_STEP);
+        self.warn_of_repeated_places(&by, places.iter().copied(), pattern.loc);
         let heights = self.heights(pattern, 0.0)?;
+        if old {
+            self.clearances_agree(pattern, &cycle, &heights)?;
+        }
         self.lift_to(&heights);
         for (i, place) in places.iter().enumerate() {
             self.goes_on()?;
             self.rapid_in_plane(*place);
             let last = i + 1 == places.len();
             let retract = if near && !last { Retract::Near } else { Retract::Far };
+            if old {
+                self.rapid_to(heights.start());
+            }
             self.run_cycle(&cycle, Call { shift: 0.0, retract, placed: true })?;
+            if old {
+                self.rapid_to(retract.height(&heights));
+            }
         }
         Ok(())
+    }
+
+    /// The old cycles work from where the tool stands, the set-up clearance of the pattern.
+    fn clearances_agree(&mut self, pattern: &DefinedCycle, cycle: &DefinedCycle, heights: &Heights) -> Outcome {
+        let own = cycle.part(1).unwrap_or(0.0).abs() * cycle.mm;
+        if (own - heights.clearance).abs() <= SAME_PLACE {
+            return Ok(());
+        }
+        let message = format!(
+            "the set-up clearance {}.1 of the cycle is {own} mm, and Q200 of the pattern {} mm",
+            cycle.number, heights.clearance
+        );
+        self.cycle_value(pattern, &message)
+    }
+
+    fn rapid_to(&mut self, height: f64) {
+        let axis = self.st.axis();
+        if self.st.position.get(axis) != Some(height) {
+            let mut end = Pos::UNKNOWN;
+            end.set(axis, height);
+            self.send(&end, Path::Rapid);
+        }
+    }
+
+    /// Places of CYCL CALL PAT and POS lift the surface Q203.
+    pub(super) fn has_a_surface(&self, cycle: &DefinedCycle, by: &str) -> Outcome {
+        if cycle.row().needed().any(|name| name == Name::Q(SURFACE.0)) {
+            return Ok(());
+        }
+        self.cycle_unbuilt(cycle, &format!("{by} with a face, which has heights of its own in place of Q203,"))
+    }
+
+    /// A place that stands in the list twice is machined twice.
+    pub(super) fn warn_of_repeated_places(&mut self, what: &str, places: impl Iterator<Item = Point2>, loc: Loc) {
+        let grid = |v: f64| libm::round(v / SAME_PLACE) as i64;
+        let mut list: Vec<(i64, i64)> = places.map(|p| (grid(p.x), grid(p.y))).collect();
+        let count = list.len();
+        list.sort_unstable();
+        list.dedup();
+        if list.len() < count {
+            let message = format!(
+                "{what} has {count} places, of which {} lie on others: they are machined again",
+                count - list.len()
+            );
+            self.report(
+                Diagnostic::new(codes::K8106, loc, message)
+                    .help("check the number of places, their distance, and the angles"),
+            );
+        }
     }
 
     /// To the 2nd set-up clearance, unless the tool is known to stand there or higher.
@@ -68,9 +133,7 @@ impl Run<'_> {
         if self.st.position.get(axis).is_some_and(|at| at >= heights.second) {
             return;
         }
-        let mut end = Pos::UNKNOWN;
-        end.set(axis, heights.second);
-        self.send(&end, Path::Rapid);
+        self.rapid_to(heights.second);
     }
 
     fn rapid_in_plane(&mut self, place: Point2) {
@@ -183,6 +246,7 @@ impl Run<'_> {
                 "write `CYCL CALL POS X+50 Y+50 Z+0 FMAX`, or move with L and call with M99",
             );
         }
+        self.has_a_surface(cycle, "CYCL CALL POS")?;
         self.m_at_start(&w, true)?;
         let feed = self.pattern_feed(&w, "CYCL CALL POS")?;
         let shift = w.axes.get(axis).unwrap_or(0.0);

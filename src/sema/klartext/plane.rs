@@ -105,13 +105,19 @@ impl Plane {
         let known = match self.kind.as_str() {
             _ if self.open || self.retract => None,
             "RESET" => self.data.is_empty().then_some(Effect::Turned(0.0)),
-            "SPATIAL" => self.exactly(["SPA", "SPB", "SPC"]).map(|[a, b, c]| turned(a != 0.0 || b != 0.0, c)),
+            // Half a turn about X and one about Y make one about Z.
+            "SPATIAL" => self.exactly(["SPA", "SPB", "SPC"]).map(|[a, b, c]| match (within_turn(a), within_turn(b)) {
+                (180.0, 180.0) => Effect::Turned(c + 180.0),
+                (a, b) => turned(a != 0.0 || b != 0.0, c),
+            }),
             // About Z, about the new X, about the new Z.
-            "EULER" => self.exactly(["EULPR", "EULNU", "EULROT"]).map(|[pr, nu, rot]| turned(nu != 0.0, pr + rot)),
+            "EULER" => {
+                self.exactly(["EULPR", "EULNU", "EULROT"]).map(|[pr, nu, rot]| turned(within_turn(nu) != 0.0, pr + rot))
+            }
             "RELATIVE" => match self.data.as_slice() {
                 [(name, angle)] if name == "SPC" => Some(Effect::TurnedBy(*angle)),
                 [(name, angle)] if name == "SPA" || name == "SPB" => {
-                    Some(if *angle == 0.0 { Effect::TurnedBy(0.0) } else { Effect::Tilted })
+                    Some(if within_turn(*angle) == 0.0 { Effect::TurnedBy(0.0) } else { Effect::Tilted })
                 }
                 _ => None,
             },
@@ -176,6 +182,11 @@ impl Plane {
         let points = normal.map(|normal| format!(": the tool axis points along {}", plane_normal::shown(&normal)));
         format!(" by {}{}", words.join(" "), points.unwrap_or_default())
     }
+}
+
+/// 0 to 360, without whole turns.
+fn within_turn(angle: f64) -> f64 {
+    angle.rem_euclid(360.0)
 }
 
 /// `SPA` of `SPA+20`, `P1X` of `P1X+0`.
@@ -360,6 +371,14 @@ impl Run<'_> {
             self.lose_all();
             return Err(Reported);
         }
+        if self.st.frames.transform().turns_with_the_plane() {
+            self.error(
+                codes::K2852,
+                "the working plane turns while a mirror or an uneven scaling of one of its axes is in force",
+            );
+            self.lose_all();
+            return Err(Reported);
+        }
         self.refuse_compensated("the working plane turns");
         if self.st.compensation.is_on() {
             self.report(
@@ -476,6 +495,8 @@ mod tests {
     fn turns_about_the_tool_axis() {
         let effect = |code: &str| Plane::read(code, &mut |_| None).effect();
         assert_eq!(effect("PLANE SPATIAL SPA+0 SPB+0 SPC+30 TURN FMAX"), Effect::Turned(30.0));
+        assert_eq!(effect("PLANE SPATIAL SPA+360 SPB-360 SPC+30 STAY"), Effect::Turned(30.0));
+        assert_eq!(effect("PLANE SPATIAL SPA-180 SPB+180 SPC+30 STAY"), Effect::Turned(210.0));
         assert_eq!(effect("PLANE EULER EULPR+50 EULNU+0 EULROT-20 STAY"), Effect::Turned(30.0));
         assert_eq!(effect("PLANE RELATIVE SPC-15 STAY"), Effect::TurnedBy(-15.0));
         assert_eq!(effect("PLANE VECTOR BX-1 BY0 BZ0 NX0 NY0 NZ1 STAY"), Effect::Turned(180.0));

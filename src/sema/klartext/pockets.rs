@@ -14,13 +14,29 @@ use super::cycles::DefinedCycle;
 use super::cycles::call::Call;
 use super::cycles::milling::{CORNER, DIAMETER, FIRST_SIDE, POSITION, SECOND_SIDE, TURN};
 use super::cycles::pockets::{CENTER, NUMBER, OPENING, PITCH_CIRCLE, SLOT_TURN, START_ANGLE, STEP};
-use super::milling::{Asked, Plunging};
+use super::milling::{Asked, Plunging, shown};
 use super::{Outcome, Run};
 
 /// Smaller helices and strokes are no way down, mm.
 const SMALLEST_WAY: f64 = 0.1;
 /// Most slots of a call.
 const MOST_SLOTS: u32 = 99_999;
+
+/// The widest allowance on the wall that one circuit of finishing takes off: with more, stock stays between what the
+/// roughing clears and what the finishing does.
+fn widest_allowance(shape: &Shape, radius: f64) -> f64 {
+    if shape.room(2.0 * radius).least() <= 0.0 {
+        return f64::INFINITY;
+    }
+    match *shape {
+        // The rounded corner of the roughing has to reach the one inside of the finishing cut.
+        Shape::Rectangle { corner, .. } => {
+            let path = (corner - radius).clamp(radius, 2.0 * radius);
+            path + (2.0 * radius - path) * core::f64::consts::FRAC_1_SQRT_2
+        }
+        Shape::Circle { .. } | Shape::Slot { .. } | Shape::Bow { .. } => 2.0 * radius,
+    }
+}
 
 impl Run<'_> {
     /// Cycle 251.
@@ -70,7 +86,7 @@ impl Run<'_> {
         let place = Place { at: Place { at: start, turn }.point(Point2::new(to_middle, 0.0)), turn };
         let shape = Shape::Slot { from: -half, to: half, width };
         let pocket = self.pocket(cycle, mill, asked, shape, (place, mill.radius))?;
-        let insertion = self.plunging(cycle)?.along();
+        let insertion = self.plunging_along(cycle, &pocket, 2.0 * half)?;
         let home = (position == 0).then_some(start);
         self.milled(cycle, Pocket { insertion, home, ..pocket })
     }
@@ -104,8 +120,11 @@ impl Run<'_> {
         let place = |i: u32| Place { at: center, turn: Deg(first + f64::from(i) * step) };
         let shape = Shape::Bow { radius, sweep: Deg(sweep), width };
         let pocket = self.pocket(cycle, mill, asked, shape, (place(0), mill.radius))?;
-        let insertion = self.plunging(cycle)?.along();
-        let places = (0..count as u32).map(place).collect();
+        let insertion = self.plunging_along(cycle, &pocket, radius * sweep * core::f64::consts::PI / 180.0)?;
+        let places: Vec<Place> = (0..count as u32).map(place).collect();
+        let middle = pocket.shape.middle();
+        let middles = places.iter().map(|place| place.point(middle));
+        self.warn_of_repeated_places("cycle 254", middles, cycle.loc);
         let made = self.milled(cycle, Pocket { insertion, places, ..pocket })?;
         Ok(made)
     }
@@ -114,7 +133,11 @@ impl Run<'_> {
     fn pocket_of(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<(Mill, Asked)>> {
         let Some(mill) = self.cutter_of(cycle, call)? else { return Ok(None) };
         self.feed_of_centre(cycle)?;
-        Ok(self.asked(cycle, &mill)?.map(|asked| (mill, asked)))
+        let Some(asked) = self.asked(cycle, &mill)? else { return Ok(None) };
+        if asked.floor {
+            self.floor_in_one_cut(cycle, &mill)?;
+        }
+        Ok(Some((mill, asked)))
     }
 
     /// From the place of the call to the middle, by Q367.
@@ -170,8 +193,12 @@ impl Run<'_> {
     ) -> Outcome<Pocket> {
         let room = self.fits(cycle, &shape, mill.radius)?;
         if asked.rough && room - asked.allowance < -1e-9 {
-            let what = format!("the allowance Q368 = {} mm leaves the cutter no room", asked.allowance);
+            let what = format!("the allowance Q368 = {} mm leaves the cutter no room", shown(asked.allowance));
             return self.tool_too_large(cycle, &what);
+        }
+        if asked.wall {
+            let most = widest_allowance(&shape, mill.radius);
+            self.finishing_meets_roughing(cycle, (asked.allowance, most), mill.radius)?;
         }
         let finish = (asked.wall || asked.floor).then_some(Finish {
             wall: asked.wall,
@@ -229,6 +256,18 @@ impl Run<'_> {
                 Ok(Insertion::Sway { angle, stroke: Some(stroke) })
             }
         }
+    }
+
+    /// The way into a slot, along its middle line.
+    fn plunging_along(&mut self, cycle: &DefinedCycle, pocket: &Pocket, length: f64) -> Outcome<Insertion> {
+        let insertion = self.plunging(cycle)?.along();
+        if let Insertion::Sway { angle, .. } = insertion {
+            let deep = pocket.mill.heights.step.min(pocket.mill.heights.way());
+            if length < SMALLEST_WAY || parts(deep, length * libm::tan(angle.radians())) > MOST_LEVELS {
+                return self.no_room_to_plunge(cycle, 2);
+            }
+        }
+        Ok(insertion)
     }
 
     pub(super) fn milled(&mut self, cycle: &DefinedCycle, pocket: Pocket) -> Outcome<Option<Cycle>> {

@@ -56,7 +56,8 @@ impl Run<'_> {
         }
         let (first, second, third) = self.st.plane().axes();
         let letters = [first, second, third].map(|axis| Axis::ALL[axis].letter());
-        match read(&String::from_utf8_lossy(&bytes), letters, here.loc) {
+        let text = String::from_utf8_lossy(&bytes);
+        match read(text.trim_start_matches('\u{feff}'), letters, here.loc) {
             Ok(places) => {
                 self.places = Some(places);
                 self.places_lost = false;
@@ -72,6 +73,7 @@ fn read(text: &str, axes: [char; 3], loc: Loc) -> Result<Places, Wrong> {
     let mut columns: Option<Vec<(String, usize)>> = None;
     let mut mm = None;
     let mut list = Vec::new();
+    let mut ended = false;
     for (line, text) in (1..).zip(text.lines()) {
         let fail = |what: String| Wrong { line, what };
         let upper = text.trim().to_ascii_uppercase();
@@ -84,8 +86,12 @@ fn read(text: &str, axes: [char; 3], loc: Loc) -> Result<Places, Wrong> {
             );
             continue;
         };
+        if ended {
+            return Err(fail("it stands behind [END]".into()));
+        }
         if upper.starts_with("[END]") {
-            return Ok(Places::of_table(list, loc));
+            ended = true;
+            continue;
         }
         let Some(known) = &columns else {
             columns = Some(header(text, axes).map_err(fail)?);
@@ -94,6 +100,9 @@ fn read(text: &str, axes: [char; 3], loc: Loc) -> Result<Places, Wrong> {
         if let Some(place) = row(text, known, axes, mm).map_err(fail)? {
             list.push(place);
         }
+    }
+    if ended {
+        return Ok(Places::of_table(list, loc));
     }
     let line = text.lines().count() as u32;
     Err(Wrong { line, what: "[END] is missing, so the table may be cut off".to_owned() })
@@ -127,13 +136,42 @@ fn header(line: &str, axes: [char; 3]) -> Result<Vec<(String, usize)>, String> {
     }
 }
 
+/// The words of a line by their columns: each stands under its name, or there are as many words as names.
+fn fields<'t>(line: &'t str, columns: &[(String, usize)]) -> Result<Vec<Option<&'t str>>, String> {
+    let mut by_place: Vec<Option<&str>> = vec![None; columns.len()];
+    let mut beside = None;
+    let mut words = Vec::new();
+    let mut at = 0;
+    for piece in line.split_inclusive(char::is_whitespace) {
+        let (word, from) = (piece.trim_end(), at);
+        at += piece.len();
+        if word.is_empty() {
+            continue;
+        }
+        words.push(word);
+        let end = from + word.len();
+        let column = columns.iter().rposition(|(_, begin)| *begin <= from);
+        let border = column.and_then(|column| columns.get(column + 1)).map_or(line.len(), |next| next.1);
+        match column {
+            // A remark is any number of words.
+            Some(column) if columns[column].0 == "DOC" && end <= border => {}
+            Some(column) if by_place[column].is_none() && end <= border => by_place[column] = Some(word),
+            _ => beside = beside.or(Some(word)),
+        }
+    }
+    match beside {
+        None => Ok(by_place),
+        Some(_) if words.len() == columns.len() => Ok(words.into_iter().map(Some).collect()),
+        Some(word) => Err(format!("`{word}` does not stand under the name of one column")),
+    }
+}
+
 /// A place; nothing where FADE leaves it out.
 fn row(line: &str, columns: &[(String, usize)], axes: [char; 3], mm: f64) -> Result<Option<Place>, String> {
+    let fields = fields(line, columns)?;
     let field = |title: &str| -> Option<&str> {
         let at = columns.iter().position(|(name, _)| name == title)?;
-        let end = columns.get(at + 1).map_or(line.len(), |next| next.1.min(line.len()));
-        let text = line.get(columns[at].1.min(end)..end)?.trim();
-        (!text.is_empty() && text != "-").then_some(text)
+        fields.get(at).copied().flatten().filter(|text| *text != "-")
     };
     let length = |title: &str| match field(title) {
         None => Ok(None),
@@ -194,5 +232,22 @@ mod tests {
         assert_eq!(wrong(&TABLE.replace("BEGIN", "TABLE")).line, 1);
         assert_eq!(wrong(&TABLE.replace("+20,5", "abc  ")).what, "`abc` under Y is no number");
         assert_eq!(wrong(&TABLE.replace(" Y  ", " B  ")).what, "the column Y is missing");
+        assert_eq!(wrong(&format!("{TABLE}3 +60 +0\n")).what, "it stands behind [END]");
+    }
+
+    #[test]
+    fn words_beside_their_columns_are_counted_or_refused() {
+        let first = |head: &str, row: &str| {
+            let text = format!("BEGIN B.PNT MM\n{head}\n{row}\n[END]\n");
+            read(&text, ['X', 'Y', 'Z'], Loc::default()).map(|list| {
+                let place = list.iter().next().expect("one place");
+                (place.at.x, place.at.y, place.surface)
+            })
+        };
+        assert_eq!(first("NR X Y Z", "0 10 20 30"), Ok((10.0, 20.0, 30.0)));
+        assert_eq!(first("NR X Y Z", "0 1 2 3"), Ok((1.0, 2.0, 3.0)));
+        assert_eq!(first("NR    X    Y   Z", "0   10   20  30"), Ok((10.0, 20.0, 30.0)));
+        assert_eq!(first("NR    X      Y      Z DOC", "0     1      2        left hole"), Ok((1.0, 2.0, 0.0)));
+        assert!(first("NR    X    Y   Z", "0  100.5   200.5").is_err());
     }
 }

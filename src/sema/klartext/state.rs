@@ -47,6 +47,8 @@ pub(super) struct State {
     pub last_entry: Option<Vec2>,
     /// Something moved already.
     pub moved: bool,
+    /// The definition of the cycle that left the tool at an open place of the plane.
+    pub left_by: Option<Loc>,
     pub blank: Blank,
     pub ctx: CtxRef,
 }
@@ -86,6 +88,7 @@ impl State {
             last_path: Path::Rapid,
             last_entry: None,
             moved: false,
+            left_by: None,
             blank: Blank::default(),
             ctx: Rc::new(Ctx::default()),
         }
@@ -95,6 +98,7 @@ impl State {
     pub fn begin_contour(&mut self) {
         self.position.forget(AxisSet::ALL);
         self.position.not_lost(AxisSet::ALL);
+        self.left_by = None;
         self.polar.forget_last();
         self.feed.presume();
         self.feed.share_plunges(None);

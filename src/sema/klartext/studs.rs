@@ -80,6 +80,12 @@ impl Run<'_> {
         blank: Blank,
     ) -> Outcome<Option<Cycle>> {
         let Asked { rough, wall, floor, allowance, step, feed } = asked;
+        if wall && blank.stock > 2.0 * mill.radius {
+            self.finishing_meets_roughing(cycle, (allowance, 2.0 * mill.radius), mill.radius)?;
+        }
+        if floor {
+            self.floor_in_one_cut(cycle, &mill)?;
+        }
         let spigot = Spigot {
             counter_clockwise: !self.climbs(cycle)?,
             width: Some(self.overlap(cycle, mill.radius)?),

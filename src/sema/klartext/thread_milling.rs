@@ -104,7 +104,14 @@ impl Run<'_> {
         let feed = self.cycle_feed(cycle, SINK_FEED, None)?;
         let front = self.front(cycle, &thread, feed)?;
         match self.cycle_number(cycle, SINK_LATER)? {
-            0.0 => thread.before.extend(front),
+            // Nothing is open yet: the way down cuts.
+            0.0 => {
+                let approach = thread.mill.heights.safe();
+                thread.before.extend(front.map(|stage| match stage {
+                    Stage::Sink(sink) => Stage::Sink(Sink { approach, ..sink }),
+                    other => other,
+                }));
+            }
             1.0 => thread.after.extend(front),
             other => return self.cycle_value(cycle, &format!("Q360 = {other} is not 0 or 1")),
         }

@@ -92,6 +92,11 @@ impl Transformation {
         self.shift[..3].copy_from_slice(sum.as_slice());
     }
 
+    /// Does it matter whether a turn about Z comes before the mirror and the scaling, or after them?
+    pub fn turns_with_the_plane(&self) -> bool {
+        self.mirror.contains(Axis::X) != self.mirror.contains(Axis::Y) || self.axis_scale[0] != self.axis_scale[1]
+    }
+
     /// Is the datum shifted in X or Y?
     pub fn is_shifted_in_plane(&self) -> bool {
         self.shift[..2].iter().any(|v| *v != 0.0)

@@ -60,6 +60,7 @@ pub fn open_program(job: &Job<'_>, name: &str, extensions: &[&str], from: Loc, c
             let found = Diagnostic::new(codes::P0101, from, format!("program `{name}` is not found"))
                 .here(format!("looked for {}", tried.join(", ")));
             match similar.first() {
+                Some(like) if tried.contains(like) => found.help(format!("`{like}` is there, and is no file")),
                 Some(like) => found.help(format!("did you mean `{like}`?")),
                 None => found.help("put the file beside the program, or name its folder under `[include] roots`"),
             }

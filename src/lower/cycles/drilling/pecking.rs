@@ -119,8 +119,8 @@ impl Hole<'_> {
             let ahead = self.ahead(&peck.removal, depth, (at, depths.len()));
             self.rapid(depth + out * ahead.min((self.levels.start_plane() - depth) * out));
         }
-        if peck.removal.at_the_end {
-            self.leave(peck.removal.back);
+        if let Some(feed) = peck.removal.last {
+            self.leave(feed);
         }
     }
 

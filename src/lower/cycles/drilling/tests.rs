@@ -103,8 +103,8 @@ fn swarf_removal_stops_short_of_the_last_depth() {
 /// One step plan for all: a break every 4 mm, removal at a feed with a distance that grows.
 #[test]
 fn chips_are_broken_and_removed_by_turns() {
-    let removal =
-        Removal { back: Some(Feed::PerMinute(500.0)), dwell: 0.0, ahead: Ahead::Evenly([0.5, 1.5]), at_the_end: true };
+    let back = Some(Feed::PerMinute(500.0));
+    let removal = Removal { back, dwell: 0.0, ahead: Ahead::Evenly([0.5, 1.5]), last: Some(back) };
     let degression = Degression::Plain { less: 2.0, least: 3.0 };
     let peck = Pecking { removal, way: 0.2, breaks: Breaks::Times(1), ..Pecking::new(6.0, degression) };
     assert_eq!(
