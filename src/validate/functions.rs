@@ -135,9 +135,6 @@ impl Validator {
         if act != Some(m(if rewind { 30 } else { 2 })) {
             return Err(Why::new("the end of the program is meant"));
         }
-        if self.reader.modes().cutter.is_some_and(|cutter| cutter.side != 0) {
-            return Err(Why::new("the compensation goes on at the end of the program"));
-        }
         self.no_act(Text { bytes: rest, end })
     }
 }

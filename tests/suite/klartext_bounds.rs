@@ -73,8 +73,8 @@ fn a_tool_at_its_height_is_not_lifted() {
         // Behind the move of the program: a lift, or the way to the hole.
         moves[1].starts_with("G0 Z")
     };
-    // To the set-up clearance, 2 mm above the surface.
-    assert!(!lifts("+2", "CYCL CALL PAT") && lifts("+1.9999", "CYCL CALL PAT"));
+    // To the 2nd set-up clearance, 20 mm above the surface.
+    assert!(!lifts("+20", "CYCL CALL PAT") && lifts("+19.9999", "CYCL CALL PAT"));
     // From below the surface only.
     assert!(!lifts("+0", "CYCL CALL POS X+50 Y+0 Z+0") && lifts("-0.0001", "CYCL CALL POS X+50 Y+0 Z+0"));
 }

@@ -306,7 +306,7 @@ fn run(number: u32, cycle: &Signature, at: usize, given: Given) -> (Vec<String>,
         program += &definition(number, cycle, at, given);
         program += "CYCL CALL\n";
     }
-    program += "L X+9 M30\nLBL 1\nL X-40 Y-30 RL\nL X+40\nL Y+30\nL X-40\nL Y-30\nLBL 0\nLBL 2\nL X-40 Y-30 RL\nL X+40\nLBL 0\nEND PGM T MM\n";
+    program += "L X+9 Y+9 M30\nLBL 1\nL X-40 Y-30 RL\nL X+40\nL Y+30\nL X-40\nL Y-30\nLBL 0\nLBL 2\nL X-40 Y-30 RL\nL X+40\nLBL 0\nEND PGM T MM\n";
     let compiled = compile_bytes("T.H", program.into_bytes(), "klartext", &settings(TOOL), &NoFiles);
     let moves = compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
     (moves, compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect())

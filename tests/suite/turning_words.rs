@@ -38,6 +38,11 @@ const WITHOUT_EFFECT: &[(&str, &str, &str)] = &[
     ("single_cut_ramps", "I1", "T8017 says so"),
     ("single_cut_ramps", "K1", "T8017 says so"),
     ("incremental_after_shift", "Z-10", "the shift is undone by the increment"),
+    ("start_at_the_face", "X0", "the tool stands in front of the start"),
+    ("undercut_left_out", "E0", "nothing falls but what leans over"),
+    ("words_of_g80", "E0", "nothing falls"),
+    ("words_of_g80_angles", "E0", "nothing falls"),
+    ("words_of_g80_transverse", "E0", "nothing falls"),
 ];
 
 /// Describes shape: elements that no cycle names count for nothing.
@@ -198,6 +203,30 @@ const BASES: &[Base] = &[
         ],
         program: "HEADER\n#UNIT METRIC\nFINISHED PART\nN10 G0 X30 Z2\nN12 G1 Z-20 B0.5\nN13 G1 X40 Z-30\nN14 G1 X50 B-0.5\nN15 G1 Z-50\n\
                   MACHINING\nN1 T1 G95 F0.2 G97 S800 M3\nN2 G0 X56 Z6\nN3 BLOCK\nN4 G0 X60 Z6\nEND\n",
+        options: TURNING_TOOL,
+    },
+    Base {
+        blocks: &[(819, "G819 P3 H1")],
+        program: "%1.nc\nN1 T1 G95 F0.2 G97 S800 M3\nN2 G0 X52 Z2\nN3 BLOCK\nN4 G0 X40 Z2\nN5 G1 Z-20\nN6 G1 X30 Z-25\n\
+                  N7 G1 Z-35\nN8 G1 X50\nN9 G80\nEND\n",
+        options: TURNING_TOOL,
+    },
+    Base {
+        blocks: &[(829, "G829 P2 H0")],
+        program: "%1.nc\nN1 T1 G95 F0.2 G97 S800 M3\nN2 G0 X62 Z4\nN3 BLOCK\nN4 G0 X62 Z-8\nN5 G1 X50\nN6 G1 Z-4\n\
+                  N7 G1 X40 Z-7\nN8 G1 X30\nN9 G1 X20 Z0\nN10 G80\nEND\n",
+        options: TURNING_TOOL,
+    },
+    Base {
+        blocks: &[(810, "G810 NS12 NE15 P3 H1")],
+        program: "HEADER\n#UNIT METRIC\nFINISHED PART\nN10 G0 X40 Z2\nN12 G1 Z-20\nN13 G1 X30 Z-25\nN14 G1 Z-35\nN15 G1 X50\n\
+                  MACHINING\nN1 T1 G95 F0.2 G97 S800 M3\nN2 G0 X56 Z6\nN3 BLOCK\nN4 G0 X60 Z6\nEND\n",
+        options: TURNING_TOOL,
+    },
+    Base {
+        blocks: &[(820, "G820 NS11 NE15 P2 H0")],
+        program: "HEADER\n#UNIT METRIC\nFINISHED PART\nN10 G0 X62 Z-8\nN11 G1 X50\nN12 G1 Z-4\nN13 G1 X40 Z-7\nN14 G1 X30\nN15 G1 X20 Z0\n\
+                  MACHINING\nN1 T1 G95 F0.2 G97 S800 M3\nN2 G0 X62 Z4\nN3 BLOCK\nN4 G0 X60 Z6\nEND\n",
         options: TURNING_TOOL,
     },
     Base {

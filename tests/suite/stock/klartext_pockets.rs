@@ -30,6 +30,8 @@ impl std::ops::Deref for Common {
 
 fn common(dice: &mut Dice, most: usize) -> Common {
     let sizes = sizes(dice);
+    // A floor that one cut does not take off is refused.
+    let sizes = Sizes { floor: sizes.floor.min(sizes.step), ..sizes };
     Common {
         sizes,
         overlap: number(dice, 0.3, 1.999),

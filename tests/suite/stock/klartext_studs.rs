@@ -134,7 +134,8 @@ fn face(dice: &mut Dice) -> Case<'static> {
     let radius = number(dice, 2.0, 12.0);
     let depth = number(dice, 1.0, 8.0);
     let step = number(dice, depth / 4.0, depth * 1.2);
-    let floor = if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.01, 0.4 * depth) };
+    // A floor that one cut does not take off is refused.
+    let floor = if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.01, 0.4 * depth).min(step) };
     let size = [0, 1].map(|_| number(dice, 3.0, 80.0) * if dice.roll(2) == 0 { 1.0 } else { -1.0 });
     let at = [number(dice, -20.0, 20.0), number(dice, -20.0, 20.0)];
     let common = format!(
