@@ -37,6 +37,16 @@ struct Case {
     start: P,
 }
 
+/// Does a line go back over the one before? A fin without thickness is no part.
+fn doubles_back(pieces: &[Piece]) -> bool {
+    let way = |piece: &Piece| [piece.to[0] - piece.from[0], piece.to[1] - piece.from[1]];
+    pieces.windows(2).any(|pair| {
+        let ([a, b], [c, d]) = (way(&pair[0]), way(&pair[1]));
+        let straight = pair.iter().all(|piece| piece.arc.is_none());
+        straight && (a * d - b * c).abs() < 1e-6 && a * c + b * d < 0.0
+    })
+}
+
 impl Case {
     fn roll(dice: &mut Dice) -> Case {
         let radial = chance(dice, 60);
@@ -66,6 +76,9 @@ impl Case {
                 piece.arc = piece.arc.map(|(c, ccw)| (shift(c), ccw));
             }
             pieces.insert(0, Piece { from: [0.0, 0.0], to: [0.0, high], arc: None });
+        }
+        if doubles_back(&pieces) {
+            return Case::roll(dice);
         }
         let corners: Vec<usize> = side.positions().into_iter().filter(|position| *position <= 4).collect();
         let position = corners[if chance(dice, 80) { 0 } else { dice.roll(corners.len()) }];
