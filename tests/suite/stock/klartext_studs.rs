@@ -72,7 +72,8 @@ fn stud(dice: &mut Dice) -> Case<'static> {
     let depth = number(dice, 1.0, 12.0);
     let step = number(dice, depth / 5.0, depth * 1.2);
     let some = |dice: &mut Dice, high: f64| if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.01, high) };
-    let (wall, floor) = (some(dice, 0.5 * radius), some(dice, 0.4 * depth));
+    // A floor that one cut does not take off is refused.
+    let (wall, floor) = (some(dice, 0.5 * radius), some(dice, 0.4 * depth).min(step));
     let round = dice.roll(2) == 0;
     let mut half = [number(dice, 1.0, 25.0), number(dice, 1.0, 25.0)];
     if round {
