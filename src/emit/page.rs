@@ -24,6 +24,8 @@ pub(super) struct Page<'a> {
     limits: Line,
     /// Address of the feed, which an over-long line gives away.
     feed: u8,
+    /// The feed counts by time: every line needs its own.
+    pub by_time: bool,
     /// Bytes after which the text is written.
     chunk: usize,
     /// Somebody reads the text before it is written; up to here he has.
@@ -51,6 +53,7 @@ impl<'a> Page<'a> {
             text: Text::new(CHUNK + 4096, limits.digits),
             limits,
             feed,
+            by_time: false,
             chunk: FIRST_CHUNK,
             read: None,
             lines: 0,
@@ -175,15 +178,27 @@ impl<'a> Page<'a> {
         }
     }
 
-    /// A line that is too long gives its feed word to a line in front of it.
+    /// A line that is too long gives its feed word to a line in front of it, if it may stand there.
     #[cold]
     fn split_feed(&mut self, origin: &Origin) {
         let line = self.text.line().to_vec();
-        if let Some(at) = line.windows(2).rposition(|pair| pair == [b' ', self.feed]) {
-            self.text.drop_line();
-            self.text.raw(&line[at + 1..]);
-            self.count_line(origin);
-            self.text.raw(&line[..at]);
+        match line.windows(2).rposition(|pair| pair == [b' ', self.feed]) {
+            Some(at) if !self.by_time && at <= self.limits.length => {
+                self.text.drop_line();
+                self.text.raw(&line[at + 1..]);
+                self.count_line(origin);
+                self.text.raw(&line[..at]);
+            }
+            _ => self.too_long(origin),
         }
+    }
+
+    #[cold]
+    fn too_long(&mut self, origin: &Origin) {
+        let line = String::from_utf8_lossy(self.text.line());
+        let most = self.limits.length;
+        let message = format!("the target reads lines of {most} characters, and `{line}` has {}", line.len());
+        let found = Diagnostic::new(codes::O9317, origin.loc, message).called(origin.call);
+        self.diags.push(found.help("print fewer places with `[output] decimals`, or move fewer axes in one block"));
     }
 }

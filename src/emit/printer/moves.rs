@@ -120,6 +120,7 @@ impl Printer<'_> {
         };
         let kind = FeedKind::of(feed);
         if self.modal.feed_kind_changes(kind) {
+            self.page.by_time = kind == FeedKind::InverseTime;
             match kind.word(&self.target.feed) {
                 Some(word) => self.page.words(word, origin),
                 None => {
