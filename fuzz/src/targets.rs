@@ -18,6 +18,7 @@ pub const ALL: &[(&str, Target)] = &[
     ("parse_turning", parse_turning),
     ("compile_klartext", compile_klartext),
     ("compile_turning", compile_turning),
+    ("gcode", gcode),
     ("mtc200", mtc200),
     ("sinumerik", sinumerik),
     ("tables", tables),
@@ -124,6 +125,11 @@ pub fn compile_klartext(bytes: &[u8]) {
 
 pub fn compile_turning(bytes: &[u8]) {
     compile("heidenhain-turning", "fuzz.nc", bytes);
+}
+
+/// Any bytes as a program of plain G-code.
+pub fn gcode(bytes: &[u8]) {
+    compile("gcode", "fuzz.ngc", bytes);
 }
 
 /// Any bytes as blocks and as a program of the MTC200.

@@ -86,7 +86,7 @@ fn is_plain(path: &Path) -> bool {
     let made = head.split(|b| *b == b'\n').take(2).any(|line| line.starts_with(b"(partc "));
     let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase());
     let named = extension.is_some_and(|extension| PLAIN.contains(&extension.as_str()));
-    made || named && dialect::guess(&name, head).is_none()
+    made || named && dialect::guess(&name, head).is_none_or(|dialect| dialect.id == "gcode")
 }
 
 /// `partc diff`

@@ -3,11 +3,11 @@
 use core::f64::consts::TAU;
 
 use crate::geo::{Plane, Point2};
-use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
 use crate::ir::motion::{Arc, Move, Path, Sink};
-use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::ir::{Function, Origin, Pos, Side};
 use crate::machine::{Axis, AxisSet};
-use crate::read::{self, AXES, Act, FeedKind, Reader, SCALE, Speed};
+use crate::read::{self, AXES, Act, Reader};
+use crate::sema::gcode::function::{self, plane, real};
 use crate::text::Loc;
 
 /// Where a program cannot be read, and why.
@@ -85,46 +85,11 @@ impl Player<'_> {
                 let number = self.selected.ok_or("a change to a tool that no T has chosen")?;
                 self.does(Function::ToolChange { number });
             }
-            Act::Speed(speed) => self.speed(speed),
-            Act::M { number, spindle, angle } => self.m_function(number, spindle, angle)?,
-            Act::Dwell(seconds) => self.does(Function::Dwell(real(seconds))),
-            Act::Offset(number) => self.does(Function::WorkOffset(number)),
-        }
-        Ok(())
-    }
-
-    fn spindle(&mut self, number: u8, spindle: Spindle) {
-        self.does(match number {
-            0 => Function::Spindle(spindle),
-            _ => Function::SpindleOf { number: number.saturating_add(1), spindle },
-        });
-    }
-
-    fn speed(&mut self, speed: Speed) {
-        let value = real(speed.value);
-        let order = match speed.constant_cut {
-            Some(limit) => Spindle::CuttingSpeed { speed: value, limit: limit.map(real) },
-            None => Spindle::Speed(value),
-        };
-        self.spindle(speed.spindle, order);
-    }
-
-    fn m_function(&mut self, number: u32, spindle: u8, angle: Option<i64>) -> Result<(), &'static str> {
-        match number {
-            0 => self.does(Function::Stop),
-            1 => self.does(Function::OptionalStop),
-            2 | 30 => self.does(Function::End { rewind: number == 30 }),
-            3 => self.spindle(spindle, Spindle::Start(Turn::Clockwise)),
-            4 => self.spindle(spindle, Spindle::Start(Turn::CounterClockwise)),
-            5 => self.spindle(spindle, Spindle::Stop),
-            7 => self.does(Function::Coolant(Coolant::Mist)),
-            8 => self.does(Function::Coolant(Coolant::Flood)),
-            9 => self.does(Function::Coolant(Coolant::Off)),
-            19 => {
-                let angle = angle.ok_or("M19 without its angle")?;
-                self.spindle(spindle, Spindle::Orient(real(angle)));
+            act => {
+                if let Some(function) = function::function(&act)? {
+                    self.does(function);
+                }
             }
-            _ => self.does(Function::Aux(number)),
         }
         Ok(())
     }
@@ -140,9 +105,9 @@ impl Player<'_> {
         let plane = self.reader.modes().plane.map_or(Plane::Xy, plane);
         let path = match mv.path {
             read::Path::Rapid => Path::Rapid,
-            read::Path::Line => Path::Line(self.feed()?),
+            read::Path::Line => Path::Line(function::feed(&self.reader)?),
             read::Path::Thread(lead) => Path::Thread { lead: real(lead) },
-            read::Path::Arc(arc) => Path::Arc(exact(&arc)?, self.feed()?),
+            read::Path::Arc(arc) => Path::Arc(exact(&arc)?, function::feed(&self.reader)?),
         };
         let mut axes = axes;
         if let read::Path::Arc(arc) = mv.path {
@@ -158,24 +123,9 @@ impl Player<'_> {
         let cutter = self.reader.modes().cutter.unwrap_or_default();
         if cutter.side != 0 && self.cutter != Some(cutter) {
             self.cutter = Some(cutter);
-            let radius = cutter.diameter.map(|diameter| real(diameter) / 2.0);
-            self.does(Function::Cutter(CutterData { number: cutter.tool, radius, known: radius }));
+            self.does(function::cutter(cutter));
         }
-        match cutter.side {
-            1 => Side::Left,
-            -1 => Side::Right,
-            _ => Side::None,
-        }
-    }
-
-    fn feed(&self) -> Result<Feed, &'static str> {
-        let feed = self.reader.feed().filter(|feed| *feed > 0).map(real).ok_or("a cut without a feed")?;
-        match self.reader.modes().feed_kind {
-            Some(FeedKind::PerMinute) => Ok(Feed::PerMinute(feed)),
-            Some(FeedKind::PerRevolution) => Ok(Feed::PerRevolution(feed)),
-            Some(FeedKind::InverseTime) => Ok(Feed::InverseTime(feed)),
-            None => Err("what the feed counts, nobody has said"),
-        }
+        function::side(cutter)
     }
 }
 
@@ -197,18 +147,6 @@ fn exact(arc: &read::Arc) -> Result<Arc, &'static str> {
     }
     let sweep = sense * (part + TAU * f64::from(arc.turns.abs() - 1));
     Ok(Arc { plane: plane(arc.plane), from, center, sweep })
-}
-
-fn plane(plane: read::Plane) -> Plane {
-    match plane {
-        read::Plane::Xy => Plane::Xy,
-        read::Plane::Zx => Plane::Zx,
-        read::Plane::Yz => Plane::Yz,
-    }
-}
-
-fn real(units: i64) -> f64 {
-    units as f64 / SCALE as f64
 }
 
 /// The axes of a set of bits.

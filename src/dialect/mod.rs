@@ -1,5 +1,6 @@
 //! The dialects: one table each, registered by one line in [`ALL`].
 
+mod gcode;
 mod klartext;
 mod mtc200;
 mod sinumerik;
@@ -68,7 +69,8 @@ impl std::fmt::Debug for Dialect {
 }
 
 /// All dialects.
-pub const ALL: &[&Dialect] = &[&klartext::DIALECT, &sinumerik::DIALECT, &mtc200::DIALECT, &turning::DIALECT];
+pub const ALL: &[&Dialect] = 
+    &[&klartext::DIALECT, &sinumerik::DIALECT, &mtc200::DIALECT, &turning::DIALECT, &gcode::DIALECT];
 
 /// The dialect of this name.
 pub fn find(id: &str) -> Option<&'static Dialect> {

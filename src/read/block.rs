@@ -29,6 +29,7 @@ pub(super) struct Block {
     /// G43, or G49.
     pub length: Option<bool>,
     pub offset: Option<u8>,
+    pub path_control: bool,
     m: [u32; MOST_M],
     m_count: usize,
     /// Groups of G functions that were met, a bit each: two of one group contradict each other.
@@ -180,7 +181,10 @@ impl Block {
                 8
             }
             // Exact stop and blending leave the path where it is programmed, within a tolerance of the machine.
-            610 | 640 => 9,
+            610 | 640 => {
+                self.path_control = true;
+                9
+            }
             900 | 910 => {
                 self.incremental = Some(tenths == 910);
                 10

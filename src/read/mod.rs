@@ -25,12 +25,27 @@ const ACTS: usize = 16;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
     pub why: String,
+    /// A line in front of it had to say something, and did not.
+    pub of_state: bool,
+    /// The axis whose place nobody has said.
+    pub axis: Option<usize>,
 }
 
 impl Fault {
     #[cold]
     fn new(why: impl Into<String>) -> Fault {
-        Fault { why: why.into() }
+        Fault { why: why.into(), of_state: false, axis: None }
+    }
+
+    /// Nobody said what the line counts on.
+    #[cold]
+    fn unsaid(why: &str) -> Fault {
+        Fault { why: why.to_owned(), of_state: true, axis: None }
+    }
+
+    #[cold]
+    fn unplaced(why: &str, axis: usize) -> Fault {
+        Fault { axis: Some(axis), ..Fault::unsaid(why) }
     }
 }
 
@@ -53,6 +68,8 @@ pub struct Modes {
     pub length: Option<u32>,
     /// Work offset, from 1 on.
     pub offset: u8,
+    /// Exact stop or blending was asked for.
+    pub path_control: bool,
     /// The move that axis words mean by themselves: 0 to 3, 33.
     motion: Option<u8>,
 }
@@ -99,6 +116,7 @@ impl Reader {
                 cutter: None,
                 length: None,
                 offset: 1,
+                path_control: false,
                 motion: None,
             },
             plain: false,
@@ -216,9 +234,20 @@ impl Reader {
         self.ended
     }
 
-    /// Nobody knows where any axis stands.
+    /// Nobody knows where any axis stands, and the rest of the line means nothing.
     pub fn forget(&mut self) {
         self.known = 0;
+        self.open = (0, 0);
+    }
+
+    /// Nobody knows where this axis stands.
+    pub fn lose(&mut self, axis: usize) {
+        self.known &= !(1 << axis);
+    }
+
+    /// What the control takes for granted from here on.
+    pub fn modes_mut(&mut self) -> &mut Modes {
+        &mut self.modes
     }
 
     /// An axis stands here although no line said so.

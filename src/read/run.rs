@@ -12,9 +12,9 @@ impl Reader {
         if let Some(inches) = block.inches
             && self.modes.inches != Some(inches)
         {
-            // Whether numbers of the line count in the old or the new unit is a question not worth asking.
-            if LETTERS.iter().chain(b"FIJKR").any(|letter| block.has(*letter)) {
-                return Err(Fault::new("the unit changes in a line with numbers"));
+            // F is read before the unit, positions behind it.
+            if block.has(b'F') {
+                return Err(Fault::new("the unit changes in a line with F, which counts in the old one"));
             }
             self.modes.inches = Some(inches);
         }
@@ -64,7 +64,7 @@ impl Reader {
                 let units = i128::from(number) * 254 / 10;
                 i64::try_from(units).ok().ok_or_else(|| Fault::new("a length is too large"))
             }
-            None => Err(Fault::new("millimetres or inches: nobody has said it")),
+            None => Err(Fault::unsaid("millimetres or inches: nobody has said it")),
         }
     }
 
@@ -132,6 +132,7 @@ impl Reader {
         }
         modes.incremental = block.incremental.or(modes.incremental);
         modes.absolute_centers = block.absolute_centers.or(modes.absolute_centers);
+        modes.path_control |= block.path_control;
         if block.stop_motion {
             modes.motion = None;
             modes.cycles_are_off = true;
@@ -160,7 +161,7 @@ impl Reader {
                 _ => Ok(()),
             };
         }
-        let Some(motion) = self.modes.motion else { return Err(Fault::new("axes without a move")) };
+        let Some(motion) = self.modes.motion else { return Err(Fault::unsaid("axes without a move")) };
         let (from, was) = (self.at, self.known);
         let axes = self.ends(block)?;
         let path = match motion {
@@ -190,10 +191,10 @@ impl Reader {
                 units /= 2;
             }
             let Some(incremental) = self.modes.incremental else {
-                return Err(Fault::new("absolute or incremental: nobody has said it"));
+                return Err(Fault::unsaid("absolute or incremental: nobody has said it"));
             };
             if incremental && !block.machine {
-                let before = self.place(axis).ok_or_else(|| Fault::new("an increment from an unknown place"))?;
+                let before = self.place(axis).ok_or_else(|| Fault::unplaced("an increment from an unknown place", axis))?;
                 units = before.checked_add(units).ok_or_else(|| Fault::new("a place is too far away"))?;
             }
             self.stand(axis, units);
@@ -203,11 +204,12 @@ impl Reader {
     }
 
     fn arc(&self, block: &mut Block, ccw: bool, before: &[i64; AXES], was: u16) -> Result<Arc, Fault> {
-        let Some(plane) = self.modes.plane else { return Err(Fault::new("the plane: nobody has said it")) };
+        let Some(plane) = self.modes.plane else { return Err(Fault::unsaid("the plane: nobody has said it")) };
         let [first, second, _] = plane.axes();
         let known = (1 << first) | (1 << second);
         if was & known != known || self.known & known != known {
-            return Err(Fault::new("an arc from an unknown place"));
+            let missing = if was & self.known & (1 << first) == 0 { first } else { second };
+            return Err(Fault::unplaced("an arc from an unknown place", missing));
         }
         let (from, to) = ([before[first], before[second]], [self.at[first], self.at[second]]);
         let turns = block.take_whole(b'P')?.unwrap_or(1);
@@ -223,7 +225,7 @@ impl Reader {
             return Err(Fault::new("an arc without a centre"));
         }
         let Some(absolute) = self.modes.absolute_centers else {
-            return Err(Fault::new("where centres count from: nobody has said it"));
+            return Err(Fault::unsaid("where centres count from: nobody has said it"));
         };
         let mut center = [0; 2];
         for i in 0..2 {

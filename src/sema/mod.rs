@@ -6,6 +6,7 @@
 pub mod chain;
 pub mod common;
 pub mod cycle_table;
+pub mod gcode;
 pub mod klartext;
 pub mod mtc200;
 pub mod run;

@@ -13,6 +13,7 @@ fn seeds(target: &str) -> Vec<&'static [u8]> {
         "parse_klartext" | "compile_klartext" => "klartext",
         "parse_turning" | "compile_turning" => "heidenhain-turning",
         "mtc200" => "mtc200",
+        "gcode" => "gcode",
         _ => "sinumerik",
     };
     let all = cases(folder).into_iter();

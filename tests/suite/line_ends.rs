@@ -55,6 +55,13 @@ const CASES: &[Case] = &[
         comments: &[("[", "]")],
     },
     Case {
+        dialect: "gcode",
+        name: "PART.ngc",
+        lines: &["G90 G21 G94 G0 X0 Y0 Z5", "N10 G1 X10 F100", "N20 Y20", "N30 X30", "M30"],
+        marked: 1,
+        comments: &[(";", ""), ("(", ")")],
+    },
+    Case {
         dialect: "mtc200",
         name: "PART.npg",
         lines: &["N1 G00 X0 Y0 Z5", "N2 G01 X10 F100", "N3 Y20", "N4 X30", "N5 RET"],

@@ -30,6 +30,7 @@ mod explained;
 mod facade;
 mod fast_path;
 mod fuzz;
+mod gcode;
 mod golden;
 mod grbl_reader;
 mod hostile;

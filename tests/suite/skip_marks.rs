@@ -11,6 +11,7 @@ const PROGRAMS: &[(&str, &str, &str, &[u8])] = &[
     ("klartext", "A.H", "0 BEGIN PGM A MM\n1 L X+1 Y+1 R0 F100\nMARK2 L X+7\n3 L Y+5\n4 END PGM A MM\n", &[]),
     ("sinumerik", "A.MPF", "N1 G90 G1 X1 Y1 F100\nMARKN2 X7\nN3 Y5\nM30\n", &[1, 2]),
     ("heidenhain-turning", "A.nc", "%1.nc\nN1 G94 F100\nN2 G0 X2 Z1\nMARKN3 G1 Z7\nN4 G1 X60\nEND\n", &[1, 2]),
+    ("gcode", "A.ngc", "N0 G90 G21\nN1 G94 G1 X1 Y1 F100\nMARKN2 X7\nN3 Y5\nM30\n", &[1, 2]),
     ("mtc200", "A.mtc", "N1 G90 G71 G94 G01 X1 Y1 F100\nMARKN2 X7\nN3 Y5\nN4 M30\n", &[]),
 ];
 

@@ -86,6 +86,17 @@ const FORMS: &[Form] = &[
         offset: Some("G54\nG94 G91 G01 X10 F100"),
         code: "M2001",
     },
+    Form {
+        dialect: "gcode",
+        name: "P.ngc",
+        diameter: false,
+        settings: "",
+        around: |body| format!("G90 G21 G94\n{body}\nM30\n"),
+        increment: "G91 G1 X5 F100",
+        arc: Some("G90 G2 X20 Y0 I10 J0 F100"),
+        offset: Some("G55\nG91 G1 X5 F100"),
+        code: "R1001",
+    },
 ];
 
 fn run(form: &Form, body: &str, start: &str) -> Compiled {

@@ -1,9 +1,10 @@
 //! Every diagnostic code, with the text behind `partc explain`. Codes are never renumbered or reused.
 //!
 //! Letter: `P` general, `K` Klartext, `S` SINUMERIK, `T` HEIDENHAIN turning, `M` MTC200, `G` geometry,
-//! `O` output, `L` rules in every language. First digit: 0 lexical, 1 syntax, 2 meaning, 3 geometry, 4 limits, 8 lint, 9 unsupported.
+//! `R` plain G-code, `O` output, `L` rules in every language. First digit: 0 lexical, 1 syntax, 2 meaning, 3 geometry, 4 limits, 8 lint, 9 unsupported.
 
 mod compensation;
+mod gcode;
 mod general;
 mod geometry;
 mod grooves;
@@ -26,6 +27,7 @@ mod transformation;
 mod turning;
 
 pub use compensation::*;
+pub use gcode::*;
 pub use general::*;
 pub use geometry::*;
 pub use grooves::*;
@@ -132,6 +134,7 @@ use codes;
 pub fn all() -> Vec<&'static Code> {
     let mut list: Vec<_> = [
         general::GENERAL,
+        gcode::GCODE,
         klartext::KLARTEXT,
         klartext_cycles::KLARTEXT_CYCLES,
         klartext_free_contours::KLARTEXT_FREE_CONTOURS,

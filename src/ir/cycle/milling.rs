@@ -125,6 +125,9 @@ impl Mill {
     }
 }
 
+/// Heights that differ by less are one height, computed in two ways.
+const ROUNDED: f64 = 1e-9;
+
 impl Heights {
     /// # Errors
     /// The first fault.
@@ -136,7 +139,7 @@ impl Heights {
             Err(MillFault::Number)
         } else if out == 0.0 || (self.reference - self.depth) * out < 0.0 {
             Err(MillFault::ReferencePlane)
-        } else if (self.retract - self.safe()) * out < 0.0 {
+        } else if (self.retract - self.safe()) * out < -ROUNDED {
             Err(MillFault::RetractBelowStart)
         } else if self.allowance > 0.0 && self.allowance >= self.way() {
             Err(MillFault::FloorAllowance)

@@ -165,7 +165,12 @@ impl Tool<'_, '_> {
             between => between.feed,
         };
         // Over the point where the way to the contour begins.
-        let start = if self.travel.before().is_some() { comes.contour } else { comes.centre };
+        let beside = self.travel.before().is_some();
+        let start = if beside { comes.contour } else { comes.centre };
+        // No compensation begins on the spot: a tool that stands over the start goes beside the contour first.
+        if first && beside && self.cutter.stands_at(start) {
+            self.cutter.rapid(comes.centre);
+        }
         self.come(Some(start), None, feed.map_or(Way::Rapid, Way::Line));
         self.down(heights.above_cleared(from), level);
         self.along_the_contour(level);

@@ -74,6 +74,12 @@ impl Contours {
     }
 }
 
+/// Does a number behind it name a parameter, not a label?
+fn is_parameter(name: &str) -> bool {
+    let name = name.to_ascii_uppercase();
+    ["Q", "QL", "QR", "QS"].iter().any(|letters| name.ends_with(letters)) || name.chars().count() == 1
+}
+
 impl Run<'_> {
     // Definitions.
 
@@ -81,7 +87,12 @@ impl Run<'_> {
     pub(super) fn contour_labels(&mut self, block: &Block, text: &[u8]) -> Outcome {
         let code = crate::text::decode::readable(block.span.of(text)).into_owned();
         let list = code.split_once('.').map_or("", |(_, rest)| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
-        let from = list.find(|c: char| c.is_ascii_digit() || c == '"' || c == '/').unwrap_or(list.len());
+        // The name of the part: words of letters, the last one written together with its first label at most.
+        let from = list.find(|c: char| !c.is_alphabetic() && !c.is_whitespace()).unwrap_or(list.len());
+        let name = list[..from].split_whitespace().next_back().unwrap_or_default();
+        if list[from..].starts_with(|c: char| c.is_ascii_digit()) && is_parameter(name) {
+            return self.cycle_word(block.span, 14);
+        }
         let mut labels = Vec::new();
         let mut rest = list[from..].trim_start_matches(['/', ' ', '\t']);
         while !rest.is_empty() {

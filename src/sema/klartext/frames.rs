@@ -342,6 +342,8 @@ impl Run<'_> {
             return Err(Reported);
         }
         self.function(Function::WorkOffset(offset));
+        // Another part may lie there.
+        self.contours.roughed = None;
         let mirror_last = self.st.frames.transform.mirror_last;
         self.set_transformation(Transformation::none(mirror_last))?;
         // In the new system no axis has a known position, but for those that never moved before the first preset.

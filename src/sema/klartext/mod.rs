@@ -68,7 +68,7 @@ mod words;
 use crate::diag::{CallPath, Code, Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::contour::{Move, Sink};
-use crate::machine::{Proposed, Unit};
+use crate::machine::{AxisSet, Proposed, Unit};
 use crate::parser::klartext::ast::{Block, Stmt};
 use crate::parser::klartext::{SPLIT, parse_block};
 use crate::parser::problem::Problem;
@@ -448,6 +448,10 @@ impl Run<'_> {
         }
         if let Some(corner) = self.st.corner.take() {
             self.side_at_corner(&corner, mv.side);
+        }
+        if !mv.end.known().without(AxisSet::MAIN).is_empty() {
+            // Another side of the part may lie under the tool.
+            self.contours.roughed = None;
         }
         self.core.send_move(mv, &self.st.ctx);
     }

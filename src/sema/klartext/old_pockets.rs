@@ -14,7 +14,7 @@ use super::cycles::{DefinedCycle, What};
 use super::{Outcome, Run};
 
 /// A tool that differs by less has the width of the slot, mm.
-const SAME_WIDTH: f64 = 1e-6;
+const SAME_WIDTH: f64 = 1e-4;
 
 impl Run<'_> {
     /// Cycle 3.

@@ -16,6 +16,7 @@ use crate::text::Loc;
 
 use super::cycles::DefinedCycle;
 use super::cycles::call::{Call, Heights, Retract};
+use super::cycles::faces::TOP;
 use super::cycles::patterns::{
     AT_SECOND, CENTER, CIRCLE, COLUMNS, LINES, NUMBER, ON_ARCS, SPACING, START, START_ANGLE, STEP, STOP_ANGLE, TURN,
 };
@@ -58,6 +59,7 @@ impl Run<'_> {
         self.budget.take(places.len() as u64 / PLACES_A_STEP);
         self.warn_of_repeated_places(&by, places.iter().copied(), pattern.loc);
         let heights = self.heights(pattern, 0.0)?;
+        self.surfaces_agree(pattern, &cycle, &heights)?;
         if old {
             self.clearances_agree(pattern, &cycle, &heights)?;
         }
@@ -76,6 +78,22 @@ impl Run<'_> {
             }
         }
         Ok(())
+    }
+
+    /// A face has a height of its own in place of Q203, which the pattern would have to override.
+    fn surfaces_agree(&mut self, pattern: &DefinedCycle, cycle: &DefinedCycle, heights: &Heights) -> Outcome {
+        if cycle.number < FIRST_PLACED || !cycle.sets(TOP) {
+            return Ok(());
+        }
+        let own = self.cycle_length(cycle, TOP)?;
+        if (own - heights.surface).abs() <= SAME_PLACE {
+            return Ok(());
+        }
+        let message = format!(
+            "Q203 of the pattern is {}, and cycle {} has its height Q227 = {own} in place of it: which of the two counts is open; write the same height",
+            heights.surface, cycle.number
+        );
+        self.cycle_value(pattern, &message)
     }
 
     /// The old cycles work from where the tool stands, the set-up clearance of the pattern.

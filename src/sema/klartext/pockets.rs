@@ -38,6 +38,14 @@ fn widest_allowance(shape: &Shape, radius: f64) -> f64 {
     }
 }
 
+/// A cutter that is wider by less, mm, is as wide as the shape: an inch program writes its widths rounded.
+const AS_WIDE: f64 = 5e-5;
+
+/// A length in mm for a text.
+pub(super) fn rounded(length: f64) -> f64 {
+    libm::rint(length * 1e6) / 1e6
+}
+
 impl Run<'_> {
     /// Cycle 251.
     pub(super) fn rectangular_pocket(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
@@ -175,10 +183,11 @@ impl Run<'_> {
     /// Does the cutter fit into the shape?
     pub(super) fn fits(&mut self, cycle: &DefinedCycle, shape: &Shape, radius: f64) -> Outcome<f64> {
         let room = shape.room(radius).least();
-        if room >= -1e-9 {
+        if room >= -AS_WIDE {
             return Ok(room.max(0.0));
         }
-        let what = format!("the cutter is {} mm wide, and there are {} mm", 2.0 * radius, 2.0 * (room + radius));
+        let what =
+            format!("the cutter is {} mm wide, and there are {} mm", 2.0 * radius, rounded(2.0 * (room + radius)));
         self.tool_too_large(cycle, &what)
     }
 

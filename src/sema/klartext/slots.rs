@@ -15,6 +15,7 @@ use super::cycles::call::Call;
 use super::cycles::milling::{FINISHING_INFEED, FIRST_SIDE, OPERATION, SECOND_SIDE, TURN};
 use super::cycles::patterns::{CENTER, CIRCLE, START_ANGLE};
 use super::cycles::pockets::OPENING;
+use super::pockets::rounded;
 use super::{Outcome, Run};
 
 /// A wall that stands out by less is none, mm.
@@ -69,7 +70,7 @@ impl Run<'_> {
         let size = 2.0 * mill.radius;
         let width = size + 2.0 * wall;
         if size < width / 3.0 - NOTHING {
-            let what = format!("the tool of {size} mm is below a third of the width Q219 = {width} mm");
+            let what = format!("the tool of {size} mm is below a third of the width Q219 = {} mm", rounded(width));
             return self.tool_too_small(cycle, &what);
         }
         if size >= length / 2.0 {

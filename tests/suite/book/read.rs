@@ -124,6 +124,7 @@ impl Draft {
             "klartext" => "H",
             "sinumerik" => "MPF",
             "mtc200" => "npg",
+            "gcode" => "ngc",
             _ => "nc",
         });
         let mut called = shared.clone();

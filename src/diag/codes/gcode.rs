@@ -1,0 +1,25 @@
+//! `R`: plain G-code.
+
+super::codes! { GCODE:
+
+R1001 Error "gcode-line" "line of plain G-code cannot be read"
+"partc reads G-code that is resolved already: G0 to G3, G33, positions, F, S, T, M, work offsets, planes, units. A line with a variable, a call, a cycle or another \
+function is refused, and so is a line that counts on something nobody has said: a unit, a feed, the place of an axis. Positions hold as numbers only when the line in \
+front of it is certain. Resolve the program first, or name its language with `--dialect`; `[control] unit` and `[start]` in partc.toml say what a program leaves open."
+
+R1002 Warning "gcode-end-missing" "plain G-code ends without M2 or M30"
+"The last line is no end of a program. The file may have been cut off in transfer, or the program that made it leaves the end to the control. The output gets M2. Look at \
+the last lines, and add M30."
+
+R2001 Error "gcode-tool-length" "tool length that the output does not have"
+"G43 H adds the length of a tool, G49 takes it away, and all positions along Z count with it or without it. The output has G43 behind each tool change with the number \
+of the tool where `[output] tool_length = \"G43\"` is set, and nowhere else. A program that does it in another way cannot be printed."
+
+R8001 Note "gcode-path-control" "exact stop and blending are left out"
+"G61 and G64 say how a control rounds the corners of the path, within a tolerance of its own. The output holds the path alone, and the target takes its corners as it is \
+set. Set the mode on the target, if it matters."
+
+R9001 Error "gcode-m-function" "M function that means what the builder of a machine wants"
+"M0 to M9, M19 and M30 mean the same everywhere. All others are given by the builder of a machine, and some move it. If the target has the same function, list it \
+under `[output] pass_m`."
+}

@@ -1,0 +1,93 @@
+//! What the lines of plain G-code have the machine do besides moving, in the words of everything behind the languages.
+
+use crate::geo::Plane;
+use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
+use crate::ir::{Feed, Function, Side};
+use crate::read::{self, Act, FeedKind, Reader, SCALE, Speed};
+
+/// The function of an act that is no move and chooses no tool.
+///
+/// # Errors
+/// What the act lacks.
+pub fn function(act: &Act) -> Result<Option<Function>, &'static str> {
+    Ok(Some(match *act {
+        Act::Move(_) | Act::Select(_) | Act::Change => return Ok(None),
+        Act::Speed(speed) => of_speed(speed),
+        Act::M { number, spindle, angle } => m_function(number, spindle, angle)?,
+        Act::Dwell(seconds) => Function::Dwell(real(seconds)),
+        Act::Offset(number) => Function::WorkOffset(number),
+    }))
+}
+
+fn of_spindle(number: u8, spindle: Spindle) -> Function {
+    match number {
+        0 => Function::Spindle(spindle),
+        _ => Function::SpindleOf { number: number.saturating_add(1), spindle },
+    }
+}
+
+fn of_speed(speed: Speed) -> Function {
+    let value = real(speed.value);
+    let order = match speed.constant_cut {
+        Some(limit) => Spindle::CuttingSpeed { speed: value, limit: limit.map(real) },
+        None => Spindle::Speed(value),
+    };
+    of_spindle(speed.spindle, order)
+}
+
+fn m_function(number: u32, spindle: u8, angle: Option<i64>) -> Result<Function, &'static str> {
+    Ok(match number {
+        0 => Function::Stop,
+        1 => Function::OptionalStop,
+        2 | 30 => Function::End { rewind: number == 30 },
+        3 => of_spindle(spindle, Spindle::Start(Turn::Clockwise)),
+        4 => of_spindle(spindle, Spindle::Start(Turn::CounterClockwise)),
+        5 => of_spindle(spindle, Spindle::Stop),
+        7 => Function::Coolant(Coolant::Mist),
+        8 => Function::Coolant(Coolant::Flood),
+        9 => Function::Coolant(Coolant::Off),
+        19 => of_spindle(spindle, Spindle::Orient(real(angle.ok_or("M19 without its angle")?))),
+        _ => Function::Aux(number),
+    })
+}
+
+/// What the target needs to know of a cutter.
+pub fn cutter(cutter: read::Cutter) -> Function {
+    let radius = cutter.diameter.map(|diameter| real(diameter) / 2.0);
+    Function::Cutter(CutterData { number: cutter.tool, radius, known: radius })
+}
+
+pub fn side(cutter: read::Cutter) -> Side {
+    match cutter.side {
+        1 => Side::Left,
+        -1 => Side::Right,
+        _ => Side::None,
+    }
+}
+
+/// The feed that holds.
+///
+/// # Errors
+/// There is none.
+pub fn feed(reader: &Reader) -> Result<Feed, &'static str> {
+    let feed = reader.feed().filter(|feed| *feed > 0).map(real).ok_or("a cut without a feed")?;
+    match reader.modes().feed_kind {
+        Some(FeedKind::PerMinute) => Ok(Feed::PerMinute(feed)),
+        Some(FeedKind::PerRevolution) => Ok(Feed::PerRevolution(feed)),
+        Some(FeedKind::InverseTime) => Ok(Feed::InverseTime(feed)),
+        None => Err("what the feed counts, nobody has said"),
+    }
+}
+
+pub fn plane(plane: read::Plane) -> Plane {
+    match plane {
+        read::Plane::Xy => Plane::Xy,
+        read::Plane::Zx => Plane::Zx,
+        read::Plane::Yz => Plane::Yz,
+    }
+}
+
+/// A number of the reader in mm, degrees, seconds.
+pub fn real(units: i64) -> f64 {
+    units as f64 / SCALE as f64
+}

@@ -1,0 +1,459 @@
+//! Runs plain G-code, as LinuxCNC reads it: what other programs make, and what partc prints itself.
+//!
+//! [`Reader`] reads the lines, the same that reads every output of partc. It knows no variables, calls or cycles: such a
+//! line is refused. Source: LinuxCNC User Manual, G-Code Overview and G-Codes (docs/sources.md).
+
+pub mod function;
+mod survey;
+
+use std::rc::Rc;
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::{Plane, Point2};
+use crate::ir::contour::{Arc, ArcShape, Coords, Ctx, CtxRef, Move, Path, Sink, Thread};
+use crate::ir::{Function, Pos};
+use crate::machine::{Axis, MachineKind, Settings, Unit};
+use crate::parser::problem::Problem;
+use crate::parser::symbols::Symbols;
+use crate::read::{self, AXES, Act, Modes, Reader, SCALE};
+use crate::text::{Span, SplitRules};
+
+use super::common::start::Start;
+use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
+use super::{Job, Outcome};
+
+pub use survey::survey;
+
+/// By how much the end of an arc may miss its circle, in mm: what LinuxCNC takes.
+const ARC_TOLERANCE: f64 = 0.0127;
+/// Most acts of one line.
+const ACTS: usize = 16;
+
+/// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
+pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
+    let mut run = Run::new(job, out);
+    if run::run(&mut run) { run.core.hash() } else { 0 }
+}
+
+/// The form of a line is read with what it does, when it runs.
+pub fn check_form(job: &Job<'_>) {
+    run::unexecuted::check_form::<Gcode>(job);
+}
+
+/// How the text of a program is read.
+#[derive(Debug, Default)]
+struct Gcode;
+
+/// A line.
+#[derive(Debug, Clone, Default)]
+struct Line {
+    span: Span,
+    /// Mark of a line that the control may skip, and where the words behind it begin.
+    skip: Option<u8>,
+    from: usize,
+    /// Where words and comments end.
+    end: usize,
+    /// A line break stands inside.
+    is_broken: bool,
+    comments: Vec<Span>,
+}
+
+/// Blanks, and what pads a file.
+fn is_blank(byte: u8) -> bool {
+    byte.is_ascii_whitespace() || matches!(byte, 0 | 0x0b | 0x1a)
+}
+
+impl Language for Gcode {
+    type Block = Line;
+    type Known = ();
+    type Frame = ();
+
+    /// Nothing joins two lines.
+    const SPLIT: SplitRules = SplitRules { mark: 0, continues: |_, _| false };
+
+    #[inline]
+    fn parse(&mut self, text: &[u8], into: &mut Parsed<Line>, _: &mut Symbols, _: &mut Vec<Problem>) {
+        into.block.read(text);
+        into.text.extend_from_slice(text);
+    }
+
+    #[inline]
+    fn span(line: &Line) -> Span {
+        line.span
+    }
+
+    #[inline]
+    fn operations(_: &Line) -> usize {
+        0
+    }
+}
+
+impl Line {
+    fn read(&mut self, text: &[u8]) {
+        self.comments.clear();
+        let start = text.iter().position(|b| !is_blank(*b)).unwrap_or(text.len());
+        let end = text.iter().rposition(|b| !is_blank(*b)).map_or(start, |last| last + 1);
+        let text = &text[..end];
+        self.span = Span { start: start as u32, end: end as u32 };
+        self.is_broken = memchr::memchr2(b'\r', b'\n', &text[start..]).is_some();
+        (self.skip, self.from) = (None, start);
+        if let [b'/', rest @ ..] = &text[start..] {
+            let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
+            let level = rest[..digits].iter().fold(0u8, |n, b| n.saturating_mul(10).saturating_add(b - b'0'));
+            (self.skip, self.from) = (Some(level), start + 1 + digits);
+        }
+        let mut at = self.from;
+        while let Some(mark) = memchr::memchr2(b'(', b';', &text[at..]) {
+            let open = at + mark;
+            let rest = &text[open + 1..];
+            let close = if text[open] == b'(' { memchr::memchr(b')', rest) } else { None };
+            let end = open + 1 + close.unwrap_or(rest.len());
+            self.comments.push(Span { start: (open + 1) as u32, end: end as u32 });
+            match close {
+                Some(_) => at = end + 1,
+                None => break,
+            }
+        }
+        self.span.end = self.end_of_words(text, start) as u32;
+        self.end = end;
+    }
+
+    /// Where the words end behind which only comments stand.
+    fn end_of_words(&self, text: &[u8], start: usize) -> usize {
+        let mut end = text.len();
+        for comment in self.comments.iter().rev() {
+            if (comment.end as usize + 1).min(text.len()) < end {
+                break;
+            }
+            let before = &text[start..comment.start as usize - 1];
+            end = start + before.iter().rposition(|b| !is_blank(*b)).map_or(0, |last| last + 1);
+        }
+        if end > start { end } else { (start + 1).min(text.len()) }
+    }
+}
+
+/// Files, call stack and findings of a run.
+type Core<'a> = run::Core<'a, Gcode>;
+
+/// A run of a program.
+struct Run<'a> {
+    core: Core<'a>,
+    reader: Reader,
+    ctx: CtxRef,
+    /// The tool that T chose last, and the one in the spindle.
+    selected: Option<u32>,
+    tool: Option<u32>,
+    cutter: Option<read::Cutter>,
+    /// What the configuration says of the place at the start.
+    start: Start,
+    /// A work offset was selected.
+    offset_said: bool,
+    /// A line was refused: what later ones lack may have stood there.
+    lost: bool,
+}
+
+runs_on!(Run.core: Core);
+
+/// A control as it is switched on, and what the configuration says of it.
+fn reader(settings: &Settings, start: &Start) -> Reader {
+    let mut reader = Reader::at_power_on();
+    let modes = reader.modes_mut();
+    modes.inches = settings.control.unit.map(|unit| unit == Unit::Inch);
+    if settings.machine.kind == MachineKind::Lathe {
+        modes.plane = Some(read::Plane::Zx);
+    }
+    stand(&mut reader, start);
+    reader
+}
+
+/// The axes that have not moved stand where the configuration says.
+fn stand(reader: &mut Reader, start: &Start) {
+    for (axis, place) in start.position().iter() {
+        let units = libm::rint(place * SCALE as f64);
+        if units.abs() < 9e18 {
+            reader.stand(axis.index(), units as i64);
+        }
+    }
+}
+
+impl<'a> Run<'a> {
+    fn new(job: &Job<'a>, out: &'a mut dyn Sink) -> Run<'a> {
+        let start = Start::new(job.settings, false);
+        let reader = reader(job.settings, &start);
+        let plane = reader.modes().plane.map_or(Plane::Xy, function::plane);
+        Run {
+            core: Core::new(job, out),
+            reader,
+            ctx: Rc::new(Ctx { plane, ..Ctx::default() }),
+            selected: None,
+            tool: None,
+            cutter: None,
+            start,
+            offset_said: false,
+            lost: false,
+        }
+    }
+}
+
+impl<'a> Interpreter<'a> for Run<'a> {
+    type Language = Gcode;
+
+    #[inline]
+    fn core(&mut self) -> &mut Core<'a> {
+        &mut self.core
+    }
+
+    fn begin(&mut self, program: usize) -> Level<()> {
+        let start = self.start.position();
+        self.core.begins_at(&start);
+        Level::main(program, ())
+    }
+
+    #[inline]
+    fn execute(&mut self, line: &Line, text: &[u8]) {
+        if self.skips(line.skip) {
+            return;
+        }
+        for comment in &line.comments {
+            if let Some(comment) = self.core.comment_of(comment.of(text)) {
+                self.does(&comment);
+            }
+        }
+        if self.words(line, text).is_err() {
+            self.lose_all();
+        }
+    }
+
+    fn end_of_file(&mut self) {
+        let loc = self.end_of_text();
+        self.here.origin.loc = loc;
+        self.stop_run();
+        self.report(Diagnostic::new(codes::R1002, loc, "the program ends without M2 or M30"));
+        self.does(&Function::End { rewind: false });
+    }
+
+    fn unread_block(&mut self) {
+        self.lose_all();
+    }
+}
+
+/// Why a line is refused.
+enum Refused {
+    Line(read::Fault),
+    /// Of a line that can be read.
+    Words(Diagnostic),
+}
+
+impl From<&'static str> for Refused {
+    fn from(why: &'static str) -> Refused {
+        Refused::Line(read::Fault { why: why.to_owned(), of_state: true, axis: None })
+    }
+}
+
+impl Run<'_> {
+    fn does(&mut self, function: &Function) {
+        self.core.send_function(function, &self.ctx);
+    }
+
+    /// Nobody knows what a line would have done.
+    fn lose_all(&mut self) {
+        self.lost = true;
+        self.reader.forget();
+        self.core.send_lost(&self.ctx);
+    }
+
+    fn words(&mut self, line: &Line, text: &[u8]) -> Outcome {
+        if line.is_broken {
+            let found = Diagnostic::new(codes::R1001, self.here.origin.loc, "a line break stands inside of this line");
+            return self.give_up(found.help("save the file with one kind of line break"));
+        }
+        let before = *self.reader.modes();
+        let words = &text[line.from..line.end];
+        let nested = |comment: &Span| memchr::memchr(b'(', comment.of(text)).is_some();
+        let done = if line.comments.iter().any(nested) {
+            self.line(&without(line, text), &before)
+        } else {
+            self.line(words, &before)
+        };
+        match done {
+            Ok(()) => Ok(()),
+            // It may have been said in the line that was refused.
+            Err(Refused::Line(fault)) if fault.of_state && self.lost => Err(super::Reported),
+            Err(Refused::Line(fault)) => {
+                let message = format!("this line cannot be read: {}", fault.why);
+                let usual = "partc reads plain G-code, without variables, calls and cycles: resolve them first, or name the \
+                             language of the program with --dialect";
+                let help = match fault.axis {
+                    Some(axis) => self.start.help(Axis::ALL[axis], "program an absolute position first"),
+                    None => usual.to_owned(),
+                };
+                self.give_up(Diagnostic::new(codes::R1001, self.here.origin.loc, message).help(help))
+            }
+            Err(Refused::Words(found)) => self.give_up(found),
+        }
+    }
+
+    /// The line does nothing; the next one runs.
+    fn give_up(&self, found: Diagnostic) -> Outcome {
+        self.report(found);
+        Err(super::Reported)
+    }
+
+    fn line(&mut self, words: &[u8], before: &Modes) -> Result<(), Refused> {
+        let (mut rest, mut end) = (words, words.len());
+        let mut acts = [Act::Change; ACTS];
+        let mut count = 0;
+        while let Some(act) = self.reader.next(&mut rest, &mut end).map_err(Refused::Line)? {
+            acts[count.min(ACTS - 1)] = act;
+            count += 1;
+        }
+        let acts = &acts[..count.min(ACTS)];
+        self.modes(before)?;
+        let changes = acts.contains(&Act::Change);
+        for act in acts {
+            self.act(act, changes)?;
+            if self.has_ended() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// What a line changes for the ones behind it.
+    fn modes(&mut self, before: &Modes) -> Result<(), Refused> {
+        let modes = *self.reader.modes();
+        if let (Some(plane), true) = (modes.plane, modes.plane != before.plane) {
+            let plane = function::plane(plane);
+            self.ctx = Rc::new(Ctx { plane, ..Ctx::default() });
+            self.does(&Function::Plane(plane));
+        }
+        if modes.path_control {
+            let message = "exact stop and blending (G61, G64) are left out: the target takes its corners as it is set";
+            self.note_once(codes::R8001, self.block_span(), message);
+            self.reader.modes_mut().path_control = false;
+        }
+        match modes.length {
+            Some(number) if modes.length != before.length && number != 0 => self.length(number),
+            _ => Ok(()),
+        }
+    }
+
+    /// The length of a tool counts from here on.
+    fn length(&mut self, number: u32) -> Result<(), Refused> {
+        self.reader.lose(Axis::Z.index());
+        if !self.job.settings.output.tool_length {
+            let message = format!("G43 H{number} adds a tool length, and the output has none");
+            return Err(self.refused(&message, "set `[output] tool_length = \"G43\"`"));
+        }
+        if self.tool != Some(number) {
+            let message = format!("G43 H{number} adds the length of another tool than the one in the spindle");
+            return Err(self.refused(&message, "the output has G43 behind each tool change, with the number of the tool"));
+        }
+        Ok(())
+    }
+
+    #[cold]
+    fn refused(&self, message: &str, help: &str) -> Refused {
+        Refused::Words(Diagnostic::new(codes::R2001, self.here.origin.loc, message).help(help))
+    }
+
+    fn act(&mut self, act: &Act, changes: bool) -> Result<(), Refused> {
+        match *act {
+            Act::Move(mv) => return self.movement(&mv),
+            Act::Select(number) => {
+                self.selected = Some(number);
+                if !changes {
+                    self.does(&Function::ToolPrepare { number });
+                }
+            }
+            Act::Change => {
+                let number = self.selected.ok_or("a change to a tool that no T has chosen")?;
+                self.tool = Some(number);
+                self.does(&Function::ToolChange { number });
+                // The tip of another tool stands elsewhere.
+                self.reader.lose(Axis::Z.index());
+                self.start.change_tip(Axis::Z);
+            }
+            Act::M { number, .. } if !is_known(number) && !self.job.settings.output.pass_m.contains(&number) => {
+                let message = format!("M{number} means what the builder of a machine wants");
+                let found = Diagnostic::new(codes::R9001, self.here.origin.loc, message);
+                let help = format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`");
+                return Err(Refused::Words(found.help(help)));
+            }
+            _ => {
+                if let Some(function) = function::function(act)? {
+                    self.does(&function);
+                    if let Function::WorkOffset(_) = function {
+                        self.offset();
+                    }
+                    if let Function::End { .. } = function {
+                        self.stop_run();
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The places of the start count in the offset that is selected first.
+    fn offset(&mut self) {
+        if std::mem::replace(&mut self.offset_said, true) {
+            return self.start.end();
+        }
+        stand(&mut self.reader, &self.start);
+    }
+
+    fn movement(&mut self, mv: &read::Move) -> Result<(), Refused> {
+        let cutter = self.reader.modes().cutter.unwrap_or_default();
+        if cutter.side != 0 && self.cutter != Some(cutter) {
+            self.cutter = Some(cutter);
+            self.does(&function::cutter(cutter));
+        }
+        let with_length = self.reader.modes().length.is_some_and(|number| number != 0);
+        if self.job.settings.output.tool_length && !mv.machine && !with_length && self.tool.is_some_and(|t| t != 0) {
+            let message = "the tool moves without its length, and the output adds it (G43) at the tool change";
+            return Err(self.refused(message, "set `[output] tool_length = \"off\"`, or write G43 in front of the move"));
+        }
+        let mut end = Pos::UNKNOWN;
+        for axis in (0..AXES).filter(|axis| mv.axes & (1 << axis) != 0) {
+            end.set(Axis::ALL[axis], function::real(self.reader.at()[axis]));
+        }
+        let path = match mv.path {
+            read::Path::Rapid => Path::Rapid,
+            read::Path::Line => Path::Line(function::feed(&self.reader)?),
+            // K is the way along the path for a turn.
+            read::Path::Thread(lead) => Path::Thread(Thread { lead: function::real(lead), along: None }),
+            read::Path::Arc(arc) => Path::Arc(shape(&arc)?, function::feed(&self.reader)?),
+        };
+        let coords = if mv.machine { Coords::Machine } else { Coords::Frame };
+        let mv = Move { end, path, side: function::side(cutter), coords };
+        self.core.send_move(&mv, &self.ctx);
+        self.start.touch(mv.end.known());
+        Ok(())
+    }
+}
+
+/// The words of a line, blanks in place of comments.
+#[cold]
+fn without(line: &Line, text: &[u8]) -> Vec<u8> {
+    let mut words = text[..line.end].to_vec();
+    for comment in &line.comments {
+        let (from, to) = (comment.start as usize - 1, (comment.end as usize + 1).min(words.len()));
+        words[from..to].fill(b' ');
+    }
+    words.split_off(line.from)
+}
+
+/// M functions that mean the same on every machine.
+fn is_known(number: u32) -> bool {
+    matches!(number, 0..=5 | 7..=9 | 19 | 30)
+}
+
+fn shape(arc: &read::Arc) -> Result<Arc, &'static str> {
+    if arc.from == arc.center || arc.to == arc.center {
+        return Err("an arc without a radius");
+    }
+    let center = Point2::new(function::real(arc.center[0]), function::real(arc.center[1]));
+    let shape = ArcShape::Center { center, ccw: arc.turns > 0, tol: ARC_TOLERANCE };
+    Ok(Arc { plane: function::plane(arc.plane), shape, turns: arc.turns.unsigned_abs().saturating_sub(1) })
+}
