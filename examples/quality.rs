@@ -3,6 +3,7 @@
 //!     cargo run --release --example quality                    # builds the command, measures it: some minutes
 //!     cargo run --release --example quality -- --giant         # a program of a gibibyte, too: needs the room on the disk
 //!     cargo run --release --example quality -- --partc FILE    # measures this command
+//!     cargo run --release --example quality -- R5 R10          # these rows, and those that come with them
 //!
 //! What takes hours is counted elsewhere: `fuzz/run` and `fuzz/counters.toml`. Exit code 1 if a goal is missed.
 
@@ -51,12 +52,35 @@ fn main() -> ExitCode {
             println!("{id:<4} {} {what:<44} {value}   (goal: {goal})", if kept { "ok    " } else { "MISSED" });
         }
     };
-    show(counted(root));
-    show(damaged());
-    show(endless(&partc, &under));
-    show(large(&partc, &under, giant));
-    show(files(&partc, &under));
-    show(printed());
+    let named: Vec<&String> = arguments.iter().filter(|argument| argument.starts_with('R')).collect();
+    let wanted = |rows: &[&str]| named.is_empty() || named.iter().any(|name| rows.contains(&name.as_str()));
+    if wanted(&["R1", "R18"]) {
+        show(counted(root));
+    }
+    if wanted(&["R2", "R3", "R4"]) {
+        show(damaged());
+    }
+    if wanted(&["R5", "R6"]) {
+        show(endless(&partc, &under));
+    }
+    if wanted(&["R6", "R7", "R8"]) {
+        show(large(&partc, &under, giant));
+    }
+    if wanted(&["R10"]) {
+        show(vec![hostile_names(&partc, &under)]);
+    }
+    if wanted(&["R11"]) {
+        show(vec![killed(&partc, &under)]);
+    }
+    if wanted(&["R12"]) {
+        show(vec![everywhere(&partc, &under)]);
+    }
+    if wanted(&["R13"]) {
+        show(vec![printed_numbers()]);
+    }
+    if wanted(&["R14"]) {
+        show(printed_arcs());
+    }
     let _ = std::fs::remove_dir_all(&under);
     println!("{}", if missed == 0 { "every goal is kept".to_owned() } else { format!("{missed} goals are missed") });
     ExitCode::from(u8::from(missed > 0))
@@ -226,70 +250,65 @@ fn large(partc: &Path, under: &Path, giant: bool) -> Vec<Row> {
     ]
 }
 
-fn files(partc: &Path, under: &Path) -> Vec<Row> {
+fn hostile_names(partc: &Path, under: &Path) -> Row {
     let tried = names::escapes(partc, under);
     tried.wrong.iter().take(5).for_each(|name| println!("---- {name}"));
-    let killed = kills::kills(partc, &quality::process::folder(under, "kills"), 1_000);
-    let same = same::same(partc, under, 4);
-    vec![
-        Row {
-            id: "R10",
-            what: "hostile names that lead out",
-            value: format!("{} of {} in {} programs", tried.wrong.len(), tried.names, tried.programs),
-            goal: "0 of >= 200",
-            kept: tried.wrong.is_empty() && tried.names >= 200,
-        },
-        Row {
-            id: "R11",
-            what: "partial files after kills",
-            value: format!("{} of {} runs, {} killed in time", killed.broken.len(), killed.started, killed.killed),
-            goal: "0 of >= 1000",
-            kept: killed.broken.is_empty() && killed.started >= 1_000 && killed.killed * 4 > killed.started,
-        },
-        Row {
-            id: "R12",
-            what: "the same bytes whatever the circumstances",
-            value: format!(
-                "{} programs, {} outputs, {} ways{}",
-                same.programs,
-                same.outputs,
-                same.ways,
-                if same.differ.is_empty() { String::new() } else { format!("; differ: {}", same.differ.join(", ")) },
-            ),
-            goal: "threads, folder, language, time zone: no difference",
-            kept: same.differ.is_empty() && same.outputs > 100,
-        },
-    ]
+    Row {
+        id: "R10",
+        what: "hostile names that lead out",
+        value: format!("{} of {} in {} programs", tried.wrong.len(), tried.names, tried.programs),
+        goal: "0 of >= 200",
+        kept: tried.wrong.is_empty() && tried.names >= 200,
+    }
 }
 
-fn printed() -> Vec<Row> {
+fn killed(partc: &Path, under: &Path) -> Row {
+    let seen = kills::kills(partc, &quality::process::folder(under, "kills"), 1_000);
+    Row {
+        id: "R11",
+        what: "partial files after kills",
+        value: format!("{} of {} runs, {} killed in time", seen.broken.len(), seen.started, seen.killed),
+        goal: "0 of >= 1000",
+        kept: seen.broken.is_empty() && seen.started >= 1_000 && seen.killed * 4 > seen.started,
+    }
+}
+
+fn everywhere(partc: &Path, under: &Path) -> Row {
+    let seen = same::same(partc, under, 4);
+    let differ = if seen.differ.is_empty() { String::new() } else { format!("; differ: {}", seen.differ.join(", ")) };
+    Row {
+        id: "R12",
+        what: "the same bytes whatever the circumstances",
+        value: format!("{} programs, {} outputs, {} ways{differ}", seen.programs, seen.outputs, seen.ways),
+        goal: "threads, folder, language, time zone: no difference",
+        kept: seen.differ.is_empty() && seen.outputs > 100,
+    }
+}
+
+fn printed_numbers() -> Row {
     let numbers = numbers::numbers(100_000_000, 200_000);
-    let mut rows = vec![Row {
+    let wrong = numbers.wrong.as_ref().map(|wrong| format!("; wrong: {wrong:?}")).unwrap_or_default();
+    Row {
         id: "R13",
         what: "printed numbers",
-        value: format!(
-            "{} and around {} ties{}",
-            numbers.numbers,
-            numbers.ties,
-            numbers.wrong.as_ref().map(|wrong| format!("; wrong: {wrong:?}")).unwrap_or_default()
-        ),
+        value: format!("{} and around {} ties{wrong}", numbers.numbers, numbers.ties),
         goal: "100000000, each the nearest decimal",
         kept: numbers.wrong.is_none() && numbers.numbers >= 100_000_000,
-    }];
-    for (decimals, what) in [(3, "printed arcs, three decimals"), (4, "printed arcs, four decimals")] {
-        let arcs = arcs::arcs(2_000, decimals);
-        rows.push(Row {
-            id: "R14",
-            what,
-            value: format!(
-                "{} arcs, radii differ by {:.3} units{}",
-                arcs.arcs,
-                arcs.worst,
-                arcs.unread.as_ref().map(|why| format!("; unread: {why}")).unwrap_or_default()
-            ),
-            goal: "<= 1.5 units",
-            kept: arcs.worst <= 1.5 && arcs.arcs > 1_000 && arcs.unread.is_none(),
-        });
     }
-    rows
+}
+
+fn printed_arcs() -> Vec<Row> {
+    [(3, "printed arcs, three decimals"), (4, "printed arcs, four decimals")]
+        .map(|(decimals, what)| {
+            let arcs = arcs::arcs(2_000, decimals);
+            let unread = arcs.unread.as_ref().map(|why| format!("; unread: {why}")).unwrap_or_default();
+            Row {
+                id: "R14",
+                what,
+                value: format!("{} arcs, radii differ by {:.3} units{unread}", arcs.arcs, arcs.worst),
+                goal: "<= 1.5 units",
+                kept: arcs.worst <= 1.5 && arcs.arcs > 1_000 && arcs.unread.is_none(),
+            }
+        })
+        .into()
 }

@@ -22,6 +22,9 @@ pub struct Same {
 /// Outputs by name, and what was said.
 type Came = (BTreeMap<PathBuf, Vec<u8>>, String);
 
+/// Its name, threads, the folder from which it runs, and variables of the environment.
+type Way<'a> = (&'a str, &'a str, &'a Path, &'a [(&'a str, &'a str)]);
+
 /// Compiles every `step`-th golden program one at a time, then in every other way.
 pub fn same(partc: &Path, under: &Path, step: usize) -> Same {
     let root = folder(under, "same");
@@ -62,7 +65,7 @@ pub fn same(partc: &Path, under: &Path, step: usize) -> Same {
     let first = come("1", &root, &[]);
     seen.outputs = first.0.len();
     let elsewhere = folder(&root, "elsewhere");
-    let ways: [(&str, &str, &Path, &[(&str, &str)]); 7] = [
+    let ways: [Way<'_>; 7] = [
         ("again", "1", &root, &[]),
         ("two threads", "2", &root, &[]),
         ("eight threads", "8", &root, &[]),
