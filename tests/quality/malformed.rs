@@ -10,10 +10,11 @@ use crate::common::{compile_bytes, settings};
 use crate::damage::{Dice, KINDS, damage};
 
 /// Folder of the books of each dialect, its name, and a file of it.
-const DIALECTS: [(&str, &str, &str); 4] = [
+const DIALECTS: [(&str, &str, &str); 5] = [
     ("klartext", "klartext", "P.H"),
     ("sinumerik", "sinumerik", "P.MPF"),
     ("heidenhain-turning", "heidenhain-turning", "P.nc"),
+    ("gcode", "gcode", "P.ngc"),
     ("mtc200", "mtc200", "P.npg"),
 ];
 
