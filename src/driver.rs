@@ -20,6 +20,7 @@ use crate::lower::Lower;
 use crate::machine::Settings;
 use crate::sema::Job;
 use crate::text::{FileId, Files, Opened, Sources};
+use crate::uses::{Uses, Watch};
 use crate::validate::{Mismatch, Validator};
 use crate::validated::Validated;
 
@@ -173,6 +174,28 @@ impl Session {
         let fixes = checks.read(&self.sources, dialect.survey);
         policy.report(FileId(0), &self.diags);
         fixes
+    }
+
+    /// Reads all blocks and runs the program without output and without rules: the findings say what is missing.
+    pub fn uses(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> Uses {
+        self.judge(dialect, settings);
+        let settings = dialect.settings(settings);
+        let settings = settings.as_ref();
+        let job = self.job(settings, files);
+        (dialect.check_form)(&job);
+        self.diags.begin_run();
+        let mut nowhere = Nowhere;
+        let mut printer = Printer::new(settings, "", &self.diags, &mut nowhere, None);
+        let mut lower = Lower::new(&self.diags, &settings.machine, &mut printer);
+        let mut watch = Watch::new(&mut lower);
+        let hash = (dialect.run)(&job, &mut watch);
+        let uses = watch.uses;
+        lower.finish();
+        let _ = printer.finish(hash);
+        if let Some(check_unexecuted) = dialect.check_unexecuted {
+            check_unexecuted(&job);
+        }
+        uses
     }
 
     /// What the program does, as one number.

@@ -20,6 +20,11 @@ pub(super) enum Command {
     Compile(Compile),
     /// Report findings and write nothing; folders are walked
     Check(Check),
+    /// Read all programs of a folder and write a commented partc.toml with what they need
+    ///
+    /// Each line names the program and the block that asks for it. Nothing is guessed: what only you know is left empty and
+    /// commented. Write the values, take the `#` away, and compile.
+    Init(Init),
     /// Print the resolved moves as JSON Lines, one move a line
     Trace(Trace),
     /// Draw the resolved path as an SVG picture
@@ -112,6 +117,23 @@ pub(super) struct Check {
     pub many: Many,
     #[command(flatten)]
     pub findings: Findings,
+    #[command(flatten)]
+    pub common: Common,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(super) struct Init {
+    /// Part programs and folders
+    #[arg(required_unless_present = "files_from")]
+    pub paths: Vec<PathBuf>,
+    /// File to write; `-` writes standard output. Default: partc.toml in the folder that is named
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Write over an existing file
+    #[arg(long)]
+    pub force: bool,
+    #[command(flatten)]
+    pub many: Many,
     #[command(flatten)]
     pub common: Common,
 }

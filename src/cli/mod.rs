@@ -1,5 +1,6 @@
 //! The command line: arguments, files, exit codes. What it promises stands in the README.
 
+mod answers;
 mod args;
 mod bundle;
 mod config;
@@ -9,6 +10,7 @@ mod edit;
 mod fix;
 mod golden;
 mod ignores;
+mod init;
 mod inputs;
 mod listing;
 mod output;
@@ -85,6 +87,7 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
     match &args.command {
         Command::Compile(compile) => run::compile(compile),
         Command::Check(check) => run::check(check),
+        Command::Init(init) => init::init(init),
         Command::Trace(trace) => run::trace(trace),
         Command::Plot(plot) => plot::plot(plot),
         Command::Test(test) => golden::test(test),

@@ -37,9 +37,13 @@ pub(super) struct Loaded {
 const HEAD: u32 = 64 * 1024;
 
 pub(super) fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
+    let input = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
+    load_with(path, common, config::settings(input, common)?)
+}
+
+/// The same under given settings.
+pub(super) fn load_with(path: &Path, common: &Common, settings: Settings) -> Result<Loaded, Trouble> {
     let shown = path.display().to_string();
-    let settings =
-        config::settings(common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path), common)?;
     let main = open_main(path, common.stdin_filename.as_deref()).map_err(|error| format!("{shown}: {error}"))?;
     let name = main.name.clone();
     let session = Session::new(main);

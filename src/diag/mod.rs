@@ -2,6 +2,7 @@
 //!
 //! Stages push into [`Diags`]; none prints, none stops another. Renderers live in [`render`].
 
+pub mod answer;
 pub mod codes;
 pub mod finding;
 pub mod render;
@@ -17,6 +18,7 @@ use rustc_hash::FxHashMap;
 
 use crate::text::Loc;
 
+pub use answer::{Answer, Help, Values};
 pub use codes::{Code, Raised};
 pub use finding::Finding;
 pub use selection::Selection;
@@ -63,6 +65,8 @@ pub struct Diagnostic {
     pub more: Vec<Label>,
     /// One action that mends it.
     pub help: Option<String>,
+    /// What of a configuration would mend it.
+    pub answers: Vec<Answer>,
     /// How the program got there.
     pub call: CallPath,
     /// How often the same was found at the same place.
@@ -80,6 +84,7 @@ impl Diagnostic {
             label: Label { loc, text: String::new() },
             more: Vec::new(),
             help: None,
+            answers: Vec::new(),
             call: CallPath::default(),
             times: 1,
         }
@@ -104,8 +109,10 @@ impl Diagnostic {
         self
     }
 
-    pub fn help(mut self, text: impl Into<String>) -> Diagnostic {
-        self.help = Some(text.into());
+    pub fn help(mut self, help: impl Into<Help>) -> Diagnostic {
+        let Help { text, answers } = help.into();
+        self.help = Some(text);
+        self.answers = answers;
         self
     }
 
@@ -233,6 +240,11 @@ impl Diags {
     /// Has the run met an error, also one that the form of the program had shown before?
     pub fn has_failed(&self) -> bool {
         self.inner.borrow().failed
+    }
+
+    /// Shows all findings that are kept.
+    pub fn each(&self, mut show: impl FnMut(&Diagnostic)) {
+        self.inner.borrow().list.iter().for_each(|found| show(found));
     }
 
     /// Was there such a finding?

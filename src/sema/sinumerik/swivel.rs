@@ -2,7 +2,7 @@
 //!
 //! Source: S 4.9 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Pos, Side};
 use crate::machine::{Axis, AxisSet};
@@ -191,10 +191,10 @@ impl Channel<'_> {
         if !steps.concat().iter().all(|axis| points.contains_key(axis)) {
             self.st.position.lose(AxisSet::ALL);
             self.lost();
-            let help = format!(
+            let help = Answer::entry("machine", key, "Z").help(format!(
                 "give it in machine coordinates: `[machine] {key} = {{ Z = 0.0 }}`; or program the retraction \
                  (SUPA G0 Z…) and 0 as the first argument"
-            );
+            ));
             let message = "CYCLE800 retracts the tool to a place that is a machine datum";
             return self.fail_help(codes::S9006, span, message, &help);
         }
