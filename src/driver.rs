@@ -7,6 +7,7 @@ use std::rc::Rc;
 use crate::diag::{Diags, Judge, Trail};
 use crate::dialect::Dialect;
 use crate::emit::plot::Plot;
+use crate::emit::stats::{Counter, Model, Stats};
 use crate::emit::trace::Trace;
 use crate::emit::{LineMap, Output, Printer};
 use crate::ir::verify;
@@ -176,6 +177,11 @@ impl Session {
         fixes
     }
 
+    /// Reads every block in this language, and runs none.
+    pub fn check_form(&self, dialect: &Dialect, settings: &Settings) {
+        (dialect.check_form)(&self.job(settings, &crate::text::files::NoFiles));
+    }
+
     /// Reads all blocks and runs the program without output and without rules: the findings say what is missing.
     pub fn uses(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> Uses {
         self.judge(dialect, settings);
@@ -221,6 +227,14 @@ impl Session {
         let mut plot = Plot::new(settings, &self.sources.name(FileId(0)), out);
         self.run(dialect, settings, files, &mut plot);
         plot.finish()
+    }
+
+    /// Counts ways, times, tools and extents. With an error among the findings the figures must not be used.
+    pub fn stats(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files, model: Model) -> Stats {
+        self.judge(dialect, settings);
+        let mut counter = Counter::new(model);
+        self.run(dialect, settings, files, &mut counter);
+        counter.finish()
     }
 
     /// Writes the resolved moves as JSON Lines.

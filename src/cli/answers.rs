@@ -119,6 +119,10 @@ impl Needs {
             let answer = self.by_name(&request.answer);
             let section = SECTIONS.iter().position(|section| section.name == answer.section).unwrap_or(SECTIONS.len());
             let values = answer.values.clone();
+            // A name that a variable without value stands for.
+            if answer.path.iter().any(|name| name.trim_matches('"').is_empty()) {
+                continue;
+            }
             let need = self.map.entry((section, answer.path.clone())).or_insert_with(|| {
                 is_new = true;
                 Need {
@@ -157,9 +161,9 @@ impl Needs {
         }
     }
 
-    /// Keys with what asks for them.
-    pub fn each(&self) -> impl Iterator<Item = &Need> {
-        self.map.values()
+    /// The request with the name of a tool in place of the number that it was tried with.
+    pub fn by_its_name(&mut self, request: Request) -> Request {
+        Request { answer: self.by_name(&request.answer), ..request }
     }
 
     /// A tool that is called by name is known by it: which number it gets, only the user says.
@@ -212,7 +216,8 @@ impl Needs {
         let own: BTreeSet<u32> = by_tool.keys().filter(|key| !key.0).map(|key| key.1).collect();
         let mut free = (1..).filter(|n| !taken.contains(n) && !own.contains(n));
         for ((named, _, tool), needs) in by_tool {
-            let mark = if form == Form::Commented && named { "#" } else { "" };
+            // A tool without a value is none.
+            let mark = if form == Form::Commented { "#" } else { "" };
             let _ = write!(text, "{}", if text.is_empty() { "" } else { "\n" });
             if named {
                 let tried = self.names.iter().position(|name| name == tool).unwrap_or(0) as u32 + FIRST_TRIED;
@@ -225,7 +230,7 @@ impl Needs {
                 }
             } else {
                 let quoted = if tool.contains('.') { format!("\"{tool}\"") } else { tool.to_owned() };
-                let _ = writeln!(text, "[tools.{quoted}]");
+                let _ = writeln!(text, "{mark}[tools.{quoted}]");
             }
             for need in needs.into_iter().filter(|need| form != Form::Tried || need.answer.path[1] != "name") {
                 line(text, form, need, &|_| Vec::new());
@@ -241,15 +246,6 @@ impl Need {
         let [first, ..] = &self.answer.path[..] else { return None };
         let last = self.answer.path.last()?;
         section.keys().find(|key| key.name == first).or_else(|| section.entry.iter().find(|key| key.name == last))
-    }
-
-    /// `[tools.5] radius`, for a table of findings.
-    pub fn shown(&self) -> String {
-        let (table, key) = self.answer.place();
-        match &self.answer.values {
-            Values::Item(_) => format!("[{table}] {key} = [{}]", self.items().join(", ")),
-            _ => format!("[{table}] {key}"),
-        }
     }
 
     fn items(&self) -> Vec<String> {
@@ -285,6 +281,7 @@ impl Need {
     /// What kind of value the user has to find.
     fn wanted(&self) -> String {
         match (self.answer.section, self.key()) {
+            ("include", _) => "a folder; ".to_owned(),
             (_, Some(key)) => format!("{}; ", kind(key)),
             ("datums", None) => "a work offset of the target, as \"G55\"; ".to_owned(),
             ("start", None) => "number, where the axis stands before the first block; ".to_owned(),

@@ -44,7 +44,9 @@ pub(super) fn command(args: &Config) -> Result<Exit, Trouble> {
     }
     let text = match args.common.report.format {
         Some(Format::Json) => format!("{}\n", show::json(&tree)),
-        None | Some(Format::Human | Format::Concise) => show::toml(&tree),
+        None | Some(Format::Human | Format::Concise) => {
+            show::toml_of(&tree, super::run::dialect_of(path, &args.common))
+        }
         Some(_) => return Err("`partc config` writes human or json".to_owned()),
     };
     // Escapes of JSON are those of TOML, too.

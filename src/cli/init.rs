@@ -12,7 +12,7 @@ use crate::machine::tree::{Table, overlay, parse};
 use crate::machine::{MachineKind, Settings};
 use crate::text::decode::harmless_lines;
 
-use super::answers::{Form, Needs, Place, requests};
+use super::answers::{Form, Needs, Place, Request, requests};
 use super::args::{Common, Init};
 use super::inputs::{Ignored, Input, inputs, walk};
 use super::listing::print;
@@ -93,6 +93,12 @@ fn usual(args: &Init) -> Result<PathBuf, Trouble> {
     }
 }
 
+/// What a program asks for once all that it asks for is answered.
+pub(super) fn requests_of(path: &Path, common: &Common) -> Result<Vec<Request>, Trouble> {
+    let base = Base { folder: PathBuf::from("."), lies_in: BTreeMap::new() };
+    Ok(Trial::of(path, &base, common)?.requests)
+}
+
 /// Where the new configuration lies, and the files below it.
 struct Base {
     folder: PathBuf,
@@ -143,6 +149,8 @@ struct Trial {
     /// Errors of the last round, none for a program that compiles.
     left: Vec<(&'static str, Place)>,
     rounds: usize,
+    /// What every round asked for.
+    requests: Vec<Request>,
     lists: BTreeMap<(String, String), Vec<String>>,
 }
 
@@ -153,12 +161,14 @@ impl Trial {
         let name = path.display().to_string();
         let mut needs = Needs::default();
         let lists = lists(&config::settings_of(&base, common)?);
-        let mut trial: Option<Trial> = None;
+        let (mut trial, mut all): (Option<Trial>, Vec<Request>) = (None, Vec::new());
         for round in 0..MOST_ROUNDS {
             let settings = tried(&base, &needs, &lists, folder, common)?;
             let Loaded { session, dialect, settings, files } = load_with(path, common, settings)?;
             let uses = session.uses(dialect, &settings, &files);
-            let is_new = needs.take(&name, &requests(&session, &|file| folder.root_of(file)));
+            let asked = requests(&session, &|file| folder.root_of(file));
+            let is_new = needs.take(&name, &asked);
+            all.extend(asked.into_iter().map(|request| needs.by_its_name(request)));
             let place = |loc| Place::new(loc, &session);
             let now = Trial {
                 dialect,
@@ -181,6 +191,7 @@ impl Trial {
                 missing: missing(&session),
                 left: errors(&session),
                 rounds: round,
+                requests: Vec::new(),
                 lists: BTreeMap::new(),
             };
             let done = !is_new || now.left.is_empty();
@@ -190,7 +201,7 @@ impl Trial {
             }
         }
         let trial = trial.ok_or("nothing was tried")?;
-        Ok(Trial { needs, lists, ..trial })
+        Ok(Trial { needs, lists, requests: all, ..trial })
     }
 }
 

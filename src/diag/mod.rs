@@ -90,11 +90,12 @@ impl Diagnostic {
         }
     }
 
-    /// What is wrong, with the alarm of the control behind it.
+    /// What is wrong, with the alarm of the control behind it. Quotes of a block end after some sixty characters.
     pub fn text(&self) -> Cow<'_, str> {
+        let message = shortened(&self.message);
         match self.alarm {
-            Some(number) => Cow::Owned(format!("{} (alarm {number})", self.message)),
-            None => Cow::Borrowed(&self.message),
+            Some(number) => Cow::Owned(format!("{message} (alarm {number})")),
+            None => message,
         }
     }
 
@@ -120,6 +121,30 @@ impl Diagnostic {
         self.call = call;
         self
     }
+}
+
+/// Most characters of a quote.
+const QUOTED: usize = 60;
+
+/// The text with long quotes, which stand between backticks, cut.
+fn shortened(text: &str) -> Cow<'_, str> {
+    if text.len() <= QUOTED || !text.contains('`') {
+        return Cow::Borrowed(text);
+    }
+    let mut short = String::with_capacity(text.len());
+    for (at, part) in text.split('`').enumerate() {
+        if at > 0 {
+            short.push('`');
+        }
+        match part.char_indices().nth(QUOTED) {
+            Some((end, _)) if at % 2 == 1 => {
+                short.push_str(&part[..end]);
+                short.push('…');
+            }
+            _ => short.push_str(part),
+        }
+    }
+    Cow::Owned(short)
 }
 
 /// What decides over a finding besides its code: the configuration, and the comments of the program.
