@@ -304,7 +304,7 @@ impl Programs {
             self.offsets.entry(number).or_insert_with(|| (place, 0)).1 += 1;
         }
         if let Some(place) = trial.cutting_speed {
-            self.cutting_speed.get_or_insert_with(|| (place, 0)).1 += 1;
+            self.cutting_speed.get_or_insert((place, 0)).1 += 1;
         }
         for (name, place) in trial.missing {
             self.missing.entry(name).or_insert_with(|| (place, 0)).1 += 1;

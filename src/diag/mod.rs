@@ -268,8 +268,8 @@ impl Diags {
     }
 
     /// Shows all findings that are kept.
-    pub fn each(&self, mut show: impl FnMut(&Diagnostic)) {
-        self.inner.borrow().list.iter().for_each(|found| show(found));
+    pub fn each(&self, show: impl FnMut(&Diagnostic)) {
+        self.inner.borrow().list.iter().for_each(show);
     }
 
     /// Was there such a finding?

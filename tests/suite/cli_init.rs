@@ -4,7 +4,7 @@ use super::cli_run::{Folder, PART, RADIUS, WRONG};
 
 /// Everything that `partc init` wrote with its blanks filled in, as nobody should do who has a machine.
 pub(super) fn filled(config: &str) -> String {
-    let mut text = String::new();
+    let (mut text, mut section) = (String::new(), String::new());
     for line in config.lines() {
         let open = line
             .strip_prefix('#')
@@ -12,10 +12,13 @@ pub(super) fn filled(config: &str) -> String {
         let line = open.unwrap_or(line);
         let (entry, remark) = line.split_once(" # ").unwrap_or((line, ""));
         let entry = entry.trim_end();
+        if entry.starts_with('[') {
+            entry.clone_into(&mut section);
+        }
         text += entry;
         if entry.ends_with('=') {
             text += " ";
-            text += &value(entry.trim_end_matches(['=', ' ']), remark);
+            text += &value(&section, entry.trim_end_matches(['=', ' ']), remark);
         }
         text.push('\n');
     }
@@ -23,12 +26,12 @@ pub(super) fn filled(config: &str) -> String {
 }
 
 /// Some value for a key, of those that its remark names.
-fn value(key: &str, remark: &str) -> String {
+fn value(section: &str, key: &str, remark: &str) -> String {
     if let Some(choice) = remark.strip_prefix('"').and_then(|rest| rest.split_once('"')) {
         return format!("\"{}\"", choice.0);
     }
     match key {
-        "radius" => "5.0",
+        "radius" => "1.0",
         "length" => "100.0",
         "tip_angle" => "118.0",
         "orientation" => "3",
@@ -36,6 +39,8 @@ fn value(key: &str, remark: &str) -> String {
         "number" => "1",
         "feed" | "rapid_feed" => "1000.0",
         "diameter_axis" => "\"X\"",
+        // Others than 0 can be divided by.
+        _ if section == "[variables]" => "1.0",
         _ if key.starts_with("roots.") => "\".\"",
         _ if remark.starts_with("a work offset") => "\"G54\"",
         _ if remark.starts_with("true or false") => "true",

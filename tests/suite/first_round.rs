@@ -1,8 +1,9 @@
 //! Real programs beside the repository: which share compiles after one round of `partc init` with its blanks filled in.
 //!
-//! What counts is a part program: files that only a caller can run (a PROC with arguments that come back, or none of
-//! them is a number) and files whose repository is test input of an editor are counted apart.
+//! What counts is a part program: SINUMERIK files that others call, those with arguments, and the test input of an editor
+//! are counted among all files only.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -15,6 +16,8 @@ const NO_PROGRAMS: &[&str] = &["deathaxe__sublime-s840d"];
 /// Least share in per cent of part programs, over both languages.
 const LEAST: usize = 60;
 
+/// Codes of what is left that are shown of a repository.
+const MOST_LEFT: usize = 6;
 /// Time for each program.
 const LIMITS: &str = "[limits]\nsteps = 500_000\n";
 
@@ -35,7 +38,8 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     let mut folders = vec![folder.to_path_buf()];
     while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).expect("a folder") {
+        // Without a program there is no folder for outputs.
+        for entry in fs::read_dir(folder).into_iter().flatten() {
             let path = entry.expect("an entry").path();
             if path.is_dir() { folders.push(path) } else { found.push(path) }
         }
@@ -43,12 +47,28 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// A subprogram that a caller hands something.
-fn needs_a_caller(path: &Path) -> bool {
-    let text = fs::read(path).unwrap_or_default();
-    let text = String::from_utf8_lossy(&text).to_uppercase();
-    let head = text.lines().take(20).find(|line| line.trim_start().starts_with("PROC ") || line.contains(" PROC "));
-    head.is_some_and(|line| line.contains('('))
+/// Files that others of the same repository call, and those with arguments: subprograms.
+struct Subprograms {
+    /// Words of each file in upper case.
+    words: Vec<(PathBuf, BTreeSet<String>)>,
+}
+
+impl Subprograms {
+    fn new(all: &[PathBuf]) -> Subprograms {
+        let words = |path: &PathBuf| {
+            let text = String::from_utf8_lossy(&fs::read(path).unwrap_or_default()).to_uppercase();
+            let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').map(str::to_owned).collect();
+            (path.clone(), words)
+        };
+        Subprograms { words: all.iter().map(words).collect() }
+    }
+
+    fn has(&self, path: &Path) -> bool {
+        let text = String::from_utf8_lossy(&fs::read(path).unwrap_or_default()).to_uppercase();
+        let takes = text.lines().take(20).any(|line| line.trim_start().starts_with("PROC ") && line.contains('('));
+        let name = path.file_stem().expect("a name").to_string_lossy().to_uppercase();
+        takes || self.words.iter().any(|(other, words)| other != path && words.contains(&name))
+    }
 }
 
 #[derive(Debug, Default, Clone, Copy)]
@@ -91,6 +111,7 @@ fn measure(language: &str, repository: &Path, into: &mut Vec<String>) -> [Share;
     let all: Vec<PathBuf> = files(&folder.0.join("shop")).into_iter().filter(|path| is_program(path)).collect();
     // Simulations that run for a minute are no part programs.
     folder.write("shop/partc.toml", LIMITS);
+    let subprograms = Subprograms::new(&all);
     let before = compiled("before");
     folder.run(&["init", "shop", "--dialect", language, "--force"]);
     let config = filled(&folder.read("shop/partc.toml"));
@@ -104,14 +125,13 @@ fn measure(language: &str, repository: &Path, into: &mut Vec<String>) -> [Share;
         let one =
             Share { programs: 1, before: usize::from(before.contains(&own)), after: usize::from(after.contains(&own)) };
         shares[1].add(one);
-        if !NO_PROGRAMS.contains(&name.as_str()) && !needs_a_caller(path) {
+        if !NO_PROGRAMS.contains(&name.as_str()) && (language == "klartext" || !subprograms.has(path)) {
             shares[0].add(one);
         }
     }
     into.push(format!("{:5} {:5} {:5}   {name}", shares[0].programs, shares[0].before, shares[0].after));
-    let said = folder.run(&["check", "shop", "--dialect", language, "--max", "0"]).err;
-    let table = said.lines().skip_while(|line| *line != "programs findings").skip(1);
-    into.extend(table.take_while(|line| line.starts_with("  ")).take(8).map(|line| format!("          {line}")));
+    let left = config.lines().skip_while(|line| !line.starts_with("# What is left")).skip(1).take(MOST_LEFT);
+    into.extend(left.map(|line| line.chars().take(100).collect()));
     shares
 }
 

@@ -188,13 +188,15 @@ impl Channel<'_> {
                 return self.fail_help(codes::S9006, span, message, "0 none, 1 Z, 2 Z and XY, 4 and 5 along the tool");
             }
         };
-        if !steps.concat().iter().all(|axis| points.contains_key(axis)) {
+        let missing: Vec<Axis> = steps.concat().into_iter().filter(|axis| !points.contains_key(axis)).collect();
+        if let [first, others @ ..] = &missing[..] {
             self.st.position.lose(AxisSet::ALL);
             self.lost();
-            let help = Answer::entry("machine", key, "Z").help(format!(
+            let help = Answer::entry("machine", key, first.letter()).help(format!(
                 "give it in machine coordinates: `[machine] {key} = {{ Z = 0.0 }}`; or program the retraction \
                  (SUPA G0 Z…) and 0 as the first argument"
             ));
+            let help = others.iter().fold(help, |help, axis| help.and(Answer::entry("machine", key, axis.letter())));
             let message = "CYCLE800 retracts the tool to a place that is a machine datum";
             return self.fail_help(codes::S9006, span, message, &help);
         }
