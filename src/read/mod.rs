@@ -15,6 +15,7 @@ mod straight;
 
 pub use act::{AXES, Act, Arc, Cutter, FeedKind, Move, Path, Plane, Speed};
 pub use number::SCALE;
+pub use straight::Straight;
 
 use block::Block;
 
@@ -65,7 +66,7 @@ pub struct Reader {
     known: u16,
     feed: Option<i64>,
     modes: Modes,
-    /// Positions are absolute, in mm, and as they are written.
+    /// Positions are absolute, in mm, and as they are written; the program goes on.
     plain: bool,
     lines: u64,
     ended: bool,
@@ -132,20 +133,17 @@ impl Reader {
     ///
     /// # Errors
     /// What cannot be read; the reader is of no use afterwards.
-    #[inline(always)]
     pub fn next(&mut self, text: &mut &[u8], end: &mut usize) -> Result<Option<Act>, Fault> {
-        if self.open.0 == self.open.1
-            && let Some((mv, len)) = self.straight(text, *end)
-        {
+        if let Some(Straight { cuts, axes, len }) = self.straight(text, *end) {
             *text = &text[len..];
             *end -= len;
-            return Ok(Some(Act::Move(mv)));
+            let path = if cuts { Path::Line } else { Path::Rapid };
+            return Ok(Some(Act::Move(Move { path, axes, machine: false })));
         }
         self.next_by_words(text, end)
     }
 
     /// [`Reader::next`] for any line.
-    #[inline(never)]
     fn next_by_words(&mut self, text: &mut &[u8], end: &mut usize) -> Result<Option<Act>, Fault> {
         loop {
             if self.open.0 < self.open.1 {
