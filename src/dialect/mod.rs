@@ -69,7 +69,7 @@ impl std::fmt::Debug for Dialect {
 }
 
 /// All dialects.
-pub const ALL: &[&Dialect] = 
+pub const ALL: &[&Dialect] =
     &[&klartext::DIALECT, &sinumerik::DIALECT, &mtc200::DIALECT, &turning::DIALECT, &gcode::DIALECT];
 
 /// The dialect of this name.

@@ -198,7 +198,7 @@ impl<'a> Page<'a> {
         let line = String::from_utf8_lossy(self.text.line());
         let most = self.limits.length;
         let message = format!("the target reads lines of {most} characters, and `{line}` has {}", line.len());
-        let found = Diagnostic::new(codes::O9317, origin.loc, message).called(origin.call);
+        let found = Diagnostic::new(codes::O9330, origin.loc, message).called(origin.call);
         self.diags.push(found.help("print fewer places with `[output] decimals`, or move fewer axes in one block"));
     }
 }

@@ -26,27 +26,29 @@ const ACTS: usize = 16;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
     pub why: String,
-    /// A line in front of it had to say something, and did not.
-    pub of_state: bool,
-    /// The axis whose place nobody has said.
-    pub axis: Option<usize>,
+    /// What a line in front of it had to say, and did not.
+    pub lacks: Option<Lack>,
+}
+
+/// What nobody has said.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lack {
+    /// Where an axis stands.
+    Place(usize),
+    Unit,
+    Mode,
 }
 
 impl Fault {
     #[cold]
     fn new(why: impl Into<String>) -> Fault {
-        Fault { why: why.into(), of_state: false, axis: None }
+        Fault { why: why.into(), lacks: None }
     }
 
     /// Nobody said what the line counts on.
     #[cold]
-    fn unsaid(why: &str) -> Fault {
-        Fault { why: why.to_owned(), of_state: true, axis: None }
-    }
-
-    #[cold]
-    fn unplaced(why: &str, axis: usize) -> Fault {
-        Fault { axis: Some(axis), ..Fault::unsaid(why) }
+    fn unsaid(why: &str, lacks: Lack) -> Fault {
+        Fault { why: why.to_owned(), lacks: Some(lacks) }
     }
 }
 

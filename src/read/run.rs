@@ -4,7 +4,7 @@
 use super::act::{AXES, Act, Arc, FeedKind, LETTERS, Move, Path, Speed};
 use super::block::Block;
 use super::number::SCALE;
-use super::{ACTS, Fault, Reader};
+use super::{ACTS, Fault, Lack, Reader};
 
 impl Reader {
     /// Carries out the words of a line.
@@ -65,7 +65,7 @@ impl Reader {
                 let units = i128::from(number) * 254 / 10;
                 i64::try_from(units).ok().ok_or_else(|| Fault::new("a length is too large"))
             }
-            None => Err(Fault::unsaid("millimetres or inches: nobody has said it")),
+            None => Err(Fault::unsaid("millimetres or inches: nobody has said it", Lack::Unit)),
         }
     }
 
@@ -162,7 +162,7 @@ impl Reader {
                 _ => Ok(()),
             };
         }
-        let Some(motion) = self.modes.motion else { return Err(Fault::unsaid("axes without a move")) };
+        let Some(motion) = self.modes.motion else { return Err(Fault::unsaid("axes without a move", Lack::Mode)) };
         let (from, was) = (self.at, self.known);
         let axes = self.ends(block)?;
         let path = match motion {
@@ -192,10 +192,12 @@ impl Reader {
                 units /= 2;
             }
             let Some(incremental) = self.modes.incremental else {
-                return Err(Fault::unsaid("absolute or incremental: nobody has said it"));
+                return Err(Fault::unsaid("absolute or incremental: nobody has said it", Lack::Mode));
             };
             if incremental && !block.machine {
-                let before = self.place(axis).ok_or_else(|| Fault::unplaced("an increment from an unknown place", axis))?;
+                let before = self
+                    .place(axis)
+                    .ok_or_else(|| Fault::unsaid("an increment from an unknown place", Lack::Place(axis)))?;
                 units = before.checked_add(units).ok_or_else(|| Fault::new("a place is too far away"))?;
             }
             self.stand(axis, units);
@@ -205,12 +207,14 @@ impl Reader {
     }
 
     fn arc(&self, block: &mut Block, ccw: bool, before: &[i64; AXES], was: u16) -> Result<Arc, Fault> {
-        let Some(plane) = self.modes.plane else { return Err(Fault::unsaid("the plane: nobody has said it")) };
+        let Some(plane) = self.modes.plane else {
+            return Err(Fault::unsaid("the plane: nobody has said it", Lack::Mode));
+        };
         let [first, second, _] = plane.axes();
         let known = (1 << first) | (1 << second);
         if was & known != known || self.known & known != known {
             let missing = if was & self.known & (1 << first) == 0 { first } else { second };
-            return Err(Fault::unplaced("an arc from an unknown place", missing));
+            return Err(Fault::unsaid("an arc from an unknown place", Lack::Place(missing)));
         }
         let (from, to) = ([before[first], before[second]], [self.at[first], self.at[second]]);
         let turns = block.take_whole(b'P')?.unwrap_or(1);
@@ -226,7 +230,7 @@ impl Reader {
             return Err(Fault::new("an arc without a centre"));
         }
         let Some(absolute) = self.modes.absolute_centers else {
-            return Err(Fault::unsaid("where centres count from: nobody has said it"));
+            return Err(Fault::unsaid("where centres count from: nobody has said it", Lack::Mode));
         };
         let mut center = [0; 2];
         for i in 0..2 {

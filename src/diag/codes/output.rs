@@ -102,7 +102,7 @@ O9316 Error "spindle-stands-after-change" "cut with the spindle that a tool chan
 may have kept it turning, or started it in its own tool change, and which of the two is not written in the program. Program M3 or M4 behind the change, or M5 where the \
 tool has to stand, such as a probe."
 
-O9317 Error "line-longer-than-read" "line has more characters than the target reads"
+O9330 Error "line-longer-than-read" "line has more characters than the target reads"
 "The selected target takes lines of a certain length and refuses or cuts longer ones. A line that is a little too long gives its F to a line in front of it; under G93, \
 where F is the time of its own block, it cannot. Print fewer places with `[output] decimals`, or move fewer axes in one block."
 

@@ -8,14 +8,14 @@ mod survey;
 
 use std::rc::Rc;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Arc, ArcShape, Coords, Ctx, CtxRef, Move, Path, Sink, Thread};
 use crate::ir::{Function, Pos};
 use crate::machine::{Axis, MachineKind, Settings, Unit};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
-use crate::read::{self, AXES, Act, Modes, Reader, SCALE};
+use crate::read::{self, AXES, Act, Lack, Modes, Reader, SCALE};
 use crate::text::{Span, SplitRules};
 
 use super::common::start::Start;
@@ -246,7 +246,7 @@ enum Refused {
 
 impl From<&'static str> for Refused {
     fn from(why: &'static str) -> Refused {
-        Refused::Line(read::Fault { why: why.to_owned(), of_state: true, axis: None })
+        Refused::Line(read::Fault { why: why.to_owned(), lacks: Some(Lack::Mode) })
     }
 }
 
@@ -278,14 +278,17 @@ impl Run<'_> {
         match done {
             Ok(()) => Ok(()),
             // It may have been said in the line that was refused.
-            Err(Refused::Line(fault)) if fault.of_state && self.lost => Err(super::Reported),
+            Err(Refused::Line(fault)) if fault.lacks.is_some() && self.lost => Err(super::Reported),
             Err(Refused::Line(fault)) => {
                 let message = format!("this line cannot be read: {}", fault.why);
                 let usual = "partc reads plain G-code, without variables, calls and cycles: resolve them first, or name the \
                              language of the program with --dialect";
-                let help = match fault.axis {
-                    Some(axis) => self.start.help(Axis::ALL[axis], "program an absolute position first"),
-                    None => usual.to_owned(),
+                let help = match fault.lacks {
+                    Some(Lack::Place(axis)) => self.start.help(Axis::ALL[axis], "program an absolute position first"),
+                    Some(Lack::Unit) => {
+                        Answer::key("control", "unit").help("write G21 or G20 first, or set `[control] unit`")
+                    }
+                    Some(Lack::Mode) | None => usual.to_owned().into(),
                 };
                 self.give_up(Diagnostic::new(codes::R1001, self.here.origin.loc, message).help(help))
             }
@@ -343,17 +346,20 @@ impl Run<'_> {
         self.reader.lose(Axis::Z.index());
         if !self.job.settings.output.tool_length {
             let message = format!("G43 H{number} adds a tool length, and the output has none");
-            return Err(self.refused(&message, "set `[output] tool_length = \"G43\"`"));
+            let with_length = Answer::key("output", "tool_length").one_of(&["\"G43\""]);
+            return Err(self.refused(&message, with_length.help("set `[output] tool_length = \"G43\"`")));
         }
         if self.tool != Some(number) {
             let message = format!("G43 H{number} adds the length of another tool than the one in the spindle");
-            return Err(self.refused(&message, "the output has G43 behind each tool change, with the number of the tool"));
+            return Err(
+                self.refused(&message, "the output has G43 behind each tool change, with the number of the tool")
+            );
         }
         Ok(())
     }
 
     #[cold]
-    fn refused(&self, message: &str, help: &str) -> Refused {
+    fn refused(&self, message: &str, help: impl Into<Help>) -> Refused {
         Refused::Words(Diagnostic::new(codes::R2001, self.here.origin.loc, message).help(help))
     }
 
@@ -377,7 +383,8 @@ impl Run<'_> {
             Act::M { number, .. } if !is_known(number) && !self.job.settings.output.pass_m.contains(&number) => {
                 let message = format!("M{number} means what the builder of a machine wants");
                 let found = Diagnostic::new(codes::R9001, self.here.origin.loc, message);
-                let help = format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`");
+                let help = Answer::pass_m(number)
+                    .help(format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`"));
                 return Err(Refused::Words(found.help(help)));
             }
             _ => {
@@ -412,7 +419,9 @@ impl Run<'_> {
         let with_length = self.reader.modes().length.is_some_and(|number| number != 0);
         if self.job.settings.output.tool_length && !mv.machine && !with_length && self.tool.is_some_and(|t| t != 0) {
             let message = "the tool moves without its length, and the output adds it (G43) at the tool change";
-            return Err(self.refused(message, "set `[output] tool_length = \"off\"`, or write G43 in front of the move"));
+            return Err(
+                self.refused(message, "set `[output] tool_length = \"off\"`, or write G43 in front of the move")
+            );
         }
         let mut end = Pos::UNKNOWN;
         for axis in (0..AXES).filter(|axis| mv.axes & (1 << axis) != 0) {

@@ -118,8 +118,15 @@ impl Run<'_> {
         }
         self.here = here;
         if !self.has_ended() && self.st.compensation.is_on() {
-            let message = format!("the program `{name}` of cycle 12 ends with radius compensation on, and the pattern goes on to its next place");
-            return self.fail_help(codes::K2407, self.block_span(), message, "end the compensation in the program: `L R0`");
+            let message = format!(
+                "the program `{name}` of cycle 12 ends with radius compensation on, and the pattern goes on to its next place"
+            );
+            return self.fail_help(
+                codes::K2407,
+                self.block_span(),
+                message,
+                "end the compensation in the program: `L R0`",
+            );
         }
         if self.has_ended() || self.levels.len() != below { Err(Reported) } else { Ok(()) }
     }
