@@ -2,12 +2,14 @@
 
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Feed, Side};
-use crate::read::{self, Act, FeedKind, SCALE};
+use crate::read::{self, AXES, Act, FeedKind, SCALE};
 
-use super::{Text, Validator, Why, plane};
+use super::{Text, Validator, Why, is_rounding, plane};
 
 /// Ways along an axis of the machine that may be printed by themselves where a contour is carried out, in mm.
 const SMALL: f64 = 0.0005;
+/// The bit of Z.
+const ALONG_Z: u16 = 0b100;
 /// What sums of printed numbers lose.
 const LOST: f64 = 1e-9;
 
@@ -23,6 +25,9 @@ impl Validator {
         let Text { bytes: mut rest, mut end } = text;
         if end == 0 {
             return self.stays(mv);
+        }
+        if self.in_full {
+            self.before = *self.reader.at();
         }
         let Some(act) = self.reader.next(&mut rest, &mut end)? else { return self.stays(mv) };
         let Act::Move(found) = act else { return Err(Why::new("a move is meant")) };
@@ -52,6 +57,9 @@ impl Validator {
             return Err(Why::new("machine and workpiece coordinates are mixed up"));
         }
         self.leads(mv, found.axes)?;
+        if self.length.is_some() {
+            self.states_length(found)?;
+        }
         if mv.machine {
             if found.axes != mv.axes.bits() {
                 return Err(Why::new("a move in machine coordinates names other axes"));
@@ -62,10 +70,32 @@ impl Validator {
         self.same_side(mv)
     }
 
+    /// The first move along Z behind a change states the length of its tool.
+    #[cold]
+    fn states_length(&mut self, found: &read::Move) -> Result<(), Why> {
+        if found.machine || found.axes & ALONG_Z == 0 {
+            return Ok(());
+        }
+        let stated = self.reader.modes().length == self.length.take();
+        if stated { Ok(()) } else { Err(Why::new("the length of another tool counts")) }
+    }
+
+    /// Axes that a move prints although they stand.
+    #[inline(always)]
+    pub(super) fn strays(&self, printed: u16, mv: &Move) -> bool {
+        let strange = printed & !mv.axes.bits();
+        strange != 0 && !(self.in_full && self.stand_still(strange))
+    }
+
+    #[cold]
+    fn stand_still(&self, axes: u16) -> bool {
+        axes & !self.stated == 0 && (0..AXES).all(|i| axes & (1 << i) == 0 || self.before[i] == self.reader.at()[i])
+    }
+
     /// Every axis of the move stands where it is meant to; those not in `printed` since before.
     #[inline(always)]
     pub(super) fn leads(&mut self, mv: &Move, printed: u16) -> Result<(), Why> {
-        if printed & !mv.axes.bits() != 0 {
+        if self.strays(printed, mv) {
             return Err(Why::new("an axis moves that shall stand"));
         }
         self.stated |= printed;
@@ -75,7 +105,8 @@ impl Validator {
         }
         for axis in mv.axes.iter() {
             let Some(meant) = mv.end.get(axis) else { continue };
-            if !self.is_rounding(self.reader.at()[axis.index()], meant) {
+            let half = if axis.is_rotary() { self.grain.angle } else { self.half };
+            if !is_rounding(self.reader.at()[axis.index()], meant, half) {
                 return Err(Why::new("an axis ends elsewhere"));
             }
         }
@@ -135,7 +166,7 @@ impl Validator {
         if self.feed == Some((meant, read)) {
             return Ok(());
         }
-        if !self.is_rounding(read, meant.value()) {
+        if !is_rounding(read, meant.value(), self.grain.feed(meant)) {
             return Err(Why::new("the feed is another one"));
         }
         self.feed = Some((meant, read));
@@ -148,8 +179,11 @@ impl Validator {
             return Err(Why::new("a thread is missing"));
         };
         let read::Path::Thread(read) = found.path else { return Err(Why::new("a thread is meant")) };
-        if !self.is_rounding(read, lead) {
+        if !is_rounding(read, lead, self.grain.lead) {
             return Err(Why::new("the thread has another lead"));
+        }
+        if self.reader.feed().is_none() {
+            self.feed = None;
         }
         self.reaches(mv, &found)?;
         self.no_act(Text { bytes: rest, end })
@@ -182,7 +216,8 @@ impl Validator {
                 return Err(Why::new("a way is split that is too long for that"));
             }
             let read = self.reader.feed().ok_or_else(|| Why::new("there is no feed"))?;
-            let near = (read as f64 - meant * SCALE as f64).abs() <= self.half + 1.1 + meant * SCALE as f64 * LOST;
+            let near =
+                (read as f64 - meant * SCALE as f64).abs() <= self.grain.feed + 1.1 + meant * SCALE as f64 * LOST;
             if !near || self.reader.modes().feed_kind != Some(FeedKind::PerMinute) {
                 return Err(Why::new("the contour is made at another feed"));
             }

@@ -54,6 +54,7 @@ mod pictures;
 mod props;
 mod reader;
 mod receivers;
+mod rewritten;
 mod rs274;
 mod same_part;
 mod sinumerik;
