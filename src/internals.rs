@@ -17,7 +17,7 @@ pub mod driver {
 }
 
 pub mod emit {
-    pub use crate::emit::{LineMap, Output, Printer, plot};
+    pub use crate::emit::{LineMap, Output, Printer, number, plot};
 }
 
 pub mod geo {
@@ -43,7 +43,7 @@ pub mod parser {
 }
 
 pub mod read {
-    pub use crate::read::{Act, Modes, Reader, SCALE};
+    pub use crate::read::{Act, Modes, Path, Reader, SCALE};
 }
 
 pub mod sema {

@@ -109,7 +109,7 @@ pub(super) fn diff(args: &Diff) -> Result<Exit, Trouble> {
     let programs = [Program::load(&args.a, &args.common)?, Program::load(&args.b, &args.common)?];
     let [a, b] = [0, 1].map(|i| programs[i].steps(paths[i], args.tolerance));
     let (a, b) = (a?, b?);
-    let mut reporter = Reporter::new(&args.common, &Findings::SHOWN, Stdout::Taken, None)?;
+    let mut reporter = Reporter::new(&args.common, &Findings::SHOWN, Stdout::Taken, None);
     let failed = programs.iter().any(|program| match program {
         Program::Part(part) => reporter.look().fails(&part.session),
         Program::Plain(..) => false,

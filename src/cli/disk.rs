@@ -60,16 +60,16 @@ impl ReadAt for OnDisk {
 pub(super) fn open_main(path: &Path, stdin_name: Option<&Path>) -> io::Result<Opened> {
     if path == Path::new("-") {
         let bytes = read_stream(io::stdin().lock(), LARGEST_STREAM)?;
-        let name = stdin_name.map_or_else(|| "stdin".to_owned(), |name| name.to_string_lossy().into_owned());
+        let name = stdin_name.map_or_else(|| "stdin".to_owned(), text_of);
         // The file of this name is the program, too, when it calls itself.
         let identity = stdin_name.and_then(|name| fs::canonicalize(name).ok());
-        let identity = identity.map(|path| path.to_string_lossy().into_owned()).unwrap_or_default();
+        let identity = identity.as_deref().map(text_of).unwrap_or_default();
         return Ok(Opened { name, identity, text: Box::new(Memory::new(bytes)) });
     }
-    let name = path.to_string_lossy().into_owned();
+    let name = text_of(path);
     let meta = fs::metadata(path)?;
     if meta.is_file() {
-        let identity = fs::canonicalize(path)?.to_string_lossy().into_owned();
+        let identity = text_of(&fs::canonicalize(path)?);
         return Ok(Opened { name, identity, text: Box::new(OnDisk::open(path)?) });
     }
     if meta.is_dir() {
@@ -121,6 +121,16 @@ pub(super) fn read_settings(path: &Path) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// A path as text: different ones look different, for bytes that are no UTF-8 are written `\xFF`.
+fn text_of(path: &Path) -> String {
+    let mut text = String::new();
+    for part in path.as_os_str().as_encoded_bytes().utf8_chunks() {
+        text.push_str(part.valid());
+        part.invalid().iter().for_each(|byte| text.push_str(&format!("\\x{byte:02X}")));
+    }
+    text
+}
+
 /// The last part of a path.
 pub(super) fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
@@ -146,9 +156,11 @@ impl IncludeRoots {
             .iter()
             .filter(|(prefix, _)| {
                 let prefix = prefix.replace('\\', "/");
-                let fits = name.get(..prefix.len()).is_some_and(|head| head.eq_ignore_ascii_case(&prefix));
-                let whole = name[prefix.len().min(name.len())..].starts_with('/') || prefix.ends_with(['/', ':']);
-                fits && (whole || name.len() == prefix.len())
+                // A name may have no letter that ends where the prefix does.
+                name.split_at_checked(prefix.len()).is_some_and(|(head, rest)| {
+                    let whole = rest.is_empty() || rest.starts_with('/') || prefix.ends_with(['/', ':']);
+                    whole && head.eq_ignore_ascii_case(&prefix)
+                })
             })
             .max_by_key(|(prefix, _)| prefix.len())
             .map(|(prefix, folder)| (folder.as_path(), name[prefix.len()..].trim_start_matches('/')))
@@ -286,7 +298,7 @@ fn open_inside(path: &Path, root: &Path) -> Result<Opened, FileError> {
         return Err(FileError::Forbidden { why: "it is a link that leads out of the include roots".to_owned() });
     }
     let text = Box::new(OnDisk::open(&real).map_err(io)?);
-    Ok(Opened { name: shown(path), identity: real.to_string_lossy().into_owned(), text })
+    Ok(Opened { name: shown(path), identity: text_of(&real), text })
 }
 
 /// The path as an editor or CI job opens it from here: relative where it lies below the current folder.
@@ -294,7 +306,7 @@ fn shown(path: &Path) -> String {
     let here = std::env::current_dir().ok();
     let below = here.as_deref().and_then(|here| path.strip_prefix(here).ok()).unwrap_or(path);
     let plain: PathBuf = below.components().filter(|part| *part != Component::CurDir).collect();
-    plain.to_string_lossy().into_owned()
+    text_of(&plain)
 }
 
 /// Fewest letters of a name that another one may be near to.
@@ -336,6 +348,15 @@ mod tests {
         assert_eq!(parts_of("sub/./A.H").unwrap(), ["sub", "A.H"]);
     }
 
+    #[cfg(unix)]
+    #[test]
+    fn names_that_are_no_text_differ() {
+        use std::os::unix::ffi::OsStrExt as _;
+        let name = |bytes: &[u8]| text_of(Path::new(std::ffi::OsStr::from_bytes(bytes)));
+        assert_eq!(name("Teil_ä.H".as_bytes()), "Teil_ä.H");
+        assert_eq!(name(b"a/N\xff\xe4.H"), "a/N\\xFF\\xE4.H");
+    }
+
     #[test]
     fn streams_have_a_bound() {
         assert_eq!(read_stream(&b"abc"[..], 3).unwrap(), b"abc");
@@ -347,6 +368,7 @@ mod tests {
         let roots = IncludeRoots::new(PathBuf::from("."), BTreeMap::from([("TNC:".to_owned(), PathBuf::from("/p"))]));
         assert_eq!(roots.rooted("tnc:/DIR/A.H"), Some((Path::new("/p"), "DIR/A.H")));
         assert_eq!(roots.rooted("PLC:/A.H"), None);
+        assert_eq!(roots.rooted("..\u{2215}A.H"), None);
         let request = Request { from: "", name: "PLC:\\A.H", extensions: &[] };
         assert!(matches!(roots.open(&request), Err(FileError::NoRoot { prefix }) if prefix == "PLC:"));
         let request = Request { from: "", name: "\\\\host\\a.H", extensions: &[] };

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use crate::diag::codes;
 use crate::driver::Session;
-use crate::lint::ends::lead;
-use crate::lint::fix::Renumber;
+use crate::lint::lead;
+use crate::lint::renumber::Renumber;
 use crate::text::{FileId, Span};
 
 use super::Trouble;

@@ -74,7 +74,7 @@ pub(super) fn test(args: &Test) -> std::result::Result<Exit, Trouble> {
     if !matches!(format, Format::Human | Format::Concise | Format::Json) {
         return Err("`partc test` writes human, concise or json".to_owned());
     }
-    let reporter = Reporter::new(&args.common, &Findings::SHOWN, Stdout::Taken, None)?;
+    let reporter = Reporter::new(&args.common, &Findings::SHOWN, Stdout::Taken, None);
     let mut run = Run { args, format, cases: Vec::new(), reporter, taken: BTreeMap::new(), internal: false };
     for program in &programs {
         if let Err(trouble) = run.one(program) {

@@ -1,5 +1,6 @@
 //! `partc plot`
 
+use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -8,7 +9,7 @@ use super::disk::file_name;
 use super::inputs::Input;
 use super::output::{Destination, Made, Progress, is_foreign, set_aside};
 use super::report::{Reporter, Stdout};
-use super::run::{Loaded, ignore_closed_pipe, load, same_file};
+use super::run::{Loaded, ignore_closed_pipe, load, real, same_file};
 use super::{Exit, Trouble, say};
 
 /// Draws the path of one program. A program with errors gets no picture.
@@ -24,8 +25,8 @@ pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
     }
     let Loaded { session, dialect, settings, files } = load(&args.input, &args.common)?;
     let stdout = if target == Path::new("-") { Stdout::Taken } else { Stdout::Free };
-    let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None)?;
-    reporter.spares(&[Input::named(&args.input)])?;
+    let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None);
+    reporter.spares(&[Input::named(&args.input)], &BTreeSet::from([real(&target)]))?;
     let mut out = Progress::new(Destination::open(&target).map_err(trouble)?, true);
     let result = session.plot(dialect, &settings, &files, &mut out);
     let out = out.into_inner();

@@ -32,6 +32,9 @@ const QUIET: Duration = Duration::from_secs(1);
 pub(super) struct Look {
     /// Human or concise: the text of one program.
     text: Option<Format>,
+    /// The same for files, where nothing is coloured.
+    human: bool,
+    concise: bool,
     /// Some document wants them.
     documents: bool,
     quiet: bool,
@@ -44,6 +47,9 @@ pub(super) struct Look {
 pub(super) struct Presented {
     checked: Checked,
     text: String,
+    /// The same for files, where somebody wants it.
+    human: String,
+    concise: String,
     /// Codes of its findings, each with how often it was found.
     codes: BTreeMap<&'static str, u32>,
 }
@@ -67,9 +73,9 @@ impl Look {
         if self.quiet {
             list.retain(|found| found.severity == Severity::Error);
         }
-        let mut text = String::new();
-        if let Some(format) = self.text {
-            let style = (format == Format::Human && !list.is_empty()).then(|| Style::new(self.color, WIDTH));
+        let written = |format: Format, color: bool| {
+            let mut text = String::new();
+            let style = (format == Format::Human && !list.is_empty()).then(|| Style::new(color, WIDTH));
             for found in &list {
                 text += &match &style {
                     Some(style) => style.render(found, &sources, &trail),
@@ -81,9 +87,13 @@ impl Look {
                 let more = counted(counts.not_shown, "more finding is", "more findings are");
                 text += &format!("{}: {more} not shown\n", sources.shown(FileId(0)));
             }
-        }
+            text
+        };
+        let text = self.text.map(|format| written(format, self.color)).unwrap_or_default();
+        let human = if self.human { written(Format::Human, false) } else { String::new() };
+        let concise = if self.concise { written(Format::Concise, false) } else { String::new() };
         let shown = if self.documents { list.as_slice() } else { &[] };
-        Presented { checked: Checked::new(&file, shown, counts, &sources, &trail), text, codes }
+        Presented { checked: Checked::new(&file, shown, counts, &sources, &trail), text, human, concise, codes }
     }
 }
 
@@ -96,14 +106,21 @@ enum Main {
     Document(Box<dyn Document>),
 }
 
+/// A report in a file beside the one of `--format`.
+enum Further {
+    Human(String),
+    Concise(String),
+    Document(Box<dyn Document>),
+}
+
 /// Collects and prints the findings of a command.
 pub(super) struct Reporter {
     look: Look,
     main: Main,
     /// File of the report, instead of the terminal or standard output.
     output: Option<PathBuf>,
-    /// Further documents, each with its file.
-    more: Vec<(Box<dyn Document>, PathBuf)>,
+    /// Further reports, each with its file.
+    more: Vec<(Further, PathBuf)>,
     counts: Counts,
     codes: BTreeMap<&'static str, u32>,
     programs: u32,
@@ -138,21 +155,10 @@ fn format(common: &Common, stdout: Stdout) -> Format {
 
 impl Reporter {
     /// A reporter that has found nothing yet.
-    ///
-    /// # Errors
-    /// A format that needs a file and has none.
-    pub(super) fn new(
-        common: &Common,
-        findings: &Findings,
-        stdout: Stdout,
-        output: Option<&Path>,
-    ) -> Result<Reporter, Trouble> {
+    pub(super) fn new(common: &Common, findings: &Findings, stdout: Stdout, output: Option<&Path>) -> Reporter {
         let args = &common.report;
         let fails = findings.fail_on.of_findings();
         let format = format(common, stdout);
-        if let Some((format, _)) = findings.more.iter().find(|(format, _)| format.kind().is_none()) {
-            return Err(format!("--report writes documents; `{format:?}` is for people: use --format").to_lowercase());
-        }
         let kind = format.kind();
         let output = output.filter(|path| *path != Path::new("-")).map(Path::to_path_buf);
         let color = match args.color {
@@ -165,16 +171,29 @@ impl Reporter {
             None if output.is_some() => Main::Text(String::new()),
             None => Main::Terminal,
         };
-        let documents = kind.is_some() || !findings.more.is_empty();
-        Ok(Reporter {
-            look: Look { text: kind.is_none().then_some(format), documents, quiet: args.quiet, color, fails },
+        let further = |(format, file): &(Format, PathBuf)| {
+            let report = match format.kind() {
+                Some(kind) => Further::Document(kind.document(fails)),
+                None if *format == Format::Human => Further::Human(String::new()),
+                None => Further::Concise(String::new()),
+            };
+            (report, file.clone())
+        };
+        let wanted = |format: Format| findings.more.iter().any(|(further, _)| *further == format);
+        let look = Look {
+            text: kind.is_none().then_some(format),
+            human: wanted(Format::Human),
+            concise: wanted(Format::Concise),
+            documents: kind.is_some() || findings.more.iter().any(|(further, _)| further.kind().is_some()),
+            quiet: args.quiet,
+            color,
+            fails,
+        };
+        Reporter {
+            look,
             main,
             output,
-            more: findings
-                .more
-                .iter()
-                .filter_map(|(format, file)| Some((format.kind()?.document(fails), file.clone())))
-                .collect(),
+            more: findings.more.iter().map(further).collect(),
             counts: Counts::default(),
             codes: BTreeMap::new(),
             programs: 0,
@@ -185,7 +204,7 @@ impl Reporter {
             internal: false,
             started: Instant::now(),
             shown: None,
-        })
+        }
     }
 
     pub(super) fn look(&self) -> Look {
@@ -196,13 +215,16 @@ impl Reporter {
     ///
     /// # Errors
     /// A file that would be lost.
-    pub(super) fn spares(&self, inputs: &[Input]) -> Result<(), Trouble> {
+    pub(super) fn spares(&self, inputs: &[Input], outputs: &BTreeSet<PathBuf>) -> Result<(), Trouble> {
         let files = self.output.iter().chain(self.more.iter().map(|(_, file)| file));
         let mut taken = BTreeSet::new();
         for file in files.filter(|file| file.as_path() != Path::new("/dev/null")) {
             let shown = file.display();
             if !taken.insert(real(file)) {
                 return Err(format!("{shown}: two reports cannot go to one file"));
+            }
+            if outputs.contains(&real(file)) {
+                return Err(format!("{shown}: the report would replace what is made of a program; name another file"));
             }
             // By its name only: a report for people quotes blocks.
             let named_so = dialect::guess(&file.to_string_lossy(), b"").is_some();
@@ -220,7 +242,7 @@ impl Reporter {
 
     /// Takes what one program came to, in the order of the inputs.
     pub(super) fn take(&mut self, presented: Presented) {
-        let Presented { checked, text, codes } = presented;
+        let Presented { checked, text, human, concise, codes } = presented;
         self.programs += 1;
         self.bytes += checked.bytes;
         self.counts.add(&checked.counts);
@@ -236,8 +258,12 @@ impl Reporter {
                 let _ = io::stderr().lock().write_all(text.as_bytes());
             }
         }
-        for (document, _) in &mut self.more {
-            document.program(&checked);
+        for (report, _) in &mut self.more {
+            match report {
+                Further::Human(report) => report.push_str(&human),
+                Further::Concise(report) => report.push_str(&concise),
+                Further::Document(document) => document.program(&checked),
+            }
         }
     }
 
@@ -304,8 +330,12 @@ impl Reporter {
             Main::Text(text) => write(self.output.as_deref(), &text)?,
             Main::Document(document) => write(self.output.as_deref(), &document.finish(&self.troubles))?,
         }
-        for (document, file) in self.more {
-            write(Some(&file), &document.finish(&self.troubles))?;
+        for (report, file) in self.more {
+            let text = match report {
+                Further::Human(text) | Further::Concise(text) => text,
+                Further::Document(document) => document.finish(&self.troubles),
+            };
+            write(Some(&file), &text)?;
         }
         if !statistics.is_empty() {
             say(statistics.trim_end());

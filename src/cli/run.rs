@@ -88,13 +88,13 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
         return Err("no part program lies in the folders that are named".to_owned());
     }
     // Shards write to one place: all of them refuse the same.
-    different_outputs(args, found.list.iter().chain(&found.others))?;
+    let outputs = outputs(args, found.list.iter().chain(&found.others))?;
     if let Some(folder) = &args.out_dir {
         fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     }
     let stdout = if streams.is_empty() || document { Stdout::Free } else { Stdout::Taken };
-    let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None)?;
-    reporter.spares(&found.list)?;
+    let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None);
+    reporter.spares(&found.list, &outputs)?;
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     let (look, inputs) = (reporter.look(), found.list);
     let read = inputs.iter().filter_map(|input| fs::canonicalize(&input.path).ok()).collect();
@@ -126,12 +126,8 @@ pub(super) fn is_output(path: &Path) -> bool {
     path.metadata().is_ok_and(|meta| meta.len() > 0) && !is_foreign(path, Made::Program)
 }
 
-/// Each input needs an output of its own.
-fn different_outputs<'i>(args: &Compile, inputs: impl Iterator<Item = &'i Input>) -> Result<(), Trouble> {
-    let inputs: Vec<&Input> = inputs.collect();
-    if inputs.len() < 2 {
-        return Ok(());
-    }
+/// The files that are made of the inputs: each needs one of its own.
+fn outputs<'i>(args: &Compile, inputs: impl Iterator<Item = &'i Input>) -> Result<BTreeSet<PathBuf>, Trouble> {
     let mut taken: BTreeMap<PathBuf, &Path> = BTreeMap::new();
     for input in inputs {
         // A configuration that cannot be read is reported with its program.
@@ -142,7 +138,7 @@ fn different_outputs<'i>(args: &Compile, inputs: impl Iterator<Item = &'i Input>
             return Err(format!("{first} and {second} would both be written to {}", output.display()));
         }
     }
-    Ok(())
+    Ok(taken.into_keys().chain(args.map.as_deref().map(real)).collect())
 }
 
 /// The one path of a file that may not exist yet.
@@ -151,7 +147,7 @@ pub(super) fn real(path: &Path) -> PathBuf {
         return path;
     }
     let folder = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    fs::canonicalize(folder).unwrap_or_else(|_| folder.to_path_buf()).join(file_name(path))
+    fs::canonicalize(folder).unwrap_or_else(|_| folder.to_path_buf()).join(path.file_name().unwrap_or(path.as_os_str()))
 }
 
 /// What the threads of `partc compile` share.
@@ -288,9 +284,9 @@ pub(super) fn same_file(a: &Path, b: &Path) -> bool {
 
 /// `partc check`
 pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
-    let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Free, args.output.as_deref())?;
+    let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Free, args.output.as_deref());
     let found = inputs(&args.paths, &args.many, &is_program)?;
-    reporter.spares(&found.list)?;
+    reporter.spares(&found.list, &BTreeSet::new())?;
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     if found.list.is_empty() && reporter.troubles().is_empty() && args.many.shard.is_none() {
         reporter.say("partc: no part program lies in the folders that are named");
@@ -375,8 +371,8 @@ pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
         return Err("the moves and the findings cannot both go to standard output".to_owned());
     }
     let Loaded { session, dialect, settings, files } = load(&args.input, &args.common)?;
-    let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Taken, None)?;
-    reporter.spares(&[Input::named(&args.input)])?;
+    let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Taken, None);
+    reporter.spares(&[Input::named(&args.input)], &BTreeSet::new())?;
     // Moves of a program with errors are not shown: they end where nobody knows.
     let mut held = Destination::open(Path::new("-")).map_err(|error| format!("stdout: {error}"))?;
     let mut writer = BufWriter::new(&mut held);

@@ -29,7 +29,7 @@ impl std::fmt::Display for Stop {
 /// The first line that is no plain G-code.
 pub fn play(text: &[u8], sink: &mut dyn Sink) -> Result<(), Stop> {
     let mut player =
-        Player { reader: Reader::at_power_on(rules_of(text)), sink, selected: None, waiting: None, cutter: None };
+        Player { reader: Reader::switched_on(rules_of(text)), sink, selected: None, waiting: None, cutter: None };
     let (mut rest, mut end) = (text, text.len());
     loop {
         let before = player.reader.lines();

@@ -48,6 +48,12 @@ impl Pos {
         self.known
     }
 
+    /// The coordinates of all axes; those of axes that are not known mean nothing.
+    #[inline]
+    pub fn values(&self) -> &[f64; AXES] {
+        &self.values
+    }
+
     /// The known axes in order.
     #[inline]
     pub fn iter(&self) -> impl Iterator<Item = (Axis, f64)> + '_ {

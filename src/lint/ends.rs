@@ -1,11 +1,10 @@
 //! Where the blocks of a file end.
 
-use crate::diag::{Diags, Trail};
-use crate::machine::Settings;
 use crate::sema::Job;
 use crate::sema::run::survey::{Survey, Surveyed, Visitor, Wanted};
-use crate::text::files::NoFiles;
 use crate::text::{FileId, Sources};
+
+use super::lead;
 
 /// The blocks of a file by their lines.
 #[derive(Debug, Default)]
@@ -43,11 +42,4 @@ impl Visitor for Ends {
         let written = block.text.trim_ascii_end().len() as u32;
         self.blocks.push((site.line, site.line + site.lines.saturating_sub(1), site.at + written));
     }
-}
-
-/// Leads a visitor through a file for whom nothing but its text matters: what is wrong with it is found by who runs it.
-pub fn lead(sources: &Sources, file: FileId, survey: Survey, visitor: &mut dyn Visitor) {
-    let (diags, trail, settings) = (Diags::default(), Trail::default(), Settings::default());
-    let job = Job { sources, diags: &diags, trail: &trail, files: &NoFiles, settings: &settings, main: file };
-    survey(&job, file, visitor);
 }

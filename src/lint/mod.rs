@@ -1,20 +1,24 @@
 //! What is said of a program beside its compilation: rules, and what the program says about findings.
 
+#[cfg(feature = "cli")]
 pub mod ends;
 pub mod fix;
 pub mod imprint;
 pub mod motion;
 pub mod policy;
+#[cfg(feature = "cli")]
+pub mod renumber;
 pub mod rules;
 pub mod source;
 pub mod suppression;
 
-use crate::diag::Diags;
+use crate::diag::{Diags, Trail};
 use crate::machine::Settings;
-use crate::sema::run::survey::Survey;
+use crate::sema::Job;
+use crate::sema::run::survey::{Survey, Visitor};
+use crate::text::files::NoFiles;
 use crate::text::{FileId, Sources};
 
-use ends::lead;
 use fix::Fix;
 use motion::{Say, Setup, Watch, Watching};
 use policy::Policy;
@@ -74,4 +78,11 @@ impl<'a> Checks<'a> {
         }
         reader.fixes
     }
+}
+
+/// Leads a visitor through a file for whom nothing but its text matters: what is wrong with it is found by who runs it.
+pub fn lead(sources: &Sources, file: FileId, survey: Survey, visitor: &mut dyn Visitor) {
+    let (diags, trail, settings) = (Diags::default(), Trail::default(), Settings::default());
+    let job = Job { sources, diags: &diags, trail: &trail, files: &NoFiles, settings: &settings, main: file };
+    survey(&job, file, visitor);
 }

@@ -10,7 +10,7 @@ use crate::diag::{Code, Diagnostic, Diags, Judge, Selection, Severity, codes};
 use crate::sema::run::survey::Survey;
 use crate::text::{FileId, Loc, Sources};
 
-use super::ends::lead;
+use super::lead;
 use super::suppression::Suppressions;
 
 /// Decides over the findings of a run. A file is looked through for suppressions when something is found in it.

@@ -17,6 +17,7 @@ mod straight;
 pub use act::{AXES, Act, Arc, Cutter, FeedKind, Move, Path, Plane, Speed};
 pub use number::SCALE;
 pub use rules::Rules;
+pub use straight::Straight;
 
 use block::Block;
 
@@ -70,7 +71,7 @@ pub struct Reader {
     known: u16,
     feed: Option<i64>,
     modes: Modes,
-    /// Positions are absolute, in mm, and as they are written.
+    /// Positions are absolute, in mm, and as they are written; the program goes on.
     plain: bool,
     lines: u64,
     ended: bool,
@@ -129,7 +130,12 @@ impl Reader {
 
     /// A control as LinuxCNC switches on: XY plane, absolute positions, centres from the start of the arc, feed a minute,
     /// nothing compensated. Millimetres or inches it takes from its own settings, so that a program has to say them.
-    pub fn at_power_on(rules: Rules) -> Reader {
+    pub fn at_power_on() -> Reader {
+        Reader::switched_on(rules::RS274)
+    }
+
+    /// The same for a receiver.
+    pub fn switched_on(rules: Rules) -> Reader {
         let mut reader = Reader::with(rules);
         reader.modes = Modes {
             plane: Some(Plane::Xy),
@@ -150,20 +156,17 @@ impl Reader {
     ///
     /// # Errors
     /// What cannot be read; the reader is of no use afterwards.
-    #[inline(always)]
     pub fn next(&mut self, text: &mut &[u8], end: &mut usize) -> Result<Option<Act>, Fault> {
-        if self.open.0 == self.open.1
-            && let Some((mv, len)) = self.straight(text, *end)
-        {
+        if let Some(Straight { cuts, axes, len }) = self.straight(text, *end) {
             *text = &text[len..];
             *end -= len;
-            return Ok(Some(Act::Move(mv)));
+            let path = if cuts { Path::Line } else { Path::Rapid };
+            return Ok(Some(Act::Move(Move { path, axes, machine: false })));
         }
         self.next_by_words(text, end)
     }
 
     /// [`Reader::next`] for any line.
-    #[inline(never)]
     fn next_by_words(&mut self, text: &mut &[u8], end: &mut usize) -> Result<Option<Act>, Fault> {
         loop {
             if self.open.0 < self.open.1 {

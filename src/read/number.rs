@@ -12,8 +12,72 @@ const MOST: u64 = 4_000_000_000;
 /// The number at the start of `text` in units, and how many bytes it takes; what follows it may be anything.
 ///
 /// Digits beyond the ninth place are rounded. `None` where no number stands, or a larger one than is taken.
-#[inline(always)]
 pub fn decimal(text: &[u8]) -> Option<(i64, usize)> {
+    let negative = *text.first()? == b'-';
+    let from = usize::from(negative || text[0] == b'+');
+    if let Some(eight) = text.get(from..).and_then(<[u8]>::first_chunk::<8>)
+        && let Some((units, len)) = short(*eight, negative)
+    {
+        return Some((units, from + len));
+    }
+    long_or_short(text)
+}
+
+/// [`decimal`] behind its sign, where number and the byte behind it are eight bytes at most.
+#[inline(always)]
+pub fn short(eight: [u8; 8], negative: bool) -> Option<(i64, usize)> {
+    const POINT: u8 = b'.' ^ b'0';
+    let (values, others) = others(eight);
+    let whole = others.trailing_zeros() & !7;
+    let sign = usize::from(negative) * 8;
+    // Eight digits begin with one, so that they count as a number without a point.
+    if values.wrapping_shr(whole) as u8 != POINT {
+        let there = (8..=56).contains(&whole);
+        return there.then(|| (joined(values << (64 - whole)) * LAST[sign + 1], whole as usize / 8));
+    }
+    let end = (others & (others - 1)).trailing_zeros() & !7;
+    // A digit at least, and the byte behind the last one.
+    if end.wrapping_sub(16) > 40 {
+        return None;
+    }
+    // The digits behind the point move up to those in front of it.
+    let in_front = (1 << whole) - 1;
+    let digits = (values & in_front) | ((values >> 8) & !in_front);
+    Some((joined(digits << (72 - end)) * LAST[(sign + (end - whole) as usize / 8) % 16], end as usize / 8))
+}
+
+/// What the last digit of a number counts, by the bytes from its point on; of a negative one from eight on.
+const LAST: [i64; 16] = {
+    let mut table = [0; 16];
+    let mut bytes = 1;
+    while bytes < 8 {
+        table[bytes] = POWERS[PLACES + 1 - bytes] as i64;
+        table[bytes + 8] = -table[bytes];
+        bytes += 1;
+    }
+    table
+};
+
+/// The values of eight digits, and the high bit of each byte that is none: the lowest of them is true, and the next one too
+/// where that byte is a point.
+#[inline(always)]
+fn others(eight: [u8; 8]) -> (u64, u64) {
+    let values = u64::from_le_bytes(eight) ^ 0x3030_3030_3030_3030;
+    (values, (values.wrapping_add(0x7676_7676_7676_7676) | values) & 0x8080_8080_8080_8080)
+}
+
+/// The number of eight digits, the last one in the highest byte: pairs, fours, all eight.
+#[inline(always)]
+fn joined(digits: u64) -> i64 {
+    let pairs = digits.wrapping_mul(10).wrapping_add(digits >> 8);
+    let low = (pairs & 0x0000_00FF_0000_00FF).wrapping_mul(0x000F_4240_0000_0064);
+    let high = ((pairs >> 16) & 0x0000_00FF_0000_00FF).wrapping_mul(0x0000_2710_0000_0001);
+    (low.wrapping_add(high) >> 32) as i64
+}
+
+/// [`decimal`] of any length.
+#[inline(never)]
+fn long_or_short(text: &[u8]) -> Option<(i64, usize)> {
     let negative = *text.first()? == b'-';
     let from = usize::from(negative || text[0] == b'+');
     let (whole, digits) = run(text, from)?;
@@ -42,9 +106,7 @@ pub fn decimal(text: &[u8]) -> Option<(i64, usize)> {
 #[inline(always)]
 fn run(text: &[u8], from: usize) -> Option<(u64, usize)> {
     let Some(eight) = text.get(from..).and_then(<[u8]>::first_chunk::<8>) else { return one_by_one(text, from) };
-    // A digit becomes its value; the high bit of a byte says that it was none. Only the lowest of these bits counts.
-    let values = u64::from_le_bytes(*eight) ^ 0x3030_3030_3030_3030;
-    let others = (values.wrapping_add(0x7676_7676_7676_7676) | values) & 0x8080_8080_8080_8080;
+    let (values, others) = others(*eight);
     if others == 0 {
         return one_by_one(text, from);
     }
@@ -52,12 +114,7 @@ fn run(text: &[u8], from: usize) -> Option<(u64, usize)> {
     if digits == 0 {
         return Some((0, 0));
     }
-    // The digits alone, the last one in the highest byte; then pairs, fours, all eight.
-    let aligned = values << (64 - 8 * digits);
-    let pairs = aligned.wrapping_mul(10).wrapping_add(aligned >> 8);
-    let low = (pairs & 0x0000_00FF_0000_00FF).wrapping_mul(0x000F_4240_0000_0064);
-    let high = ((pairs >> 16) & 0x0000_00FF_0000_00FF).wrapping_mul(0x0000_2710_0000_0001);
-    Some((low.wrapping_add(high) >> 32, digits))
+    Some((joined(values << (64 - 8 * digits)) as u64, digits))
 }
 
 /// The same digit by digit.

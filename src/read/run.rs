@@ -52,8 +52,9 @@ impl Reader {
         }
         let modes = &self.modes;
         let by_time = modes.feed_kind == Some(FeedKind::InverseTime);
-        self.plain =
-            modes.incremental == Some(false) && modes.inches == Some(false) && modes.diameter != Some(true) && !by_time;
+        let as_written =
+            modes.incremental == Some(false) && modes.inches == Some(false) && modes.diameter != Some(true);
+        self.plain = as_written && !by_time && !self.ended;
         Ok(())
     }
 

@@ -1,73 +1,102 @@
 //! The line that most lines are: `G0` or `G1`, axes, a feed. Everything else goes word by word.
 
 use super::Reader;
-use super::act::{AXES, LETTERS, Move, Path};
-use super::number::decimal;
+use super::act::{AXES, LETTERS};
+use super::number::{decimal, short};
 
-/// The axis of each letter; [`FEED`] for F, [`OTHER`] for what is neither.
-const MEANING: [u8; 256] = {
-    let mut table = [OTHER; 256];
+/// The place of each letter in the order in which such a line names them: the axes, from 1, and [`FEED`]. 0 for what is
+/// neither.
+const ORDER: [u8; 256] = {
+    let mut table = [0; 256];
     let mut axis = 0;
     while axis < AXES {
-        table[LETTERS[axis] as usize] = axis as u8;
+        table[LETTERS[axis] as usize] = axis as u8 + 1;
         axis += 1;
     }
     table[b'F' as usize] = FEED;
     table
 };
-const FEED: u8 = AXES as u8;
-const OTHER: u8 = u8::MAX;
+/// The place of F behind the axes.
+const FEED: u8 = AXES as u8 + 1;
+
+/// A straight move as a line says it; the reader stands where it ends.
+#[derive(Debug, Clone, Copy)]
+pub struct Straight {
+    /// At the feed, not at rapid traverse.
+    pub cuts: bool,
+    /// A bit for each axis that the line names.
+    pub axes: u16,
+    /// Bytes of the line.
+    pub len: usize,
+}
 
 impl Reader {
-    /// The move of the first line of `text`, and the length of the line, where it is a plain one. Otherwise nothing: what
-    /// was set then is set again, to the same, by who reads the line word by word.
+    /// The move of the first line of `text`, where it is a plain one. Otherwise nothing: what was set then is set again, to
+    /// the same, by who reads the line word by word.
     #[inline(always)]
-    pub(super) fn straight(&mut self, text: &[u8], end: usize) -> Option<(Move, usize)> {
-        if !self.plain || end > text.len() || self.ended {
+    pub fn straight(&mut self, text: &[u8], end: usize) -> Option<Straight> {
+        if !self.plain || end > text.len() || self.open.0 != self.open.1 {
             return None;
         }
-        let path = match *text.first_chunk::<3>()? {
-            [b'G', b'1', b' '] => Path::Line,
-            [b'G', b'0', b' '] => Path::Rapid,
+        let cuts = match *text.first_chunk::<3>()? {
+            [b'G', b'1', b' '] => true,
+            [b'G', b'0', b' '] => false,
             _ => return None,
         };
-        let mut at = 3;
-        let mut axes = 0u16;
-        loop {
-            let word = text.get(at..)?;
-            let (units, len) = decimal(word.get(1..)?)?;
+        let mut rest = text.get(3..)?;
+        let behind_end = text.len() - end;
+        let (mut last, mut axes) = (0, 0u16);
+        let feed = loop {
+            let (letter, units, len) = word(rest)?;
+            let behind = *rest.get(len)?;
+            rest = &rest[len + 1..];
             // What stands behind the text changes nothing.
-            if at + 1 + len >= end {
+            if rest.len() < behind_end {
                 return None;
             }
-            match MEANING[usize::from(*word.first()?)] {
-                FEED if axes & (1 << FEED) == 0 => {
-                    if units < 0 {
-                        return None;
-                    }
-                    self.feed = Some(units);
-                    axes |= 1 << FEED;
-                }
-                axis if axis < FEED && axes & (1 << axis) == 0 => {
-                    self.at[usize::from(axis)] = units;
-                    axes |= 1 << axis;
-                }
-                _ => return None,
+            // Neither twice, nor in another order, nor without a meaning.
+            let order = ORDER[usize::from(letter)];
+            if order <= last {
+                return None;
             }
-            at += len + 2;
-            match *text.get(at - 1)? {
+            last = order;
+            match self.at.get_mut(usize::from(order) - 1) {
+                Some(place) => {
+                    *place = units;
+                    axes |= 1 << (order - 1);
+                }
+                None if behind == b'\n' && units >= 0 => break Some(units),
+                None => return None,
+            }
+            match behind {
                 b' ' => {}
-                b'\n' => break,
+                b'\n' => break None,
                 _ => return None,
             }
-        }
-        let axes = axes & !(1 << FEED);
+        };
         if axes == 0 {
             return None;
         }
+        if feed.is_some() {
+            self.feed = feed;
+        }
         self.known |= axes;
-        self.modes.motion = Some(u8::from(matches!(path, Path::Line)));
+        self.modes.motion = Some(u8::from(cuts));
         self.lines += 1;
-        Some((Move { path, axes, machine: false }, at))
+        Some(Straight { cuts, axes, len: text.len() - rest.len() })
     }
+}
+
+/// The letter in front, the number behind it, and how many bytes both take.
+#[inline(always)]
+fn word(text: &[u8]) -> Option<(u8, i64, usize)> {
+    if let Some(word) = text.first_chunk::<10>() {
+        let minus = word[1] == b'-';
+        let number = word[1 + usize::from(minus)..].first_chunk();
+        if let Some((units, len)) = number.and_then(|number| short(*number, minus)) {
+            return Some((word[0], units, 1 + usize::from(minus) + len));
+        }
+    }
+    let (units, len) = decimal(text.get(1..)?)?;
+    Some((text[0], units, 1 + len))
 }

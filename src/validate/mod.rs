@@ -24,6 +24,8 @@ use crate::read::{AXES, Plane, Reader, Rules, SCALE};
 
 /// Most of the text of an item that is shown.
 const SHOWN: usize = 2000;
+/// A nanometre's thousandth is what binary fractions lose of a tie, and the printer counts it as one.
+const TIE: f64 = 1.0;
 /// What the text of an item may be that is no number: the axes that people may move at a stop.
 const MAIN: u16 = 0b111;
 
@@ -250,8 +252,13 @@ impl Validator {
 /// Is `read` the rounding of `meant`, where half of the last place is `half`?
 #[inline(always)]
 fn is_rounding(read: i64, meant: f64, half: f64) -> bool {
-    // A nanometre's thousandth is what binary fractions lose of a tie, and the printer counts it as one.
-    const TIE: f64 = 1.0;
+    (read as f64 - meant * SCALE as f64).abs() <= half - TIE || is_tie(read, meant, half)
+}
+
+/// The same beside a tie.
+#[cold]
+#[inline(never)]
+fn is_tie(read: i64, meant: f64, half: f64) -> bool {
     let exact = meant * SCALE as f64;
     let away = (read as f64 - exact) * 1f64.copysign(meant);
     let slack = 0.01 + exact.abs() * 1e-15;

@@ -17,27 +17,59 @@ impl Validator {
     /// Is the text what this move asks for?
     #[inline(always)]
     pub(super) fn check_move(&mut self, mv: &Move, text: Text<'_>) -> Result<(), Why> {
-        let feed = match &mv.path {
-            Path::Rapid => None,
-            Path::Line(feed) => Some(*feed),
-            Path::Arc(..) | Path::Thread { .. } | Path::Carried { .. } => return self.check_other(mv, text),
-        };
-        let Text { bytes: mut rest, mut end } = text;
-        if end == 0 {
+        if matches!(mv.path, Path::Arc(..) | Path::Thread { .. } | Path::Carried { .. }) {
+            return self.check_other(mv, text);
+        }
+        if text.end == 0 {
             return self.stays(mv);
         }
         if self.in_full {
             self.before = *self.reader.at();
         }
+        match self.reader.straight(text.bytes, text.end) {
+            Some(found) if found.len == text.end => self.is_line(mv, found),
+            Some(found) => {
+                let rest = Text { bytes: &text.bytes[found.len..], end: text.end - found.len };
+                self.is_line(mv, found)?;
+                self.no_act(rest)
+            }
+            None => self.check_by_words(mv, text),
+        }
+    }
+
+    /// A line that says nothing but its axes and the feed.
+    #[inline(always)]
+    fn is_line(&mut self, mv: &Move, found: read::Straight) -> Result<(), Why> {
+        match mv.path {
+            Path::Line(feed) if found.cuts => self.same_feed(feed)?,
+            Path::Rapid if !found.cuts => {}
+            Path::Rapid | Path::Line(_) | Path::Arc(..) | Path::Carried { .. } | Path::Thread { .. } => {
+                return Err(Why::new("another kind of move is meant"));
+            }
+        }
+        if mv.machine {
+            return Err(Why::new("machine and workpiece coordinates are mixed up"));
+        }
+        if self.length.is_some() {
+            self.states_length(false, found.axes)?;
+        }
+        self.leads(mv, found.axes)?;
+        self.same_side(mv)
+    }
+
+    /// A straight move in any other words.
+    #[inline(never)]
+    fn check_by_words(&mut self, mv: &Move, text: Text<'_>) -> Result<(), Why> {
+        let Text { bytes: mut rest, mut end } = text;
         let Some(act) = self.reader.next(&mut rest, &mut end)? else { return self.stays(mv) };
         let Act::Move(found) = act else { return Err(Why::new("a move is meant")) };
-        match (found.path, feed) {
-            (read::Path::Rapid, None) => {}
-            (read::Path::Line, Some(feed)) => self.same_feed(feed)?,
+        match (found.path, mv.path) {
+            (read::Path::Rapid, Path::Rapid) => {}
+            (read::Path::Line, Path::Line(feed)) => self.same_feed(feed)?,
             _ => return Err(Why::new("another kind of move is meant")),
         }
         self.reaches(mv, &found)?;
-        if end == 0 { Ok(()) } else { self.no_act(Text { bytes: rest, end }) }
+        self.no_act(Text { bytes: rest, end })
     }
 
     #[inline(never)]
@@ -51,14 +83,13 @@ impl Validator {
     }
 
     /// The move ends where it is meant to, and goes as it is meant to.
-    #[inline(always)]
     fn reaches(&mut self, mv: &Move, found: &read::Move) -> Result<(), Why> {
         if found.machine != mv.machine {
             return Err(Why::new("machine and workpiece coordinates are mixed up"));
         }
         self.leads(mv, found.axes)?;
         if self.length.is_some() {
-            self.states_length(found)?;
+            self.states_length(found.machine, found.axes)?;
         }
         if mv.machine {
             if found.axes != mv.axes.bits() {
@@ -72,8 +103,8 @@ impl Validator {
 
     /// The first move along Z behind a change states the length of its tool.
     #[cold]
-    fn states_length(&mut self, found: &read::Move) -> Result<(), Why> {
-        if found.machine || found.axes & ALONG_Z == 0 {
+    fn states_length(&mut self, machine: bool, axes: u16) -> Result<(), Why> {
+        if machine || axes & ALONG_Z == 0 {
             return Ok(());
         }
         let stated = self.reader.modes().length == self.length.take();
@@ -103,14 +134,29 @@ impl Validator {
         if silent & !(self.stated & self.reader.known()) != 0 {
             return Err(Why::new("an axis is not printed, and where it stands is not certain"));
         }
-        for axis in mv.axes.iter() {
-            let Some(meant) = mv.end.get(axis) else { continue };
-            let half = if axis.is_rotary() { self.grain.angle } else { self.half };
-            if !is_rounding(self.reader.at()[axis.index()], meant, half) {
+        let looked_at = mv.axes.common(mv.end.known()).bits();
+        // Most moves name main axes only.
+        for axis in 0..3 {
+            if looked_at & (1 << axis) != 0 && !self.stands(mv, axis) {
+                return Err(Why::new("an axis ends elsewhere"));
+            }
+        }
+        for axis in 3..AXES {
+            if looked_at >> axis == 0 {
+                break;
+            }
+            if looked_at & (1 << axis) != 0 && !self.stands(mv, axis) {
                 return Err(Why::new("an axis ends elsewhere"));
             }
         }
         Ok(())
+    }
+
+    /// Does an axis stand where the move ends?
+    #[inline(always)]
+    fn stands(&self, mv: &Move, axis: usize) -> bool {
+        let half = if (3..6).contains(&axis) { self.grain.angle } else { self.half };
+        is_rounding(self.reader.at()[axis], mv.end.values()[axis], half)
     }
 
     /// Nothing is printed for a move that leads where the machine stands.

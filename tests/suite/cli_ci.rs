@@ -75,6 +75,14 @@ fn the_hook_looks_at_what_is_staged() {
     folder.write("shop/B.H", PART);
     assert!(!git(&folder, &["commit", "-q", "-m", "wrong"]), "the error is staged");
     assert!(git(&folder, &["add", "."]) && git(&folder, &["commit", "-q", "-m", "mended"]), "a mended program");
+    // Programs of lathes are looked at, outputs of the same name are not.
+    folder.write("shop/L.nc", "T1\nG97 S500 M3\nG95 F0.2\nG0 X100 Z2\nG1 X\nM30\n");
+    assert!(
+        git(&folder, &["add", "."]) && !git(&folder, &["commit", "-q", "-m", "lathe"]),
+        "a lathe program with an error"
+    );
+    folder.run(&["compile", "shop/B.H", "-o", "shop/L.nc", "--force"]).exits(0);
+    assert!(git(&folder, &["add", "."]) && git(&folder, &["commit", "-q", "-m", "output"]), "an output");
     folder.write("notes.txt", "still no program");
     assert!(git(&folder, &["commit", "-q", "-a", "-m", "notes"]), "no program at all");
 }

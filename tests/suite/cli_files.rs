@@ -53,6 +53,17 @@ fn two_inputs_never_share_an_output() {
     assert!(!folder.has("out/PART.ngc"));
     folder.run(&["compile", "PART.H", "PART.h"]).exits(2).says("PART.h would both be written");
     assert!(!folder.has("PART.ngc"));
+    // Folders keep their trees: two of them may hold the same name.
+    folder.run(&["compile", "a", "b", "--out-dir", "out"]).exits(2).says("out/PART.ngc");
+    folder.run(&["compile", "a/PART.H", "./a/PART.H"]).exits(2).says("would both be written");
+    // Nor is an output lost to a report of the same run.
+    for report in ["json=a/PART.ngc", "human=a/../a/PART.ngc"] {
+        folder.run(&["compile", "a/PART.H", "--report", report]).exits(2).says("made of a program");
+    }
+    folder.run(&["compile", "a/PART.H", "-o", "x.out", "--report", "json=x.out"]).exits(2).says("made of a program");
+    folder.run(&["compile", "a/PART.H", "--map", "x.map", "--report", "json=x.map"]).exits(2);
+    folder.run(&["plot", "a/PART.H", "-o", "x.svg", "--report", "json=x.svg"]).exits(2);
+    assert!(!["a/PART.ngc", "x.out", "x.map", "x.svg"].iter().any(|name| folder.has(name)));
     folder.run(&["compile", "a/PART.H", "b/PART.H"]).exits(0);
     assert!(folder.has("a/PART.ngc") && folder.has("b/PART.ngc"));
 }

@@ -174,6 +174,33 @@ fn comments_for_all_that_is_found_now() {
     assert!(folder.read("C.H").contains("  X+0 ; partc: ignore[K2102]\r\n3 C"), "{}", folder.read("C.H"));
 }
 
+/// A stored contour has blocks, which take comments, and hidden records, which are what they are to the last byte.
+#[test]
+fn records_of_the_contour_editor_take_no_comments() {
+    let records = ";CON,V64,2,0.0000,0,0,MST:3,2,AX:Z,X,K,I,TRANS:0;*GP*;*RO*;*HD*\n;S,EX:0,EY:60,ASE:90;*GP*;*RO*;*HD*\n\
+                   ;LL,EX:-40;*GP*;*RO*;*HD*\n;LU,EY:80;*GP*;*RO*;*HD*\n";
+    let program = |blocks: &str| {
+        format!(
+            "G95 F0.2 S500 M3\nG18\nG0 X200 Z50\nE_LAB_A_PART: ;#SM Z:2\n\
+             ;#7__DlgK contour definition begin - Don't change!;*GP*;*RO*;*HD*\nG18 G90 DIAM90 ;*GP*\n{blocks}{records}\
+             ;#End contour definition end - Don't change!;*GP*;*RO*;*HD*\nE_LAB_E_PART:\nM30\n"
+        )
+    };
+    let blocks = program("G0 Z0 X60 ;*GP*\nG1 Z-40 ;*GP*\nX81 ;*GP*\n");
+    let folder = Folder::new("lint_records").with(&[("A.MPF", &blocks), ("B.MPF", &program(""))]);
+    folder.write("partc.toml", "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n");
+    let before = folder.run(&["trace", "A.MPF"]).exits(0).out;
+    assert_eq!(found(&folder, &["A.MPF"]), ["S8026 warning"]);
+    folder.run(&["check", "A.MPF", "--add-ignores"]).exits(0);
+    assert_eq!(folder.read("A.MPF"), blocks.replace("X81 ;*GP*\n", "X81 ;*GP* ; partc: ignore[S8026]\n"));
+    assert!(found(&folder, &["A.MPF"]).is_empty());
+    assert_eq!(folder.run(&["trace", "A.MPF"]).exits(0).out, before);
+    // Here the finding stands at a record.
+    assert_eq!(found(&folder, &["B.MPF"]), ["S8028 note"]);
+    folder.run(&["check", "B.MPF", "--add-ignores", "--fail-on", "note"]).exits(2).says("take no comments");
+    assert_eq!(folder.read("B.MPF"), program(""));
+}
+
 #[test]
 fn a_million_suppressions_and_hostile_ones() {
     let folder = Folder::new("lint_hostile");
@@ -252,6 +279,64 @@ fn what_does_not_change_the_motion_is_mended() {
     folder.write("C.MPF", &REDUNDANT.replace("M30", "G1 X=UNKNOWN_WORD\nM30"));
     folder.run(&["check", "C.MPF", "--fix"]).exits(1);
     assert!(folder.read("C.MPF").starts_with(&REDUNDANT[..40]));
+}
+
+/// A finding in a called program is no change of the program that calls it, whatever stands at the same bytes.
+#[test]
+fn what_is_found_in_a_called_program_is_not_mended_in_its_caller() {
+    // The caller has nothing to mend; the byte offsets of the called program's findings lie inside of it.
+    let caller = "G0 X0 Y0 Z5\nG1 X5 F100\nCALL \"SUB.SPF\"\nG0 X0 Y0 Z5\nG1 X5 F200\nM30\n";
+    let called = "G1 X6 F100 ; partc: ignore[K2102]\nG1 Y5 F100\nG1 Y5 Z4\nM17\n";
+    let folder = Folder::new("lint_called").with(&[("A.MPF", caller), ("SUB.SPF", called)]);
+    folder.write("partc.toml", "[lint]\nselect = [\"all\"]\nignore = [\"L2005\"]\n");
+    folder.run(&["check", "A.MPF", "--fix"]);
+    folder.run(&["check", "A.MPF", "--add-ignores", "--fail-on", "note"]);
+    assert_eq!(folder.read("SUB.SPF"), called);
+    let mended = folder.read("A.MPF");
+    let without = |text: &str| {
+        text.lines().map(|line| line.split(" ; partc").next().unwrap_or_default().to_owned()).collect::<Vec<_>>()
+    };
+    assert_eq!(without(&mended), without(caller), "{mended}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_mended_program_keeps_its_owner_and_its_rights() {
+    use std::os::unix::fs::{MetadataExt as _, PermissionsExt as _, chown};
+    use std::os::unix::process::CommandExt as _;
+    use std::process::Command;
+    let folder = Folder::new("lint_owner").with(&[("A.MPF", REDUNDANT)]);
+    let path = folder.0.join("A.MPF");
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).expect("rights");
+    // Only root can give a file away; for others it is their own before and after.
+    let given = chown(&path, Some(1234), Some(4321)).is_ok();
+    let before = fs::metadata(&path).expect("a file");
+    folder.run(&["check", "A.MPF", "--select", "L2008", "--fix"]).exits(0);
+    let after = fs::metadata(&path).expect("a file");
+    assert_ne!(folder.read("A.MPF"), REDUNDANT);
+    assert_eq!((after.uid(), after.gid(), after.mode()), (before.uid(), before.gid(), before.mode()));
+    assert!(!given || after.uid() == 1234);
+    // Who may not give it back to its owner leaves it alone.
+    if !given {
+        return;
+    }
+    fs::write(&path, REDUNDANT).expect("a file");
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o666)).expect("rights");
+    fs::set_permissions(&folder.0, fs::Permissions::from_mode(0o777)).expect("rights");
+    let ran = Command::new(env!("CARGO_BIN_EXE_partc"))
+        .args(["check", "A.MPF", "--select", "L2008", "--fix"])
+        .current_dir(&folder.0)
+        .uid(2345)
+        .gid(2345)
+        .output();
+    // Not everybody may look into the folder of the build.
+    let Ok(ran) = ran else { return };
+    let said = String::from_utf8_lossy(&ran.stderr).into_owned();
+    assert_eq!(
+        (ran.status.code(), fs::read_to_string(&path).expect("a file").as_str()),
+        (Some(2), REDUNDANT),
+        "{said}"
+    );
 }
 
 #[test]

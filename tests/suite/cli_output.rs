@@ -10,9 +10,9 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use super::cli_run::{Folder, HOLE, PART, WRONG, caller, set};
-use super::damage::Dice;
+use super::quality::kills::{kills, long};
 
-/// How often the process is killed; `PARTC_KILLS` asks for more.
+/// How often the process is killed; `examples/quality.rs` does it more often.
 const KILLS: usize = 200;
 
 fn partc(folder: &Folder, args: &[&str]) -> Command {
@@ -21,54 +21,12 @@ fn partc(folder: &Folder, args: &[&str]) -> Command {
     command
 }
 
-/// A program that takes a while, with one number that tells its versions apart.
-fn long(depth: usize) -> String {
-    let mut text = "0 BEGIN PGM LONG MM\n1 L X+0 Y+0 Z+2 R0 FMAX M3\n".to_owned();
-    for i in 0..3_000 {
-        text += &format!("L X+{}.5 Y+{} Z-{depth} F500\n", i % 200, i % 170);
-    }
-    text + "L Z+50 FMAX M30\nEND PGM LONG MM\n"
-}
-
 #[test]
 fn a_killed_process_leaves_the_older_output_or_the_whole_new_one() {
-    let folder = Folder::new("killed").with(&[("LONG.H", &long(1))]);
-    let start = Instant::now();
-    folder.run(&["compile", "LONG.H"]).exits(0);
-    let took = start.elapsed();
-    let outputs = [1, 2].map(|depth| {
-        folder.write("LONG.H", &long(depth));
-        folder.run(&["compile", "LONG.H", "--map", "LONG.map"]).exits(0);
-        folder.read("LONG.ngc")
-    });
-    assert!(outputs[0] != outputs[1]);
-    let kills = std::env::var("PARTC_KILLS").ok().and_then(|n| n.parse().ok()).unwrap_or(KILLS);
-    let mut dice = Dice(0x1234_5678_9abc_def1);
-    let mut killed = 0;
-    for n in 0..kills {
-        folder.write("LONG.H", &long(1 + n % 2));
-        // One of three has no older output.
-        let fresh = n % 3 == 0;
-        if fresh {
-            fs::remove_file(folder.0.join("LONG.ngc")).ok();
-        }
-        let had = folder.has("LONG.ngc");
-        let mut child = partc(&folder, &["compile", "LONG.H", "--map", "LONG.map"]).spawn().expect("partc runs");
-        // Most of them near the end, where the names change.
-        let micros = took.as_micros() as usize;
-        let wait = if n % 4 == 0 { dice.roll(micros) } else { micros / 2 + dice.roll(micros) };
-        std::thread::sleep(Duration::from_micros(wait as u64));
-        let signal = ["-KILL", "-TERM", "-HUP", "-INT"][dice.roll(4)];
-        Command::new("kill").args([signal, &child.id().to_string()]).stderr(Stdio::null()).status().expect("kill runs");
-        killed += usize::from(child.wait().expect("partc ends").code().is_none());
-        match fs::read_to_string(folder.0.join("LONG.ngc")) {
-            Ok(text) => assert!(outputs.contains(&text), "a part of an output after {signal} at {wait} µs"),
-            Err(_) => assert!(!had, "the older output is gone after {signal} at {wait} µs"),
-        }
-    }
-    assert!(killed * 4 > kills, "only {killed} of {kills} processes were killed in time");
-    // What is left between two names goes with the next run.
-    folder.run(&["compile", "LONG.H", "--map", "LONG.map"]).exits(0);
+    let folder = Folder::new("killed");
+    let seen = kills(Path::new(env!("CARGO_BIN_EXE_partc")), &folder.0, KILLS);
+    assert!(seen.broken.is_empty(), "{:?}", seen.broken);
+    assert!(seen.killed * 4 > KILLS, "only {} of {KILLS} processes were killed in time", seen.killed);
     assert_eq!(folder.names(), set(&["LONG.H", "LONG.ngc", "LONG.map"]));
 }
 

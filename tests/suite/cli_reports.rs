@@ -74,7 +74,17 @@ fn further_reports_go_to_files() {
     assert!(folder.read("out.sarif").contains("\"version\":\"2.1.0\""));
     assert!(folder.read("out.xml").starts_with("<?xml "));
     assert!(folder.read("out.json").starts_with("[{\"description\":"));
-    folder.run(&["check", ".", "--report", "human=x.txt"]).exits(2);
+    // Those for people are as they are on a terminal, without its colours.
+    let more = ["--report", "human=out.txt", "--report", "concise=out.log", "--color", "always"];
+    let ran = folder.run(&[&["check", ".", "--format", "sarif"][..], &more].concat()).exits(1);
+    assert!(ran.out.starts_with('{') && ran.err.is_empty(), "{}", ran.err);
+    let plain = |format: &str| {
+        let err = folder.run(&["check", ".", "--format", format, "--color", "never"]).exits(1).err;
+        err.rsplit_once("3 programs").expect("a summary").0.trim_end().to_owned()
+    };
+    assert_eq!(folder.read("out.txt").trim_end(), plain("human"));
+    assert_eq!(folder.read("out.log").trim_end(), plain("concise"));
+    assert!(folder.read("out.log").contains("WRONG.H:2:14") && !folder.read("out.txt").contains('\u{1b}'));
     folder.run(&["check", ".", "--report", "sarif"]).exits(2);
 }
 
@@ -265,4 +275,28 @@ fn a_link_to_a_program_is_a_program() {
     std::os::unix::fs::symlink(folder.0.join("a/PART.H"), folder.0.join("b/LINKED.H")).expect("a link");
     let ran = folder.run(&["check", "b", "--format", "junit"]).exits(1);
     assert!(ran.out.contains("LINKED.H"), "{}", ran.out);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn names_that_are_no_text_stay_apart() {
+    use std::os::unix::ffi::OsStrExt as _;
+    let folder = Folder::new("raw_names");
+    for byte in [0xe4, 0xf6] {
+        let name = [&b"N"[..], &[byte], b".H"].concat();
+        std::fs::write(folder.0.join(std::ffi::OsStr::from_bytes(&name)), WRONG).expect("a file");
+    }
+    let sarif = folder.run(&["check", ".", "--format", "sarif"]).exits(1).out;
+    assert!(sarif.contains("\"uri\":\"N%E4.H\"") && sarif.contains("\"uri\":\"N%F6.H\""), "{sarif}");
+    let gitlab = folder.run(&["check", ".", "--format", "gitlab"]).exits(1).json();
+    let of = |n: usize, key: &str| gitlab[n][key].clone();
+    assert_eq!(gitlab[0]["location"]["path"], "N\\xE4.H");
+    assert!(of(0, "fingerprint") != of(1, "fingerprint") && of(0, "location") != of(1, "location"));
+    // Each has an output of its own.
+    for byte in [0xe4, 0xf6] {
+        let name = [&b"N"[..], &[byte], b".H"].concat();
+        std::fs::write(folder.0.join(std::ffi::OsStr::from_bytes(&name)), super::cli_run::PART).expect("a file");
+    }
+    folder.run(&["compile", ".", "--out-dir", "out"]).exits(0);
+    assert_eq!(std::fs::read_dir(folder.0.join("out")).expect("outputs").count(), 2);
 }

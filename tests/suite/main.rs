@@ -52,6 +52,10 @@ mod oracle;
 mod peer;
 mod pictures;
 mod props;
+#[allow(dead_code, reason = "the measurement of a release uses more of it")]
+#[path = "../quality/mod.rs"]
+mod quality;
+mod quality_bar;
 mod reader;
 mod receivers;
 mod rewritten;

@@ -127,13 +127,22 @@ fn uri(file: &str) -> String {
     } else if cfg!(windows) && path.as_bytes().get(1) == Some(&b':') {
         uri.push_str("file:///");
     }
-    for byte in path.bytes() {
+    let bytes = path.as_bytes();
+    for (at, byte) in bytes.iter().copied().enumerate() {
         match byte {
+            // A byte of a name that is no UTF-8 is written `\xFF`; a URI has a way to say it.
+            b'\\' if is_raw_byte(&bytes[at..]) => uri.push('%'),
+            b'x' if at > 0 && is_raw_byte(&bytes[at - 1..]) => {}
             b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' | b'/' => uri.push(char::from(byte)),
             _ => uri.push_str(&format!("%{byte:02X}")),
         }
     }
     uri
+}
+
+/// Does a byte from 80 on begin the text, as `\xFF`?
+fn is_raw_byte(text: &[u8]) -> bool {
+    matches!(text, [b'\\', b'x', b'8'..=b'9' | b'A'..=b'F', b'0'..=b'9' | b'A'..=b'F', ..])
 }
 
 #[cfg(test)]
@@ -143,6 +152,7 @@ mod tests {
     #[test]
     fn paths_are_uris() {
         assert_eq!(uri("./a b/Teil_ä.H"), "a%20b/Teil_%C3%A4.H");
+        assert_eq!(uri("N\\xFF\\xE4x.H"), "N%FF%E4x.H");
         assert_eq!(uri("/p/%1.H"), "file:///p/%251.H");
     }
 }

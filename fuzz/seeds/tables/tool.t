@@ -1,0 +1,6 @@
+BEGIN TOOL MM
+T NAME L R R2 DL DR
+0 NULL +0 +0 +0 +0 +0
+1 MILL_D10 +80.5 +5 +0 +0 +0.01
+2 BALL +70 +4 +4 +0 +0
+[END]
