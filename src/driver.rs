@@ -7,6 +7,7 @@ use std::rc::Rc;
 use crate::diag::{Diags, Judge, Trail};
 use crate::dialect::Dialect;
 use crate::emit::plot::Plot;
+use crate::emit::stats::{Counter, Model, Stats};
 use crate::emit::trace::Trace;
 use crate::emit::{LineMap, Output, Printer};
 use crate::ir::verify;
@@ -20,6 +21,7 @@ use crate::lower::Lower;
 use crate::machine::Settings;
 use crate::sema::Job;
 use crate::text::{FileId, Files, Opened, Sources};
+use crate::uses::{Uses, Watch};
 use crate::validate::{Mismatch, Validator};
 use crate::validated::Validated;
 
@@ -175,6 +177,33 @@ impl Session {
         fixes
     }
 
+    /// Reads every block in this language, and runs none.
+    pub fn check_form(&self, dialect: &Dialect, settings: &Settings) {
+        (dialect.check_form)(&self.job(settings, &crate::text::files::NoFiles));
+    }
+
+    /// Reads all blocks and runs the program without output and without rules: the findings say what is missing.
+    pub fn uses(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> Uses {
+        self.judge(dialect, settings);
+        let settings = dialect.settings(settings);
+        let settings = settings.as_ref();
+        let job = self.job(settings, files);
+        (dialect.check_form)(&job);
+        self.diags.begin_run();
+        let mut nowhere = Nowhere;
+        let mut printer = Printer::new(settings, "", &self.diags, &mut nowhere, None);
+        let mut lower = Lower::new(&self.diags, &settings.machine, &mut printer);
+        let mut watch = Watch::new(&mut lower);
+        let hash = (dialect.run)(&job, &mut watch);
+        let uses = watch.uses;
+        lower.finish();
+        let _ = printer.finish(hash);
+        if let Some(check_unexecuted) = dialect.check_unexecuted {
+            check_unexecuted(&job);
+        }
+        uses
+    }
+
     /// What the program does, as one number.
     pub fn imprint(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> u128 {
         self.judge(dialect, settings);
@@ -198,6 +227,14 @@ impl Session {
         let mut plot = Plot::new(settings, &self.sources.name(FileId(0)), out);
         self.run(dialect, settings, files, &mut plot);
         plot.finish()
+    }
+
+    /// Counts ways, times, tools and extents. With an error among the findings the figures must not be used.
+    pub fn stats(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files, model: Model) -> Stats {
+        self.judge(dialect, settings);
+        let mut counter = Counter::new(model);
+        self.run(dialect, settings, files, &mut counter);
+        counter.finish()
     }
 
     /// Writes the resolved moves as JSON Lines.

@@ -36,6 +36,7 @@ mod sema;
 mod standard;
 mod target;
 mod text;
+mod uses;
 mod validate;
 mod validated;
 
@@ -60,10 +61,10 @@ pub mod settings {
 /// What partc finds.
 pub mod diagnostics {
     pub use crate::diag::codes::{self, Code};
-    pub use crate::diag::finding::{Finding, Related, Site};
+    pub use crate::diag::finding::{Asked, Finding, Related, Site};
     pub use crate::diag::render::concise;
     pub use crate::diag::report::{Checked, Counts, Document, Kind};
-    pub use crate::diag::{Diagnostic, Diags, Severity, Trail};
+    pub use crate::diag::{Answer, Diagnostic, Diags, Help, Severity, Trail, Values};
 }
 
 /// Where the output goes, and the targets that it is made for.

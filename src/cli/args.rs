@@ -20,8 +20,18 @@ pub(super) enum Command {
     Compile(Compile),
     /// Report findings and write nothing; folders are walked
     Check(Check),
+    /// Read all programs of a folder and write a commented partc.toml with what they need
+    ///
+    /// Each line names the program and the block that asks for it. Nothing is guessed: what only you know is left empty and
+    /// commented. Write the values, take the `#` away, and compile.
+    Init(Init),
     /// Print the resolved moves as JSON Lines, one move a line
     Trace(Trace),
+    /// Count cutting and rapid ways, times, tools and extents
+    ///
+    /// The time is that of a simple machine: each move speeds up and slows down evenly, moves that go on in nearly the same
+    /// direction are passed without a stop, and between others the machine stops.
+    Stats(Stats),
     /// Draw the resolved path as an SVG picture
     Plot(Plot),
     /// Compile the programs of a folder and compare with the golden outputs beside them
@@ -37,9 +47,9 @@ pub(super) enum Command {
     Diff(Diff),
     /// Show the configuration in force, or its JSON Schema
     Config(Config),
-    /// Explain a diagnostic code
+    /// Explain a diagnostic code, or a key of partc.toml
     Explain {
-        /// Code such as K2101, or its name
+        /// Code such as K2101, its name, or a key such as control.feed
         code: String,
         #[arg(long, value_enum, default_value = "human")]
         format: ListFormat,
@@ -56,8 +66,14 @@ pub(super) enum Command {
     },
     /// Print completions for a shell
     Completions { shell: clap_complete::Shell },
-    /// Print the manual page
-    Man,
+    /// Print the manual page of partc, or of one of its commands
+    Man {
+        /// `compile`, `check` …
+        command: Option<String>,
+        /// Write all pages into this folder
+        #[arg(long, value_name = "DIR", conflicts_with = "command")]
+        out_dir: Option<PathBuf>,
+    },
 }
 
 #[derive(Debug, ClapArgs)]
@@ -116,6 +132,23 @@ pub(super) struct Check {
     pub common: Common,
 }
 
+#[derive(Debug, ClapArgs)]
+pub(super) struct Init {
+    /// Part programs and folders
+    #[arg(required_unless_present = "files_from")]
+    pub paths: Vec<PathBuf>,
+    /// File to write; `-` writes standard output. Default: partc.toml in the folder that is named
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Write over an existing file
+    #[arg(long)]
+    pub force: bool,
+    #[command(flatten)]
+    pub many: Many,
+    #[command(flatten)]
+    pub common: Common,
+}
+
 /// Which programs, and how many at a time.
 #[derive(Debug, Default, ClapArgs)]
 pub(super) struct Many {
@@ -153,6 +186,52 @@ pub(super) struct Trace {
     pub findings: Findings,
     #[command(flatten)]
     pub common: Common,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(super) struct Stats {
+    /// Part programs and folders; `-` reads standard input
+    #[arg(required_unless_present = "files_from")]
+    pub inputs: Vec<PathBuf>,
+    /// Form of the figures
+    #[arg(long = "as", value_enum, default_value = "table")]
+    pub form: StatsFormat,
+    /// Rapid traverse of the machine
+    #[arg(long, value_name = "MM/MIN", default_value_t = 10_000.0, value_parser = above_zero)]
+    pub rapid: f64,
+    /// Acceleration along the path
+    #[arg(long, value_name = "M/S²", default_value_t = 1.0, value_parser = above_zero)]
+    pub acceleration: f64,
+    /// Time of a tool change
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.0, value_parser = seconds)]
+    pub tool_change: f64,
+    #[command(flatten)]
+    pub many: Many,
+    #[command(flatten)]
+    pub findings: Findings,
+    #[command(flatten)]
+    pub common: Common,
+}
+
+/// Forms of figures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum StatsFormat {
+    /// For people
+    Table,
+    /// One object
+    Json,
+    /// A line for each tool of each program
+    Csv,
+}
+
+fn above_zero(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "a number".to_owned())?;
+    if value.is_finite() && value > 0.0 { Ok(value) } else { Err("a number above 0".to_owned()) }
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "a number of seconds".to_owned())?;
+    if value.is_finite() && value >= 0.0 { Ok(value) } else { Err("0 or more seconds".to_owned()) }
 }
 
 #[derive(Debug, ClapArgs)]
@@ -287,12 +366,15 @@ pub(super) struct Findings {
     /// How often each code was found, at the end
     #[arg(long)]
     pub statistics: bool,
+    /// Findings of a program that are shown where there are several programs [default: 20]
+    #[arg(long, value_name = "N")]
+    pub max: Option<usize>,
 }
 
 impl Findings {
     /// Those of a command that only shows what it found.
     pub const SHOWN: Findings =
-        Findings { more: Vec::new(), fail_on: Severity::Error, exit_zero: false, statistics: false };
+        Findings { more: Vec::new(), fail_on: Severity::Error, exit_zero: false, statistics: false, max: None };
 }
 
 fn one_more(text: &str) -> Result<(Format, PathBuf), String> {

@@ -15,7 +15,7 @@ use super::listing::print;
 use super::{Exit, Trouble};
 
 /// Name of the configuration file.
-const NAME: &str = "partc.toml";
+pub(super) const NAME: &str = "partc.toml";
 /// Longest chain of `extend`.
 const MOST_EXTENDS: usize = 16;
 
@@ -45,7 +45,9 @@ pub(super) fn command(args: &Config) -> Result<Exit, Trouble> {
     }
     let text = match args.common.report.format {
         Some(Format::Json) => format!("{}\n", show::json(&tree)),
-        None | Some(Format::Human | Format::Concise) => show::toml(&tree),
+        None | Some(Format::Human | Format::Concise) => {
+            show::toml_of(&tree, super::run::dialect_of(path, &args.common))
+        }
         Some(_) => return Err("`partc config` writes human or json".to_owned()),
     };
     // Escapes of JSON are those of TOML, too.
@@ -119,9 +121,13 @@ fn may_extend(other: &Path, folder: &Path) -> bool {
 
 /// The settings that hold for `input`.
 pub(super) fn settings(input: &Path, common: &Common) -> Result<Settings, Trouble> {
-    let tree = tree_for(input, common)?;
-    let table = table_path(&tree, common);
-    let mut settings = config::read(&tree)
+    settings_of(&tree_for(input, common)?, common)
+}
+
+/// The settings that a configuration comes to, with what the command line says.
+pub(super) fn settings_of(tree: &Table, common: &Common) -> Result<Settings, Trouble> {
+    let table = table_path(tree, common);
+    let mut settings = config::read(tree)
         .map_err(|errors| errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\npartc: "))?;
     if let Some(path) = table {
         read_tools(&path, &mut settings)?;
@@ -191,7 +197,7 @@ fn roots_stay_below(tree: &Table, folder: &Path) -> Result<(), Trouble> {
 }
 
 /// Paths in a configuration file count from its own folder.
-fn make_absolute(tree: &mut Table, folder: &Path) {
+pub(super) fn make_absolute(tree: &mut Table, folder: &Path) {
     let anchor = |node: &mut Node| {
         if let Value::Text(text) = &mut node.value {
             *text = folder.join(&text).to_string_lossy().into_owned();

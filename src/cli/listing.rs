@@ -1,18 +1,82 @@
 //! Codes on the terminal: `partc explain`, `partc rules`.
 
+use std::fs;
 use std::io::{self, Write};
+use std::path::Path;
 
 use serde_json::json;
 
 use crate::diag::codes;
+use crate::machine::keys::{Key, Kind, SECTIONS, Section};
 use crate::machine::tree::did_you_mean;
 
 use super::args::ListFormat;
 use super::{Exit, Trouble};
 
+/// `partc man`
+pub(super) fn manual(all: clap::Command, command: Option<&str>, folder: Option<&Path>) -> Result<Exit, Trouble> {
+    let trouble = |error: io::Error| error.to_string();
+    if let Some(folder) = folder {
+        fs::create_dir_all(folder).map_err(trouble)?;
+        clap_mangen::generate_to(all, folder).map_err(trouble)?;
+        return Ok(Exit::Clean);
+    }
+    let (page_of, title) = match command {
+        None => (all, "partc".to_owned()),
+        Some(name) => {
+            let names: Vec<&str> = all.get_subcommands().map(clap::Command::get_name).collect();
+            let found = all.get_subcommands().find(|sub| sub.get_name() == name).cloned();
+            let hint = || match did_you_mean(name, names.iter().copied()) {
+                Some(like) => format!("did you mean `{like}`?"),
+                None => names.join(", "),
+            };
+            let found = found.ok_or_else(|| format!("no command `{name}`; {}", hint()))?;
+            (found.bin_name(format!("partc {name}")), format!("partc-{name}"))
+        }
+    };
+    let mut page = Vec::new();
+    clap_mangen::Man::new(page_of).title(title).render(&mut page).map_err(trouble)?;
+    print(&page)
+}
+
+/// The key of a configuration: `control.feed`, or `feed` alone.
+fn key(name: &str) -> Option<(&'static Section, &'static Key)> {
+    let (section, key) = name.trim_matches(['[', ']']).rsplit_once('.').map_or((None, name), |(s, k)| (Some(s), k));
+    let sections = SECTIONS.iter().filter(|found| section.is_none_or(|wanted| wanted == found.name));
+    let mut keys = sections.flat_map(|section| section.keys().chain(section.entry).map(move |key| (section, key)));
+    keys.find(|(_, found)| found.name == key)
+}
+
+/// What a key means, as text.
+fn explained_key(section: &Section, key: &Key) -> String {
+    let entry = if section.entry.iter().any(|part| part.name == key.name) { ".NAME" } else { "" };
+    let mut text = format!("[{}{entry}] {}\n{}\n\n", section.name, key.name, key.doc);
+    if let Kind::Choice(values) = key.kind {
+        text += &format!("values: {}\n", values.join(", "));
+    }
+    text += &match (key.default, key.warns) {
+        ("", _) => "default: none\n".to_owned(),
+        (default, true) => format!("default: {default}, with a warning until it is set\n"),
+        (default, false) => format!("default: {default}\n"),
+    };
+    text
+}
+
 /// `partc explain CODE`
 pub(super) fn explain(code: &str, format: ListFormat) -> Result<Exit, Trouble> {
     let Some(found) = codes::find(code) else {
+        if let Some((section, key)) = key(code) {
+            let text = if format == ListFormat::Json {
+                let values = if let Kind::Choice(values) = key.kind { values } else { &[] };
+                let (name, default) = (key.name, key.default);
+                let object =
+                    json!({ "table": section.name, "key": name, "doc": key.doc, "values": values, "default": default });
+                format!("{object}\n")
+            } else {
+                explained_key(section, key)
+            };
+            return print(text.as_bytes());
+        }
         let all = codes::all();
         let like = did_you_mean(code, all.iter().map(|code| code.id).chain(all.iter().map(|code| code.name)));
         let hint = like.map_or("`partc rules` lists all codes".to_owned(), |like| format!("did you mean `{like}`?"));

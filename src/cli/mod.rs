@@ -1,5 +1,6 @@
 //! The command line: arguments, files, exit codes. What it promises stands in the README.
 
+mod answers;
 mod args;
 mod bundle;
 mod config;
@@ -9,6 +10,7 @@ mod edit;
 mod fix;
 mod golden;
 mod ignores;
+mod init;
 mod inputs;
 mod listing;
 mod output;
@@ -17,6 +19,8 @@ mod plot;
 mod pool;
 mod report;
 mod run;
+mod stats;
+mod summary;
 mod targets;
 mod unified;
 
@@ -85,8 +89,10 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
     match &args.command {
         Command::Compile(compile) => run::compile(compile),
         Command::Check(check) => run::check(check),
+        Command::Init(init) => init::init(init),
         Command::Trace(trace) => run::trace(trace),
         Command::Plot(plot) => plot::plot(plot),
+        Command::Stats(args) => stats::stats(args),
         Command::Test(test) => golden::test(test),
         Command::Diff(two) => diff::diff(two),
         Command::Config(show) => config::command(show),
@@ -98,10 +104,6 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
             clap_complete::generate(*shell, &mut args::command(), "partc", &mut script);
             listing::print(&script)
         }
-        Command::Man => {
-            let mut page = Vec::new();
-            clap_mangen::Man::new(args::command()).render(&mut page).map_err(|error| error.to_string())?;
-            listing::print(&page)
-        }
+        Command::Man { command, out_dir } => listing::manual(args::command(), command.as_deref(), out_dir.as_deref()),
     }
 }

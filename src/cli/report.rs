@@ -5,19 +5,22 @@ use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use crate::diag::render::concise;
 use crate::diag::render::terminal::Style;
+use crate::diag::render::{brief, concise};
 use crate::diag::report::{Checked, Counts, Document};
-use crate::diag::{Severity, codes};
+use crate::diag::{Answer, Diagnostic, Severity, Trail, Values, codes};
 use crate::dialect;
 use crate::driver::Session;
-use crate::text::FileId;
+use crate::text::decode::harmless_lines;
+use crate::text::{FileId, Sources};
 
+use super::answers::{Request, requests};
 use super::args::{Color, Common, Findings, Format};
 use super::inputs::Input;
 use super::listing::print;
 use super::output::Destination;
 use super::run::{is_output, real, same_file};
+use super::summary::{Line, Summary, USUAL};
 use super::{Exit, Trouble, say};
 
 /// Characters in a line on the terminal.
@@ -40,6 +43,8 @@ pub(super) struct Look {
     quiet: bool,
     color: bool,
     fails: Severity,
+    /// Several programs, and the user chose no format: a line a finding.
+    list: bool,
 }
 
 /// What one program came to, ready to be shown.
@@ -47,6 +52,10 @@ pub(super) struct Look {
 pub(super) struct Presented {
     checked: Checked,
     text: String,
+    /// The same of one among several programs.
+    lines: Vec<Line>,
+    /// Keys that its errors ask for.
+    asked: Vec<Request>,
     /// The same for files, where somebody wants it.
     human: String,
     concise: String,
@@ -62,6 +71,7 @@ impl Look {
 
     /// Looks everything up in the session, which ends here.
     pub(super) fn present(&self, session: Session) -> Presented {
+        let asked = if self.text.is_some() { requests(&session, &|_| None) } else { Vec::new() };
         let Session { sources, diags, trail } = session;
         let counts = Counts::of(&diags);
         let file = sources.name(FileId(0));
@@ -89,11 +99,50 @@ impl Look {
             }
             text
         };
-        let text = self.text.map(|format| written(format, self.color)).unwrap_or_default();
+        let lines =
+            if self.list { list.iter().map(|found| line(found, &sources, &trail)).collect() } else { Vec::new() };
+        let text = self.text.filter(|_| !self.list).map(|format| written(format, self.color)).unwrap_or_default();
         let human = if self.human { written(Format::Human, false) } else { String::new() };
         let concise = if self.concise { written(Format::Concise, false) } else { String::new() };
         let shown = if self.documents { list.as_slice() } else { &[] };
-        Presented { checked: Checked::new(&file, shown, counts, &sources, &trail), text, human, concise, codes }
+        Presented {
+            checked: Checked::new(&file, shown, counts, &sources, &trail),
+            text,
+            human,
+            concise,
+            lines,
+            asked,
+            codes,
+        }
+    }
+}
+
+/// A finding as one of many: what a configuration answers stands below all of them.
+fn line(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Line {
+    let told = found.answers.iter().filter(|answer| !matches!(answer.values, Values::FolderOf(_)));
+    let keys: Vec<String> = told.map(key).collect();
+    let text = if keys.is_empty() { concise(found, sources, trail) } else { brief(found, sources, trail) };
+    Line { text, code: found.code.id, keys }
+}
+
+/// `[output] pass_m = [25]`
+fn key(answer: &Answer) -> String {
+    let (table, key) = answer.place();
+    match &answer.values {
+        Values::Item(item) => format!("[{table}] {key} = [{item}]"),
+        _ => format!("[{table}] {key}"),
+    }
+}
+
+impl Presented {
+    /// Does a configuration answer some of its errors?
+    pub(super) fn asks(&self) -> bool {
+        !self.asked.is_empty()
+    }
+
+    /// Asks for all that the program needs, which no single run shows.
+    pub(super) fn ask(&mut self, all: Vec<Request>) {
+        self.asked = all;
     }
 }
 
@@ -123,6 +172,11 @@ pub(super) struct Reporter {
     more: Vec<(Further, PathBuf)>,
     counts: Counts,
     codes: BTreeMap<&'static str, u32>,
+    summary: Summary,
+    /// Findings of a program that are shown.
+    most: usize,
+    /// Programs that were written.
+    written: u32,
     programs: u32,
     bytes: u64,
     statistics: bool,
@@ -188,6 +242,7 @@ impl Reporter {
             quiet: args.quiet,
             color,
             fails,
+            list: false,
         };
         Reporter {
             look,
@@ -196,6 +251,9 @@ impl Reporter {
             more: findings.more.iter().map(further).collect(),
             counts: Counts::default(),
             codes: BTreeMap::new(),
+            summary: Summary::default(),
+            most: findings.max.unwrap_or(USUAL),
+            written: 0,
             programs: 0,
             bytes: 0,
             statistics: findings.statistics,
@@ -205,6 +263,17 @@ impl Reporter {
             started: Instant::now(),
             shown: None,
         }
+    }
+
+    /// The same for so many programs.
+    pub(super) fn look_at(&mut self, programs: usize, common: &Common) -> Look {
+        self.look.list = programs > 1 && common.report.format.is_none() && self.look.text.is_some();
+        self.look
+    }
+
+    /// A program was written.
+    pub(super) fn wrote(&mut self) {
+        self.written += 1;
     }
 
     pub(super) fn look(&self) -> Look {
@@ -242,7 +311,12 @@ impl Reporter {
 
     /// Takes what one program came to, in the order of the inputs.
     pub(super) fn take(&mut self, presented: Presented) {
-        let Presented { checked, text, human, concise, codes } = presented;
+        let Presented { checked, mut text, human, concise, lines, asked, codes } = presented;
+        if self.look.list {
+            let name = harmless_lines(&checked.file);
+            text = self.summary.lines(&name, &lines, checked.counts.not_shown, self.most);
+        }
+        self.summary.ask(&checked.file, &asked);
         self.programs += 1;
         self.bytes += checked.bytes;
         self.counts.add(&checked.counts);
@@ -340,6 +414,14 @@ impl Reporter {
         if !statistics.is_empty() {
             say(statistics.trim_end());
         }
+        if for_people && !self.look.quiet && self.counts.errors > 0 && self.look.text == Some(Format::Human) {
+            let table = if self.look.list { self.summary.table() } else { String::new() };
+            let text = table + &self.summary.to_paste(self.look.list);
+            if !text.is_empty() {
+                say(text.trim_end());
+                say("");
+            }
+        }
         if let Some(summary) = summary.filter(|_| for_people && !self.look.quiet) {
             say(&summary);
         }
@@ -356,7 +438,8 @@ impl Reporter {
         let time = self.started.elapsed();
         let speed = self.bytes as f64 / 1e6 / time.as_secs_f64();
         let speed = if time > QUIET && speed >= SLOWEST { format!(", {speed:.1} MB/s") } else { String::new() };
-        Some(if self.programs < 2 { counts } else { format!("{} programs, {counts}{speed}", self.programs) })
+        let written = if self.written > 0 { format!("{} written, ", self.written) } else { String::new() };
+        Some(if self.programs < 2 { counts } else { format!("{} programs, {written}{counts}{speed}", self.programs) })
     }
 
     /// The codes, the most frequent first.

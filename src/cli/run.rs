@@ -2,12 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
 use crate::diag::Severity;
+use crate::diag::report::Counts;
 use crate::dialect::{self, Dialect};
 use crate::driver::{Failure, Session};
 use crate::emit::LineMap;
@@ -33,20 +34,25 @@ pub(super) struct Loaded {
     pub files: IncludeRoots,
 }
 
+/// Bytes of a program that is tried several times for what it needs.
+const LARGEST_TRIED: u64 = 4 << 20;
 /// Bytes looked at to tell the dialect.
 const HEAD: u32 = 64 * 1024;
 
 pub(super) fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
+    let input = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
+    load_with(path, common, config::settings(input, common)?)
+}
+
+/// The same under given settings.
+pub(super) fn load_with(path: &Path, common: &Common, settings: Settings) -> Result<Loaded, Trouble> {
     let shown = path.display().to_string();
-    let settings =
-        config::settings(common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path), common)?;
     let main = open_main(path, common.stdin_filename.as_deref()).map_err(|error| format!("{shown}: {error}"))?;
     let name = main.name.clone();
     let session = Session::new(main);
     let dialect = if common.dialect == "auto" {
         let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
-        dialect::guess(&name, &head)
-            .ok_or_else(|| format!("{shown}: which language is this? Say `--dialect klartext`"))?
+        dialect::guess(&name, &head).ok_or_else(|| format!("{shown}: {}", which_language(path, common, &settings)))?
     } else {
         dialect::find(&common.dialect).ok_or_else(|| format!("no dialect `{}`", common.dialect))?
     };
@@ -57,6 +63,31 @@ pub(super) fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
     };
     let files = IncludeRoots::new(base, settings.include.roots.clone());
     Ok(Loaded { session, dialect, settings, files })
+}
+
+/// All languages, each with how well the program fits it.
+fn which_language(path: &Path, common: &Common, settings: &Settings) -> String {
+    let mut fits: Vec<(u32, &str)> = Vec::new();
+    for dialect in dialect::ALL {
+        // What came through a pipe is gone.
+        let Ok(main) = open_main(path, common.stdin_filename.as_deref())
+            .map_err(drop)
+            .and_then(|main| if path == Path::new("-") { Err(()) } else { Ok(main) })
+        else {
+            continue;
+        };
+        let session = Session::new(main);
+        session.check_form(dialect, settings);
+        fits.push((session.diags.errors(), dialect.id));
+    }
+    fits.sort_unstable();
+    let evidence: Vec<String> = fits
+        .iter()
+        .map(|(errors, id)| format!("{id} ({} cannot be read)", counted(*errors, "block", "blocks")))
+        .collect();
+    let names = dialect::ALL.iter().map(|dialect| dialect.id).collect::<Vec<_>>().join("|");
+    let evidence = if evidence.is_empty() { String::new() } else { format!("; tried: {}", evidence.join(", ")) };
+    format!("which language is this? Say `--dialect {names}`{evidence}")
 }
 
 /// `partc compile`
@@ -96,7 +127,7 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
     let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None);
     reporter.spares(&found.list, &outputs)?;
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
-    let (look, inputs) = (reporter.look(), found.list);
+    let (look, inputs) = (reporter.look_at(found.list.len(), &args.common), found.list);
     let read = inputs.iter().filter_map(|input| fs::canonicalize(&input.path).ok()).collect();
     let work = Work { args, look, read, alone: inputs.len() == 1 };
     in_order(
@@ -111,6 +142,9 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
                     done.said.iter().for_each(|line| reporter.say(line));
                     if done.is_wrong {
                         reporter.internal();
+                    }
+                    if done.is_written {
+                        reporter.wrote();
                     }
                     reporter.take(done.presented);
                 }
@@ -167,6 +201,7 @@ struct Done {
     said: Vec<String>,
     /// The output was not what the program says; it was not written.
     is_wrong: bool,
+    is_written: bool,
 }
 
 impl Work<'_> {
@@ -219,6 +254,7 @@ impl Work<'_> {
             _ => None,
         };
         let is_wrong = wrong.is_some();
+        let is_written = !is_wrong && !self.look.fails(&session);
         if let Some(mismatch) = wrong {
             let name = input.path.display();
             said.push(format!("partc: internal error: {name}: {mismatch}"));
@@ -230,7 +266,7 @@ impl Work<'_> {
                 Err(error) => format!("Nothing was written. Please report this with the program ({error})."),
             });
         }
-        if is_wrong || self.look.fails(&session) {
+        if !is_written {
             drop((out, map));
             let places = [(Some(&target), Made::Program), (args.map.as_ref(), Made::Map)];
             for (path, made) in places.into_iter().filter_map(|(path, made)| Some((path?, made))) {
@@ -248,9 +284,31 @@ impl Work<'_> {
                 map.and_then(Destination::commit).or_else(ignore_closed_pipe).map_err(map_trouble)?;
             }
             out.commit().or_else(ignore_closed_pipe).map_err(trouble)?;
+            if self.alone && target != Path::new("-") && !args.common.report.quiet && io::stderr().is_terminal() {
+                let bytes = fs::metadata(&target).map_or(0, |meta| meta.len());
+                said.push(format!("{} → {shown}, {bytes} bytes{}", input.path.display(), notes(&session)));
+            }
         }
-        Ok(Done { presented: self.look.present(session), said, is_wrong })
+        let presented = present(self.look, session, &input.path, &args.common, self.alone)?;
+        Ok(Done { presented, said, is_wrong, is_written })
     }
+}
+
+/// What a session found. Of a program alone the run goes on as far as it can, so that all keys show that it needs.
+fn present(look: Look, session: Session, path: &Path, common: &Common, alone: bool) -> Result<Presented, Trouble> {
+    let small = session.sources.size(FileId(0)) <= LARGEST_TRIED;
+    let mut presented = look.present(session);
+    if alone && small && path != Path::new("-") && presented.asks() {
+        presented.ask(super::init::requests_of(path, common)?);
+    }
+    Ok(presented)
+}
+
+/// `, 2 warnings, 1 note`
+fn notes(session: &Session) -> String {
+    let counts = Counts::of(&session.diags);
+    let said = |n: u32, one, many| if n == 0 { String::new() } else { format!(", {}", counted(n, one, many)) };
+    said(counts.warnings, "warning", "warnings") + &said(counts.notes, "note", "notes")
 }
 
 /// A reader that has seen enough is no trouble.
@@ -291,7 +349,7 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
     if found.list.is_empty() && reporter.troubles().is_empty() && args.many.shard.is_none() {
         reporter.say("partc: no part program lies in the folders that are named");
     }
-    let (look, inputs) = (reporter.look(), found.list);
+    let (look, inputs) = (reporter.look_at(found.list.len(), &args.common), found.list);
     if args.diff {
         return show_fixes(args, &inputs, reporter);
     }
@@ -313,7 +371,7 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
     let work = |input: &Input| {
         let Loaded { session, dialect, settings, files } = load(&input.path, &args.common)?;
         session.check(dialect, &settings, &files);
-        Ok(look.present(session))
+        present(look, session, &input.path, &args.common, inputs.len() == 1)
     };
     in_order(args.many.jobs, &inputs, work, |done, result: Result<Presented, Trouble>| {
         reporter.progress(done, inputs.len());
@@ -363,6 +421,19 @@ pub(super) fn is_program(path: &Path) -> bool {
     let session = Session::new(main);
     let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
     dialect::guess(&name, &head).is_some()
+}
+
+/// Name of the language of a program, where it is one and its language is known.
+pub(super) fn dialect_of(path: &Path, common: &Common) -> Option<&'static str> {
+    let named = || dialect::find(&common.dialect).map(|dialect| dialect.id);
+    if !path.is_file() {
+        return named();
+    }
+    let main = open_main(path, None).ok()?;
+    let name = main.name.clone();
+    let session = Session::new(main);
+    let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
+    named().or_else(|| dialect::guess(&name, &head).map(|dialect| dialect.id))
 }
 
 /// `partc trace`

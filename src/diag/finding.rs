@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::text::Sources;
 
-use super::{Diagnostic, Severity, Trail};
+use super::{Answer, Diagnostic, Severity, Trail, Values};
 
 /// One finding, as `--format json` shows it. Lines and columns count from 1, columns in characters.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -35,6 +35,9 @@ pub struct Finding {
     /// Number of the alarm that the control shows.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub alarm: Option<u32>,
+    /// Keys of a configuration that answer it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub answers: Vec<Asked>,
     /// The line of the program, readable.
     #[serde(skip)]
     pub text: String,
@@ -47,6 +50,28 @@ pub struct Related {
     pub file: String,
     pub line: u32,
     pub column: u32,
+}
+
+/// A key of `partc.toml`, by its table, and the values that would do, as TOML: none where only the user knows.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Asked {
+    pub table: String,
+    pub key: String,
+    pub values: Vec<String>,
+}
+
+impl Asked {
+    /// `None` for what only a look into folders can tell.
+    fn new(answer: &Answer) -> Option<Asked> {
+        let (table, key) = answer.place();
+        let values = match &answer.values {
+            Values::Open => Vec::new(),
+            Values::Item(item) => vec![format!("[{item}]")],
+            Values::OneOf(values) => values.clone(),
+            Values::FolderOf(_) => return None,
+        };
+        Some(Asked { table, key, values })
+    }
 }
 
 /// The block of a call.
@@ -89,6 +114,7 @@ impl Finding {
             related: related.collect(),
             stack: stack.collect(),
             alarm: found.alarm,
+            answers: found.answers.iter().filter_map(Asked::new).collect(),
             text: line.text,
         }
     }

@@ -2,6 +2,7 @@
 //!
 //! Stages push into [`Diags`]; none prints, none stops another. Renderers live in [`render`].
 
+pub mod answer;
 pub mod codes;
 pub mod finding;
 pub mod render;
@@ -17,6 +18,7 @@ use rustc_hash::FxHashMap;
 
 use crate::text::Loc;
 
+pub use answer::{Answer, Help, Values};
 pub use codes::{Code, Raised};
 pub use finding::Finding;
 pub use selection::Selection;
@@ -63,6 +65,8 @@ pub struct Diagnostic {
     pub more: Vec<Label>,
     /// One action that mends it.
     pub help: Option<String>,
+    /// What of a configuration would mend it.
+    pub answers: Vec<Answer>,
     /// How the program got there.
     pub call: CallPath,
     /// How often the same was found at the same place.
@@ -80,16 +84,18 @@ impl Diagnostic {
             label: Label { loc, text: String::new() },
             more: Vec::new(),
             help: None,
+            answers: Vec::new(),
             call: CallPath::default(),
             times: 1,
         }
     }
 
-    /// What is wrong, with the alarm of the control behind it.
+    /// What is wrong, with the alarm of the control behind it. Quotes of a block end after some sixty characters.
     pub fn text(&self) -> Cow<'_, str> {
+        let message = shortened(&self.message);
         match self.alarm {
-            Some(number) => Cow::Owned(format!("{} (alarm {number})", self.message)),
-            None => Cow::Borrowed(&self.message),
+            Some(number) => Cow::Owned(format!("{message} (alarm {number})")),
+            None => message,
         }
     }
 
@@ -104,8 +110,10 @@ impl Diagnostic {
         self
     }
 
-    pub fn help(mut self, text: impl Into<String>) -> Diagnostic {
-        self.help = Some(text.into());
+    pub fn help(mut self, help: impl Into<Help>) -> Diagnostic {
+        let Help { text, answers } = help.into();
+        self.help = Some(text);
+        self.answers = answers;
         self
     }
 
@@ -113,6 +121,30 @@ impl Diagnostic {
         self.call = call;
         self
     }
+}
+
+/// Most characters of a quote.
+const QUOTED: usize = 60;
+
+/// The text with long quotes, which stand between backticks, cut.
+fn shortened(text: &str) -> Cow<'_, str> {
+    if text.len() <= QUOTED || !text.contains('`') {
+        return Cow::Borrowed(text);
+    }
+    let mut short = String::with_capacity(text.len());
+    for (at, part) in text.split('`').enumerate() {
+        if at > 0 {
+            short.push('`');
+        }
+        match part.char_indices().nth(QUOTED) {
+            Some((end, _)) if at % 2 == 1 => {
+                short.push_str(&part[..end]);
+                short.push('…');
+            }
+            _ => short.push_str(part),
+        }
+    }
+    Cow::Owned(short)
 }
 
 /// What decides over a finding besides its code: the configuration, and the comments of the program.
@@ -233,6 +265,11 @@ impl Diags {
     /// Has the run met an error, also one that the form of the program had shown before?
     pub fn has_failed(&self) -> bool {
         self.inner.borrow().failed
+    }
+
+    /// Shows all findings that are kept.
+    pub fn each(&self, show: impl FnMut(&Diagnostic)) {
+        self.inner.borrow().list.iter().for_each(show);
     }
 
     /// Was there such a finding?

@@ -7,8 +7,17 @@ use crate::text::decode::harmless_lines;
 
 use super::{Diagnostic, Trail};
 
-/// `file:line:column: error[K1001]: message`
+/// `file:line:column: error[K1001]: message; help`
 pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
+    one_line(found, found.help.as_deref(), sources, trail)
+}
+
+/// The same without the help.
+pub fn brief(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
+    one_line(found, None, sources, trail)
+}
+
+fn one_line(found: &Diagnostic, help: Option<&str>, sources: &Sources, trail: &Trail) -> String {
     let line = sources.line(found.label.loc);
     let mut text = format!(
         "{}:{}:{}: {}[{}]: {}",
@@ -22,7 +31,7 @@ pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
     if found.times > 1 {
         let _ = write!(text, " ({} times)", found.times);
     }
-    if let Some(help) = &found.help {
+    if let Some(help) = help {
         let _ = write!(text, "; {help}");
     }
     if let Some(site) = trail.sites(found.call).first() {
@@ -104,7 +113,6 @@ pub mod terminal {
     #[derive(Debug)]
     struct Shown {
         title: String,
-        code: Option<String>,
         severity: miette::Severity,
         help: Option<String>,
         excerpt: Excerpt,
@@ -115,7 +123,7 @@ pub mod terminal {
     impl Shown {
         fn of(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Shown {
             let (excerpt, label) = excerpt(found.label.loc, &found.label.text, sources);
-            let mut title = harmless_lines(&found.text());
+            let mut title = format!("{}[{}]: {}", found.severity.word(), found.code.id, harmless_lines(&found.text()));
             if found.times > 1 {
                 let _ = write!(title, " ({} times)", found.times);
             }
@@ -126,7 +134,6 @@ pub mod terminal {
             );
             Shown {
                 title,
-                code: Some(format!("{}[{}]", found.severity.word(), found.code.id)),
                 severity: match found.severity {
                     Severity::Error => miette::Severity::Error,
                     Severity::Warning => miette::Severity::Warning,
@@ -143,7 +150,6 @@ pub mod terminal {
             let (excerpt, label) = excerpt(loc, "", sources);
             Shown {
                 title: text.to_owned(),
-                code: None,
                 severity: miette::Severity::Advice,
                 help: None,
                 excerpt,
@@ -173,10 +179,6 @@ pub mod terminal {
     impl std::error::Error for Shown {}
 
     impl miette::Diagnostic for Shown {
-        fn code<'a>(&'a self) -> Option<Box<dyn std::fmt::Display + 'a>> {
-            self.code.as_ref().map(|code| Box::new(code) as Box<dyn std::fmt::Display>)
-        }
-
         fn severity(&self) -> Option<miette::Severity> {
             Some(self.severity)
         }

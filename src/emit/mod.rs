@@ -14,6 +14,7 @@ pub mod number;
 mod page;
 pub mod plot;
 pub mod printer;
+pub mod stats;
 pub mod trace;
 
 use std::io;

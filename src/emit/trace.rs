@@ -57,19 +57,19 @@ impl<'a> Trace<'a> {
         if let Path::Arc(arc, _) = &mv.path {
             line.insert("center".to_owned(), center(arc.plane, arc.center));
             line.insert("plane".to_owned(), json!(plane_name(arc.plane)));
-            line.insert("sweep_deg".to_owned(), json!(arc.sweep.to_degrees()));
+            line.insert("sweep_deg".to_owned(), json!(rounded(arc.sweep.to_degrees())));
         }
         if let Path::Thread { lead } = &mv.path {
-            line.insert("lead".to_owned(), json!(lead));
+            line.insert("lead".to_owned(), json!(rounded(*lead)));
         }
         if let Path::Carried { feed, length } = &mv.path {
-            line.insert("feed".to_owned(), json!(feed));
-            line.insert("length".to_owned(), json!(length));
+            line.insert("feed".to_owned(), json!(rounded(*feed)));
+            line.insert("length".to_owned(), json!(rounded(*length)));
         }
         match mv.path.feed() {
-            Some(Feed::PerMinute(f)) => line.insert("feed".to_owned(), json!(f)),
-            Some(Feed::PerRevolution(f)) => line.insert("feed_per_rev".to_owned(), json!(f)),
-            Some(Feed::InverseTime(f)) => line.insert("feed_inverse_time".to_owned(), json!(f)),
+            Some(Feed::PerMinute(f)) => line.insert("feed".to_owned(), json!(rounded(f))),
+            Some(Feed::PerRevolution(f)) => line.insert("feed_per_rev".to_owned(), json!(rounded(f))),
+            Some(Feed::InverseTime(f)) => line.insert("feed_inverse_time".to_owned(), json!(rounded(f))),
             None => None,
         };
         if mv.side != Side::None {
@@ -103,8 +103,14 @@ impl<'a> Trace<'a> {
     }
 }
 
+/// Without the last digits, in which nothing but the conversion of units shows: 152.4 for six inches.
+fn rounded(value: f64) -> f64 {
+    let scaled = (value * 1e9).round() / 1e9;
+    if scaled.is_finite() { scaled + 0.0 } else { value }
+}
+
 fn position(pos: &Pos) -> Value {
-    let coordinates = pos.iter().map(|(axis, value)| (axis.letter().to_string(), json!(value)));
+    let coordinates = pos.iter().map(|(axis, value)| (axis.letter().to_string(), json!(rounded(value))));
     Value::Object(coordinates.collect())
 }
 

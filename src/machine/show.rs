@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, json};
 
-use super::keys::{SECTIONS, Section};
+use super::keys::{Key, Kind, SECTIONS, Section};
 use super::schema::plain;
 use super::tree::{Node, Table, Value};
 
@@ -13,19 +13,33 @@ const WIDTH: usize = 36;
 
 /// `tree` with the defaults of what it does not set, as TOML. Keys without a value are comments.
 pub fn toml(tree: &Table) -> String {
+    toml_of(tree, None)
+}
+
+/// Dialects of the groups of keys of `[control]`; the first group is for all.
+const OWNERS: &[&str] = &["", "klartext", "heidenhain-turning", "sinumerik", "mtc200"];
+
+/// The same without the keys that other languages than `dialect` have, unless they are set.
+pub fn toml_of(tree: &Table, dialect: Option<&str>) -> String {
     let mut text = String::new();
     for section in SECTIONS {
         let _ = writeln!(text, "{}[{}]", if text.is_empty() { "" } else { "\n" }, section.name);
         let table = table_of(tree, section);
-        for key in section.keys() {
+        for (group, key) in section.keys.iter().enumerate().flat_map(|(at, keys)| keys.iter().map(move |key| (at, key)))
+        {
+            let owner = OWNERS.get(group).filter(|owner| section.name == "control" && !owner.is_empty());
+            let is_foreign = dialect.is_some_and(|dialect| owner.is_some_and(|owner| *owner != dialect));
+            let all = values(key);
             match (table.and_then(|table| table.get(key.name)), key.default_node()) {
-                (Some(node), _) => line(&mut text, key.name, node, &place(node)),
+                (Some(node), _) => line(&mut text, key.name, node, &(place(node) + &all)),
+                _ if is_foreign => {}
                 (None, Some(node)) if key.warns => {
-                    line(&mut text, &format!("# {}", key.name), &node, "in use, with a warning until it is set");
+                    let place = format!("in use, with a warning until it is set{all}");
+                    line(&mut text, &format!("# {}", key.name), &node, &place);
                 }
-                (None, Some(node)) => line(&mut text, key.name, &node, "default"),
+                (None, Some(node)) => line(&mut text, key.name, &node, &format!("default{all}")),
                 (None, None) => {
-                    let _ = writeln!(text, "{:WIDTH$}  # not set: {}", format!("# {} =", key.name), key.doc);
+                    let _ = writeln!(text, "{:WIDTH$}  # not set: {}{all}", format!("# {} =", key.name), key.doc);
                 }
             }
         }
@@ -43,6 +57,14 @@ pub fn toml(tree: &Table) -> String {
         }
     }
     text
+}
+
+/// All values of a key that chooses between some.
+fn values(key: &Key) -> String {
+    match key.kind {
+        Kind::Choice(values) => format!("; one of {}", values.join(", ")),
+        _ => String::new(),
+    }
 }
 
 /// The same as JSON: by section and key the value, and `from` where it comes from.

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
+use crate::diag::{Answer, Help};
 use crate::text::number::decimal;
 
 /// How a tool is asked for.
@@ -141,7 +142,7 @@ impl Proposed {
     }
 
     /// What to put into the configuration for the tool `name`: each name gets a number of its own.
-    pub fn help(&mut self, name: &str, tools: &Tools) -> String {
+    pub fn help(&mut self, name: &str, tools: &Tools) -> Help {
         let known = self.names.iter().find(|(known, _)| known == name).map(|(_, number)| *number);
         let number = known.unwrap_or_else(|| {
             let free = |n: &u32| {
@@ -153,10 +154,10 @@ impl Proposed {
         });
         let escaped = name.replace('\\', "\\\\").replace('"', "\\\"");
         let line = format!("give it a number in partc.toml: `[tools.{number}]` with `name = \"{escaped}\"`");
-        match tools.alike(name) {
+        Answer::tool(number, "name").one_of(&[format!("\"{escaped}\"")]).help(match tools.alike(name) {
             Some(alike) => format!("{line}; the table has a tool `{alike}`, whose name is written differently"),
             None => line,
-        }
+        })
     }
 }
 

@@ -152,7 +152,7 @@ fn threads_do_not_show() {
     }
     for jobs in ["1", "6"] {
         let ran = folder.run(&["compile", ".", "--out-dir", jobs, "--jobs", jobs, "--format", "concise"]).exits(1);
-        assert!(ran.err.contains("40 programs, 14 errors, 26 warnings"), "{}", ran.err);
+        assert!(ran.err.contains("40 programs, 26 written, 14 errors, 26 warnings"), "{}", ran.err);
     }
     let of = |jobs: &str| {
         let names = folder.names();
@@ -175,7 +175,7 @@ fn a_folder_keeps_its_tree() {
     assert!(!folder.has("out/b/WRONG.ngc"));
     // What partc wrote is no program.
     let ran = folder.run(&["compile", ".", "--out-dir", "out"]).exits(1);
-    assert!(ran.err.ends_with("3 programs, 1 error, 1 warning\n"), "{}", ran.err);
+    assert!(ran.err.ends_with("3 programs, 2 written, 1 error, 1 warning\n"), "{}", ran.err);
     folder.run(&["compile", "a", "--format", "concise"]).exits(0);
     assert!(folder.has("a/PART.ngc") && folder.has("a/deep/WARNED.ngc"));
 }

@@ -177,6 +177,7 @@ mod tests {
             related: Vec::new(),
             stack: Vec::new(),
             alarm: None,
+            answers: Vec::new(),
             text: text.to_owned(),
         }
     }

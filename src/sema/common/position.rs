@@ -3,6 +3,7 @@
 //! An axis is *known*; or *lost*, because a reported error hides where it stands, which is worth no second report; or
 //! *unknown*, until the program says it. Before its first move it may stand where `[start]` says.
 
+use crate::diag::Help;
 use crate::geo::{Plane, Point2};
 use crate::ir::{Frame, Pos};
 use crate::machine::{Axis, AxisSet};
@@ -107,7 +108,7 @@ impl Position {
     }
 
     /// What to do where an axis is not known: `usual`, and the key where it would say it.
-    pub fn help(&self, axis: Axis, usual: &str) -> String {
+    pub fn help(&self, axis: Axis, usual: &str) -> Help {
         self.start.help(axis, usual)
     }
 
@@ -438,11 +439,11 @@ mod tests {
     #[test]
     fn the_help_names_the_start_only_while_it_could_help() {
         let mut position = nowhere();
-        assert!(position.help(Axis::X, "write X").contains("[start]"));
+        assert!(position.help(Axis::X, "write X").text.contains("[start]"));
         position.move_to(&at(&[(Axis::X, 1.0)]));
-        assert_eq!(position.help(Axis::X, "write X"), "write X");
+        assert_eq!(position.help(Axis::X, "write X").text, "write X");
         position.leave_start(AxisSet::of(Axis::Z));
-        assert_eq!(position.help(Axis::Z, "write Z"), "write Z");
+        assert_eq!(position.help(Axis::Z, "write Z").text, "write Z");
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! The positions are those that the program would write there: they count in the work offset that is selected before
 //! the axis moves. What changes the tip of the tool, or moves the axis in machine coordinates, ends them.
 
+use crate::diag::{Answer, Help};
 use crate::ir::Pos;
 use crate::machine::{Axis, AxisSet, Settings};
 
@@ -63,17 +64,21 @@ impl Start {
     }
 
     /// What to do where the position of an axis is not known: `usual`, and the key where it would say it.
-    pub fn help(&self, axis: Axis, usual: &str) -> String {
+    pub fn help(&self, axis: Axis, usual: &str) -> Help {
         if self.changed.contains(axis) {
             let letter = axis.letter();
             return format!(
                 "{usual}: `[start]` says {letter} of the tool before the first tool call, and the tip of another one stands elsewhere"
-            );
+            )
+            .into();
         }
         if self.touched.contains(axis) {
-            return usual.to_owned();
+            return usual.into();
         }
         let letter = axis.letter();
-        format!("{usual}, or say in partc.toml where {letter} stands before the program: `[start]` with `{letter} = …`")
+        let text = format!(
+            "{usual}, or say in partc.toml where {letter} stands before the program: `[start]` with `{letter} = …`"
+        );
+        Answer::key("start", letter).help(text)
     }
 }

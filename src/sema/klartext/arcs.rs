@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.3 to 2.5 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, arc, distance};
 use crate::ir::compensation::FeedAt;
 use crate::ir::contour::{Arc, ArcShape, Path};
@@ -123,7 +123,8 @@ impl Run<'_> {
                 codes::K9019,
                 w.feed_span,
                 "an arc at FMAX has no counterpart in plain G-code",
-                "program a feed, or set `[control] rapid_feed` in partc.toml",
+                Answer::key("control", "rapid_feed")
+                    .help("program a feed, or set `[control] rapid_feed` in partc.toml"),
             ),
         }
     }

@@ -4,7 +4,7 @@
 //! Others never write M6, and there TOOL CALL is the change. Which of the two a program does is looked up once in its
 //! text; what the run then meets has to fit to it, or is refused. Source: K 1.5 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos};
 use crate::machine::{Axis, AxisSet};
@@ -111,7 +111,9 @@ impl Run<'_> {
                     codes::K2802,
                     span,
                     "this M6 stands after moves, and the change was printed at the TOOL CALL before them",
-                    "set `[control] tool_change = \"m6\"` if M6 changes the tool, or \"t\" if TOOL CALL does",
+                    Answer::key("control", "tool_change").help(
+                        "set `[control] tool_change = \"m6\"` if M6 changes the tool, or \"t\" if TOOL CALL does",
+                    ),
                 );
             }
             Change::Missed => {
@@ -176,10 +178,10 @@ impl Run<'_> {
                 format!("tool {number} is called and not in the spindle yet: no M6 stands before this cut"),
             )
             .also(from, "called here")
-            .help(
+            .help(Answer::key("control", "tool_change").one_of(&["\"t\""]).help(
                 "write M6 after the TOOL CALL, or set `[control] tool_change = \"t\"` if TOOL CALL changes the tool \
                  on your machine",
-            ),
+            )),
         );
         Err(Reported)
     }

@@ -3,7 +3,7 @@
 //!
 //! Source: K 2.12, 2.14 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::compensation::{Inside, Outside, Search};
 use crate::ir::contour::Path;
@@ -240,7 +240,7 @@ impl Run<'_> {
                 codes::K9008,
                 m.span,
                 "M98 opens the corner at the end of this block, and the way from one side to the other is not confirmed",
-                "program the corner as two contours, or set `[control] m98 = \"line\"`",
+                Answer::key("control", "m98").one_of(&["\"line\""]).help("program the corner as two contours, or set `[control] m98 = \"line\"`"),
             );
         }
         self.report(
@@ -344,7 +344,9 @@ impl Run<'_> {
                 codes::K9007,
                 self.block_span(),
                 format!("{what}: how the control leads the tool there is not confirmed"),
-                format!("{help}, or set `[control] rounded_approach = \"round\"`"),
+                Answer::key("control", "rounded_approach")
+                    .one_of(&["\"round\""])
+                    .help(format!("{help}, or set `[control] rounded_approach = \"round\"`")),
             );
         }
         self.report(

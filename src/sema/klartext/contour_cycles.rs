@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{Element, corner, distance};
 use crate::ir::captured::Captured;
 use crate::ir::cycle::drilling::{Ahead, Levels, Method, usual_ahead};
@@ -404,7 +404,8 @@ impl Run<'_> {
                 codes::K2008,
                 self.block_span(),
                 format!("cycle 21: the radius of tool {number}, which roughs (Q13), is not known"),
-                format!("add `[tools.{number}]` with `radius = …` to partc.toml, or a TOOL DEF block"),
+                Answer::tool(number, "radius")
+                    .help(format!("add `[tools.{number}]` with `radius = …` to partc.toml, or a TOOL DEF block")),
             ),
         }
     }

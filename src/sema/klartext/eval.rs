@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::function::Turn;
 use crate::lexer::klartext::{QKind, QRef, Value};
 use crate::machine::{Axis, Generation, Settings, Unit};
@@ -76,7 +76,9 @@ impl Formulas for Run<'_> {
                         self.loc(at.span),
                         format!("{a} % {b}: the sign of the result is not documented"),
                     )
-                    .help("make the operands positive first, or set `[control] modulo` to \"truncate\" or \"floor\""),
+                    .help(Answer::key("control", "modulo").help(
+                        "make the operands positive first, or set `[control] modulo` to \"truncate\" or \"floor\"",
+                    )),
                 );
                 return Reported;
             }
@@ -177,7 +179,7 @@ impl Run<'_> {
                 codes::K2304,
                 span,
                 format!("{q} is set by the control at the machine"),
-                format!("give its value in partc.toml: `[variables]` with `{q} = …`"),
+                Answer::key("variables", q).help(format!("give its value in partc.toml: `[variables]` with `{q} = …`")),
             );
         }
         if q.is_text() {
@@ -188,7 +190,8 @@ impl Run<'_> {
                 codes::K2301,
                 span,
                 format!("{q} is read before a value is assigned to it"),
-                format!("assign a value, or give one in partc.toml: `[variables]` with `{q} = …`"),
+                Answer::key("variables", q)
+                    .help(format!("assign a value, or give one in partc.toml: `[variables]` with `{q} = …`")),
             );
         }
         self.report(Diagnostic::new(codes::K2302, self.loc(span), format!("{q} was never set and is read as 0")));
@@ -233,7 +236,7 @@ impl Run<'_> {
     }
 
     /// Radius or length of the tool is needed and not known; a configured start value helps out.
-    fn tool_data_missing(&self, code: &'static crate::diag::Code, what: &str, span: Span) -> Outcome<f64> {
+    fn tool_data_missing(&self, code: &'static crate::diag::Code, what: &'static str, span: Span) -> Outcome<f64> {
         let q = QRef { kind: QKind::Q, number: if what == "radius" { 108 } else { 114 } };
         if let Some(Slot::Number(value)) = self.vars.get(self.locals(), q) {
             return Ok(*value);
@@ -243,7 +246,10 @@ impl Run<'_> {
                 code,
                 span,
                 format!("the {what} of tool {} is not known", tool.called),
-                format!("add `[tools.{}]` with `{what} = …` to partc.toml, or a TOOL DEF block", tool.called),
+                Answer::tool(&tool.called, what).help(format!(
+                    "add `[tools.{}]` with `{what} = …` to partc.toml, or a TOOL DEF block",
+                    tool.called
+                )),
             ),
             None => {
                 self.fail_help(code, span, format!("no tool is called, so it has no {what}"), "program TOOL CALL first")

@@ -2,7 +2,7 @@
 //!
 //! Source: K 1.8 and 2.14 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::compensation::FeedAt;
 use crate::ir::{Feed, Pos};
 use crate::machine::{Axis, AxisSet, Unit};
@@ -138,7 +138,8 @@ impl Run<'_> {
                         codes::K2003,
                         w.feed_span,
                         "the last TOOL CALL has no F, so F AUTO has no value",
-                        "put F into the TOOL CALL, or set `[control] feed` in partc.toml",
+                        Answer::key("control", "feed")
+                            .help("put F into the TOOL CALL, or set `[control] feed` in partc.toml"),
                     );
                 }
             },

@@ -1,6 +1,6 @@
 //! Program flow: labels, subprograms, section repeats, jumps, called programs, the program frame.
 
-use crate::diag::{CallPath, Diagnostic, codes};
+use crate::diag::{Answer, CallPath, Diagnostic, codes};
 use crate::ir::Function;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Generation, RepeatCount, Unit};
@@ -154,10 +154,10 @@ impl Run<'_> {
                 Diagnostic::new(codes::K2203, call_site, "the program ends before the LBL 0 of this subprogram")
                     .here("called here")
                     .also(label, "it begins here")
-                    .help(
+                    .help(Answer::key("control", "open_subprogram").one_of(&["\"end\""]).help(
                         "put LBL 0 behind the last block of the subprogram; if the control takes END PGM for the end \
                          of the program here, set `[control] open_subprogram = \"end\"`",
-                    ),
+                    )),
             );
         }
         if self.level().frame.kind == FrameKind::Program {
@@ -316,10 +316,10 @@ impl Run<'_> {
         if count.fract() != 0.0 || count > MOST_REPEATS {
             return self.stop(
                 Diagnostic::new(codes::K2205, self.here.origin.loc, format!("REP {count} is no number of repeats"))
-                    .help(
+                    .help(Answer::key("control", "repeat_count").help(
                         "REP takes a whole number from 0 to 65534; round the parameter with INT, or set \
                          `[control] repeat_count`",
-                    ),
+                    )),
             );
         }
         let repeats = &mut self.level().frame.repeats;
@@ -454,6 +454,7 @@ impl Run<'_> {
             // What the program would have done is unknown: nothing after it can be trusted.
             self.st.lose(crate::machine::AxisSet::MAIN);
             self.lost();
+            self.go_on_in_doubt();
             return Err(Reported);
         };
         if self.is_running(program) {

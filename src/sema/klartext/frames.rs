@@ -2,7 +2,7 @@
 //!
 //! Source: K 3 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::Deg;
 use crate::ir::Function;
 use crate::lexer::klartext::Value;
@@ -326,7 +326,10 @@ impl Run<'_> {
         let Some(offset) = offset else {
             self.report(
                 Diagnostic::new(codes::K2505, self.here.origin.loc, format!("preset {number} has no work offset"))
-                    .help(format!("name one in partc.toml: `[datums]` with `preset.{number} = \"G54\"`")),
+                    .help(
+                        Answer::entry("datums", "preset", number)
+                            .help(format!("name one in partc.toml: `[datums]` with `preset.{number} = \"G54\"`")),
+                    ),
             );
             return Err(Reported);
         };

@@ -4,7 +4,7 @@
 
 use libm::tan;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::cycle::drilling::{DeepHole, Entry, Levels, Method};
 use crate::ir::function::{Coolant, Turn};
 
@@ -61,9 +61,9 @@ impl Run<'_> {
         self.report(
             Diagnostic::new(codes::K2941, self.here.origin.loc, message)
                 .also(cycle.loc, "the cycle is defined here")
-                .help(format!(
+                .help(Answer::tool(&called, "tip_angle").help(format!(
                     "give `[tools.{called}] tip_angle`, or T-ANGLE in the tool table: 118 for a common drill"
-                )),
+                ))),
         );
         Err(Reported)
     }

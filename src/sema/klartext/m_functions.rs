@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.14 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::compensation::FeedAt;
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Side};
@@ -97,7 +97,10 @@ impl Run<'_> {
                         codes::K2701,
                         m.span,
                         format!("M{} is a function of the machine builder", m.number),
-                        format!("if the target machine understands it, add `[output] pass_m = [{}]`", m.number),
+                        Answer::pass_m(m.number).help(format!(
+                            "if the target machine understands it, add `[output] pass_m = [{}]`",
+                            m.number
+                        )),
                     );
                 }
             }

@@ -2,7 +2,7 @@
 //!
 //! Source: K 6.0, 6.5; F B4 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill};
 use crate::ir::cycle::pocket::Insertion;
@@ -411,7 +411,7 @@ impl Run<'_> {
                         format!("cycle {}: Q366 = {kind} needs the plunging angle ANGLE of tool {called}, which {what}", cycle.number),
                     )
                     .also(cycle.loc, "the cycle is defined here")
-                    .help(format!("give `[tools.{called}] plunge_angle = 3.0`, the column ANGLE of the tool table, or plunge straight down by Q366 = 0")),
+                    .help(Answer::tool(&called, "plunge_angle").help(format!("give `[tools.{called}] plunge_angle = 3.0`, the column ANGLE of the tool table, or plunge straight down by Q366 = 0"))),
                 );
                 Err(Reported)
             }

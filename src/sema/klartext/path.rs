@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.1, 2.6, 2.7, 2.13, 2.14 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::Point2;
 use crate::ir::contour::{Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path};
 use crate::ir::{Feed, Pos, Side};
@@ -267,7 +267,8 @@ impl Run<'_> {
                     codes::K2705,
                     m.span,
                     "M140 MB MAX retracts to the end of the travel, which only the machine knows",
-                    "set the machine coordinate in partc.toml: `[control] retract_max = -1.0`",
+                    Answer::key("control", "retract_max")
+                        .help("set the machine coordinate in partc.toml: `[control] retract_max = -1.0`"),
                 );
             };
             self.job.diags.push_once(Diagnostic::new(

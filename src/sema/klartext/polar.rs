@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.2 and 2.8 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::arc::{self, Closing};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT, Vec2, angle, distance};
 use crate::ir::Pos;
@@ -180,7 +180,10 @@ impl Run<'_> {
                 "PA is missing, and no block since the CC named an angle about this pole",
             )
             .also(pole.set, "the pole")
-            .help("write the angle PA, or choose a reading with `[control] polar_missing`"),
+            .help(
+                Answer::key("control", "polar_missing")
+                    .help("write the angle PA, or choose a reading with `[control] polar_missing`"),
+            ),
         );
         Err(Reported)
     }
@@ -345,7 +348,9 @@ impl Run<'_> {
             codes::K2105,
             w.polar_angle_span,
             format!("IPA {angle} turns one way and DR the other"),
-            "give IPA the sign of DR, or set `[control] cp_sign = \"dr\"`",
+            Answer::key("control", "cp_sign")
+                .one_of(&["\"dr\""])
+                .help("give IPA the sign of DR, or set `[control] cp_sign = \"dr\"`"),
         )
     }
 

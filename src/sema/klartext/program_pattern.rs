@@ -3,7 +3,7 @@
 //! What a place is to the program no manual at hand says; `[cycles] pattern_program` does. Source: K 4.3, 4.6
 //! (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::Pos;
 use crate::ir::contour::Path;
 use crate::machine::Axis;
@@ -21,7 +21,7 @@ impl Run<'_> {
                 codes::K9001,
                 self.block_span(),
                 format!("CYCL CALL PAT with the program `{name}` of cycle 12: what the places are to it is open"),
-                "say it by `[cycles] pattern_program = \"shift\"` or \"position\", or call the program at each place by M99",
+                Answer::key("cycles", "pattern_program").help("say it by `[cycles] pattern_program = \"shift\"` or \"position\", or call the program at each place by M99"),
             );
         };
         if places.iter().any(|place| place.surface != 0.0) {

@@ -3,7 +3,7 @@
 //! Source: K 5.7 (docs/sources.md). It lists ID 20 NR 1, ID 50, ID 210, ID 220 and ID 270; further answers are a reading that
 //! warns.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::lexer::klartext::QRef;
 use crate::machine::{Axis, ToolKey};
 use crate::parser::klartext::ast::{Addr, Block};
@@ -135,10 +135,10 @@ impl Run<'_> {
                     codes::K9016,
                     block.span,
                     format!("system data ID {} NR {} is known only at the machine", r.id, r.nr),
-                    format!(
+                    Answer::key("variables", r.name()).help(format!(
                         "assign the value with FN 0 if it is always the same, or say it in partc.toml: `[variables]` with `\"{}\" = …`",
                         r.name()
-                    ),
+                    )),
                 ),
             },
         }
@@ -184,8 +184,18 @@ impl Run<'_> {
                 codes::K2008,
                 block.span,
                 format!("the table data of tool {key} is not known"),
-                format!("add `[tools.{key}]` to partc.toml, or name the tool table under `[tools] table`"),
+                Answer::tool(&key, field_of(r.nr))
+                    .help(format!("add `[tools.{key}]` to partc.toml, or name the tool table under `[tools] table`")),
             ),
         }
+    }
+}
+
+/// The key of a tool that answers for a number of its data in the tool table.
+fn field_of(nr: u32) -> &'static str {
+    match nr {
+        1 => "length",
+        2 => "radius",
+        _ => "corner_radius",
     }
 }

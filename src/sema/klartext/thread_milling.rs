@@ -2,7 +2,7 @@
 //!
 //! Source: K 6.2, F B6 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::Deg;
 use crate::ir::Feed;
 use crate::ir::cycle::drilling::{Ahead, Breaks, Levels, Method};
@@ -129,8 +129,8 @@ impl Run<'_> {
                 )
                 .also(cycle.loc, "the cycle is defined here")
                 .help(
-                    "`[cycles] thread_267 = \"core\"` where the radius of the tool is that of its tip, `\"nominal\"` where the tip \
-                     reaches the core when that radius reaches the nominal diameter",
+                    Answer::key("cycles", "thread_267").help("`[cycles] thread_267 = \"core\"` where the radius of the tool is that of its tip, `\"nominal\"` where the tip \
+                     reaches the core when that radius reaches the nominal diameter"),
                 ),
             );
             return Err(Reported);

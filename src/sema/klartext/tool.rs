@@ -4,7 +4,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::function::{CutterData, Spindle};
 use crate::lexer::klartext::Value;
@@ -360,7 +360,8 @@ impl Run<'_> {
                     codes::K2008,
                     span,
                     format!("tool {called} has an oversize DR, and its radius is not known"),
-                    format!("add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block"),
+                    Answer::tool(&called, "radius")
+                        .help(format!("add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block")),
                 )
             }
             Some(_) => self.one_radius(span),
@@ -392,7 +393,9 @@ impl Run<'_> {
                         codes::K2008,
                         span,
                         format!("the radius of tool {called} is not known"),
-                        format!("add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block"),
+                        Answer::tool(&called, "radius").help(format!(
+                            "add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block"
+                        )),
                     )
                 }
             },
@@ -474,7 +477,8 @@ impl Run<'_> {
                         codes::K2006,
                         span,
                         format!("tool {number}.{index} is an index, and the output has whole numbers only"),
-                        format!("give it a number in partc.toml: `[tools.{tool}]` with `number = …`"),
+                        Answer::tool(tool, "number")
+                            .help(format!("give it a number in partc.toml: `[tools.{tool}]` with `number = …`")),
                     ),
                 }
             }

@@ -5,7 +5,7 @@
 //! arc whose start and end lie on one circle in one reading only decides; where both readings fit, the whole program
 //! is looked through once for arcs that speak against G90 or G91. Source: M 5.2 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, distance};
 use crate::machine::Axis;
 use crate::machine::options::mtc200::Centres;
@@ -212,7 +212,8 @@ impl Run<'_> {
         let show = |c: Point2| format!("{a}{:.3} {b}{:.3}", c.x, c.y);
         let radius = if self.st.diameter { " (X as radius)" } else { "" };
         let message = format!("the centre can be {} or {}{radius}", show(centres[0]), show(centres[1]));
-        let help = "set `[control] centres` to \"absolute\", \"relative\" or \"dimension\"";
+        let help = Answer::key("control", "centres")
+            .help("set `[control] centres` to \"absolute\", \"relative\" or \"dimension\"");
         self.fail_help(codes::M2005, span, message, help)
     }
 }

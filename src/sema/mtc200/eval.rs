@@ -2,7 +2,7 @@
 //!
 //! Source: M 3 (docs/sources.md). Values are plain numbers; unit and diameter come with the word that uses them.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::lexer::formula::{Function, Operator};
 use crate::machine::options::mtc200::Reading;
 use crate::parser::mtc200::ast::{Block, Formula, Op, Target, Value, Word};
@@ -109,8 +109,10 @@ impl Run<'_> {
         *slot = Some(Err(Reported));
         // Later uses are not worth another report.
         self.report(
-            Diagnostic::new(codes::M2301, self.loc(span), format!("@{number:03} was never set"))
-                .help(format!("give its value in partc.toml: `[variables]` with `\"@{number}\" = …`")),
+            Diagnostic::new(codes::M2301, self.loc(span), format!("@{number:03} was never set")).help(
+                Answer::key("variables", format!("@{number}"))
+                    .help(format!("give its value in partc.toml: `[variables]` with `\"@{number}\" = …`")),
+            ),
         );
         Err(Reported)
     }

@@ -3,7 +3,7 @@
 //! Source: M 5.4, 7, 8 (docs/sources.md). When an M function acts is not documented: what starts something acts
 //! before the move of its block, what ends something behind it.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{Plane, Vec2};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
 use crate::ir::{self, Function, Side};
@@ -107,7 +107,8 @@ impl Run<'_> {
     pub(super) fn check_m(&mut self, w: &Words) -> Outcome {
         for (i, &(number, span)) in w.m().iter().enumerate() {
             if when(number).is_none() && !self.job.settings.output.pass_m.contains(&number) {
-                let help = format!("if the target machine understands it, add `[output] pass_m = [{number}]`");
+                let help = Answer::pass_m(number)
+                    .help(format!("if the target machine understands it, add `[output] pass_m = [{number}]`"));
                 let message = format!("M{number} is a function of the machine builder");
                 self.report(Diagnostic::new(codes::M2701, self.loc(span), message).help(help));
             }
@@ -254,20 +255,21 @@ impl Run<'_> {
         let known = self.job.settings.tools.by_number(tool, 0);
         let help =
             "add it to `[tools]` in partc.toml, or set `[output] compensation = \"control\"` to print G41 and G42";
+        let lacks = |field| Answer::tool(tool, field).help(help);
         let radius = known.and_then(|tool| tool.radius.map(|radius| radius + tool.deltas[1]));
         let Some(radius) = radius.filter(|radius| *radius >= 0.0) else {
             let message = match radius {
                 Some(_) => format!("the radius of tool {tool} is below zero"),
                 None => format!("the radius of tool {tool} is not known"),
             };
-            return self.fail_help(codes::M9004, span, message, help);
+            return self.fail_help(codes::M9004, span, message, lacks("radius"));
         };
         let turns = self.job.settings.machine.kind == MachineKind::Lathe && self.st.plane == Plane::Zx;
         let edge = match known.and_then(|tool| tool.orientation).and_then(edge_direction) {
             Some(edge) if turns => edge,
             None if turns && radius > 0.0 => {
                 let message = format!("the cutting-edge position of tool {tool} is not known");
-                return self.fail_help(codes::M9004, span, message, help);
+                return self.fail_help(codes::M9004, span, message, lacks("orientation"));
             }
             _ => Vec2::zeros(),
         };
@@ -334,7 +336,8 @@ impl Run<'_> {
             (false, _) | (true, InchSpeed::Metres) => at.value,
             (true, InchSpeed::Feet) => at.value * FOOT,
             (true, InchSpeed::Refuse) => {
-                let help = "set `[control] inch_speed` to \"metres\" or \"feet\"";
+                let help =
+                    Answer::key("control", "inch_speed").help("set `[control] inch_speed` to \"metres\" or \"feet\"");
                 return self.fail_help(
                     codes::M9007,
                     at.span,

@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use nalgebra::Matrix3;
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::ir::contour::Ctx;
 use crate::ir::{Frame, Function, Pos};
 use crate::machine::axis::AXES;
@@ -161,7 +161,7 @@ impl Run<'_> {
             G::ShiftBy => add(&mut shift, &values),
             _ => match self.job.settings.control.mtc200.g52 {
                 G52::Refuse => {
-                    let help = "set `[control] g52` to \"position\" or \"shift\"";
+                    let help = Answer::key("control", "g52").help("set `[control] g52` to \"position\" or \"shift\"");
                     return self.fail_help(codes::M9006, span, "the meaning of G52 is not known", help);
                 }
                 G52::Shift => add(&mut shift, &values),
@@ -224,7 +224,8 @@ impl Run<'_> {
             match self.job.settings.control.mtc200.home.get(&axis) {
                 Some(home) => end.set(axis, *home),
                 None => {
-                    let help = format!("set it in partc.toml: `[control] home = {{ {letter} = 0.0 }}`");
+                    let help = Answer::entry("control", "home", letter)
+                        .help(format!("set it in partc.toml: `[control] home = {{ {letter} = 0.0 }}`"));
                     let message = format!("the home position of {letter} is known only to the machine");
                     return self.fail_help(codes::M9005, span, message, &help);
                 }

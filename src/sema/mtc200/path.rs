@@ -2,7 +2,7 @@
 //!
 //! Source: M 5, 6.1, 6.2, 8 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT};
 use crate::ir::contour::{
     Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path, Thread,
@@ -217,7 +217,9 @@ impl Run<'_> {
             if self.job.settings.control.mtc200.zero_feed_keeps {
                 return Ok(());
             }
-            let help = "program the feed that is meant, or set `[control] zero_feed = \"previous\"`";
+            let help = Answer::key("control", "zero_feed")
+                .one_of(&["\"previous\""])
+                .help("program the feed that is meant, or set `[control] zero_feed = \"previous\"`");
             return self.fail_help(codes::M2004, at.span, "the feed is 0", help);
         }
         let value = at.value * self.st.unit();
@@ -299,7 +301,9 @@ impl Run<'_> {
     fn machine_move(&mut self, w: &Words, feed: Option<Feed>) -> Outcome {
         let span = w.axes_span;
         if !self.job.settings.control.mtc200.g53_is_machine {
-            let help = "set `[control] g53 = \"machine\"` if positions under G53 are machine coordinates";
+            let help = Answer::key("control", "g53")
+                .one_of(&["\"machine\""])
+                .help("set `[control] g53 = \"machine\"` if positions under G53 are machine coordinates");
             return self.fail_help(codes::M9005, span, "the block moves while G53 is active", help);
         }
         if self.st.incremental || self.st.compensation.is_on() {

@@ -1,6 +1,6 @@
 //! The words of a block, evaluated once and sorted by what they mean.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::Pos;
 use crate::machine::Axis;
 use crate::parser::mtc200::ast::{Block, Target, Value, Word};
@@ -204,7 +204,9 @@ impl Run<'_> {
             codes::M1004,
             span,
             format!("{letter} stands twice in this block"),
-            "remove one of the two, or set `[control] repeated_words = \"last\"` in partc.toml",
+            Answer::key("control", "repeated_words")
+                .one_of(&["\"last\""])
+                .help("remove one of the two, or set `[control] repeated_words = \"last\"` in partc.toml"),
         )
     }
 
@@ -241,8 +243,9 @@ impl Run<'_> {
             Some(what) => format!("{name} ({what}) is not supported"),
             None => format!("{name} is no function of the control that is known"),
         };
-        let help =
-            format!("if it does not move the tool or change the path, add `[control] machine_words = [\"{name}\"]`");
+        let help = Answer::item("control", "machine_words", format!("\"{name}\"")).help(format!(
+            "if it does not move the tool or change the path, add `[control] machine_words = [\"{name}\"]`"
+        ));
         // Reported once at the word: the rest of the block still says where the axes go.
         self.report(Diagnostic::new(codes::M9001, self.loc(span), message).help(help));
         Ok(())
@@ -369,7 +372,8 @@ impl Run<'_> {
         }
         let shown = name.split_whitespace().collect::<Vec<_>>().join(" ");
         let message = format!("`{shown}` is no word of the control that is known");
-        let help = format!("if it does not move the tool, add `[control] machine_words = [\"{shown}\"]` to partc.toml");
+        let help = Answer::item("control", "machine_words", format!("\"{shown}\""))
+            .help(format!("if it does not move the tool, add `[control] machine_words = [\"{shown}\"]` to partc.toml"));
         self.report(Diagnostic::new(codes::M9002, self.loc(span), message).help(help));
         Ok(())
     }

@@ -17,6 +17,9 @@ const PARSING: u64 = 5;
 /// Steps that looking for a called program on the disk costs.
 const SEARCH: u64 = 250;
 
+/// Steps of a run after a called program that is missing.
+const STEPS_IN_DOUBT: u64 = 100_000;
+
 /// Counts what a run costs in steps, and knows which jump ran most often.
 ///
 /// A step is a block, a move or a long stretch of text: each takes about the same time, so that the limit of steps is
@@ -30,11 +33,19 @@ pub struct Budget {
     moves: u64,
     /// Other things than blocks were counted.
     mixed: bool,
+    /// What the program does is not known any more: where it stops is no finding.
+    in_doubt: bool,
 }
 
 impl Budget {
     pub fn new(limit: u64) -> Budget {
-        Budget { left: limit, limit, jumps: FxHashMap::default(), moves: 0, mixed: false }
+        Budget { left: limit, limit, jumps: FxHashMap::default(), moves: 0, mixed: false, in_doubt: false }
+    }
+
+    /// The rest is only read for what else it needs: loops in it may depend on what is not known.
+    pub fn doubt(&mut self) {
+        self.in_doubt = true;
+        self.left = self.left.min(STEPS_IN_DOUBT);
     }
 
     /// Takes the steps of the block before and one for the next; false when none is left, or when `out` is full. Up to
@@ -104,7 +115,7 @@ impl Budget {
 
     /// Reports a run that has no steps left; `here` is where it stopped. That the output is full was reported.
     pub fn report_end(&self, job: &Job<'_>, out: &dyn Sink, here: Loc, call: CallPath) {
-        if !out.load().full {
+        if !out.load().full && !self.in_doubt {
             job.diags.push(self.exceeded(here, call));
         }
     }

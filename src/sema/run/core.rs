@@ -37,6 +37,8 @@ pub struct Core<'a, L: Language> {
     /// Marks of the skip levels 0 and 1 that were met, as bits.
     skip_marks: Cell<u8>,
     ended: Cell<bool>,
+    /// A called program is missing: nobody knows what it would have changed.
+    pub(super) in_doubt: bool,
     pub(super) errors: Cell<u32>,
 }
 
@@ -61,6 +63,7 @@ impl<'a, L: Language> Core<'a, L> {
             scratch: None,
             skip_marks: Cell::new(0),
             ended: Cell::new(false),
+            in_doubt: false,
             errors: Cell::new(0),
         }
     }
@@ -90,6 +93,12 @@ impl<L: Language> Core<'_, L> {
     /// Errors that the run reported.
     pub fn errors(&self) -> u32 {
         self.errors.get()
+    }
+
+    /// A called program is missing. The rest is read for what else it needs; what only suffers is not worth an error.
+    pub fn go_on_in_doubt(&mut self) {
+        self.in_doubt = true;
+        self.budget.doubt();
     }
 
     /// No further block runs.

@@ -1,6 +1,6 @@
 //! Opening program files, and what is said when that fails.
 
-use crate::diag::{CallPath, Diagnostic, codes};
+use crate::diag::{Answer, CallPath, Diagnostic, codes};
 use crate::sema::Job;
 use crate::text::blocks::{Hole, OpenError, Place};
 use crate::text::sources::{MAX_ALL_CALLED, MAX_CALLED, TooMuch};
@@ -62,7 +62,10 @@ pub fn open_program(job: &Job<'_>, name: &str, extensions: &[&str], from: Loc, c
             match similar.first() {
                 Some(like) if tried.contains(like) => found.help(format!("`{like}` is there, and is no file")),
                 Some(like) => found.help(format!("did you mean `{like}`?")),
-                None => found.help("put the file beside the program, or name its folder under `[include] roots`"),
+                None => found.help(
+                    Answer::folder_of(&tried)
+                        .help("put the file beside the program, or name its folder under `[include] roots`"),
+                ),
             }
         }
         FileError::Forbidden { why } => {
@@ -74,8 +77,10 @@ pub fn open_program(job: &Job<'_>, name: &str, extensions: &[&str], from: Loc, c
                 .help("rename all but one")
         }
         FileError::NoRoot { prefix } => {
-            Diagnostic::new(codes::P0104, from, format!("no folder is known for `{prefix}`"))
-                .help(format!("add `[include] roots = {{ \"{prefix}\" = \"folder\" }}` to partc.toml"))
+            Diagnostic::new(codes::P0104, from, format!("no folder is known for `{prefix}`")).help(
+                Answer::entry("include", "roots", &prefix)
+                    .help(format!("add `[include] roots = {{ \"{prefix}\" = \"folder\" }}` to partc.toml")),
+            )
         }
         FileError::Io { why } => Diagnostic::new(codes::P0105, from, format!("program `{name}` cannot be read: {why}")),
     };

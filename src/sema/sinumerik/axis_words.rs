@@ -1,6 +1,6 @@
 //! Words of axes by the names that a program gives them.
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::machine::Axis;
 
 use super::axis_names::NamedAxis;
@@ -52,9 +52,9 @@ impl Core<'_> {
         let name = format!("{}{}", axis.letter as char, axis.number);
         let message = format!("which axis {name} is, only the machine knows");
         let letter = axis.letter as char;
-        let help = format!(
+        let help = Answer::entry("machine", "axes", &name).one_of(&[format!("\"{letter}\""), "\"leave-out\"".to_owned()]).help(format!(
             "say it: `[machine] axes = {{ {name} = \"{letter}\" }}`, or \"leave-out\" for an axis that the target does not have"
-        );
+        ));
         self.fail_help(codes::S2016.alarm(12050), axis.span, message, &help)
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.6 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::parser::sinumerik::ast::{Args, Block, CallForm, Formula, Op};
 use crate::parser::symbols::Symbol;
 use crate::sema::run::{Level, Where, open_program};
@@ -167,10 +167,9 @@ impl Run<'_> {
         name: &str,
         tried: &[String],
         like: Option<String>,
-        help: &str,
+        help: impl Into<Help>,
         span: Span,
     ) -> Outcome<T> {
-        self.stop_run();
         let found = Diagnostic::new(codes::S2002.alarm(14011), self.loc(span), format!("there is no program `{name}`"))
             .here(format!("looked for {}", tried.join(", ")));
         let known: Vec<&str> = self.units.list.iter().map(|unit| unit.name.as_str()).collect();
@@ -180,8 +179,9 @@ impl Run<'_> {
             None if name.starts_with("F_") || name.starts_with("E_") => found.help(
                 "names like this are steps of ShopMill and ShopTurn, which only the control runs; put the program out as G code",
             ),
-            None => found.help(help),
+            None => found.help(help.into().and(Answer::folder_of(tried))),
         });
+        self.go_on_in_doubt();
         Err(Reported)
     }
 

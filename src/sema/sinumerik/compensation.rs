@@ -5,7 +5,7 @@
 //!
 //! Source: S 2.12, S 2.13 (docs/sources.md); docs/compensation.md.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{Deg, Plane, SAME_DIRECTION, Vec2};
 use crate::ir;
 use crate::ir::Side;
@@ -123,9 +123,9 @@ impl Channel<'_> {
         };
         let Some(radius) = radius.or_else(listed) else {
             let message = format!("the radius of T{number} D{edge} is not known");
-            let help = format!(
+            let help = Answer::tool(number, "radius").help(format!(
                 "give it in partc.toml: `[tools.{number}] radius = 5.0`, or in the program: `$TC_DP6[{number},{edge}]=5`"
-            );
+            ));
             return self.fail_help(codes::S9010, span, message, help);
         };
         let nose = self.nose(number, edge, radius, span)?;
@@ -229,7 +229,9 @@ impl Channel<'_> {
                     "under DISC={} the tool goes around corners on a curve that is not published",
                     self.st.path.overshoot
                 );
-                let help = "program DISC=0 or G451, or accept the circle: `[control] disc = \"circle\"`";
+                let help = Answer::key("control", "disc")
+                    .one_of(&["\"circle\""])
+                    .help("program DISC=0 or G451, or accept the circle: `[control] disc = \"circle\"`");
                 return self.fail_help(codes::S9010, place, message, help);
             }
             if self.job.diags.first_time(codes::S8193) {
@@ -323,14 +325,14 @@ impl Channel<'_> {
         let Some(way) = position.and_then(nose_of) else {
             let (message, help) = match position {
                 Some(position) => {
-                    (format!("{position} is no position of a cutting edge"), "positions are 1 to 9".to_owned())
+                    (format!("{position} is no position of a cutting edge"), "positions are 1 to 9".into())
                 }
                 None => (
                     format!("the position of the cutting edge of T{number} D{edge} is not known"),
-                    format!(
+                    Answer::tool(number, "orientation").help(format!(
                         "give it in partc.toml: `[tools.{number}] orientation = 3`, or in the program: \
                          `$TC_DP2[{number},{edge}]=3`; 9 is the centre of the nose"
-                    ),
+                    )),
                 ),
             };
             return self.fail_help(codes::S9010, span, message, help);

@@ -17,7 +17,7 @@ use super::vocabulary::Meaning;
 use super::{Outcome, Reported, Run};
 
 /// Definition files that a control reads at power-on, if they stand beside the program.
-const DEFINITION_FILES: &[&str] =
+pub(super) const DEFINITION_FILES: &[&str] =
     &["SGUD", "MGUD", "UGUD", "GUD4", "GUD5", "GUD6", "GUD7", "GUD8", "GUD9", "SMAC", "MMAC", "UMAC"];
 
 /// Characters of a STRING.

@@ -2,7 +2,7 @@
 //!
 //! Source: S 2.1 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::Pos;
 use crate::machine::Axis;
 use crate::sema::run::Where;
@@ -139,7 +139,8 @@ impl Core<'_> {
             codes::S2060.alarm(16510),
             span,
             "no diameter axis is configured (MD 20100)",
-            "set `[machine] diameter_axis = \"X\"`, and `kind = \"lathe\"` for a lathe",
+            Answer::key("machine", "diameter_axis")
+                .help("set `[machine] diameter_axis = \"X\"`, and `kind = \"lathe\"` for a lathe"),
         )
     }
 }

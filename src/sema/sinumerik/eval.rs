@@ -5,7 +5,7 @@
 use std::borrow::Cow;
 use std::rc::Rc;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::parser::sinumerik::ast::{Base, Block, Formula, Op};
 use crate::parser::symbols::Symbol;
 use crate::sema::value::{At, Fault, Formulas, Stop, evaluate};
@@ -180,7 +180,12 @@ impl Run<'_> {
         if !set && self.warned.r.insert(n) {
             let message = format!("R{n} is read before the program sets it; it counts as 0");
             let found = Diagnostic::new(codes::S2025, self.loc(span), message);
-            self.report(found.help(format!("set it in the program, or as `R{n} = …` under [variables]")));
+            self.report(
+                found.help(
+                    Answer::key("variables", format!("R{n}"))
+                        .help(format!("set it in the program, or as `R{n} = …` under [variables]")),
+                ),
+            );
         }
         Ok(Val::Real(value))
     }
@@ -239,13 +244,15 @@ impl Run<'_> {
         let names: Vec<&str> = self.vars.names().map(|symbol| self.symbols.name(symbol)).collect();
         let like = crate::machine::tree::did_you_mean(word, names);
         let help = match like {
-            Some(like) => format!("did you mean `{like}`?"),
-            None if self.vars.in_main(name) => {
-                "it is a variable of the main program; if subprograms see those, set `[control] md11120 = true`"
-                    .to_owned()
-            }
-            None => "define it by DEF at the top of the program, or in a definition file beside it".to_owned(),
+            Some(like) => format!("did you mean `{like}`?").into(),
+            None if self.vars.in_main(name) => Answer::key("control", "md11120")
+                .one_of(&["true"])
+                .help("it is a variable of the main program; if subprograms see those, set `[control] md11120 = true`"),
+            None => Help::from("define it by DEF at the top of the program, or in a definition file beside it"),
         };
+        // A variable of all programs is nothing like one of this program.
+        let files: Vec<String> = super::declare::DEFINITION_FILES.iter().map(|file| format!("{file}.DEF")).collect();
+        let help = help.and(Answer::folder_of(&files));
         self.fail_help(codes::S2001.alarm(12550), span, format!("the name `{word}` is not defined"), &help)
     }
 

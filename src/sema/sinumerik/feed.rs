@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::Feed;
 use crate::machine::{Axis, MachineKind, Settings};
 use crate::sema::run::Where;
@@ -167,7 +167,7 @@ impl Channel<'_> {
                     codes::S2040.alarm(10860),
                     Where::Block,
                     "no feed is programmed",
-                    "program F in this block or before, again after G94, G95 and G96; a contour by itself takes `[control] feed`",
+                    Answer::key("control", "feed").help("program F in this block or before, again after G94, G95 and G96; a contour by itself takes `[control] feed`"),
                 )
             }
         }
@@ -216,7 +216,12 @@ impl Channel<'_> {
         }
         if code.holds_cutting_speed() && self.job.settings.machine.diameter_axis.is_none() {
             let message = "constant cutting speed needs a diameter axis (MD 20100)";
-            return self.fail_help(codes::S2060.alarm(10870), span, message, "set `[machine] diameter_axis = \"X\"`");
+            return self.fail_help(
+                codes::S2060.alarm(10870),
+                span,
+                message,
+                Answer::key("machine", "diameter_axis").help("set `[machine] diameter_axis = \"X\"`"),
+            );
         }
         self.st.codes.activate(code);
         self.st.feed.kind_is_said();

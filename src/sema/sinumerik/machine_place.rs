@@ -3,7 +3,7 @@
 //! With MD 10760 = 0 the control places the tip of the tool, the target the nose of the spindle: what is printed is a
 //! tool length off unless it is added. Source: S 4.8 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::machine::{Axis, AxisSet};
 use crate::sema::run::Where;
 use crate::text::Span;
@@ -115,8 +115,10 @@ impl Channel<'_> {
         );
         let ways = "write D0 in the block, or set `[control] md10760 = true`";
         let help = match self.st.tool.active() {
-            Some(number) if !self.st.machine.lathe => format!("give it: `[tools.{number}] length = 120.0`; or {ways}"),
-            _ => ways.to_owned(),
+            Some(number) if !self.st.machine.lathe => {
+                Answer::tool(number, "length").help(format!("give it: `[tools.{number}] length = 120.0`; or {ways}"))
+            }
+            _ => ways.into(),
         };
         self.fail_help(codes::S9102, place, message, &help)
     }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 2.1, 4.8 and 5.6 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::geo::Plane;
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Feed, Pos, Side};
@@ -182,7 +182,7 @@ impl Core<'_> {
             codes::S9011,
             place,
             format!("{message}, as G500 wants"),
-            "select a work offset (G54) for it, say which one G500 is (`[datums] G500 = \"G55\"`), or have the program write its offsets",
+            Answer::key("datums", "G500").help("select a work offset (G54) for it, say which one G500 is (`[datums] G500 = \"G55\"`), or have the program write its offsets"),
         )
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 1.3 and 5.6 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::parser::sinumerik::ast::{Args, Base, Block, Value, Word};
 use crate::parser::symbols::Symbol;
 
@@ -342,7 +342,8 @@ impl Run<'_> {
                     return Ok(());
                 }
                 let message = format!("SCC refers G96 to {}, which is not the diameter axis", named.text());
-                let help = "name it: `[machine] diameter_axis`, or program S in turns under G97";
+                let help = Answer::key("machine", "diameter_axis")
+                    .help("name it: `[machine] diameter_axis`, or program S in turns under G97");
                 self.fail_help(codes::S9132, word.span, message, help)
             }
             Indexed::Polynomial => self.fail_help(

@@ -2,7 +2,7 @@
 //!
 //! Source: S 1.5, 2.1, 4.2, 5.6 and 6 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos, Side};
 use crate::machine::{Axis, AxisSet};
@@ -154,7 +154,8 @@ impl Channel<'_> {
                         codes::S9008,
                         span,
                         format!("where {} moves {letter} to is a machine datum", code.word()),
-                        format!("give it in machine coordinates: `[machine] {key} = {{ {letter} = 0.0 }}`"),
+                        Answer::entry("machine", key, letter)
+                            .help(format!("give it in machine coordinates: `[machine] {key} = {{ {letter} = 0.0 }}`")),
                     );
                 }
             }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 4.7 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::{Function, Side};
 use crate::sema::run::Where;
 
@@ -112,7 +112,7 @@ impl Channel<'_> {
                     codes::S9014,
                     place,
                     format!("{word} has no counterpart on the target"),
-                    format!("name one: `[datums] {word} = \"G55\"`"),
+                    Answer::key("datums", &word).help(format!("name one: `[datums] {word} = \"G55\"`")),
                 );
             }
         };

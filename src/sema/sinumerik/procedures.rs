@@ -2,7 +2,7 @@
 //!
 //! Source: S 1.5, 5.6 and 6 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::ir::Function;
 use crate::machine::AxisSet;
 use crate::parser::sinumerik::ast::{Block, Formula};
@@ -291,11 +291,14 @@ impl Run<'_> {
             Procedure::Refused(Refusal { what, code }) => {
                 self.st.position.lose(AxisSet::ALL);
                 self.lost();
-                let mut help = super::cycles::instead(&name).to_owned();
-                if code.id == codes::S9005.id {
-                    help +=
-                        &format!("; or say what runs instead: `[programs] {name} = {{ file = \"stubs/{name}.SPF\" }}`");
-                }
+                let help = super::cycles::instead(&name);
+                let help = if code.id == codes::S9005.id {
+                    let file = format!("{{ file = \"stubs/{name}.SPF\" }}");
+                    let text = format!("{help}; or say what runs instead: `[programs] {name} = {file}`");
+                    Answer::key("programs", &name).one_of(&[file]).help(text)
+                } else {
+                    help.into()
+                };
                 self.fail_help(code, call.span, format!("{name} ({what}) is not supported"), &help)
             }
         }

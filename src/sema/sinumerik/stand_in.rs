@@ -1,6 +1,6 @@
 //! Programs of the machine builder that are found nowhere: what `[programs]` says stands for them.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::machine::{AxisSet, ChangeCall, StandIn};
 use crate::text::Span;
 
@@ -36,6 +36,7 @@ impl Run<'_> {
                 let help = match self.job.settings.programs.get(call.name) {
                     Some(StandIn::File(file)) => {
                         format!("put `{file}`, which `[programs]` names, beside the program or into an include root")
+                            .into()
                     }
                     _ => call.help(),
                 };
@@ -198,11 +199,23 @@ pub(super) struct NameOfCall<'n> {
 
 impl NameOfCall<'_> {
     /// How to answer for the program: by a file, or by the line that stands for it under `[programs]`.
-    pub fn help(&self) -> String {
+    pub fn help(&self) -> Help {
         // A word alone may be mistyped.
         let mistyped = if self.arguments { "" } else { "; or correct the word" };
         let line = self.line();
-        format!("put the program beside this one or into an include root; or {line}{mistyped}")
+        let text = format!("put the program beside this one or into an include root; or {line}{mistyped}");
+        self.answer().help(text)
+    }
+
+    /// The same as the key that says it.
+    pub fn answer(&self) -> Answer {
+        let ignored = "{ ignore = true }".to_owned();
+        let values = match self.text {
+            Some(at) => [format!("{{ tool = {at} }}"), ignored],
+            None if self.tool_waits => ["{ change = true }".to_owned(), ignored],
+            None => [ignored, format!("{{ file = \"stubs/{}.SPF\" }}", self.name)],
+        };
+        Answer::key("programs", self.name).one_of(&values)
     }
 
     /// The line that stands for it.

@@ -2,7 +2,7 @@
 //!
 //! Source: S 4.9 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Pos, Side};
 use crate::machine::{Axis, AxisSet};
@@ -188,13 +188,15 @@ impl Channel<'_> {
                 return self.fail_help(codes::S9006, span, message, "0 none, 1 Z, 2 Z and XY, 4 and 5 along the tool");
             }
         };
-        if !steps.concat().iter().all(|axis| points.contains_key(axis)) {
+        let missing: Vec<Axis> = steps.concat().into_iter().filter(|axis| !points.contains_key(axis)).collect();
+        if let [first, others @ ..] = &missing[..] {
             self.st.position.lose(AxisSet::ALL);
             self.lost();
-            let help = format!(
+            let help = Answer::entry("machine", key, first.letter()).help(format!(
                 "give it in machine coordinates: `[machine] {key} = {{ Z = 0.0 }}`; or program the retraction \
                  (SUPA G0 Z…) and 0 as the first argument"
-            );
+            ));
+            let help = others.iter().fold(help, |help, axis| help.and(Answer::entry("machine", key, axis.letter())));
             let message = "CYCLE800 retracts the tool to a place that is a machine datum";
             return self.fail_help(codes::S9006, span, message, &help);
         }

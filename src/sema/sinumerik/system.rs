@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::machine::Axis;
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
@@ -140,7 +140,7 @@ impl Channel<'_> {
             codes::S2028,
             span,
             format!("the value of `{key}` is known on the machine only"),
-            format!("give it under [variables]: \"{key}\" = value"),
+            Answer::key("variables", &key).help(format!("give it under [variables]: \"{key}\" = value")),
         )
     }
 
@@ -336,7 +336,12 @@ impl Channel<'_> {
                         let word = offset_word(number);
                         let message =
                             format!("one component of {word} is set, the others are known on the machine only");
-                        return self.fail_help(codes::S2028, span, message, format!("give {word} under [datums]"));
+                        return self.fail_help(
+                            codes::S2028,
+                            span,
+                            message,
+                            Answer::key("datums", &word).help(format!("give {word} under [datums]")),
+                        );
                     }
                 };
                 let frame = self.new_frame(&old, rest, &value, span)?;
@@ -403,9 +408,9 @@ impl Channel<'_> {
                     codes::S9103,
                     span,
                     format!("`{word}` is a setting datum, and what it changes is not compiled"),
-                    format!(
+                    Answer::key("variables", &key).help(format!(
                         "leave it out; if the machine has this value anyhow, say so under [variables]: \"{key}\" = {shown}"
-                    ),
+                    )),
                 );
             }
             _ => {}

@@ -2,7 +2,7 @@
 //!
 //! Source: S 0, 2.12, 2.15, 4.7 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::ir::Function;
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::machine::Axis;
@@ -209,7 +209,8 @@ impl Channel<'_> {
                     codes::S9001,
                     m.span,
                     "M70 makes the spindle an axis, which plain G-code cannot say",
-                    "leave it out if the axis stands ready, or list it: `[output] pass_m = [70]`",
+                    Answer::pass_m(70)
+                        .help("leave it out if the axis stands ready, or list it: `[output] pass_m = [70]`"),
                 );
             }
             96..=99 => {
@@ -225,7 +226,8 @@ impl Channel<'_> {
                     codes::S2044,
                     m.span,
                     format!("what M{number} does is up to the machine builder"),
-                    format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`"),
+                    Answer::pass_m(number)
+                        .help(format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`")),
                 );
             }
         }

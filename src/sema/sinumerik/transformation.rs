@@ -2,7 +2,7 @@
 //!
 //! What is printed for them is the user's choice. Source: S 2.16 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::transformation::Surface;
 use crate::ir::{Function, Side, Transformation};
 use crate::machine::{Axis, AxisSet, MachineKind, Transmit};
@@ -99,8 +99,8 @@ impl Channel<'_> {
         let as_seen = match self.job.settings.cycles.transmit {
             Transmit::Refuse => {
                 let what = if on == OnSurface::Face { "face" } else { "mantle" };
-                let help = "set `[cycles] transmit = \"polar\"` for X and the rotary axis, or \"cartesian\" for a control that \
-                            transforms by itself";
+                let help = Answer::key("cycles", "transmit").one_of(&["\"polar\"", "\"cartesian\""]).help("set `[cycles] transmit = \"polar\"` for X and the rotary axis, or \"cartesian\" for a control that \
+                            transforms by itself");
                 return self.fail_help(
                     codes::S9006,
                     span,
@@ -180,8 +180,10 @@ impl Channel<'_> {
         }
         let kept = self.job.settings.control.sinumerik.transformation_keeps_frame;
         if !self.st.ctx.frame.is_identity() && !kept {
-            let help = "program the frame behind this block (TRANS without values in front of it), or set \
-                        `[control] md10602 = 1` if it stays on the machine";
+            let help = Answer::key("control", "md10602").one_of(&["1"]).help(
+                "program the frame behind this block (TRANS without values in front of it), or set \
+                        `[control] md10602 = 1` if it stays on the machine",
+            );
             return self.fail_help(
                 codes::S2281,
                 span,

@@ -1,6 +1,6 @@
 //! Variables and formulas: reading, computing, assigning.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::lexer::turning::{VarKind, VarRef};
 use crate::parser::turning::ast::{Block, Formula, Op};
 use crate::sema::value::{At, Fault, Formulas, Machine, Never, Rules, Stop, Val, evaluate, noun};
@@ -88,13 +88,15 @@ impl Run<'_> {
                 codes::T2010,
                 span,
                 format!("{var} is set by the control at the machine"),
-                format!("give its value in partc.toml: `[variables]` with `\"{key}\" = …`"),
+                Answer::key("variables", &key)
+                    .help(format!("give its value in partc.toml: `[variables]` with `\"{key}\" = …`")),
             ),
             VarKind::Real if var.number > 900 => self.fail_help(
                 codes::T2010,
                 span,
                 format!("{var} holds what the control measured"),
-                format!("give its value in partc.toml: `[variables]` with `{key} = …`"),
+                Answer::key("variables", &key)
+                    .help(format!("give its value in partc.toml: `[variables]` with `{key} = …`")),
             ),
             VarKind::Argument => self.fail_help(
                 codes::T2008,
@@ -106,7 +108,8 @@ impl Run<'_> {
                 codes::T2008,
                 span,
                 format!("{var} is read before a value is assigned to it"),
-                format!("assign a value, or give one in partc.toml: `[variables]` with `\"{key}\" = …`"),
+                Answer::key("variables", &key)
+                    .help(format!("assign a value, or give one in partc.toml: `[variables]` with `\"{key}\" = …`")),
             ),
         }
     }

@@ -1,6 +1,6 @@
 //! M functions: those at the start of a block, those at its end, and those the configuration lets pass.
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::ir::Function;
 use crate::ir::function::{Coolant, Turn};
 
@@ -35,7 +35,8 @@ impl Run<'_> {
                     codes::T2018,
                     m.span,
                     format!("M{number} belongs to the machine, and what it does is not known"),
-                    format!("if the target may have it, add {number} to `[output] pass_m` in partc.toml"),
+                    Answer::pass_m(number)
+                        .help(format!("if the target may have it, add {number} to `[output] pass_m` in partc.toml")),
                 );
             }
         })

@@ -2,7 +2,7 @@
 //!
 //! Source: T 4 and 5 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::open::{Rules, Solution, Solutions, Start};
 use crate::geo::{Plane, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::contour::{
@@ -345,7 +345,7 @@ impl Run<'_> {
                 codes::T2006,
                 self.block_span(),
                 "where the tool change point lies only the machine knows",
-                "set its machine coordinates in partc.toml: `[control] tool_change_point = { X = 300.0, Z = 400.0 }`",
+                Answer::entry("control", "tool_change_point", "X").help("set its machine coordinates in partc.toml: `[control] tool_change_point = { X = 300.0, Z = 400.0 }`").and(Answer::entry("control", "tool_change_point", "Z")),
             );
         };
         let on = |axes: &[(Axis, f64)]| {

@@ -2,7 +2,7 @@
 //!
 //! Source: T 8.8 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::geo::{Element, Point2};
 use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
@@ -193,9 +193,9 @@ impl Run<'_> {
                 codes::T2024,
                 span,
                 format!("kind, width or nose radius of the recessing tool {number} is not known"),
-                format!(
+                Answer::tool(number, "kind").one_of(&["\"recess-radial\"", "\"recess-axial\""]).help(format!(
                     "add `[tools.{number}]` with `kind = \"recess-radial\"` or `\"recess-axial\"`, `width` and `radius` to partc.toml"
-                ),
+                )).and(Answer::tool(number, "width")).and(Answer::tool(number, "radius")),
             );
         };
         let edge = match reference {

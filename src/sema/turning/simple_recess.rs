@@ -3,7 +3,7 @@
 //! The oversize is one length: it counts twice in a diameter. Source: T 8.4 (docs/sources.md). A start at X = contour + 2·(1.3 − chamfer) makes the chamfer: so each flank is entered
 //! over a slope of 45 degrees that begins 1.3 mm beside it at the height of the start.
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessFeeds, RecessTurning};
@@ -152,7 +152,7 @@ impl Run<'_> {
                 codes::T9007,
                 width.span,
                 "on which side of its corner a wide recess lies is shown in a picture only",
-                "set `[control] recess_side = \"plus\"` or `\"minus\"` in partc.toml: the side of the programmed corner, along Z",
+                Answer::key("control", "recess_side").help("set `[control] recess_side = \"plus\"` or `\"minus\"` in partc.toml: the side of the programmed corner, along Z"),
             ),
         }
     }

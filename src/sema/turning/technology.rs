@@ -1,6 +1,6 @@
 //! Feeds, spindle, tools, oversizes: what holds until it is changed.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::Vec2;
 use crate::ir::function::{CutterData, Spindle, Turn};
 use crate::ir::{self, Feed, Function, Side};
@@ -315,7 +315,8 @@ impl Run<'_> {
                     codes::T2007,
                     num.span,
                     format!("edge {edge} of tool {number} has no tool number to print"),
-                    format!("add `[tools.\"{number}.{edge}\"]` with `number = …` to partc.toml"),
+                    Answer::tool(format!("{number}.{edge}"), "number")
+                        .help(format!("add `[tools.\"{number}.{edge}\"]` with `number = …` to partc.toml")),
                 );
             }
         };

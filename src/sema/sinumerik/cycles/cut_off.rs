@@ -4,7 +4,7 @@
 
 use std::f64::consts::PI;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::cycle::cut_off::{CutEdge, CutOff, CutOffFault};
 use crate::ir::cycle::recess::RecessTool;
 use crate::ir::cycle::turning::Towards;
@@ -95,7 +95,12 @@ impl CycleCall<'_, '_> {
                         tool.width
                     );
                     let found = Diagnostic::new(codes::S8224, self.loc(self.args.span), message);
-                    self.report(found.help("set `[cycles] cutoff_reference` to \"workpiece\" or \"tip\""));
+                    self.report(
+                        found.help(
+                            Answer::key("cycles", "cutoff_reference")
+                                .help("set `[cycles] cutoff_reference` to \"workpiece\" or \"tip\""),
+                        ),
+                    );
                 }
                 0.0
             }

@@ -2,7 +2,7 @@
 //!
 //! Source: C 6.1 to 6.3 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::ir::Feed;
 use crate::ir::cycle::drilling::{
     Ahead, Bore, Breaks, Chip, Degression, DrillingFault, Levels, Method, Pecking, Tap, TapStep,
@@ -454,7 +454,8 @@ impl CycleCall<'_, '_> {
             (digit, None) => {
                 let message =
                     format!("{}: whether the tool lifts off under `_GMODE` {digit} is not known", args.name());
-                let help = "say what the machine does: `[control] cycle86_lift = \"lift\"` or `\"none\"`";
+                let help = Answer::key("control", "cycle86_lift")
+                    .help("say what the machine does: `[control] cycle86_lift = \"lift\"` or `\"none\"`");
                 self.fail_help(codes::S9015, args.span_of(GMODE), message, help)
             }
         }

@@ -2,7 +2,7 @@
 //!
 //! Source: M 6, C 5.2 and 5.6 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::geo::corner::Size;
 use crate::geo::{Deg, Point2};
 use crate::ir::Feed;
@@ -152,7 +152,7 @@ impl CycleCall<'_, '_> {
         self.digits_are_known()?;
         let machine = &self.job.settings.machine;
         if machine.kind != MachineKind::Lathe {
-            let help = "set `[machine] kind = \"lathe\"`";
+            let help = Answer::key("machine", "kind").one_of(&["\"lathe\""]).help("set `[machine] kind = \"lathe\"`");
             return self.cycle_fault(args.span, None, "grooves need turning technology", help);
         }
         self.in_turning_plane()?;
@@ -368,23 +368,27 @@ impl CycleCall<'_, '_> {
         }
         let edge = self.st.tool.edge_or_first();
         let listed = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1);
-        let missing = |what: &str, help: String| {
+        let missing = |what: &str, help: Help| {
             let message = format!("{}: {what} of tool {number} D{edge} is not known", args.name());
             self.fail_help(codes::S2221.alarm(61000), args.span, message, &help)
         };
         let Some(width) = listed.and_then(|tool| tool.width) else {
-            return missing("the cutting width", format!("add it to partc.toml: `[tools.{number}] width = 3.0`"));
+            return missing(
+                "the cutting width",
+                Answer::tool(number, "width").help(format!("add it to partc.toml: `[tools.{number}] width = 3.0`")),
+            );
         };
         let Some(nose) = self.known_radius() else {
-            let help = format!(
+            let help = Answer::tool(number, "radius").help(format!(
                 "add it to partc.toml: `[tools.{number}] radius = 0.2`, or write `$TC_DP6[{number},{edge}]=0.2` before"
-            );
+            ));
             return missing("the nose radius", help);
         };
         let written = self.st.system.number(&format!("$TC_DP2[{number},{edge}]"));
         let position = written.or(listed.and_then(|tool| tool.orientation).map(f64::from));
         let Some(position) = position.and_then(whole) else {
-            let help = format!("add it to partc.toml: `[tools.{number}] orientation = 3`");
+            let help = Answer::tool(number, "orientation")
+                .help(format!("add it to partc.toml: `[tools.{number}] orientation = 3`"));
             return missing("the position of the cutting edge", help);
         };
         // The edge that lies towards minus on the cutting axis, seen from the programmed corner.

@@ -2,7 +2,7 @@
 //!
 //! Source: M 1, 2 and 9 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::layers::{Layers, Relief};
@@ -94,10 +94,10 @@ impl CycleCall<'_, '_> {
         let edge = self.st.tool.edge_or_first();
         let Some(radius) = self.known_radius() else {
             let message = format!("{}: the nose radius of tool {number} D{edge} is not known", args.name());
-            let help = format!(
+            let help = Answer::tool(number, "radius").help(format!(
                 "give it in partc.toml: `[tools.{number}]` with `radius = 0.8` and `orientation = 3`, or in the program: \
                  `$TC_DP6[{number},{edge}]=0.8`"
-            );
+            )).and(Answer::tool(number, "orientation"));
             return self.fail_help(codes::S2201.alarm(61000), args.span, message, &help);
         };
         if radius < 0.0 {
@@ -114,9 +114,9 @@ impl CycleCall<'_, '_> {
             None => {
                 let message =
                     format!("{}: the position of the cutting edge of tool {number} D{edge} is not known", args.name());
-                let help = format!(
+                let help = Answer::tool(number, "orientation").help(format!(
                     "give it in partc.toml: `[tools.{number}] orientation = 3`, or in the program: `$TC_DP2[{number},{edge}]=3`"
-                );
+                ));
                 self.fail_help(codes::S2201.alarm(61000), args.span, message, &help)
             }
         }

@@ -2,7 +2,7 @@
 //!
 //! Source: M 1.2, 1.3 and 7 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::Plane;
 use crate::ir::Feed;
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, MillFault};
@@ -149,9 +149,9 @@ impl CycleCall<'_, '_> {
                 let what = if known.is_some() { "is not above 0" } else { "is not known" };
                 let message = format!("{}: the radius of tool {number} {what}", args.name());
                 let edge = self.st.tool.edge_or_first();
-                let help = format!(
+                let help = Answer::tool(number, "radius").help(format!(
                     "give it in partc.toml: `[tools.{number}] radius = 5.0`, or in the program: `$TC_DP6[{number},{edge}]=5`"
-                );
+                ));
                 self.fail_help(codes::S2241.alarm(61000), args.span, message, &help)
             }
         }

@@ -27,7 +27,7 @@ mod thread_milling;
 mod undercut;
 mod undercut_call;
 
-use crate::diag::{Code, Diagnostic, codes};
+use crate::diag::{Code, Diagnostic, Help, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::cycle::{Cycle, Drilling};
 use crate::ir::function::{Spindle, Turn};
@@ -439,7 +439,13 @@ impl CycleCall<'_, '_> {
     }
 
     /// Refuses the arguments of a cycle.
-    fn cycle_fault<T>(&self, span: Span, alarm: impl Into<Option<u32>>, what: &str, help: &str) -> Outcome<T> {
+    fn cycle_fault<T>(
+        &self,
+        span: Span,
+        alarm: impl Into<Option<u32>>,
+        what: &str,
+        help: impl Into<Help>,
+    ) -> Outcome<T> {
         let args = self.args;
         let code: &'static Code = codes::S2090;
         self.fail_help(code.alarm(alarm), span, format!("{}: {what}", args.name()), help)

@@ -2,7 +2,7 @@
 //!
 //! Source: C 6.1 and 6.2 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::geo::{Deg, Plane};
 use crate::ir::cycle::drilling::Levels;
 use crate::machine::Axis;
@@ -144,8 +144,21 @@ impl CycleCall<'_, '_> {
             Some(radius) => Ok(radius / tangent(tip)),
             None => {
                 let message = format!("{WHAT} needs the radius of the tool");
-                self.cycle_fault(args.span_of(GMODE), None, &message, "give `[tools.N] radius`")
+                self.cycle_fault(
+                    args.span_of(GMODE),
+                    None,
+                    &message,
+                    self.ask_tool("radius", "give `[tools.N] radius`"),
+                )
             }
+        }
+    }
+
+    /// A help that names a field of the tool in use, with the key of that tool.
+    fn ask_tool(&self, field: &'static str, help: &str) -> Help {
+        match self.st.tool.active() {
+            Some(number) => Answer::tool(number, field).help(help),
+            None => help.into(),
         }
     }
 
@@ -156,6 +169,7 @@ impl CycleCall<'_, '_> {
             None => {
                 let message = format!("{what} needs the angle at the tip of the tool");
                 let help = "give `[tools.N] tip_angle`: 118 for a common drill, 90 for a common centre drill";
+                let help = self.ask_tool("tip_angle", help);
                 self.cycle_fault(args.span_of(GMODE), None, &message, help)
             }
         }

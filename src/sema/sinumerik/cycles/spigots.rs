@@ -2,7 +2,7 @@
 //!
 //! Source: M 7.6 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::Deg;
 use crate::ir::cycle::milling::{Mill, Place};
 use crate::ir::cycle::spigot::{Blank, MOST_EDGES, Shape, SpigotFault, Starts};
@@ -49,7 +49,7 @@ impl CycleCall<'_, '_> {
                     codes::S9015,
                     self.args.span_of(CDIAM),
                     "CYCLE77 in its old form of 16 arguments: whether the sixth one is the diameter or the radius of the spigot is not confirmed",
-                    "say it by `[cycles] spigot_size = \"diameter\"`, or write the call with the codes behind `_AP1`",
+                    Answer::key("cycles", "spigot_size").help("say it by `[cycles] spigot_size = \"diameter\"`, or write the call with the codes behind `_AP1`"),
                 );
             }
         };
@@ -92,7 +92,8 @@ impl CycleCall<'_, '_> {
                     codes::S9015,
                     args.span_of(STA),
                     "CYCLE79: whether an edge or a corner of the multi-edge lies on the first axis is not confirmed",
-                    "say it by `[cycles] multi_edge_start = \"edge\"` or \"corner\"",
+                    Answer::key("cycles", "multi_edge_start")
+                        .help("say it by `[cycles] multi_edge_start = \"edge\"` or \"corner\""),
                 );
             }
         };

@@ -2,7 +2,7 @@
 //!
 //! Source: M 7.8 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::geo::Deg;
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
 use crate::ir::cycle::thread_milling::{Side, ThreadMillingFault, Turns, Ways};
@@ -126,7 +126,7 @@ impl CycleCall<'_, '_> {
                 codes::S9015,
                 args.span_of(VARI),
                 "CYCLE70: what the tens and hundreds of `_VARI` mean, sense and hand of the thread, is not confirmed",
-                "have them read by `[cycles] thread_milling_digits = true`: tens 1 down, 2 up; hundreds 1 left-hand",
+                Answer::key("cycles", "thread_milling_digits").one_of(&["true"]).help("have them read by `[cycles] thread_milling_digits = true`: tens 1 down, 2 up; hundreds 1 left-hand"),
             );
         }
         let left_hand = hundreds == 1;

@@ -2,7 +2,7 @@
 //!
 //! Source: C 4.1, 5.1 and 5.7 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::cycle::undercut::UndercutCycle;
 use crate::ir::cycle::{Cycle, Family};
 use crate::ir::undercut::Surface;
@@ -82,7 +82,7 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let machine = &self.job.settings.machine;
         if machine.kind != MachineKind::Lathe {
-            let help = "set `[machine] kind = \"lathe\"`";
+            let help = Answer::key("machine", "kind").one_of(&["\"lathe\""]).help("set `[machine] kind = \"lathe\"`");
             return self.cycle_fault(args.span, None, "undercuts need turning technology", help);
         }
         self.in_turning_plane()?;
@@ -92,7 +92,7 @@ impl CycleCall<'_, '_> {
                 args.span,
                 16510,
                 "machine datum 20100 names no axis of G18, so there are no undercuts",
-                "set `[machine] diameter_axis = \"X\"`",
+                Answer::key("machine", "diameter_axis").help("set `[machine] diameter_axis = \"X\"`"),
             );
         }
         Ok(())

@@ -1,0 +1,368 @@
+//! Keys of `partc.toml` that findings ask for: gathered over programs, merged, and written as lines of the file.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write as _;
+
+use crate::diag::{Answer, Code, Severity, Values};
+use crate::driver::Session;
+use crate::machine::keys::{Key, Kind, SECTIONS};
+use crate::text::Loc;
+
+/// Column of the remarks.
+const WIDTH: usize = 34;
+/// Characters of a block that are quoted.
+const QUOTED: usize = 60;
+/// Numbers handed out while a program is tried that calls tools by name.
+const FIRST_TRIED: u32 = 9001;
+
+/// A block that asks for a key.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Place {
+    pub file: String,
+    pub line: u32,
+    pub block: String,
+}
+
+impl Place {
+    pub fn new(loc: Loc, session: &Session) -> Place {
+        let line = session.sources.line(loc);
+        Place { file: session.sources.shown(loc.file), line: line.number, block: cut(line.text.trim()) }
+    }
+}
+
+/// Source text as far as it is quoted.
+pub(super) fn cut(text: &str) -> String {
+    match text.char_indices().nth(QUOTED) {
+        Some((at, _)) => format!("{}…", &text[..at]),
+        None => text.to_owned(),
+    }
+}
+
+/// A key, the finding that asks for it, and where.
+#[derive(Debug, Clone)]
+pub(super) struct Request {
+    pub answer: Answer,
+    pub code: &'static Code,
+    pub place: Place,
+}
+
+/// What the errors of a session ask for. `folder_of` names the folder of a file, by the key of its root, where it is known.
+pub(super) fn requests(session: &Session, folder_of: &dyn Fn(&str) -> Option<(String, String)>) -> Vec<Request> {
+    let mut list = Vec::new();
+    session.diags.each(|found| {
+        if found.severity != Severity::Error {
+            return;
+        }
+        let place = Place::new(found.label.loc, session);
+        let request = |answer| Request { answer, code: found.code, place: place.clone() };
+        let folder = found.answers.iter().find_map(|answer| match &answer.values {
+            Values::FolderOf(files) => files.iter().find_map(|file| folder_of(file)),
+            _ => None,
+        });
+        match folder {
+            Some((root, folder)) => {
+                let folder = format!("\"{folder}\"");
+                list.push(request(Answer::entry("include", "roots", root).one_of(&[folder])));
+            }
+            None => {
+                let known = found.answers.iter().filter(|answer| !matches!(answer.values, Values::FolderOf(_)));
+                list.extend(known.cloned().map(request));
+            }
+        }
+    });
+    list
+}
+
+/// All that is asked for a key.
+#[derive(Debug, Clone)]
+pub(super) struct Need {
+    answer: Answer,
+    values: BTreeSet<Values>,
+    pub first: Place,
+    /// Programs that ask.
+    pub programs: BTreeSet<String>,
+    pub codes: BTreeSet<&'static str>,
+}
+
+/// The keys that are asked for.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Needs {
+    map: BTreeMap<(usize, Vec<String>), Need>,
+    /// Tools that are called by name, in the order in which they were met.
+    names: Vec<String>,
+}
+
+/// How keys are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Form {
+    /// To be pasted: what is open is left for the user to write.
+    Lines,
+    /// Commented, `#key =`, for a file that is used as it stands.
+    Commented,
+    /// With some value for each key, so that a run goes on: for trying only.
+    Tried,
+}
+
+impl Needs {
+    pub fn is_empty(&self) -> bool {
+        self.map.is_empty()
+    }
+
+    pub fn len(&self) -> usize {
+        self.map.len()
+    }
+
+    /// Takes what `program` asks for. True if one of it is new.
+    pub fn take(&mut self, program: &str, requests: &[Request]) -> bool {
+        let mut is_new = false;
+        for request in requests {
+            let answer = self.by_name(&request.answer);
+            let section = SECTIONS.iter().position(|section| section.name == answer.section).unwrap_or(SECTIONS.len());
+            let values = answer.values.clone();
+            // A name that a variable without value stands for.
+            if answer.path.iter().any(|name| name.trim_matches('"').is_empty()) {
+                continue;
+            }
+            let need = self.map.entry((section, answer.path.clone())).or_insert_with(|| {
+                is_new = true;
+                Need {
+                    answer,
+                    values: BTreeSet::new(),
+                    first: request.place.clone(),
+                    programs: BTreeSet::new(),
+                    codes: BTreeSet::new(),
+                }
+            });
+            is_new |= need.values.insert(values) && matches!(need.answer.values, Values::Item(_));
+            need.programs.insert(program.to_owned());
+            need.codes.insert(request.code.id);
+        }
+        is_new
+    }
+
+    /// Takes over what another list holds.
+    pub fn join(&mut self, other: &Needs) {
+        for (key, need) in &other.map {
+            match self.map.get_mut(key) {
+                Some(own) => {
+                    own.values.extend(need.values.iter().cloned());
+                    own.programs.extend(need.programs.iter().cloned());
+                    own.codes.extend(need.codes.iter().copied());
+                }
+                None => {
+                    self.map.insert(key.clone(), need.clone());
+                }
+            }
+        }
+        for name in &other.names {
+            if !self.names.contains(name) {
+                self.names.push(name.clone());
+            }
+        }
+    }
+
+    /// The request with the name of a tool in place of the number that it was tried with.
+    pub fn by_its_name(&mut self, request: Request) -> Request {
+        Request { answer: self.by_name(&request.answer), ..request }
+    }
+
+    /// A tool that is called by name is known by it: which number it gets, only the user says.
+    fn by_name(&mut self, answer: &Answer) -> Answer {
+        let mut answer = answer.clone();
+        if answer.section != "tools" {
+            return answer;
+        }
+        if let (Values::OneOf(values), Some("name")) = (&answer.values, answer.path.get(1).map(String::as_str)) {
+            let name = values[0].clone();
+            if !self.names.contains(&name) {
+                self.names.push(name.clone());
+            }
+            answer.path[0] = name;
+        } else if let Ok(number) = answer.path[0].parse::<u32>()
+            && let Some(name) = number.checked_sub(FIRST_TRIED).and_then(|at| self.names.get(at as usize))
+        {
+            answer.path[0] = name.clone();
+        }
+        answer
+    }
+
+    /// The keys as a part of `partc.toml`. `taken` are numbers of tools that programs call, `listed` items that lists hold
+    /// already.
+    pub fn toml(&self, form: Form, taken: &BTreeSet<u32>, listed: &dyn Fn(&str, &str) -> Vec<String>) -> String {
+        let mut text = String::new();
+        for (at, section) in SECTIONS.iter().enumerate() {
+            let needs: Vec<&Need> = self.map.iter().filter(|(key, _)| key.0 == at).map(|(_, need)| need).collect();
+            if needs.is_empty() {
+                continue;
+            }
+            if section.name == "tools" {
+                self.tools(&mut text, form, &needs, taken);
+                continue;
+            }
+            let _ = writeln!(text, "{}[{}]", if text.is_empty() { "" } else { "\n" }, section.name);
+            for need in needs {
+                line(&mut text, form, need, &|key| listed(section.name, key));
+            }
+        }
+        text
+    }
+
+    fn tools(&self, text: &mut String, form: Form, needs: &[&Need], taken: &BTreeSet<u32>) {
+        let mut by_tool: BTreeMap<(bool, u32, &str), Vec<&Need>> = BTreeMap::new();
+        for need in needs {
+            let tool = need.answer.path[0].as_str();
+            by_tool.entry((tool.parse::<f64>().is_err(), tool.parse().unwrap_or(0), tool)).or_default().push(need);
+        }
+        let own: BTreeSet<u32> = by_tool.keys().filter(|key| !key.0).map(|key| key.1).collect();
+        let mut free = (1..).filter(|n| !taken.contains(n) && !own.contains(n));
+        for ((named, _, tool), needs) in by_tool {
+            // A tool without a value is none.
+            let mark = if form == Form::Commented { "#" } else { "" };
+            let _ = write!(text, "{}", if text.is_empty() { "" } else { "\n" });
+            if named {
+                let tried = self.names.iter().position(|name| name == tool).unwrap_or(0) as u32 + FIRST_TRIED;
+                let number = if form == Form::Tried { tried } else { free.next().unwrap_or(tried) };
+                let head = format!("{mark}[tools.{number}]");
+                if form == Form::Tried {
+                    let _ = writeln!(text, "{head}\nname = {tool}");
+                } else {
+                    let _ = writeln!(text, "{head:WIDTH$} # a free number: write the one of this tool, it is printed");
+                }
+            } else {
+                let quoted = if tool.contains('.') { format!("\"{tool}\"") } else { tool.to_owned() };
+                let _ = writeln!(text, "{mark}[tools.{quoted}]");
+            }
+            for need in needs.into_iter().filter(|need| form != Form::Tried || need.answer.path[1] != "name") {
+                line(text, form, need, &|_| Vec::new());
+            }
+        }
+    }
+}
+
+impl Need {
+    /// The key of the configuration that it is.
+    fn key(&self) -> Option<&'static Key> {
+        let section = SECTIONS.iter().find(|section| section.name == self.answer.section)?;
+        let [first, ..] = &self.answer.path[..] else { return None };
+        let last = self.answer.path.last()?;
+        section.keys().find(|key| key.name == first).or_else(|| section.entry.iter().find(|key| key.name == last))
+    }
+
+    fn items(&self) -> Vec<String> {
+        let mut items: Vec<String> = self
+            .values
+            .iter()
+            .filter_map(|values| match values {
+                Values::Item(item) => Some(item.clone()),
+                _ => None,
+            })
+            .collect();
+        items.sort_by_key(|item| (item.parse::<u32>().unwrap_or(u32::MAX), item.clone()));
+        items
+    }
+
+    /// The values that would do.
+    fn choices(&self) -> Vec<String> {
+        let mut choices: Vec<String> = Vec::new();
+        for values in &self.values {
+            if let Values::OneOf(list) = values {
+                choices.extend(list.iter().filter(|value| !choices.contains(value)).cloned().collect::<Vec<_>>());
+            }
+        }
+        if choices.is_empty()
+            && self.answer.path.len() == 1
+            && let Some(Kind::Choice(list)) = self.key().map(|key| key.kind)
+        {
+            choices = list.iter().filter(|value| **value != "refuse").map(|value| format!("\"{value}\"")).collect();
+        }
+        choices
+    }
+
+    /// What kind of value the user has to find.
+    fn wanted(&self) -> String {
+        match (self.answer.section, self.key()) {
+            ("include", _) => "a folder; ".to_owned(),
+            (_, Some(key)) => format!("{}; ", kind(key)),
+            ("datums", None) => "a work offset of the target, as \"G55\"; ".to_owned(),
+            ("start", None) => "number, where the axis stands before the first block; ".to_owned(),
+            (_, None) => "number; ".to_owned(),
+        }
+    }
+
+    fn places(&self) -> String {
+        let Place { file, line, block } = &self.first;
+        let more = match self.programs.len() {
+            0 | 1 => String::new(),
+            2 => ", and another program".to_owned(),
+            n => format!(", and {} other programs", n - 1),
+        };
+        format!("{file}:{line} `{block}`{more}")
+    }
+}
+
+/// One line of a key, with what it is and what asks for it.
+fn line(text: &mut String, form: Form, need: &Need, listed: &dyn Fn(&str) -> Vec<String>) {
+    let key = match need.answer.section {
+        "tools" => need.answer.path[1].clone(),
+        _ => need.answer.place().1,
+    };
+    let choices = need.choices();
+    let (value, remark) = match (&need.answer.values, &choices[..]) {
+        (Values::Item(_), _) => {
+            let mut items = listed(&need.answer.path[0]);
+            items.extend(need.items().into_iter().filter(|item| !items.contains(item)).collect::<Vec<_>>());
+            (format!("[{}]", items.join(", ")), String::new())
+        }
+        (_, [only]) => (only.clone(), String::new()),
+        (_, [first, ..]) if form == Form::Tried => (first.clone(), String::new()),
+        // What the program calls is no choice of keys: the first is what it looks like.
+        (Values::OneOf(_), [first, others @ ..]) if need.answer.section == "programs" => {
+            (first.clone(), format!("or {}; ", others.join(" or ")))
+        }
+        (_, [_, ..]) => (String::new(), format!("{}; ", choices.join(" or "))),
+        (_, []) if form == Form::Tried => (tried(&need.answer).to_owned(), String::new()),
+        (_, []) => (String::new(), need.wanted()),
+    };
+    if form == Form::Tried {
+        let _ = writeln!(text, "{key} = {value}");
+        return;
+    }
+    let mark = if form == Form::Commented { "#" } else { "" };
+    let entry = format!("{mark}{key} = {value}");
+    let _ = writeln!(text, "{entry:WIDTH$} # {remark}{}", need.places());
+}
+
+/// What kind of value a key takes, in words.
+fn kind(key: &Key) -> String {
+    let what = match key.kind {
+        Kind::Text | Kind::Choice(_) => "text",
+        Kind::Flag => "true or false",
+        Kind::Number | Kind::Free => "number",
+        Kind::Whole | Kind::Places => "whole number",
+        Kind::Wholes | Kind::Digits | Kind::Texts | Kind::Words => "list",
+    };
+    match key.kind {
+        Kind::Free => what.to_owned(),
+        _ => format!("{what}, {}", key.doc),
+    }
+}
+
+/// Some value that lets a run go on; it says nothing about the machine.
+fn tried(answer: &Answer) -> &'static str {
+    let key = answer.path.last().map_or("", String::as_str);
+    match (answer.section, key) {
+        ("tools", "length") => "100.0",
+        ("tools", "tip_angle") => "118.0",
+        ("tools", "orientation") => "3",
+        ("tools", "number") => "1",
+        ("tools", "width") => "3.0",
+        ("tools", _) => "1.0",
+        ("machine", "diameter_axis") => "\"X\"",
+        ("control", "feed" | "rapid_feed") => "1000.0",
+        ("control", "retract_max") | ("start" | "machine", _) => "0.0",
+        ("datums", _) => "\"G54\"",
+        ("include", _) => "\".\"",
+        ("control", "modulo") => "\"truncate\"",
+        _ => "1.0",
+    }
+}

@@ -1,0 +1,198 @@
+//! `partc init`, and what check and compile say of keys that a configuration lacks.
+
+use super::cli_run::{Folder, PART, RADIUS, WRONG};
+
+/// Everything that `partc init` wrote with its blanks filled in, as nobody should do who has a machine.
+pub(super) fn filled(config: &str) -> String {
+    let (mut text, mut section) = (String::new(), String::new());
+    for line in config.lines() {
+        let open = line
+            .strip_prefix('#')
+            .filter(|rest| rest.starts_with('[') || rest.contains(" = ") && !rest.starts_with(' '));
+        let line = open.unwrap_or(line);
+        let (entry, remark) = line.split_once(" # ").unwrap_or((line, ""));
+        let entry = entry.trim_end();
+        if entry.starts_with('[') {
+            entry.clone_into(&mut section);
+        }
+        text += entry;
+        if entry.ends_with('=') {
+            text += " ";
+            text += &value(&section, entry.trim_end_matches(['=', ' ']), remark);
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// Some value for a key, of those that its remark names.
+fn value(section: &str, key: &str, remark: &str) -> String {
+    if let Some(choice) = remark.strip_prefix('"').and_then(|rest| rest.split_once('"')) {
+        return format!("\"{}\"", choice.0);
+    }
+    match key {
+        "radius" => "1.0",
+        "length" => "100.0",
+        "tip_angle" => "118.0",
+        "orientation" => "3",
+        "width" => "3.0",
+        "number" => "1",
+        "feed" | "rapid_feed" => "1000.0",
+        "diameter_axis" => "\"X\"",
+        // Others than 0 can be divided by.
+        _ if section == "[variables]" => "1.0",
+        _ if key.starts_with("roots.") => "\".\"",
+        _ if remark.starts_with("a work offset") => "\"G54\"",
+        _ if remark.starts_with("true or false") => "true",
+        _ => "0.0",
+    }
+    .to_owned()
+}
+
+/// A Klartext program that needs the radius of tool 5 for its path, an M function, a feed, and a tool by its name.
+const NEEDS: &str = "0 BEGIN PGM NEEDS MM\n1 TOOL CALL 5 Z S2000\n2 L X+0 Y+0 R0 FMAX M3\n3 L X+0 Y+0 R0 F AUTO M77\n\
+                     4 L X+10 Y+10 RL F200\n5 L X+50 RL\n6 L X+60 Y+0 R0\n7 TOOL CALL \"MILL_D8\" Z S3000\n\
+                     8 L X+0 Y+0 R0 FMAX M3\n9 FN 0: Q1 = Q50\n10 L Z+50 FMAX M30\n11 END PGM NEEDS MM\n";
+
+#[test]
+fn one_round_answers_everything() {
+    let folder = Folder::new("init").with(&[("shop/A.H", NEEDS), ("shop/B.H", PART)]);
+    folder.run(&["compile", "shop/A.H"]).exits(1);
+    folder.run(&["init", "shop"]).exits(0).says("2 programs read, 1 compiles now, 2 with");
+    let config = folder.read("shop/partc.toml");
+    for wanted in [
+        "#feed = ",
+        "#[tools.5]\n#radius = ",
+        "#[tools.1]",
+        "#name = \"MILL_D8\"",
+        "#Q50 = ",
+        "#pass_m = [77]",
+        "shop/A.H:4 `3 L X+0 Y+0 R0 F AUTO M77`",
+        "#   5: radius compensation; ",
+    ] {
+        assert!(config.contains(wanted), "{wanted} is missing in:\n{config}");
+    }
+    // As it was written it changes nothing.
+    folder.run(&["compile", "shop/B.H", "-o", "-"]).exits(0);
+    folder.write("shop/partc.toml", &filled(&config));
+    folder.run(&["compile", "shop/A.H", "-o", "-"]).exits(0);
+}
+
+#[test]
+fn an_existing_configuration_is_kept() {
+    let folder = Folder::new("init_kept").with(&[("A.H", NEEDS), ("partc.toml", "[output]\npass_m = [5]\n")]);
+    folder.run(&["init", "."]).exits(2).says("use --force");
+    let printed = folder.run(&["init", ".", "-o", "-"]).exits(0).out;
+    assert!(printed.contains("pass_m = [5, 77]"), "{printed}");
+    assert_eq!(folder.read("partc.toml"), "[output]\npass_m = [5]\n");
+    folder.run(&["init", ".", "--force"]).exits(0);
+    assert!(folder.read("partc.toml").starts_with("# Written by `partc init`"));
+    folder.run(&["init", "nowhere"]).exits(2);
+}
+
+#[test]
+fn programs_of_the_machine_builder_and_folders_are_named() {
+    let call = "N10 G54\nN20 TC(\"MILL_D10\",1)\nN30 G0 X0 Y0 Z5\nN40 SUB\nN50 M77\nN60 M30\n";
+    let folder = Folder::new("init_calls").with(&[("MPF/A.MPF", call), ("LIB/SUB.SPF", "G1 X5 F100\nM17\n")]);
+    // The missing program does not hide what comes behind it.
+    let found = folder.run(&["check", "MPF/A.MPF", "--format", "concise"]).exits(1);
+    assert_eq!(found.codes().iter().filter(|code| **code == "S2044").count(), 1, "{}", found.err);
+    folder.run(&["init", "."]).exits(0);
+    let config = folder.read("partc.toml");
+    for wanted in
+        ["#TC = { tool = 1 }", "or { ignore = true }", "#roots.\"/_N_LIB_DIR\" = \"LIB\"", "#name = \"MILL_D10\""]
+    {
+        assert!(config.contains(wanted), "{wanted} is missing in:\n{config}");
+    }
+    folder.write("partc.toml", &filled(&config));
+    folder.run(&["compile", "MPF/A.MPF", "-o", "-"]).exits(0);
+}
+
+#[test]
+fn the_lines_to_paste_are_complete_for_a_program() {
+    let folder = Folder::new("paste").with(&[("A.H", NEEDS)]);
+    let said = folder.run(&["compile", "A.H"]).exits(1).err;
+    let (_, lines) = said.split_once("Paste into partc.toml and fill in:").expect("lines to paste");
+    for wanted in ["[control]", "feed =", "[tools.5]", "radius =", "name = \"MILL_D8\"", "Q50 =", "pass_m = [77]"] {
+        assert!(lines.contains(wanted), "{wanted} is missing in:\n{said}");
+    }
+    // What is not filled in is no configuration.
+    let pasted: String = lines.lines().map(|line| line.trim_start().to_owned() + "\n").collect();
+    let (pasted, _) = pasted.split_once("\n\n\n").unwrap_or((&pasted, ""));
+    folder.write("partc.toml", pasted);
+    folder.run(&["compile", "A.H"]).exits(2);
+}
+
+#[test]
+fn several_programs_are_a_line_a_finding_and_a_table() {
+    let folder = Folder::new("folder").with(&[("a/A.H", RADIUS), ("a/B.H", RADIUS), ("a/C.H", WRONG), ("a/D.H", PART)]);
+    let said = folder.run(&["check", "a"]).exits(1).err;
+    assert!(said.contains("a/A.H:4:") && !said.contains("a/B.H:4:"), "a key is told once:\n{said}");
+    assert!(said.contains("a/C.H:2:14: error[K1005]: "), "{said}");
+    assert!(said.contains("programs findings") && said.contains("<- [tools.5] radius"), "{said}");
+    assert!(said.contains("Begin with what partc.toml can answer") && said.contains("and another program"), "{said}");
+    assert!(said.contains("4 programs, 3 errors"), "{said}");
+    let short = folder.run(&["check", "a", "--max", "0"]).exits(1).err;
+    assert!(short.contains("a/C.H: … and 1 more"), "{short}");
+    // Whoever names a format gets it.
+    let concise = folder.run(&["check", "a", "--format", "concise"]).exits(1).err;
+    assert!(concise.contains("a/B.H:4:") && !concise.contains("programs findings"), "{concise}");
+}
+
+#[test]
+fn the_keys_are_in_json() {
+    let folder = Folder::new("asked").with(&[("A.H", RADIUS)]);
+    let found = folder.run(&["check", "A.H", "--format", "json"]).exits(1).json();
+    let answers = &found["diagnostics"][0]["answers"];
+    assert_eq!(answers[0]["table"], "tools.5");
+    assert_eq!(answers[0]["key"], "radius");
+}
+
+#[test]
+fn long_quotes_are_cut() {
+    let long = format!("N10 G0 X0\nN20 {}=5\nN30 M30\n", "NAME".repeat(40));
+    let folder = Folder::new("quotes").with(&[("A.MPF", &long)]);
+    let found = folder.run(&["check", "A.MPF", "--format", "json"]).exits(1).json();
+    let message = found["diagnostics"][0]["message"].as_str().expect("a message");
+    assert!(message.contains('…') && message.len() < 200, "{message}");
+}
+
+#[test]
+fn keys_are_explained_and_commands_have_pages() {
+    let folder = Folder::new("explained");
+    let text = folder.run(&["explain", "control.cp_sign"]).exits(0).out;
+    assert!(text.starts_with("[control] cp_sign\n") && text.contains("values: "), "{text}");
+    assert!(folder.run(&["explain", "pole-missing"]).exits(0).out.starts_with("K2101"));
+    let page = folder.run(&["man", "compile"]).exits(0).out;
+    assert!(page.contains(".TH partc-compile"), "{}", &page[..200]);
+    folder.run(&["man", "compil"]).exits(2).says("did you mean `compile`?");
+    folder.run(&["man", "--out-dir", "pages"]).exits(0);
+    assert!(folder.has("pages/partc-init.1") && folder.has("pages/partc.1"));
+}
+
+#[test]
+fn the_configuration_shown_is_that_of_the_language() {
+    let folder = Folder::new("shown").with(&[("A.H", PART), ("A.MPF", "G0 X0\nM30\n")]);
+    let klartext = folder.run(&["config", "--show", "A.H"]).exits(0).out;
+    let sinumerik = folder.run(&["config", "--show", "A.MPF"]).exits(0).out;
+    assert!(klartext.contains("cp_sign") && !klartext.contains("md10760"), "{klartext}");
+    assert!(!sinumerik.contains("cp_sign") && sinumerik.contains("md10760"), "{sinumerik}");
+    assert!(klartext.contains("; one of "), "{klartext}");
+}
+
+#[test]
+fn an_unknown_language_is_asked_for_with_all_names() {
+    let folder = Folder::new("language").with(&[("A.txt", "hello\nworld\n")]);
+    let said = folder.run(&["check", "A.txt"]).exits(2).err;
+    for name in ["klartext", "sinumerik", "mtc200", "heidenhain-turning", "cannot be read"] {
+        assert!(said.contains(name), "{said}");
+    }
+}
+
+#[test]
+fn inches_leave_no_digits_in_a_trace() {
+    let inch = "0 BEGIN PGM INCH INCH\n1 L X+6 Y+0.1 Z+2.3 R0 FMAX\n2 L Z+50 FMAX M30\n3 END PGM INCH INCH\n";
+    let folder = Folder::new("inches").with(&[("A.H", inch)]);
+    let out = folder.run(&["trace", "A.H"]).exits(0).out;
+    assert!(out.contains("\"X\":152.4,") && !out.contains("99999"), "{out}");
+}
