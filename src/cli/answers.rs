@@ -338,7 +338,7 @@ fn kind(key: &Key) -> String {
         Kind::Text | Kind::Choice(_) => "text",
         Kind::Flag => "true or false",
         Kind::Number | Kind::Free => "number",
-        Kind::Whole => "whole number",
+        Kind::Whole | Kind::Places => "whole number",
         Kind::Wholes | Kind::Digits | Kind::Texts | Kind::Words => "list",
     };
     match key.kind {

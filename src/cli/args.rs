@@ -310,6 +310,9 @@ pub(super) struct Common {
     /// Control that shall run the output
     #[arg(long, value_name = "TARGET", value_parser = crate::target::NAMES)]
     pub target: Option<String>,
+    /// Block numbers in steps of N, as `[output] line_numbers`
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1000))]
+    pub numbers: Option<u32>,
     /// Configuration file, instead of the nearest partc.toml
     #[arg(long, value_name = "FILE", conflicts_with = "isolated")]
     pub config: Option<PathBuf>,

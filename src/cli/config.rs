@@ -36,6 +36,7 @@ pub(super) fn command(args: &Config) -> Result<Exit, Trouble> {
     for (section, key, value) in [
         ("tools", "table", args.common.tools.as_ref().map(|path| Value::Text(path.to_string_lossy().into_owned()))),
         ("output", "target", args.common.target.as_ref().map(text)),
+        ("output", "line_numbers", args.common.numbers.map(|step| Value::Whole(i64::from(step)))),
         ("output", "compensation", args.common.compensation.as_ref().map(text)),
     ] {
         if let Some(value) = value {
@@ -134,6 +135,7 @@ pub(super) fn settings_of(tree: &Table, common: &Common) -> Result<Settings, Tro
     if let Some(target) = &common.target {
         settings.output.target = target::find(target).ok_or_else(|| format!("no target `{target}`"))?;
     }
+    settings.output.line_numbers = common.numbers.unwrap_or(settings.output.line_numbers);
     match common.compensation.as_deref() {
         Some("control") => settings.output.compensation = Compensation::Control,
         Some(_) => settings.output.compensation = Compensation::Resolve,

@@ -8,6 +8,7 @@ use serde_json::json;
 use crate::compare::{Difference, Step, Steps, play, steps_of_text};
 use crate::dialect;
 use crate::driver::Session;
+use crate::emit::is_printed;
 use crate::emit::plot::Plot;
 use crate::ir::motion::Sink;
 use crate::machine::Settings;
@@ -83,7 +84,7 @@ fn is_plain(path: &Path) -> bool {
     let name = path.to_string_lossy();
     let Ok(bytes) = fs::read(path) else { return false };
     let head = &bytes[..bytes.len().min(HEAD)];
-    let made = head.split(|b| *b == b'\n').take(2).any(|line| line.starts_with(b"(partc "));
+    let made = is_printed(head);
     let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase());
     let named = extension.is_some_and(|extension| PLAIN.contains(&extension.as_str()));
     made || named && dialect::guess(&name, head).is_none_or(|dialect| dialect.id == "gcode")

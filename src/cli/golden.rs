@@ -10,7 +10,7 @@ use similar::TextDiff;
 use crate::compare::{Difference, Step, steps_of_text};
 use crate::diag::report::xml::{HEAD as HEAD_OF_XML, escaped};
 use crate::driver::Failure;
-use crate::emit::Output as _;
+use crate::emit::{Output as _, names_source};
 use crate::target::{self, Target};
 use crate::text::decode::{escaped_json, harmless_lines};
 
@@ -23,8 +23,6 @@ use super::report::{Reporter, Stdout, counted};
 use super::run::{Loaded, is_output, is_program, load};
 use super::{Exit, Trouble};
 
-/// Lines of the head that name the version of partc and the hash of the source, not the path.
-const HEAD: [&str; 2] = ["(partc ", "(source "];
 /// Printed numbers that differ by less are the same.
 const SAME: f64 = 1e-7;
 const NAMES: [&str; 2] = ["golden", "now"];
@@ -315,7 +313,7 @@ fn write(path: &Path, text: &str) -> std::io::Result<()> {
 
 /// The lines that matter: neither the version nor the hash in the head, whatever the line ends.
 fn body(program: &str) -> Vec<&str> {
-    program.lines().filter(|line| !HEAD.iter().any(|head| line.starts_with(head))).collect()
+    program.lines().filter(|line| !names_source(line.as_bytes())).collect()
 }
 
 /// The lines that differ, with two lines around them.

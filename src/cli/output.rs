@@ -5,14 +5,12 @@ use std::io::{self, IsTerminal, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use crate::emit::{Output, plot};
+use crate::emit::{Output, is_printed, plot};
 
 use super::pending::{self, Pending, behind_links};
 
 /// Bytes of standard output kept in memory before a temporary file takes over.
 const IN_MEMORY: usize = 8 << 20;
-/// How every output begins, behind the frame of the target.
-const MARK: &[u8] = b"(partc ";
 /// How every source map begins.
 pub(super) const MAP_MARK: &str = "{\"version\":1,\"output\":";
 /// Names tried for an older output that is set aside.
@@ -213,8 +211,7 @@ fn head_of(path: &Path) -> Option<Vec<u8>> {
 
 fn begins(head: &[u8], made: Made) -> bool {
     match made {
-        // The frame is a short line of its own.
-        Made::Program => head.splitn(3, |b| *b == b'\n').take(2).any(|line| line.starts_with(MARK)),
+        Made::Program => is_printed(head),
         Made::Map => head.starts_with(MAP_MARK.as_bytes()),
         Made::Picture => head.starts_with(plot::MARK.as_bytes()),
     }

@@ -10,6 +10,8 @@ use super::{Exit, Trouble};
 
 /// Blanks between two columns.
 const GAP: usize = 2;
+/// Targets beside each other.
+const ABREAST: usize = 4;
 
 pub(super) fn list(format: ListFormat) -> Result<Exit, Trouble> {
     let text = if format == ListFormat::Json {
@@ -26,21 +28,24 @@ fn object(target: &Target) -> Value {
     json!({ "name": target.name, "about": target.about, "extension": target.extension, "abilities": abilities })
 }
 
-/// One column a target, one row an ability.
+/// A line for each target; then their abilities, some targets a table.
 fn table() -> String {
-    let columns: Vec<Vec<(&str, String)>> = ALL.iter().map(|target| target.abilities()).collect();
+    let width = ALL.iter().map(|target| target.name.len()).max().unwrap_or(0) + GAP;
+    let lines = ALL.iter().map(|target| format!("{:width$}{}\n", target.name, target.about));
+    lines.chain(ALL.chunks(ABREAST).map(|targets| format!("\n{}", abilities(targets)))).collect()
+}
+
+/// One column a target, one row an ability.
+fn abilities(targets: &[&Target]) -> String {
+    let columns: Vec<Vec<(&str, String)>> = targets.iter().map(|target| target.abilities()).collect();
     let names = columns[0].iter().map(|(name, _)| *name);
-    let mut rows: Vec<Vec<&str>> = vec![[""].into_iter().chain(ALL.iter().map(|target| target.name)).collect()];
+    let mut rows: Vec<Vec<&str>> = vec![[""].into_iter().chain(targets.iter().map(|target| target.name)).collect()];
     for (i, name) in names.enumerate() {
         rows.push([name].into_iter().chain(columns.iter().map(|column| column[i].1.as_str())).collect());
     }
     let widths: Vec<usize> =
         (0..rows[0].len()).map(|i| rows.iter().map(|row| row[i].len()).max().unwrap_or(0)).collect();
     let mut text = String::new();
-    for target in ALL {
-        text += &format!("{:width$}{}\n", target.name, target.about, width = widths[0] + GAP);
-    }
-    text.push('\n');
     for row in rows {
         let line: String =
             row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}", width = width + GAP)).collect();

@@ -6,7 +6,7 @@ use crate::geo::{Plane, Point2};
 use crate::ir::motion::{Arc, Move, Path, Sink};
 use crate::ir::{Function, Origin, Pos, Side};
 use crate::machine::{Axis, AxisSet};
-use crate::read::{self, AXES, Act, Reader};
+use crate::read::{self, AXES, Act, Reader, Rules};
 use crate::sema::gcode::function::{self, plane, real};
 use crate::text::Loc;
 
@@ -28,7 +28,8 @@ impl std::fmt::Display for Stop {
 /// # Errors
 /// The first line that is no plain G-code.
 pub fn play(text: &[u8], sink: &mut dyn Sink) -> Result<(), Stop> {
-    let mut player = Player { reader: Reader::at_power_on(), sink, selected: None, waiting: None, cutter: None };
+    let mut player =
+        Player { reader: Reader::switched_on(rules_of(text)), sink, selected: None, waiting: None, cutter: None };
     let (mut rest, mut end) = (text, text.len());
     loop {
         let before = player.reader.lines();
@@ -41,6 +42,16 @@ pub fn play(text: &[u8], sink: &mut dyn Sink) -> Result<(), Stop> {
     }
     player.bring_forth(None);
     Ok(())
+}
+
+/// The rules of the target that the head of a printed program names; otherwise those of LinuxCNC.
+fn rules_of(text: &[u8]) -> Rules {
+    const HEAD: usize = 400;
+    const NAMED: &str = "partc ";
+    let head = String::from_utf8_lossy(&text[..text.len().min(HEAD)]).to_lowercase();
+    let line = head.lines().find(|line| line.contains(NAMED));
+    let name = line.and_then(|line| line.split_once("target ")).map(|(_, name)| name.trim_end_matches(')').trim());
+    Rules::of(name.unwrap_or_default())
 }
 
 struct Player<'a> {

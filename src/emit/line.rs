@@ -133,6 +133,31 @@ impl Text {
         self
     }
 
+    /// Appends a word that ends with what gives its number, such as `D` or `LIMS=`, and the number.
+    pub fn valued(&mut self, word: &str, units: i64, places: Places) -> &mut Text {
+        if let Some((last, first)) = word.as_bytes().split_last() {
+            if self.end > self.line {
+                self.raw(b" ");
+            }
+            self.raw(first);
+            self.end += places.write(false, *last, units, self.room());
+        }
+        self
+    }
+
+    /// Puts `number` of `address` in front of the line.
+    #[cold]
+    pub fn begin_with(&mut self, address: u8, number: u32) {
+        let mut room = [0; LONGEST];
+        let mut len = write_whole(false, address, u64::from(number), &mut room);
+        room[len] = b' ';
+        len += 1;
+        let (line, end) = (self.line, self.end);
+        self.raw(&room[..len]);
+        self.bytes.copy_within(line..end, line + len);
+        self.bytes[line..line + len].copy_from_slice(&room[..len]);
+    }
+
     /// Appends without a blank in front.
     pub fn raw(&mut self, bytes: &[u8]) -> &mut Text {
         let end = self.end + bytes.len();

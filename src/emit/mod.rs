@@ -20,8 +20,32 @@ pub mod trace;
 use std::io;
 
 use crate::ir::Origin;
+use crate::target;
 
 pub use printer::Printer;
+
+/// Is this how a printed program begins? Comments look as those of its target.
+pub fn is_printed(head: &[u8]) -> bool {
+    // The frame and the name of the program stand in front.
+    head.split(|b| *b == b'\n').take(MARKED).any(|line| begins(line, MADE))
+}
+
+/// Does this line of a printed program name the version of partc, or the source and its hash?
+pub fn names_source(line: &[u8]) -> bool {
+    [MADE, SOURCE].iter().any(|mark| begins(line, mark))
+}
+
+fn begins(line: &[u8], mark: &[u8]) -> bool {
+    target::ALL.iter().any(|target| {
+        let mark = [target.comments.open.as_bytes(), mark].concat();
+        line.get(..mark.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(&mark))
+    })
+}
+
+const MADE: &[u8] = b"partc ";
+const SOURCE: &[u8] = b"source ";
+/// Lines of which one says who made the program.
+const MARKED: usize = 3;
 
 /// Where the program text goes. The head holds a hash that is known only at the end, hence `patch`.
 pub trait Output {

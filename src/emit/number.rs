@@ -12,6 +12,10 @@ const LARGEST: f64 = 1e9;
 pub struct Places {
     /// 0 to 6.
     count: u8,
+    /// A whole number has its point, too.
+    point: bool,
+    /// The zero in front of a point is written.
+    zero: bool,
     /// Units per millimetre.
     scale: f64,
     /// What rounding adds to a number of units.
@@ -24,7 +28,18 @@ impl Places {
         const SCALES: [f64; 7] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
         let count = count.min(6);
         let scale = SCALES[usize::from(count)];
-        Places { count, scale, half: 0.5 + TIE * scale }
+        Places { count, point: false, zero: true, scale, half: 0.5 + TIE * scale }
+    }
+
+    /// The same places of a length in inches.
+    pub fn of_inches(self) -> Places {
+        let scale = self.scale / 25.4;
+        Places { scale, half: 0.5 + TIE * scale, ..self }
+    }
+
+    /// The same places, with the point and the zero in front of it as the target wants them.
+    pub fn written(self, point: bool, zero: bool) -> Places {
+        Places { point, zero, ..self }
     }
 
     /// Units per millimetre.
@@ -60,15 +75,21 @@ impl Places {
             digits.put(b'-');
         }
         let units = units.unsigned_abs();
+        let form = (self.point, self.zero);
         // Constant divisors make multiplications of the divisions.
         match self.count {
-            3 => digits.fixed::<1_000, 3>(units),
-            4 => digits.fixed::<10_000, 4>(units),
-            5 => digits.fixed::<100_000, 5>(units),
-            6 => digits.fixed::<1_000_000, 6>(units),
-            2 => digits.fixed::<100, 2>(units),
-            1 => digits.fixed::<10, 1>(units),
-            _ => digits.whole(units),
+            3 => digits.fixed::<1_000, 3>(units, form),
+            4 => digits.fixed::<10_000, 4>(units, form),
+            5 => digits.fixed::<100_000, 5>(units, form),
+            6 => digits.fixed::<1_000_000, 6>(units, form),
+            2 => digits.fixed::<100, 2>(units, form),
+            1 => digits.fixed::<10, 1>(units, form),
+            _ => {
+                digits.whole(units);
+                if self.point {
+                    digits.put(b'.');
+                }
+            }
         }
         digits.at
     }
@@ -123,10 +144,15 @@ impl<'a> Digits<'a> {
 
     /// Whole part, and a fraction of `PLACES` places without its trailing zeros.
     #[inline(always)]
-    fn fixed<const POWER: u64, const PLACES: usize>(&mut self, units: u64) {
-        self.whole(units / POWER);
-        let fraction = units % POWER;
+    fn fixed<const POWER: u64, const PLACES: usize>(&mut self, units: u64, (point, zero): (bool, bool)) {
+        let (whole, fraction) = (units / POWER, units % POWER);
+        if zero || whole != 0 || fraction == 0 {
+            self.whole(whole);
+        }
         if fraction == 0 {
+            if point {
+                self.put(b'.');
+            }
             return;
         }
         self.put(b'.');
@@ -192,6 +218,28 @@ mod tests {
     fn text(value: f64, places: u8) -> String {
         let places = Places::new(places);
         written(places, false, places.units(value).unwrap())[1..].to_owned()
+    }
+
+    #[test]
+    fn points_and_zeros_as_the_target_wants_them() {
+        let text = |value: f64, places: u8| {
+            let places = Places::new(places).written(true, false);
+            written(places, false, places.units(value).unwrap())[1..].to_owned()
+        };
+        for (value, wanted) in [(0.0, "0."), (10.0, "10."), (0.25, ".25"), (-0.5, "-.5"), (-12.0, "-12."), (1.5, "1.5")]
+        {
+            assert_eq!(text(value, 3), wanted);
+        }
+        assert_eq!(text(7.0, 0), "7.");
+    }
+
+    #[test]
+    fn inches_are_rounded_once() {
+        let places = Places::new(4).of_inches();
+        let text = |value: f64| written(places, false, places.units(value).unwrap())[1..].to_owned();
+        for (value, wanted) in [(25.4, "1"), (30.0, "1.1811"), (40.0, "1.5748"), (10.0, "0.3937"), (-1.0, "-0.0394")] {
+            assert_eq!(text(value), wanted);
+        }
     }
 
     #[test]

@@ -14,6 +14,8 @@ use super::{LineMap, Output};
 const CHUNK: usize = 1 << 20;
 /// The first piece is smaller: who waits for the output sees it sooner.
 const FIRST_CHUNK: usize = 1 << 14;
+/// What a block number takes of a line.
+const NUMBER: usize = 9;
 
 /// The output under construction.
 pub(super) struct Page<'a> {
@@ -22,6 +24,9 @@ pub(super) struct Page<'a> {
     map: Option<&'a mut dyn LineMap>,
     pub text: Text,
     limits: Line,
+    /// Block numbers: their step, the last one.
+    step: u32,
+    number: u32,
     /// Address of the feed, which an over-long line gives away.
     feed: u8,
     /// The feed counts by time: every line needs its own.
@@ -39,19 +44,25 @@ pub(super) struct Page<'a> {
 
 impl<'a> Page<'a> {
     pub fn new(
-        limits: Line,
+        mut limits: Line,
+        step: u32,
         feed: u8,
         most_lines: u64,
         diags: &'a Diags,
         out: &'a mut dyn Output,
         map: Option<&'a mut dyn LineMap>,
     ) -> Page<'a> {
+        if step > 0 {
+            limits.length -= NUMBER;
+        }
         Page {
             diags,
             out,
             map,
             text: Text::new(CHUNK + 4096, limits.digits),
             limits,
+            step,
+            number: 0,
             feed,
             by_time: false,
             chunk: FIRST_CHUNK,
@@ -150,6 +161,9 @@ impl<'a> Page<'a> {
 
     #[inline(always)]
     fn count_line(&mut self, origin: &Origin) {
+        if self.step > 0 {
+            self.number_line();
+        }
         self.text.end_line();
         self.lines += 1;
         if let Some(map) = &mut self.map {
@@ -158,6 +172,23 @@ impl<'a> Page<'a> {
         if self.lines > self.most_lines {
             self.too_many(origin);
         }
+    }
+
+    /// The number of a block; behind the largest one they begin anew.
+    #[cold]
+    fn number_line(&mut self) {
+        let (address, most) = self.limits.sequence;
+        self.number = if self.number > most - self.step { self.step } else { self.number + self.step };
+        self.text.begin_with(address, self.number);
+    }
+
+    /// A line of the frame that is a block.
+    pub fn block(&mut self, text: &[u8]) {
+        self.text.raw(text);
+        if self.step > 0 {
+            self.number_line();
+        }
+        self.plain(b"");
     }
 
     /// The target would read the number without its last digits.

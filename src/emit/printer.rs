@@ -4,8 +4,11 @@ mod carried;
 #[cfg(test)]
 pub mod disturb;
 mod functions;
+mod head;
+mod measures;
 mod moves;
 mod refusals;
+mod straight;
 
 use std::io;
 
@@ -14,6 +17,7 @@ use crate::geo::Plane;
 use crate::ir::function::CutterData;
 use crate::ir::motion::{Move, Path, Sink};
 use crate::ir::{Function, Origin, Pos, Side};
+use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet, MachineKind, OutputSettings, Settings, Tools};
 use crate::target::Target;
 use crate::text::Loc;
@@ -22,10 +26,8 @@ use super::compensation::{Compensation, Preparation, Way};
 use super::modal::Modal;
 use super::number::Places;
 use super::page::Page;
-use super::{LineMap, Output, comment};
-
-/// Digits of the hash in the head.
-const HASH_DIGITS: usize = 16;
+use super::{LineMap, Output};
+use measures::Measures;
 
 /// Prints motion items for one target.
 pub struct Printer<'a> {
@@ -35,6 +37,7 @@ pub struct Printer<'a> {
     /// X words are diameters.
     diameter: bool,
     places: Places,
+    measures: Measures,
     diags: &'a Diags,
     page: Page<'a>,
     /// Where the hash of the source stands in the output.
@@ -44,6 +47,13 @@ pub struct Printer<'a> {
     axes: AxisSet,
     compensation: Compensation,
     spindle: HandChange,
+    length: ToolLength,
+    /// Where the last thread ended, and behind how many lines.
+    thread: Option<([i64; AXES], u64)>,
+    /// A straight move needs a closer look: inches, or all words in each block.
+    special: bool,
+    /// Name of the main program as comments have it.
+    source: String,
     ended: bool,
     /// The last line of the frame is printed.
     closed: bool,
@@ -57,6 +67,16 @@ enum HandChange {
     Turns,
     /// It turned until this change.
     Stopped(Loc),
+}
+
+/// The length of the tool, where the target takes it with a move along Z.
+#[derive(Debug, Clone, Copy, Default)]
+struct ToolLength {
+    tool: u32,
+    /// The next such move states it.
+    waits: bool,
+    /// The largest speed under constant cutting speed was stated.
+    limited: bool,
 }
 
 impl std::fmt::Debug for Printer<'_> {
@@ -76,13 +96,16 @@ impl<'a> Printer<'a> {
     ) -> Printer<'a> {
         let target = settings.output.target;
         let lathe = settings.machine.kind == MachineKind::Lathe;
-        let page = Page::new(target.line, target.feed.address, settings.limits.output_blocks, diags, out, map);
+        let step = settings.output.line_numbers;
+        let page = Page::new(target.line, step, target.feed.address, settings.limits.output_blocks, diags, out, map);
+        let (places, measures) = Measures::of(&settings.output);
         let mut printer = Printer {
             target,
             settings: &settings.output,
             tools: &settings.tools,
-            diameter: lathe && settings.output.diameter,
-            places: Places::new(settings.output.decimals),
+            diameter: lathe && settings.output.prints_diameters(),
+            places,
+            measures,
             diags,
             page,
             hash_at: 0,
@@ -90,6 +113,10 @@ impl<'a> Printer<'a> {
             axes: target.axes.bytes().filter_map(Axis::of).collect(),
             compensation: Compensation::default(),
             spindle: HandChange::Stands,
+            length: ToolLength::default(),
+            special: !settings.output.modal || measures.inches,
+            thread: None,
+            source: String::new(),
             ended: false,
             closed: false,
         };
@@ -99,36 +126,6 @@ impl<'a> Printer<'a> {
             printer.disturb(disturb::Disturbance::Decimals(0));
         }
         printer
-    }
-
-    fn head(&mut self, source: &str, lathe: bool) {
-        let frame = &self.target.frame;
-        let (open, close) = (self.target.comments.open, self.target.comments.close);
-        if let Some(first) = frame.first {
-            self.page.plain(first.as_bytes());
-        }
-        let title = format!("{open}partc {}, target {}{close}", env!("CARGO_PKG_VERSION"), self.target.name);
-        self.page.plain(title.as_bytes());
-        let source = source.rsplit(['/', '\\']).next().unwrap_or(source);
-        let mut name = comment::harmless(source.as_bytes(), self.target.comments.forbidden);
-        name.truncate(40);
-        let mut text = format!("{open}source {}, hash ", String::from_utf8_lossy(&name)).into_bytes();
-        self.hash_at = self.page.text.len() as u64 + text.len() as u64;
-        text.extend_from_slice(&[b'0'; HASH_DIGITS]);
-        text.extend_from_slice(close.as_bytes());
-        self.page.plain(&text);
-        for line in frame.head {
-            self.page.plain(line.as_bytes());
-        }
-        let modes = match (lathe, self.diameter) {
-            (false, _) => frame.mill,
-            (true, false) => frame.lathe,
-            (true, true) => frame.lathe_diameter.unwrap_or_else(|| {
-                self.lacks_diameters();
-                frame.lathe
-            }),
-        };
-        self.page.plain(modes.as_bytes());
     }
 
     /// From here on text stays until [`Printer::release`], so that somebody can read what an item became.
@@ -151,7 +148,8 @@ impl<'a> Printer<'a> {
     /// Prints what stands behind the last item.
     pub fn close(&mut self) {
         if !std::mem::replace(&mut self.ended, true) {
-            self.page.plain(self.target.flow.end.as_bytes());
+            self.template(&self.settings.footer);
+            self.page.block(self.target.flow.end.as_bytes());
         }
         if let Some(last) = self.target.frame.last.filter(|_| !std::mem::replace(&mut self.closed, true)) {
             self.page.plain(last.as_bytes());
@@ -164,7 +162,8 @@ impl<'a> Printer<'a> {
     /// The first error of the output.
     pub fn finish(mut self, hash: u64) -> io::Result<()> {
         self.close();
-        self.page.finish(self.hash_at, &format!("{hash:016x}"))
+        let hash = self.hash(hash);
+        self.page.finish(self.hash_at, &hash)
     }
 
     #[cold]
@@ -307,7 +306,7 @@ impl Sink for Printer<'_> {
 
     fn begins_at(&mut self, at: &Pos) {
         for (axis, value) in at.iter() {
-            if let Some(units) = self.places.units(value) {
+            if let Some(units) = self.places_of(axis).units(value) {
                 // The target has not heard of it.
                 self.modal.begins(axis, units);
             }

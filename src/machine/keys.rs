@@ -22,6 +22,8 @@ pub enum Kind {
     Texts,
     /// Table whose keys are names.
     Free,
+    /// Number of decimal places, or table of them by quantity.
+    Places,
     /// List of names, or table of names and what is printed for them.
     Words,
 }

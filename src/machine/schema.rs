@@ -61,6 +61,7 @@ fn key_schema(key: &Key) -> Value {
         }
         Kind::Texts => json!({ "type": "array", "items": { "type": "string" } }),
         Kind::Free => json!({ "type": "object" }),
+        Kind::Places => json!({ "type": ["integer", "object"] }),
         Kind::Words => json!({ "type": ["array", "object"] }),
     };
     schema["description"] = json!(key.doc);
@@ -97,7 +98,7 @@ mod tests {
                 assert_eq!(properties[key.name]["description"], json!(key.doc), "{}", key.name);
             }
         }
-        assert_eq!(schema["properties"]["output"]["properties"]["decimals"]["default"], json!(4));
+        assert_eq!(schema["properties"]["output"]["properties"]["line_numbers"]["default"], json!(0));
         assert_eq!(schema["properties"]["tools"]["additionalProperties"]["properties"]["radius"]["type"], "number");
         assert_eq!(schema["additionalProperties"], json!(false));
     }

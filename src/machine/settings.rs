@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use crate::diag::Selection;
-use crate::target::{self, Target};
+use crate::target::{self, Length, Target};
 
 use super::axis::{Axis, AxisSet};
 use super::options::cycles::Cycles;
@@ -220,14 +220,24 @@ pub enum ToolChange {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputSettings {
     pub target: &'static Target,
-    pub decimals: u8,
+    pub units: Units,
+    pub decimals: Decimals,
     pub compensation: Compensation,
-    pub diameter: bool,
+    /// X as a diameter; otherwise as the target has it.
+    pub diameter: Option<bool>,
     pub comments: bool,
+    /// Every block says all axes and the feed, not only what changes.
+    pub modal: bool,
+    /// Step of block numbers; 0 for none.
+    pub line_numbers: u32,
+    pub program_number: u32,
+    /// Comments behind the head and in front of the end.
+    pub header: Vec<String>,
+    pub footer: Vec<String>,
     /// M functions that are printed as they stand.
     pub pass_m: Vec<u32>,
-    /// `G43 H` behind a tool change.
-    pub tool_length: bool,
+    /// The length of the tool behind a tool change; otherwise as is usual with the target.
+    pub tool_length: Option<bool>,
     pub tool_change: ToolChange,
     /// What is printed is read back and compared with what was meant.
     pub validate: bool,
@@ -237,16 +247,96 @@ impl Default for OutputSettings {
     fn default() -> OutputSettings {
         OutputSettings {
             target: target::ALL[0],
-            decimals: 4,
+            units: Units::Millimetres,
+            decimals: Decimals::default(),
             compensation: Compensation::Resolve,
-            diameter: false,
+            diameter: None,
             comments: true,
+            modal: true,
+            line_numbers: 0,
+            program_number: 1,
+            header: Vec::new(),
+            footer: Vec::new(),
             pass_m: Vec::new(),
-            tool_length: false,
+            tool_length: None,
             tool_change: ToolChange::Change,
             validate: true,
         }
     }
+}
+
+impl OutputSettings {
+    /// Places behind the point of a quantity: those of its own key, of the target, of lengths.
+    pub fn places(&self, quantity: Quantity) -> u8 {
+        let numbers = &self.target.numbers;
+        let unit = usize::from(self.units == Units::Inches);
+        let lengths = self.decimals.length.unwrap_or(numbers.length[unit]);
+        let own = |places: Option<[u8; 2]>| places.map(|places| places[unit]);
+        let of_feed = self.decimals.feed;
+        match quantity {
+            Quantity::Length => lengths,
+            Quantity::Angle => self.decimals.angle.or(self.decimals.length).unwrap_or(numbers.length[0]),
+            Quantity::Feed => of_feed.or(own(numbers.feed)).unwrap_or(lengths),
+            Quantity::FeedPerRevolution => of_feed.or(own(numbers.feed_per_revolution)).unwrap_or(lengths),
+            Quantity::InverseTime => of_feed.unwrap_or(lengths),
+            Quantity::Lead => own(numbers.lead).unwrap_or(lengths),
+            Quantity::Speed => self.decimals.speed.or(numbers.speed).unwrap_or(lengths),
+            Quantity::Time if self.target.dwell.milliseconds => 3,
+            Quantity::Time => self.decimals.time.unwrap_or(lengths),
+        }
+    }
+
+    /// X is printed as a diameter, on a lathe.
+    pub fn prints_diameters(&self) -> bool {
+        self.diameter.unwrap_or(self.target.frame.lathe.is_none())
+    }
+
+    /// The target adds the length of a tool after a change.
+    pub fn prints_tool_length(&self) -> bool {
+        self.tool_length.unwrap_or(match self.target.tool.length {
+            Length::None => false,
+            Length::WithTool => true,
+            Length::Words(words) => words.usual,
+        })
+    }
+
+    /// The length of a tool is stated by the first move along Z behind its change.
+    pub fn tool_length_waits(&self) -> bool {
+        self.prints_tool_length() && matches!(self.target.tool.length, Length::Words(words) if words.with_move)
+    }
+}
+
+/// Unit of the printed lengths.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Units {
+    #[default]
+    Millimetres,
+    Inches,
+}
+
+/// Places behind the point, where the configuration says them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Decimals {
+    pub length: Option<u8>,
+    pub angle: Option<u8>,
+    pub feed: Option<u8>,
+    pub speed: Option<u8>,
+    pub time: Option<u8>,
+}
+
+/// What a printed number counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    Length,
+    Angle,
+    /// Per minute.
+    Feed,
+    FeedPerRevolution,
+    InverseTime,
+    /// Way of a turn of a thread.
+    Lead,
+    Speed,
+    Time,
 }
 
 /// `[limits]`

@@ -31,6 +31,7 @@ pub(super) fn fits(key: &Key, node: &Node) -> Result<(), ConfigError> {
         Kind::Wholes | Kind::Digits => all(|value| matches!(value, Value::Whole(_))),
         Kind::Texts => all(|value| matches!(value, Value::Text(_))),
         Kind::Free => matches!(node.value, Value::Table(_)),
+        Kind::Places => matches!(node.value, Value::Whole(_) | Value::Table(_)),
         Kind::Words => matches!(node.value, Value::Table(_)) || all(|value| matches!(value, Value::Text(_))),
     };
     let wanted = match key.kind {
@@ -42,6 +43,7 @@ pub(super) fn fits(key: &Key, node: &Node) -> Result<(), ConfigError> {
         Kind::Digits => "a list of numbers from 0 to 9",
         Kind::Texts => "a list of texts",
         Kind::Free => "a table",
+        Kind::Places => "a whole number or a table",
         Kind::Words => "a list of texts or a table",
     };
     if ok { Ok(()) } else { Err(node.fail(format!("`{}` needs {wanted}: {}", key.name, key.doc))) }

@@ -3,6 +3,7 @@
 use super::Fault;
 use super::act::{Cutter, FeedKind, Plane};
 use super::number::{SCALE, decimal};
+use super::rules::{G, Rules, Words};
 
 /// M functions of a line.
 const MOST_M: usize = 4;
@@ -17,6 +18,8 @@ pub(super) struct Block {
     pub stop_motion: bool,
     pub machine: bool,
     pub dwell: bool,
+    /// Whole turns beside the one that leads to the end of the arc.
+    pub more_turns: Option<u32>,
     pub plane: Option<Plane>,
     pub inches: Option<bool>,
     pub diameter: Option<bool>,
@@ -24,6 +27,8 @@ pub(super) struct Block {
     pub absolute_centers: Option<bool>,
     pub feed_kind: Option<FeedKind>,
     pub constant_cut: Option<bool>,
+    /// S is the largest speed.
+    pub speed_limit: bool,
     /// The side, and that D is a diameter.
     pub side: Option<(i8, bool)>,
     /// G43, or G49.
@@ -44,7 +49,7 @@ impl Block {
     ///
     /// # Errors
     /// What is no word of a plain program.
-    pub fn read(line: &[u8]) -> Result<Block, Fault> {
+    pub fn read(line: &[u8], rules: &Rules) -> Result<Block, Fault> {
         let mut block = Block::default();
         let mut rest = line;
         if let [b'/', ..] = rest {
@@ -54,11 +59,14 @@ impl Block {
             match letter.to_ascii_uppercase() {
                 b' ' | b'\t' => rest = &rest[1..],
                 b';' => break,
-                b'(' => rest = comment(rest)?,
+                b'(' if rules.words != Words::Siemens => rest = comment(rest)?,
+                _ if rules.words == Words::Siemens && rest.get(1).is_some_and(u8::is_ascii_alphabetic) => {
+                    rest = block.name(rest)?;
+                }
                 letter @ (b'A'..=b'Z' | b'$') => {
                     let behind = rest[1..].trim_ascii_start();
                     let (units, len) = decimal(behind).ok_or_else(|| no_number(letter, behind))?;
-                    block.word(letter, units)?;
+                    block.word(letter, units, rules)?;
                     rest = &behind[len..];
                 }
                 other => return Err(Fault::new(format!("`{}` is no word of a plain program", other.escape_ascii()))),
@@ -67,14 +75,38 @@ impl Block {
         Ok(block)
     }
 
-    /// Nothing but comments stood there.
-    pub fn is_empty(&self) -> bool {
-        self.letters == 0 && self.groups == 0 && self.m_count == 0
+    /// A word of several letters, and its number behind `=`; what stands behind it.
+    fn name<'t>(&mut self, text: &'t [u8]) -> Result<&'t [u8], Fault> {
+        let letters = text.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+        let (name, behind) = text.split_at(letters);
+        let unknown = || Fault::new(format!("`{}` is no word that is read", String::from_utf8_lossy(name)));
+        match name {
+            b"DIAMON" | b"DIAMOF" if self.diameter.is_none() => {
+                self.diameter = Some(name == b"DIAMON");
+                Ok(behind)
+            }
+            b"SUPA" if !self.machine => {
+                self.machine = true;
+                Ok(behind)
+            }
+            b"TURN" if self.more_turns.is_none() => {
+                let number = behind.strip_prefix(b"=").ok_or_else(unknown)?;
+                let (units, len) = decimal(number).ok_or_else(unknown)?;
+                self.more_turns = Some(whole(b'T', units)?);
+                Ok(&number[len..])
+            }
+            _ => Err(unknown()),
+        }
     }
 
-    fn word(&mut self, letter: u8, units: i64) -> Result<(), Fault> {
+    /// Nothing but comments stood there.
+    pub fn is_empty(&self) -> bool {
+        self.letters == 0 && self.groups == 0 && self.m_count == 0 && !self.speed_limit && self.diameter.is_none()
+    }
+
+    fn word(&mut self, letter: u8, units: i64, rules: &Rules) -> Result<(), Fault> {
         match letter {
-            b'G' => self.g(units),
+            b'G' => self.g(units, rules),
             b'M' => {
                 let number = whole(letter, units)?;
                 let place = self.m.get_mut(self.m_count).ok_or_else(|| Fault::new("too many M functions"))?;
@@ -125,12 +157,19 @@ impl Block {
     }
 
     /// A G function; tenths tell some apart.
-    fn g(&mut self, units: i64) -> Result<(), Fault> {
+    fn g(&mut self, units: i64, rules: &Rules) -> Result<(), Fault> {
         let tenths = units / (SCALE / 10);
         let unknown = || Fault::new(format!("G{} is no word that is read", tenths as f64 / 10.0));
         if units < 0 || units % (SCALE / 10) != 0 {
             return Err(unknown());
         }
+        let tenths = match rules.function(tenths).ok_or_else(unknown)? {
+            G::Rs274(tenths) => tenths,
+            G::SpeedLimit => {
+                self.speed_limit = true;
+                return Ok(());
+            }
+        };
         let group = match tenths {
             0 | 10 | 20 | 30 | 330 => {
                 self.motion = Some((tenths / 10) as u8);

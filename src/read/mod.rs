@@ -10,15 +10,19 @@
 mod act;
 mod block;
 mod number;
+mod rules;
 mod run;
 mod straight;
 
 pub use act::{AXES, Act, Arc, Cutter, FeedKind, Move, Path, Plane, Speed};
 pub use number::SCALE;
+pub use rules::Rules;
 pub use straight::Straight;
 
 use block::Block;
 
+/// Lines in which a program has its name.
+const NAMED: u64 = 2;
 /// Most acts of one line.
 const ACTS: usize = 16;
 
@@ -80,6 +84,7 @@ pub struct Modes {
 /// A control that reads.
 #[derive(Debug, Clone)]
 pub struct Reader {
+    rules: Rules,
     at: [i64; AXES],
     /// A bit for each axis whose place is known.
     known: u16,
@@ -89,6 +94,10 @@ pub struct Reader {
     plain: bool,
     lines: u64,
     ended: bool,
+    /// The largest speed that was stated for constant cutting speeds.
+    speed_limit: Option<i64>,
+    /// The tool that T chose, and the one in the spindle.
+    tools: [Option<u32>; 2],
     acts: [Act; ACTS],
     /// The acts of the last line that are still to be handed out: from, up to.
     open: (usize, usize),
@@ -103,21 +112,28 @@ impl Default for Reader {
 impl Reader {
     /// A control of which nothing is known.
     pub fn new() -> Reader {
+        Reader::with(rules::RS274)
+    }
+
+    /// The same with the rules of a receiver.
+    pub fn with(rules: Rules) -> Reader {
+        let fixed = rules.fixes();
         Reader {
+            rules,
             at: [0; AXES],
             known: 0,
             feed: None,
             modes: Modes {
                 plane: None,
                 inches: None,
-                incremental: None,
-                absolute_centers: None,
+                incremental: fixed.absolute.then_some(false),
+                absolute_centers: fixed.centers_count_from_the_start.then_some(false),
                 feed_kind: None,
-                diameter: None,
-                cycles_are_off: false,
+                diameter: rules.diameters.then_some(true),
+                cycles_are_off: fixed.no_cycles,
                 constant_cut: false,
                 cutter: None,
-                length: None,
+                length: fixed.no_length.then_some(0),
                 offset: 1,
                 path_control: false,
                 motion: None,
@@ -125,6 +141,8 @@ impl Reader {
             plain: false,
             lines: 0,
             ended: false,
+            speed_limit: None,
+            tools: [None; 2],
             acts: [Act::Change; ACTS],
             open: (0, 0),
         }
@@ -133,13 +151,18 @@ impl Reader {
     /// A control as LinuxCNC switches on: XY plane, absolute positions, centres from the start of the arc, feed a minute,
     /// nothing compensated. Millimetres or inches it takes from its own settings, so that a program has to say them.
     pub fn at_power_on() -> Reader {
-        let mut reader = Reader::new();
+        Reader::switched_on(rules::RS274)
+    }
+
+    /// The same for a receiver.
+    pub fn switched_on(rules: Rules) -> Reader {
+        let mut reader = Reader::with(rules);
         reader.modes = Modes {
             plane: Some(Plane::Xy),
             incremental: Some(false),
             absolute_centers: Some(false),
             feed_kind: Some(FeedKind::PerMinute),
-            diameter: Some(false),
+            diameter: Some(rules.diameters),
             cycles_are_off: true,
             cutter: Some(Cutter::default()),
             length: Some(0),
@@ -190,7 +213,14 @@ impl Reader {
         if line.is_empty() || line == b"%" {
             return Ok(());
         }
-        let block = Block::read(line)?;
+        if self.rules.named && self.lines <= NAMED && line[0] == b'O' {
+            return if line[1..].iter().all(u8::is_ascii_digit) {
+                Ok(())
+            } else {
+                Err(Fault::new("no program number"))
+            };
+        }
+        let block = Block::read(line, &self.rules)?;
         if self.ended && !block.is_empty() {
             return Err(Fault::new("something stands behind the end of the program"));
         }

@@ -1,9 +1,10 @@
 //! What the words of a line do, in the order of the RS274 manual: modes of the feed, F, S, T, change, spindle, coolant,
 //! other functions, dwell, plane, units, compensation, length, offset, distances, motion, stop.
 
-use super::act::{AXES, Act, Arc, FeedKind, LETTERS, Move, Path, Speed};
+use super::act::{AXES, Act, Arc, Cutter, FeedKind, LETTERS, Move, Path, Speed};
 use super::block::Block;
 use super::number::SCALE;
+use super::rules::Words;
 use super::{ACTS, Fault, Lack, Reader};
 
 impl Reader {
@@ -21,19 +22,27 @@ impl Reader {
         let spindle = block.take(b'$').map_or(Ok(0), |units| {
             u8::try_from(units / SCALE).ok().filter(|_| units % SCALE == 0).ok_or_else(|| Fault::new("no such spindle"))
         })?;
+        // The number of a wait may have the address of the feed.
+        let wait = if block.dwell { block.take(self.rules.dwell.0) } else { None };
         let new_feed = block.has(b'F');
         self.feed_words(&mut block)?;
         self.speed_words(&mut block, spindle)?;
         if let Some(tool) = block.take_whole(b'T')? {
-            self.push(Act::Select(tool))?;
+            self.tool(tool)?;
         }
         self.functions(&mut block, spindle)?;
         if block.dwell {
-            let seconds = block.take(b'P').filter(|seconds| *seconds >= 0);
-            self.push(Act::Dwell(seconds.ok_or_else(|| Fault::new("G4 wants P"))?))?;
+            let seconds = wait.filter(|units| *units >= 0).and_then(|units| self.rules.seconds(units));
+            if self.rules.dwell.1 > 1 && self.modes.feed_kind == Some(FeedKind::PerRevolution) {
+                return Err(Fault::new("under a feed per revolution G4 may count revolutions"));
+            }
+            self.push(Act::Dwell(seconds.ok_or_else(|| Fault::new("G4 wants its wait"))?))?;
         }
         self.mode_words(&mut block)?;
         self.motion(&mut block, new_feed)?;
+        if block.more_turns.is_some() {
+            return Err(Fault::new("TURN without an arc"));
+        }
         if let Some(letter) = block.left() {
             return Err(Fault::new(format!("the {letter} word has nothing that it belongs to")));
         }
@@ -57,6 +66,22 @@ impl Reader {
         Ok(())
     }
 
+    /// A T word: the next tool, or on a turret the tool and its offset.
+    fn tool(&mut self, number: u32) -> Result<(), Fault> {
+        let Some(digits) = self.rules.turret else {
+            self.tools[0] = Some(number);
+            return self.push(Act::Select(number));
+        };
+        let place = 10u32.pow(digits);
+        let (tool, offset) = (number / place, number % place);
+        if tool == 0 || offset == 0 {
+            return Err(Fault::new("T without a tool, or without its offset"));
+        }
+        self.modes.length = Some(offset);
+        self.push(Act::Select(tool))?;
+        self.push(Act::Change)
+    }
+
     /// A length of the program in units.
     fn length(&self, number: i64) -> Result<i64, Fault> {
         match self.modes.inches {
@@ -76,7 +101,8 @@ impl Reader {
             // A feed of another kind counts no longer.
             self.feed = None;
         }
-        if let Some(feed) = block.take(b'F') {
+        let lead = self.rules.lead == b'F' && block.motion.or(self.modes.motion) == Some(33);
+        if let Some(feed) = if lead { None } else { block.take(b'F') } {
             if feed < 0 {
                 return Err(Fault::new("a feed below zero"));
             }
@@ -87,10 +113,15 @@ impl Reader {
     }
 
     fn speed_words(&mut self, block: &mut Block, spindle: u8) -> Result<(), Fault> {
-        let mut limit = None;
+        if block.speed_limit {
+            let limit = block.take(b'S').filter(|_| block.constant_cut.is_none());
+            self.speed_limit = Some(limit.ok_or_else(|| Fault::new("a largest speed wants S, alone"))?);
+            return Ok(());
+        }
+        let mut limit = self.speed_limit;
         if let Some(on) = block.constant_cut {
             self.modes.constant_cut = on;
-            if on {
+            if on && self.rules.words == Words::Rs274 {
                 limit = block.take(b'D');
             }
         }
@@ -104,6 +135,7 @@ impl Reader {
     /// M functions that act before the move.
     fn functions(&mut self, block: &mut Block, spindle: u8) -> Result<(), Fault> {
         for _ in block.m().filter(|m| *m == 6) {
+            self.tools[1] = self.tools[0];
             self.push(Act::Change)?;
         }
         for number in block.m().filter(|m| of_spindle(*m)) {
@@ -118,7 +150,10 @@ impl Reader {
 
     /// Modes that hold from this line on.
     fn mode_words(&mut self, block: &mut Block) -> Result<(), Fault> {
-        let cutter = block.cutter()?;
+        let mut cutter = block.cutter()?;
+        if let Some(Cutter { diameter: Some(diameter), .. }) = &mut cutter {
+            *diameter = self.length(*diameter)?;
+        }
         let modes = &mut self.modes;
         modes.plane = block.plane.or(modes.plane);
         modes.diameter = block.diameter.or(modes.diameter);
@@ -126,10 +161,20 @@ impl Reader {
         match block.length {
             Some(true) => {
                 let number = block.take_whole(b'H')?.ok_or_else(|| Fault::new("G43 wants H"))?;
+                let straight = matches!(block.motion, Some(0 | 1));
+                if self.rules.length_moves && !(straight && block.has(b'Z') && !block.machine) {
+                    return Err(Fault::new("G43 stands in a straight move along Z only"));
+                }
                 modes.length = Some(number);
             }
             Some(false) => modes.length = Some(0),
             None => {}
+        }
+        if self.rules.words == Words::Siemens
+            && let Some(edge) = block.take_whole(b'D')?
+        {
+            let tool = self.tools[1].ok_or_else(|| Fault::new("D without a tool"));
+            modes.length = Some(if edge == 0 { 0 } else { tool? });
         }
         modes.incremental = block.incremental.or(modes.incremental);
         modes.absolute_centers = block.absolute_centers.or(modes.absolute_centers);
@@ -162,14 +207,27 @@ impl Reader {
                 _ => Ok(()),
             };
         }
+        if block.machine && self.rules.words == Words::Siemens && self.modes.length != Some(0) {
+            return Err(Fault::new("the length of the tool counts under SUPA"));
+        }
         let Some(motion) = self.modes.motion else { return Err(Fault::unsaid("axes without a move", Lack::Mode)) };
         let (from, was) = (self.at, self.known);
         let axes = self.ends(block)?;
         let path = match motion {
             0 => Path::Rapid,
+            1 if block.machine && !matches!(self.rules.words, Words::Rs274 | Words::Siemens) => {
+                return Err(Fault::new("a feed in machine coordinates"));
+            }
             1 => Path::Line,
             33 => {
-                let lead = block.take(b'K').filter(|lead| *lead > 0);
+                let lead = block.take(self.rules.lead).filter(|lead| *lead > 0);
+                if self.rules.lead == b'F' {
+                    self.feed = None;
+                    let moved = (0..AXES).filter(|i| axes & (1 << i) != 0 && from[*i] != self.at[*i]).count();
+                    if moved > 1 {
+                        return Err(Fault::new("the lead of a tapered thread counts along one axis"));
+                    }
+                }
                 Path::Thread(self.length(lead.ok_or_else(|| Fault::new("a thread without a lead"))?)?)
             }
             _ if block.machine => return Err(Fault::new("an arc in machine coordinates")),
@@ -217,7 +275,13 @@ impl Reader {
             return Err(Fault::unsaid("an arc from an unknown place", Lack::Place(missing)));
         }
         let (from, to) = ([before[first], before[second]], [self.at[first], self.at[second]]);
-        let turns = block.take_whole(b'P')?.unwrap_or(1);
+        let turns = if self.rules.words == Words::Siemens {
+            block.more_turns.take().unwrap_or(0).saturating_add(1)
+        } else if self.rules.turns {
+            block.take_whole(b'P')?.unwrap_or(1)
+        } else {
+            1
+        };
         let turns = i32::try_from(turns).ok().filter(|turns| *turns > 0);
         let turns = turns.ok_or_else(|| Fault::new("no such number of turns"))?;
         let turns = if ccw { turns } else { -turns };

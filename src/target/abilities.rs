@@ -1,38 +1,72 @@
 //! What a target can say, in short words: for `partc targets` and docs/targets.md.
 
-use super::Target;
+use super::{Change, Length, Limit, ProgramName, Target, Turns};
 
 impl Target {
     /// Each ability, and the words or the limit for it; `-` where the target has none.
     pub fn abilities(&self) -> Vec<(&'static str, String)> {
         let text = |word: Option<&str>| word.unwrap_or("-").to_owned();
         let offsets = [self.offsets.first(), self.offsets.last()].map(|word| word.copied().unwrap_or("-"));
-        let turns = self.arcs.turns.map(|address| format!("{} turns in a block", address as char));
+        let turns = self.arcs.turns.map(|turns| match turns {
+            Turns::All(address) => format!("{} turns in a block", address as char),
+            Turns::More(word) => format!("{word} turns in a block"),
+        });
         let most = |sweep: f64| format!("blocks of {} degrees", libm::round(sweep.to_degrees()));
         let digits = if self.line.digits == 0 { "any".to_owned() } else { self.line.digits.to_string() };
         let tools = if self.tool.most == u32::MAX { "any".to_owned() } else { format!("to {}", self.tool.most) };
         let stop = if self.flow.optional_stop_is_idle { "read, does not stop" } else { self.flow.optional_stop };
+        let change = self.tool.change.map(|change| match change {
+            Change::Word(word) => word.to_owned(),
+            Change::Turret { digits } => format!("{}{:0digits$}{:0digits$}", self.tool.address as char, 1, 1),
+        });
+        let length = match self.tool.length {
+            Length::None => "-",
+            Length::WithTool => "with the tool",
+            Length::Words(words) => words.on,
+        };
+        let diameter = match (self.frame.lathe, self.frame.lathe_diameter) {
+            (_, None) => "-",
+            (Some(_), Some(_)) => "yes",
+            (None, Some(_)) => "always",
+        };
+        let name = match self.frame.name {
+            ProgramName::None => "-".to_owned(),
+            ProgramName::Number { letter, digits, .. } => format!("{}{:0digits$}", letter as char, 1),
+        };
+        let speed = self.spindle.cutting_speed.as_ref().map(|words| match words.limit {
+            Limit::Word(limit) => format!("{}, {limit}", words.on),
+            Limit::Block(limit) => format!("{}, {limit} S", words.on),
+        });
+        let dwell = format!(
+            "{} {}{}",
+            self.dwell.word,
+            self.dwell.address as char,
+            if self.dwell.milliseconds { " ms" } else { " s" }
+        );
         vec![
             ("output file", format!(".{}", self.extension)),
             ("first and last line", text(self.frame.first)),
+            ("name of a program", name),
             ("longest line", self.line.length.to_string()),
+            ("point in all numbers", if self.numbers.point { "yes" } else { "-" }.to_owned()),
             ("digits of a number", digits),
             ("axes", self.axes.to_owned()),
             ("feed per minute", self.feed.per_minute.to_owned()),
             ("feed per revolution", text(self.feed.per_revolution)),
             ("feed by time", text(self.feed.inverse_time)),
-            ("threads", text(self.motion.thread.map(|(word, _)| word))),
+            ("threads", text(self.motion.thread.map(|thread| thread.word))),
             ("arcs", turns.unwrap_or_else(|| most(self.arcs.most_sweep))),
-            ("machine coordinates", self.motion.machine.to_owned()),
+            ("machine coordinates", text(self.motion.machine)),
             ("work offsets", offsets.join(" to ")),
-            ("X as a diameter", if self.frame.lathe_diameter.is_some() { "yes" } else { "-" }.to_owned()),
+            ("X as a diameter", diameter.to_owned()),
             ("radius compensation", text(self.compensation.as_ref().map(|words| words.left))),
             ("tool numbers", tools),
-            ("tool change", text(self.tool.change)),
-            ("tool length", text(self.tool.length.as_ref().map(|words| words.on))),
-            ("cutting speed", text(self.spindle.cutting_speed.as_ref().map(|words| words.on))),
+            ("tool change", change.unwrap_or_else(|| "-".to_owned())),
+            ("tool length", length.to_owned()),
+            ("cutting speed", speed.unwrap_or_else(|| "-".to_owned())),
             ("spindle at an angle", text(self.spindle.orient.map(|(word, _)| word))),
             ("more spindles", text(self.spindle.other.map(|_| "yes"))),
+            ("dwell", dwell),
             ("mist", text(self.coolant.mist)),
             ("optional stop", stop.to_owned()),
             ("other M functions", if self.m.open { "as in pass_m" } else { "-" }.to_owned()),

@@ -3,8 +3,8 @@
 use core::f64::consts::PI;
 
 use super::{
-    Arcs, Comments, CoolantWords, Dwell, FeedWords, Flow, Frame, Line, MFunctions, Measure, Motion, SpindleWords,
-    Target, ToolWords,
+    Arcs, Comments, CoolantWords, Dwell, FeedWords, Flow, Frame, Length, Line, MFunctions, Measure, Motion, Numbers,
+    ProgramName, SpindleWords, Target, ToolWords,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -15,16 +15,35 @@ pub(super) const TARGET: Target = Target {
         // A percent sign is an error.
         first: None,
         last: None,
+        name: ProgramName::None,
         head: &["G90 G21 G91.1 G94"],
-        mill: "G17 G40 G49 G80",
-        lathe: "G18 G40 G49 G80",
+        inch_head: &["G90 G20 G91.1 G94"],
+        mill: Some("G17 G40 G49 G80"),
+        lathe: Some("G18 G40 G49 G80"),
         lathe_diameter: None,
     },
     // The receiver acts on these three as they arrive, inside a comment, too.
-    comments: Comments { open: "(", close: ")", forbidden: b"!?~" },
-    line: Line { length: 79, digits: 8 },
+    comments: Comments { open: "(", close: ")", upper: false, forbidden: b"!?~" },
+    line: Line { length: 79, digits: 8, sequence: (b'N', 99_999) },
+    numbers: Numbers {
+        point: false,
+        zero: true,
+        length: [4, 5],
+        feed: None,
+        feed_per_revolution: None,
+        lead: None,
+        speed: None,
+    },
     axes: "XYZ",
-    motion: Motion { rapid: "G0", line: "G1", machine: "G53", thread: None, planes: ["G17", "G18", "G19"] },
+    motion: Motion {
+        rapid: "G0",
+        line: "G1",
+        machine: Some("G53"),
+        machine_feed: true,
+        machine_drops_length: false,
+        thread: None,
+        planes: ["G17", "G18", "G19"],
+    },
     feed: FeedWords {
         address: b'F',
         per_minute: "G94",
@@ -39,6 +58,7 @@ pub(super) const TARGET: Target = Target {
         turns: None,
         // Rounding decides between nothing and a full circle where the end is the start.
         most_sweep: PI,
+        most_open_sweep: f64::INFINITY,
         tolerance: 1.5,
         least_radius: 0.01,
         // Beyond, single precision moves the centre by more than a printed place.
@@ -56,9 +76,9 @@ pub(super) const TARGET: Target = Target {
         other: None,
     },
     coolant: CoolantWords { mist: None, flood: "M8", off: "M9" },
-    tool: ToolWords { address: b'T', most: 255, change: None, length: None },
+    tool: ToolWords { address: b'T', most: 255, change: None, prepares: true, length: Length::None },
     // The wait is counted in 16 bits of 50 ms.
-    dwell: Dwell { word: "G4", seconds: b'P', most: 3000.0 },
+    dwell: Dwell { word: "G4", address: b'P', milliseconds: false, most: 3000.0, per_minute: false },
     flow: Flow { stop: "M0", optional_stop: "M1", optional_stop_is_idle: true, end: "M2", rewind: "M30" },
     offsets: &["G54", "G55", "G56", "G57", "G58", "G59"],
     compensation: None,

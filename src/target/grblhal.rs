@@ -1,15 +1,15 @@
 //! grblHAL: GRBL with turns on arcs, a tool change, more offsets and M functions of drivers.
 
-use super::{Arcs, CoolantWords, Flow, Line, MFunctions, Target, ToolWords, grbl::TARGET as GRBL};
+use super::{Arcs, Change, CoolantWords, Flow, Line, MFunctions, Target, ToolWords, Turns, grbl::TARGET as GRBL};
 
 pub(super) const TARGET: Target = Target {
     name: "grblhal",
     about: "grblHAL, in the plain build of any driver",
     line: Line { length: 80, ..GRBL.line },
     // Angles are computed in double precision.
-    arcs: Arcs { turns: Some(b'P'), most_sweep: f64::INFINITY, ..GRBL.arcs },
+    arcs: Arcs { turns: Some(Turns::All(b'P')), most_sweep: f64::INFINITY, ..GRBL.arcs },
     coolant: CoolantWords { mist: Some("M7"), ..GRBL.coolant },
-    tool: ToolWords { most: 2_147_483_647, change: Some("M6"), ..GRBL.tool },
+    tool: ToolWords { most: 2_147_483_647, change: Some(Change::Word("M6")), ..GRBL.tool },
     flow: Flow { optional_stop_is_idle: false, ..GRBL.flow },
     offsets: &["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"],
     m: MFunctions { open: true, own: OWN, ..GRBL.m },

@@ -3,8 +3,9 @@
 use crate::geo::Plane;
 
 use super::{
-    Arcs, Comments, CompensationWords, CoolantWords, CuttingSpeed, Dwell, FeedWords, Flow, Frame, LengthWords, Line,
-    MFunctions, Measure, Motion, SpindleWords, Target, ToolWords,
+    Arcs, Change, Comments, CompensationWords, CoolantWords, CuttingSpeed, Dwell, FeedWords, Flow, Frame, Lead, Length,
+    LengthNumber, LengthWords, Limit, Line, MFunctions, Measure, Motion, Numbers, ProgramName, SpindleWords, Target,
+    Thread, ToolWords, Turns,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -14,19 +15,32 @@ pub(super) const TARGET: Target = Target {
     frame: Frame {
         first: Some("%"),
         last: Some("%"),
+        name: ProgramName::None,
         head: &["G90 G21 G91.1 G94"],
-        mill: "G17 G40 G49 G80",
-        lathe: "G18 G8 G40 G49 G80",
+        inch_head: &["G90 G20 G91.1 G94"],
+        mill: Some("G17 G40 G49 G80"),
+        lathe: Some("G18 G8 G40 G49 G80"),
         lathe_diameter: Some("G18 G7 G40 G49 G80"),
     },
-    comments: Comments { open: "(", close: ")", forbidden: b"" },
-    line: Line { length: 80, digits: 0 },
+    comments: Comments { open: "(", close: ")", upper: false, forbidden: b"" },
+    line: Line { length: 80, digits: 0, sequence: (b'N', 99_999) },
+    numbers: Numbers {
+        point: false,
+        zero: true,
+        length: [4, 5],
+        feed: None,
+        feed_per_revolution: None,
+        lead: None,
+        speed: None,
+    },
     axes: "XYZABCUVW",
     motion: Motion {
         rapid: "G0",
         line: "G1",
-        machine: "G53",
-        thread: Some(("G33", b'K')),
+        machine: Some("G53"),
+        machine_feed: true,
+        machine_drops_length: false,
+        thread: Some(Thread { word: "G33", lead: Lead::Way(b'K'), stops: true }),
         planes: ["G17", "G18", "G19"],
     },
     feed: FeedWords {
@@ -40,8 +54,9 @@ pub(super) const TARGET: Target = Target {
         clockwise: "G2",
         counter_clockwise: "G3",
         center: *b"IJK",
-        turns: Some(b'P'),
+        turns: Some(Turns::All(b'P')),
         most_sweep: f64::INFINITY,
+        most_open_sweep: f64::INFINITY,
         tolerance: 1.5,
         // Below its tolerance of 0.00127 mm the interpreter calls the radius zero.
         least_radius: 0.0013,
@@ -53,7 +68,7 @@ pub(super) const TARGET: Target = Target {
         counter_clockwise: "M4",
         stop: "M5",
         speed: b'S',
-        cutting_speed: Some(CuttingSpeed { on: "G96", off: "G97", limit: b'D' }),
+        cutting_speed: Some(CuttingSpeed { on: "G96", off: "G97", limit: Limit::Word("D") }),
         orient: Some(("M19", b'R')),
         other: Some(b'$'),
     },
@@ -61,10 +76,17 @@ pub(super) const TARGET: Target = Target {
     tool: ToolWords {
         address: b'T',
         most: u32::MAX,
-        change: Some("M6"),
-        length: Some(LengthWords { on: "G43", number: b'H', off: "G49" }),
+        change: Some(Change::Word("M6")),
+        prepares: true,
+        length: Length::Words(LengthWords {
+            on: "G43",
+            number: LengthNumber::Tool(b'H'),
+            off: "G49",
+            with_move: false,
+            usual: false,
+        }),
     },
-    dwell: Dwell { word: "G4", seconds: b'P', most: f64::INFINITY },
+    dwell: Dwell { word: "G4", address: b'P', milliseconds: false, most: f64::INFINITY, per_minute: false },
     flow: Flow { stop: "M0", optional_stop: "M1", optional_stop_is_idle: false, end: "M2", rewind: "M30" },
     offsets: &["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"],
     compensation: Some(CompensationWords {

@@ -3,15 +3,33 @@
 //! Nothing here runs: `emit` prints with the table, `machine` and the command line offer the names.
 
 mod abilities;
+mod centroid;
+mod fanuc;
+mod fanuc_lathe;
 mod grbl;
 mod grblhal;
+mod haas;
 mod linuxcnc;
+mod mazak;
+mod siemens;
 mod words;
 
 pub use words::*;
 
 /// All targets; the first one is the default.
-pub const ALL: &[&Target] = &[&linuxcnc::TARGET, &grbl::TARGET, &grblhal::TARGET];
+pub const ALL: &[&Target] = &[
+    &linuxcnc::TARGET,
+    &grbl::TARGET,
+    &grblhal::TARGET,
+    &fanuc::TARGET,
+    &haas::TARGET,
+    &fanuc_lathe::A,
+    &fanuc_lathe::B,
+    &fanuc_lathe::C,
+    &siemens::TARGET,
+    &centroid::TARGET,
+    &mazak::TARGET,
+];
 
 /// Their names, in the same order.
 pub const NAMES: [&str; ALL.len()] = {

@@ -2,6 +2,8 @@
 //!
 //! `None` stands where the target has no word: what needs it is refused, never said in another way that is not exact.
 
+use core::f64::consts::TAU;
+
 use crate::geo::Plane;
 
 /// A receiver of plain G-code.
@@ -16,6 +18,7 @@ pub struct Target {
     pub frame: Frame,
     pub comments: Comments,
     pub line: Line,
+    pub numbers: Numbers,
     /// Letters of the axes.
     pub axes: &'static str,
     pub motion: Motion,
@@ -45,13 +48,28 @@ impl Eq for Target {}
 pub struct Frame {
     pub first: Option<&'static str>,
     pub last: Option<&'static str>,
-    /// Modes that hold on every machine.
+    /// By what the receiver knows a program, behind the first line.
+    pub name: ProgramName,
+    /// Modes that hold on every machine, in millimetres and in inches.
     pub head: &'static [&'static str],
-    pub mill: &'static str,
+    pub inch_head: &'static [&'static str],
+    pub mill: Option<&'static str>,
     /// On a lathe, with X as a radius.
-    pub lathe: &'static str,
+    pub lathe: Option<&'static str>,
     /// On a lathe, with X as a diameter.
     pub lathe_diameter: Option<&'static str>,
+}
+
+/// The line that names a program.
+#[derive(Debug, Clone, Copy)]
+pub enum ProgramName {
+    None,
+    /// `O0001`: a letter and at least so many digits, from 1 to `most`.
+    Number {
+        letter: u8,
+        digits: usize,
+        most: u32,
+    },
 }
 
 /// How comments look.
@@ -59,6 +77,8 @@ pub struct Frame {
 pub struct Comments {
     pub open: &'static str,
     pub close: &'static str,
+    /// Capitals, digits, blanks and `.,=_-` alone; other characters are printed as a point.
+    pub upper: bool,
     /// Characters the receiver acts on even inside a comment: printed as a point.
     pub forbidden: &'static [u8],
 }
@@ -70,6 +90,23 @@ pub struct Line {
     pub length: usize,
     /// Most digits of a number that are read; 0 for any.
     pub digits: u32,
+    /// Address of block numbers, and the largest one.
+    pub sequence: (u8, u32),
+}
+
+/// How numbers are written. Places come in pairs: in millimetres, in inches.
+#[derive(Debug, Clone, Copy)]
+pub struct Numbers {
+    /// A whole number has its point, too: without it, some controls count in their least increment.
+    pub point: bool,
+    /// The zero in front of a point.
+    pub zero: bool,
+    pub length: [u8; 2],
+    /// Where they have no places of their own, these have those of lengths.
+    pub feed: Option<[u8; 2]>,
+    pub feed_per_revolution: Option<[u8; 2]>,
+    pub lead: Option<[u8; 2]>,
+    pub speed: Option<u8>,
 }
 
 /// Straight moves, planes, coordinates of the machine.
@@ -78,11 +115,34 @@ pub struct Motion {
     pub rapid: &'static str,
     pub line: &'static str,
     /// In front of a move in machine coordinates.
-    pub machine: &'static str,
-    /// Line in step with the spindle, and the address of its lead.
-    pub thread: Option<(&'static str, u8)>,
+    pub machine: Option<&'static str>,
+    /// Such a move may have a feed.
+    pub machine_feed: bool,
+    /// The length of the tool counts in machine coordinates, too: it is switched off for the move.
+    pub machine_drops_length: bool,
+    pub thread: Option<Thread>,
     /// XY, ZX, YZ.
     pub planes: [&'static str; 3],
+}
+
+/// Line in step with the spindle.
+#[derive(Debug, Clone, Copy)]
+pub struct Thread {
+    pub word: &'static str,
+    pub lead: Lead,
+    /// The spindle may stop or turn round between two threads without a move, as for tapping.
+    pub stops: bool,
+}
+
+/// What gives the way of a turn.
+#[derive(Debug, Clone, Copy)]
+pub enum Lead {
+    /// This address, along the way.
+    Way(u8),
+    /// This address, along the axis that moves; a way along two axes is not said.
+    OneAxis(u8),
+    /// This address, where Z alone moves.
+    AlongZ(u8),
 }
 
 impl Motion {
@@ -120,10 +180,13 @@ pub struct Arcs {
     pub counter_clockwise: &'static str,
     /// Addresses of the centre, by axis.
     pub center: [u8; 3],
-    /// Address of the number of turns in one block; `None`: an arc is divided at `most_sweep`.
-    pub turns: Option<u8>,
+    /// Number of turns in one block; `None`: an arc is divided at `most_sweep`.
+    pub turns: Option<Turns>,
     /// Largest sweep of a block in rad where it cannot count turns.
     pub most_sweep: f64,
+    /// Largest sweep of a block, whole turns left out, whose end is not its start. A control that moves a centre which does
+    /// not quite fit moves it far where the sweep is near a half or a whole turn. Others are divided.
+    pub most_open_sweep: f64,
     /// Largest difference of the radii at start and end of a printed arc, in units of the last place.
     pub tolerance: f64,
     /// Radii in mm that are printed as arcs; others become lines.
@@ -133,12 +196,32 @@ pub struct Arcs {
     pub least_chord: f64,
 }
 
+/// How a block counts the turns of its arc.
+#[derive(Debug, Clone, Copy)]
+pub enum Turns {
+    /// This address gives all, the last one begun included.
+    All(u8),
+    /// This word gives whole turns that are added.
+    More(&'static str),
+}
+
 impl Arcs {
     /// Blocks that an arc of this sweep takes.
     #[inline]
     pub fn blocks(&self, sweep: f64) -> u32 {
         let blocks = libm::ceil(sweep.abs() / self.most_sweep - ROUNDING);
         blocks.clamp(1.0, f64::from(u32::MAX)) as u32
+    }
+
+    /// The same for an arc that does not end where it starts.
+    #[inline]
+    pub fn open_blocks(&self, sweep: f64) -> u32 {
+        let last = sweep.abs() % TAU;
+        if last > self.most_open_sweep {
+            libm::ceil(sweep.abs() / self.most_open_sweep) as u32
+        } else {
+            self.blocks(sweep)
+        }
     }
 }
 
@@ -163,8 +246,16 @@ pub struct SpindleWords {
 pub struct CuttingSpeed {
     pub on: &'static str,
     pub off: &'static str,
-    /// Address of the largest speed.
-    pub limit: u8,
+    pub limit: Limit,
+}
+
+/// How the largest speed is said.
+#[derive(Debug, Clone, Copy)]
+pub enum Limit {
+    /// This word in the block.
+    Word(&'static str),
+    /// A block in front, of this word and a speed; it holds until the next one.
+    Block(&'static str),
 }
 
 #[derive(Debug)]
@@ -179,25 +270,62 @@ pub struct ToolWords {
     pub address: u8,
     /// Largest tool number.
     pub most: u32,
-    pub change: Option<&'static str>,
-    pub length: Option<LengthWords>,
+    pub change: Option<Change>,
+    /// A tool may be called without being changed.
+    pub prepares: bool,
+    pub length: Length,
+}
+
+/// How a tool comes into the spindle.
+#[derive(Debug, Clone, Copy)]
+pub enum Change {
+    /// The tool and this word.
+    Word(&'static str),
+    /// `T0101`: the tool and its offset, in so many digits each.
+    Turret { digits: usize },
 }
 
 /// Length of the tool from the table of the target.
-#[derive(Debug)]
-pub struct LengthWords {
-    pub on: &'static str,
-    pub number: u8,
-    pub off: &'static str,
+#[derive(Debug, Clone, Copy)]
+pub enum Length {
+    /// The target has no such table.
+    None,
+    /// The change brings it.
+    WithTool,
+    Words(LengthWords),
 }
 
-/// Waiting, in seconds.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
+pub struct LengthWords {
+    pub on: &'static str,
+    pub number: LengthNumber,
+    pub off: &'static str,
+    /// The words stand in the next move along Z: alone, some controls move by the length.
+    pub with_move: bool,
+    /// They are printed unless the configuration says otherwise.
+    pub usual: bool,
+}
+
+/// What follows the word for the length.
+#[derive(Debug, Clone, Copy)]
+pub enum LengthNumber {
+    /// This address, with the number of the tool.
+    Tool(u8),
+    /// Nothing.
+    None,
+}
+
+/// Waiting.
+#[derive(Debug, Clone, Copy)]
 pub struct Dwell {
     pub word: &'static str,
-    pub seconds: u8,
+    pub address: u8,
+    /// The number counts milliseconds and is whole; otherwise it counts seconds.
+    pub milliseconds: bool,
     /// Longest wait of one block in seconds; a longer one takes several.
     pub most: f64,
+    /// Under a feed per revolution the number may count revolutions: the feed per minute is switched on before.
+    pub per_minute: bool,
 }
 
 /// Stops and the end of the program.

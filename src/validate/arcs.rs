@@ -8,7 +8,7 @@ use crate::ir::motion::{Arc, Move};
 use crate::read::{self, AXES, Act, SCALE};
 
 use super::moves::kind;
-use super::{Text, Validator, Why, plane};
+use super::{Text, Validator, Why, is_rounding, plane};
 
 /// What the radii at both ends of a printed arc may differ by, and how far its centre may lie from the exact one on each
 /// axis, in units of the last place.
@@ -53,9 +53,10 @@ impl Validator {
         let (start, known) = (*self.reader.at(), self.reader.known());
         let mut from = [start[first], start[second]];
         let mut printed = 0;
+        self.before = start;
         while let Some(act) = self.reader.next(&mut rest, &mut end)? {
             let Act::Move(found) = act else { return Err(Why::new("an arc is meant")) };
-            if found.axes & !mv.axes.bits() != 0 || found.machine {
+            if self.strays(found.axes, mv) || found.machine {
                 return Err(Why::new("an axis moves that shall stand"));
             }
             let to = [self.reader.at()[first], self.reader.at()[second]];
@@ -89,7 +90,7 @@ impl Validator {
             Feed::InverseTime(f)
                 if course.blocks > 0.0
                     && course.radius > LOST * self.unit
-                    && !self.is_rounding(course.feed, f * course.blocks) =>
+                    && !is_rounding(course.feed, f * course.blocks, self.grain.inverse_time) =>
             {
                 Err(Why::new("the blocks of the arc take another time"))
             }

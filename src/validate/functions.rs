@@ -4,7 +4,7 @@ use crate::ir::Function;
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::read::{Act, Speed};
 
-use super::{MAIN, Text, Validator, Why, plane};
+use super::{MAIN, Text, Validator, Why, is_rounding, plane};
 
 /// Acts of a function, but for a dwell.
 const MOST: usize = 3;
@@ -67,12 +67,18 @@ impl Validator {
         self.stated &= !MAIN;
         let changed = if self.by_hand {
             let text = &text.bytes[..text.end];
-            let told =
-                if number == 0 { "(take the tool out)\n".to_owned() } else { format!("(change to tool {number})\n") };
-            *acts == [m(5), m(0)] && text.windows(told.len()).any(|part| part == told.as_bytes())
+            let what = if number == 0 { "take the tool out".to_owned() } else { format!("change to tool {number}") };
+            let (open, close) = self.brackets;
+            let told = format!("{open}{what}{close}\n").into_bytes();
+            let text = text.to_ascii_lowercase();
+            *acts == [m(5), m(0)] && text.windows(told.len()).any(|part| part == told)
         } else {
             *acts == [Act::Select(number), Act::Change]
         };
+        if self.length_with_move {
+            self.length = (number != 0).then_some(number);
+            return changed && (number != 0 || self.reader.modes().length == Some(0));
+        }
         changed && (!self.tool_length || self.reader.modes().length == Some(number))
     }
 
@@ -86,27 +92,31 @@ impl Validator {
             Spindle::Speed(meant) => match acts {
                 [Act::Speed(Speed { spindle, value, constant_cut: None })] => {
                     let ended = number.is_some() || !self.reader.modes().constant_cut;
-                    *spindle == own && ended && self.is_rounding(*value, meant)
+                    *spindle == own && ended && self.is_speed(*value, meant)
                 }
                 _ => false,
             },
             Spindle::CuttingSpeed { speed, limit } => match acts {
                 [Act::Speed(Speed { spindle, value, constant_cut: Some(read) })] => {
                     let limited = match (*read, limit) {
-                        (Some(read), Some(limit)) => self.is_rounding(read, limit),
+                        (Some(read), Some(limit)) => self.is_speed(read, limit),
                         (read, limit) => read.is_none() && limit.is_none(),
                     };
-                    *spindle == own && limited && self.is_rounding(*value, speed)
+                    *spindle == own && limited && self.is_speed(*value, speed)
                 }
                 _ => false,
             },
             Spindle::Orient(meant) => match acts {
                 [Act::M { number: 19, spindle, angle: Some(angle) }] => {
-                    *spindle == own && self.is_rounding(*angle, meant)
+                    *spindle == own && is_rounding(*angle, meant, self.grain.angle)
                 }
                 _ => false,
             },
         }
+    }
+
+    fn is_speed(&self, read: i64, meant: f64) -> bool {
+        is_rounding(read, meant, self.grain.speed)
     }
 
     /// Somebody may move axes while the program waits.
@@ -124,7 +134,10 @@ impl Validator {
             sum = sum.saturating_add(part);
             any = true;
         }
-        if any && self.is_rounding(sum, seconds) { Ok(()) } else { Err(Why::new("another dwell is meant")) }
+        if self.reader.feed().is_none() {
+            self.feed = None;
+        }
+        if any && is_rounding(sum, seconds, self.grain.time) { Ok(()) } else { Err(Why::new("another dwell is meant")) }
     }
 
     /// The end of the program.

@@ -18,9 +18,9 @@ use crate::geo;
 use crate::ir::function::CutterData;
 use crate::ir::motion::Move;
 use crate::ir::{Feed, Function, Origin, Pos};
-use crate::machine::settings::ToolChange;
-use crate::machine::{MachineKind, Settings};
-use crate::read::{Plane, Reader, SCALE};
+use crate::machine::settings::{Quantity, ToolChange, Units};
+use crate::machine::{MachineKind, OutputSettings, Settings};
+use crate::read::{AXES, Plane, Reader, Rules, SCALE};
 
 /// Most of the text of an item that is shown.
 const SHOWN: usize = 2000;
@@ -83,6 +83,7 @@ pub struct Validator {
     /// A unit of the last printed place, and half of it.
     unit: f64,
     half: f64,
+    grain: Grain,
     /// Axes that were printed since somebody may have moved them.
     stated: u16,
     /// The last feed, as meant and as read: it needs no second look.
@@ -91,8 +92,18 @@ pub struct Validator {
     plane: Plane,
     /// X as a diameter or not, where the head has to say it.
     diameter: Option<bool>,
+    /// Moves say axes that stand, too.
+    in_full: bool,
+    /// Where the axes stood in front of the move.
+    before: [i64; AXES],
     tool_length: bool,
+    /// It is stated by the first move along Z, not with the change.
+    length_with_move: bool,
+    /// The tool whose length the next move along Z has to state.
+    length: Option<u32>,
     by_hand: bool,
+    /// What stands around a comment.
+    brackets: (&'static str, &'static str),
     ended: bool,
     /// Nothing is compared any more: there was a difference, or the output is of no use anyway.
     done: bool,
@@ -103,17 +114,24 @@ impl Validator {
     pub fn new(settings: &Settings) -> Validator {
         let lathe = settings.machine.kind == MachineKind::Lathe;
         let output = &settings.output;
-        let unit = (SCALE / 10i64.pow(u32::from(output.decimals.min(9)))) as f64;
+        let grain = Grain::of(output);
+        let unit = grain.length;
         Validator {
-            reader: Reader::new(),
+            reader: Reader::with(Rules::of(output.target.name)),
             unit,
             half: unit / 2.0,
+            grain,
             stated: 0,
             feed: None,
             cutter: CutterData::default(),
             plane: if lathe { Plane::Zx } else { Plane::Xy },
-            diameter: (lathe && output.target.frame.lathe_diameter.is_some()).then_some(output.diameter),
-            tool_length: output.tool_length,
+            diameter: (lathe && output.target.frame.lathe_diameter.is_some()).then_some(output.prints_diameters()),
+            in_full: !output.modal,
+            before: [0; AXES],
+            tool_length: output.prints_tool_length(),
+            length_with_move: output.tool_length_waits(),
+            length: None,
+            brackets: (output.target.comments.open, output.target.comments.close),
             by_hand: output.tool_change == ToolChange::Stop,
             ended: false,
             done: false,
@@ -180,7 +198,8 @@ impl Validator {
     pub fn begins_at(&mut self, at: &Pos) {
         for (axis, value) in at.iter() {
             // The printer counts from where this place would be printed.
-            let units = libm::round(value * SCALE as f64 / self.unit) * self.unit;
+            let unit = if axis.is_rotary() { 2.0 * self.grain.angle } else { self.unit };
+            let units = libm::round(value * SCALE as f64 / unit) * unit;
             self.reader.stand(axis.index(), units as i64);
             self.stated &= !(1 << axis.index());
         }
@@ -211,7 +230,7 @@ impl Validator {
     /// All modes as the head has to state them.
     fn modes(&self) -> Result<(), Why> {
         let modes = self.reader.modes();
-        let stated = modes.inches == Some(false)
+        let stated = modes.inches == Some(self.grain.inches)
             && modes.incremental == Some(false)
             && modes.absolute_centers == Some(false)
             && modes.feed_kind == Some(crate::read::FeedKind::PerMinute)
@@ -223,20 +242,67 @@ impl Validator {
         if stated { Ok(()) } else { Err(Why::new("the head does not state the modes that the moves need")) }
     }
 
-    /// Is `read` what is printed for `meant`: its rounding, ties away from zero?
+    /// Is `read` what is printed for the length `meant`: its rounding, ties away from zero?
     #[inline(always)]
     fn is_rounding(&self, read: i64, meant: f64) -> bool {
-        (read as f64 - meant * SCALE as f64).abs() <= self.half - TIE || self.is_tie(read, meant)
+        is_rounding(read, meant, self.half)
+    }
+}
+
+/// Is `read` the rounding of `meant`, where half of the last place is `half`?
+#[inline(always)]
+fn is_rounding(read: i64, meant: f64, half: f64) -> bool {
+    (read as f64 - meant * SCALE as f64).abs() <= half - TIE || is_tie(read, meant, half)
+}
+
+/// The same beside a tie.
+#[cold]
+#[inline(never)]
+fn is_tie(read: i64, meant: f64, half: f64) -> bool {
+    let exact = meant * SCALE as f64;
+    let away = (read as f64 - exact) * 1f64.copysign(meant);
+    let slack = 0.01 + exact.abs() * 1e-15;
+    away <= half + TIE + slack && away >= TIE - half - slack
+}
+
+/// Half of the last place of the printed numbers, in units of the reader; of lengths the whole of it.
+#[derive(Debug, Clone, Copy)]
+struct Grain {
+    inches: bool,
+    length: f64,
+    angle: f64,
+    feed: f64,
+    feed_per_revolution: f64,
+    inverse_time: f64,
+    lead: f64,
+    speed: f64,
+    time: f64,
+}
+
+impl Grain {
+    fn of(output: &OutputSettings) -> Grain {
+        let plain = |quantity| (SCALE / 10i64.pow(u32::from(output.places(quantity)))) as f64;
+        let inch = if output.units == Units::Inches { 25.4 } else { 1.0 };
+        Grain {
+            inches: output.units == Units::Inches,
+            length: plain(Quantity::Length) * inch,
+            angle: plain(Quantity::Angle) / 2.0,
+            feed: plain(Quantity::Feed) * inch / 2.0,
+            feed_per_revolution: plain(Quantity::FeedPerRevolution) * inch / 2.0,
+            inverse_time: plain(Quantity::InverseTime) / 2.0,
+            lead: plain(Quantity::Lead) * inch / 2.0,
+            speed: plain(Quantity::Speed) / 2.0,
+            time: plain(Quantity::Time) / 2.0,
+        }
     }
 
-    /// The same beside a tie.
-    #[cold]
-    #[inline(never)]
-    fn is_tie(&self, read: i64, meant: f64) -> bool {
-        let exact = meant * SCALE as f64;
-        let away = (read as f64 - exact) * 1f64.copysign(meant);
-        let slack = 0.01 + exact.abs() * 1e-15;
-        away <= self.half + TIE + slack && away >= TIE - self.half - slack
+    #[inline]
+    fn feed(&self, feed: Feed) -> f64 {
+        match feed {
+            Feed::PerMinute(_) => self.feed,
+            Feed::PerRevolution(_) => self.feed_per_revolution,
+            Feed::InverseTime(_) => self.inverse_time,
+        }
     }
 }
 

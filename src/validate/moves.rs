@@ -4,10 +4,12 @@ use crate::ir::motion::{Move, Path};
 use crate::ir::{Feed, Side};
 use crate::read::{self, AXES, Act, FeedKind, SCALE};
 
-use super::{Text, Validator, Why, plane};
+use super::{Text, Validator, Why, is_rounding, plane};
 
 /// Ways along an axis of the machine that may be printed by themselves where a contour is carried out, in mm.
 const SMALL: f64 = 0.0005;
+/// The bit of Z.
+const ALONG_Z: u16 = 0b100;
 /// What sums of printed numbers lose.
 const LOST: f64 = 1e-9;
 
@@ -20,6 +22,9 @@ impl Validator {
         }
         if text.end == 0 {
             return self.stays(mv);
+        }
+        if self.in_full {
+            self.before = *self.reader.at();
         }
         match self.reader.straight(text.bytes, text.end) {
             Some(found) if found.len == text.end => self.is_line(mv, found),
@@ -44,6 +49,9 @@ impl Validator {
         }
         if mv.machine {
             return Err(Why::new("machine and workpiece coordinates are mixed up"));
+        }
+        if self.length.is_some() {
+            self.states_length(false, found.axes)?;
         }
         self.leads(mv, found.axes)?;
         self.same_side(mv)
@@ -80,6 +88,9 @@ impl Validator {
             return Err(Why::new("machine and workpiece coordinates are mixed up"));
         }
         self.leads(mv, found.axes)?;
+        if self.length.is_some() {
+            self.states_length(found.machine, found.axes)?;
+        }
         if mv.machine {
             if found.axes != mv.axes.bits() {
                 return Err(Why::new("a move in machine coordinates names other axes"));
@@ -90,10 +101,32 @@ impl Validator {
         self.same_side(mv)
     }
 
+    /// The first move along Z behind a change states the length of its tool.
+    #[cold]
+    fn states_length(&mut self, machine: bool, axes: u16) -> Result<(), Why> {
+        if machine || axes & ALONG_Z == 0 {
+            return Ok(());
+        }
+        let stated = self.reader.modes().length == self.length.take();
+        if stated { Ok(()) } else { Err(Why::new("the length of another tool counts")) }
+    }
+
+    /// Axes that a move prints although they stand.
+    #[inline(always)]
+    pub(super) fn strays(&self, printed: u16, mv: &Move) -> bool {
+        let strange = printed & !mv.axes.bits();
+        strange != 0 && !(self.in_full && self.stand_still(strange))
+    }
+
+    #[cold]
+    fn stand_still(&self, axes: u16) -> bool {
+        axes & !self.stated == 0 && (0..AXES).all(|i| axes & (1 << i) == 0 || self.before[i] == self.reader.at()[i])
+    }
+
     /// Every axis of the move stands where it is meant to; those not in `printed` since before.
     #[inline(always)]
     pub(super) fn leads(&mut self, mv: &Move, printed: u16) -> Result<(), Why> {
-        if printed & !mv.axes.bits() != 0 {
+        if self.strays(printed, mv) {
             return Err(Why::new("an axis moves that shall stand"));
         }
         self.stated |= printed;
@@ -122,7 +155,8 @@ impl Validator {
     /// Does an axis stand where the move ends?
     #[inline(always)]
     fn stands(&self, mv: &Move, axis: usize) -> bool {
-        self.is_rounding(self.reader.at()[axis], mv.end.values()[axis])
+        let half = if (3..6).contains(&axis) { self.grain.angle } else { self.half };
+        is_rounding(self.reader.at()[axis], mv.end.values()[axis], half)
     }
 
     /// Nothing is printed for a move that leads where the machine stands.
@@ -178,7 +212,7 @@ impl Validator {
         if self.feed == Some((meant, read)) {
             return Ok(());
         }
-        if !self.is_rounding(read, meant.value()) {
+        if !is_rounding(read, meant.value(), self.grain.feed(meant)) {
             return Err(Why::new("the feed is another one"));
         }
         self.feed = Some((meant, read));
@@ -191,8 +225,11 @@ impl Validator {
             return Err(Why::new("a thread is missing"));
         };
         let read::Path::Thread(read) = found.path else { return Err(Why::new("a thread is meant")) };
-        if !self.is_rounding(read, lead) {
+        if !is_rounding(read, lead, self.grain.lead) {
             return Err(Why::new("the thread has another lead"));
+        }
+        if self.reader.feed().is_none() {
+            self.feed = None;
         }
         self.reaches(mv, &found)?;
         self.no_act(Text { bytes: rest, end })
@@ -225,7 +262,8 @@ impl Validator {
                 return Err(Why::new("a way is split that is too long for that"));
             }
             let read = self.reader.feed().ok_or_else(|| Why::new("there is no feed"))?;
-            let near = (read as f64 - meant * SCALE as f64).abs() <= self.half + 1.1 + meant * SCALE as f64 * LOST;
+            let near =
+                (read as f64 - meant * SCALE as f64).abs() <= self.grain.feed + 1.1 + meant * SCALE as f64 * LOST;
             if !near || self.reader.modes().feed_kind != Some(FeedKind::PerMinute) {
                 return Err(Why::new("the contour is made at another feed"));
             }

@@ -128,6 +128,33 @@ const BUILT: &[Built] = &[
         fires: || on_grbl("M5\nM4\nT1 M6\nG1 X5 F100", BY_HAND),
         silent: || on_grbl("T1 M6\nM5\nG1 X5 F100", BY_HAND),
     },
+    Built { code: "O9317", fires: || on("fanuc", "M8", LATHE), silent: || on("fanuc-lathe", "M8", LATHE) },
+    Built {
+        code: "O9319",
+        fires: || on("linuxcnc", "G1 A90 F100", INCHES),
+        silent: || on("linuxcnc", "G0 A90", INCHES),
+    },
+    Built { code: "O9320", fires: || on("fanuc-lathe", "T2", TURRET), silent: || on("fanuc", "T2", "") },
+    Built {
+        code: "O9321",
+        fires: || on("fanuc", "G1 SUPA D0 Z5 F100", "[output]\ntool_length = \"off\""),
+        silent: || on("fanuc", "G0 SUPA D0 Z5", "[output]\ntool_length = \"off\""),
+    },
+    Built {
+        code: "O9322",
+        fires: || on("fanuc-lathe", "G33 X10 Z-10 K1.5", LATHE),
+        silent: || on("fanuc-lathe", "G33 Z-10 K1.5", LATHE),
+    },
+    Built {
+        code: "O9324",
+        fires: || on("fanuc", "M8", "[output]\nprogram_number = 10000"),
+        silent: || on("haas", "M8", "[output]\nprogram_number = 10000"),
+    },
+    Built {
+        code: "O9325",
+        fires: || on("sinumerik", "G331 Z-10 K1.5\nG332 Z5 K1.5", ""),
+        silent: || on("linuxcnc", "G331 Z-10 K1.5\nG332 Z5 K1.5", ""),
+    },
 ];
 
 /// Codes that no program can bring about today. A case for one of them is to be added together with its removal here.
@@ -136,6 +163,8 @@ const NEVER: &[(&str, &str)] = &[
     ("G3066", "dialects take the side of an undercut from the contour"),
     ("G3020", "dialects look for three points on a line themselves"),
     ("G3021", "dialects look for a lead without a way themselves"),
+    ("O9318", "dialects ask for the position along Z in front of such a block themselves"),
+    ("O9323", "SINUMERIK states the largest speed with each cutting speed once it was programmed"),
     ("O9001", "what a target has no word for has a code of its own"),
     ("T2029", "retired: G86 is finished without an oversize, too"),
     ("G3043", "dialects ask for the position in front of a cycle themselves"),
@@ -146,10 +175,18 @@ const BY_HAND: &str = "[output]\ntool_change = \"stop\"";
 const CONTROL: &str = "[output]\ncompensation = \"control\"\ntool_change = \"stop\"\n[tools.1]\nradius = 2.0";
 const EIGHTH: &str = "[datums]\nG505 = \"G59.2\"";
 
+const INCHES: &str = "[output]\nunits = \"inch\"";
+const TURRET: &str = "[machine]\nkind = \"lathe\"\n[control]\ntool_change = \"m6\"";
+
 /// A SINUMERIK block on a target that says little.
 fn on_grbl(block: &str, configuration: &str) -> Compiled {
+    on("grbl", block, configuration)
+}
+
+/// A SINUMERIK block on a target.
+fn on(target: &str, block: &str, configuration: &str) -> Compiled {
     let mut settings = settings(configuration);
-    settings.output.target = partc::internals::target::find("grbl").expect("a target");
+    settings.output.target = partc::internals::target::find(target).expect("a target");
     let text = format!("G90 G0 X0 Y0 Z5\nS1000 M3\n{block}\nM30\n");
     compile_bytes("PART.MPF", text.into_bytes(), "sinumerik", &settings, &NoFiles)
 }

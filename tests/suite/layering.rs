@@ -86,7 +86,8 @@ fn folders_use_what_they_may() {
 #[test]
 fn nothing_behind_the_contour_knows_a_dialect() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    for folder in ["lower", "emit", "geo", "ir", "target", "sema/run", "sema/value"] {
+    // A receiver may be of the same make.
+    for folder in ["lower", "emit", "geo", "ir", "sema/run", "sema/value"] {
         for (file, text) in sources(&root.join(folder)) {
             let lower = text.to_lowercase();
             for dialect in DIALECTS {

@@ -62,6 +62,7 @@ mod quality;
 mod quality_bar;
 mod reader;
 mod receivers;
+mod rewritten;
 mod rs274;
 mod same_part;
 mod sinumerik;

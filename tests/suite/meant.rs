@@ -1,6 +1,7 @@
 //! What a program does, in order: as the compiler meant it, as a reader of the output finds it, and both compared.
 
 use core::f64::consts::TAU;
+use partc::internals::machine::settings::Quantity;
 
 use partc::internals::ir::function::{Coolant, CutterData, Spindle, Turn};
 use partc::internals::ir::motion::{self, Path, Sink};
@@ -162,8 +163,8 @@ impl Recorder {
             constant_cut: false,
             offset: 1,
             length: 0,
-            tool_length: settings.output.tool_length,
-            scale: 10f64.powi(i32::from(settings.output.decimals)),
+            tool_length: settings.output.prints_tool_length(),
+            scale: 10f64.powi(i32::from(settings.output.places(Quantity::Length))),
             ended: false,
         }
     }

@@ -9,7 +9,7 @@ use partc::internals::emit::Printer;
 use partc::internals::ir::motion;
 use partc::internals::ir::{Function, Origin, Pos};
 use partc::internals::machine::Settings;
-use partc::internals::machine::settings::ToolChange;
+use partc::internals::machine::settings::{Quantity, ToolChange};
 use partc::internals::text::{Files, Memory, Opened};
 use partc::internals::validate::{Mismatch, Validator};
 
@@ -105,7 +105,7 @@ impl Case {
         let mut recorder = Recorder::new(settings);
         let found = dialect::find(dialect).expect("a dialect");
         session().lower(found, settings, files, &mut recorder);
-        let decimals = settings.output.decimals;
+        let decimals = settings.output.places(Quantity::Length);
         let settings = found.settings(settings).into_owned();
         let items = items(&session(), found, &settings, files);
         Case { name, output: compiled.output, meant: recorder.finish(), decimals, replaced, items, settings }

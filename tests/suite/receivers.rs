@@ -11,7 +11,7 @@ use partc::internals::driver::Session;
 use partc::internals::emit::Printer;
 use partc::internals::ir::motion::{Move, Sink};
 use partc::internals::ir::{Function, Origin, Pos};
-use partc::internals::machine::settings::ToolChange;
+use partc::internals::machine::settings::{Quantity, ToolChange};
 use partc::internals::machine::{Settings, schema};
 use partc::internals::target::{self, Target};
 use partc::internals::text::files::NoFiles;
@@ -170,7 +170,7 @@ fn print_for(case: &Case, targets: &[&'static Target]) -> Option<Vec<Printed>> {
         settings.output.target = target;
         // Hands change the tools and set up their lengths, as it has to be for the simplest target.
         settings.output.tool_change = ToolChange::Stop;
-        settings.output.tool_length = false;
+        settings.output.tool_length = Some(false);
         settings
     };
     let each: Vec<Settings> = targets.iter().map(of).collect();
@@ -180,7 +180,7 @@ fn print_for(case: &Case, targets: &[&'static Target]) -> Option<Vec<Printed>> {
     let mut both = Both(printers.map(|((s, d), t)| Printer::new(s, &name, d, t, None)).collect());
     session.lower(dialect, &base, case, &mut both);
     both.0.into_iter().for_each(|printer| printer.finish(0).expect("memory takes everything"));
-    let unit = 0.1f64.powi(i32::from(base.output.decimals));
+    let unit = 0.1f64.powi(i32::from(base.output.places(Quantity::Length)));
     let printed = texts.into_iter().zip(found).map(|(text, found)| {
         let failed = found.has_errors();
         let list = found.into_sorted();

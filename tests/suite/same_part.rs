@@ -1,6 +1,7 @@
 //! The same part in two dialects gives the same motion. The books under `tests/golden/same_part` have a chapter for each
 //! part, and in it a program for each dialect.
 
+use partc::internals::machine::settings::Quantity;
 use std::collections::BTreeMap;
 
 use super::book::{self, Case};
@@ -11,7 +12,7 @@ use super::reader;
 fn moves(case: &Case) -> Vec<(Way, How)> {
     let compiled = case.compile();
     assert!(!compiled.has_errors(), "{}: {:?}", case.name, compiled.rendered);
-    let found = reader::read(&compiled.output, case.settings().output.decimals);
+    let found = reader::read(&compiled.output, case.settings().output.places(Quantity::Length));
     let found = found.unwrap_or_else(|why| panic!("{}: {why}", case.name));
     let moves = found.into_iter().filter_map(|found| match found {
         Found::Move(way, how) => Some((way, How { plane: None, ..how })),

@@ -11,6 +11,10 @@ R1002 Warning "gcode-end-missing" "plain G-code ends without M2 or M30"
 "The last line is no end of a program. The file may have been cut off in transfer, or the program that made it leaves the end to the control. The output gets M2. Look at \
 the last lines, and add M30."
 
+R1003 Error "gcode-of-another-receiver" "program was printed for another receiver"
+"The head of this program says for which target partc printed it. Its lines look like those of LinuxCNC, and some mean another thing there: on a Fanuc control G4 P counts \
+thousandths of a second, and on its lathes G90 cuts. Compile the program that it was made of; `partc diff` compares such outputs as they are meant."
+
 R2001 Error "gcode-tool-length" "tool length that the output does not have"
 "G43 H adds the length of a tool, G49 takes it away, and all positions along Z count with it or without it. The output has G43 behind each tool change with the number \
 of the tool where `[output] tool_length = \"G43\"` is set, and nowhere else. A program that does it in another way cannot be printed."

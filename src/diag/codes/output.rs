@@ -102,6 +102,41 @@ O9316 Error "spindle-stands-after-change" "cut with the spindle that a tool chan
 may have kept it turning, or started it in its own tool change, and which of the two is not written in the program. Program M3 or M4 behind the change, or M5 where the \
 tool has to stand, such as a probe."
 
+O9317 Error "machine-kind-unknown-to-target" "the target is made for another kind of machine"
+"A lathe and a mill of one control speak differently: on many lathes X is always a diameter, and words such as G90 and G94 start cycles. Take the target that belongs \
+to the machine, or correct `[machine] kind`; where X is always a diameter, leave `[output] diameter = false` away."
+
+O9318 Error "tool-length-begins-in-such-a-block" "the tool length cannot begin in this block"
+"The selected target takes the length of a tool (G43 H) in a straight move along Z: alone in a block, some controls move by the length. The first block behind the tool change \
+that moves Z is an arc, a thread or a transformed move. Put a straight move along Z in front of it."
+
+O9319 Error "quantity-unknown-in-inches" "the quantity is not printed in inches"
+"With `[output] units = \"inch\"` a feed counts inches, and in a move of a rotary axis alone it would count degrees; a cutting speed would count feet. Controls differ in \
+both, so neither is converted. Set `units = \"mm\"`."
+
+O9320 Error "tool-preparation-unknown-to-target" "the target cannot bring a tool forth before its change"
+"A T word without a change tells the changer which tool comes next. On the selected target a T word is the change itself (T0101), so the turret would turn at once. Leave the \
+word out of the program."
+
+O9321 Error "machine-coordinates-unknown-to-target" "the target does not move so in machine coordinates"
+"G53, M91 and SUPA name a place in machine coordinates. The selected target has no word for it, or takes it at rapid traverse only. Go there at rapid traverse or by hand, or program \
+the place in workpiece coordinates."
+
+O9322 Error "tapered-thread-unknown-to-target" "the target takes the lead of a thread along one axis"
+"partc has the lead of a thread along its way. The selected target counts it along the axis with the longer way, and where both are alike controls differ. Cut the thread along one \
+axis, or take another target."
+
+O9323 Error "speed-limit-stays" "the target keeps its largest speed"
+"Under constant cutting speed the largest speed holds on the selected target until the next one (G50 S, G92 S), and nothing takes it back. The program asks for a cutting speed without a \
+limit behind one with a limit. State the limit with each."
+
+O9324 Error "program-number-too-large" "the target does not count programs that far"
+"The selected target names a program by a number of few digits. Give a smaller `[output] program_number`."
+
+O9325 Error "thread-behind-stopped-spindle" "the target cannot turn the spindle round between two threads"
+"Tapping in step with the spindle is a thread down, a spindle that turns round, and a thread up. The selected target takes threads one behind the other only where nothing happens \
+between them (SINUMERIK alarm 10600). Tap by a cycle of the target, or with a floating holder at a feed in mm/min."
+
 O9330 Error "line-longer-than-read" "line has more characters than the target reads"
 "The selected target takes lines of a certain length and refuses or cuts longer ones. A line that is a little too long gives its F to a line in front of it; under G93, \
 where F is the time of its own block, it cannot. Print fewer places with `[output] decimals`, or move fewer axes in one block."

@@ -8,6 +8,7 @@ use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet};
 use crate::target::Measure;
 
+use super::super::modal::FeedKind;
 use super::Printer;
 
 /// Where X goes little and the workpiece turns far, F is small. Below so many units of the last place it is too coarse;
@@ -22,7 +23,7 @@ impl Printer<'_> {
         let mut ends = [0; AXES];
         let mut changed = AxisSet::EMPTY;
         for axis in mv.axes.iter() {
-            let Some(units) = mv.end.get(axis).and_then(|value| self.places.units(value)) else {
+            let Some(units) = mv.end.get(axis).and_then(|value| self.places_of(axis).units(value)) else {
                 return self.unprintable(origin);
             };
             ends[axis.index()] = units;
@@ -37,6 +38,9 @@ impl Printer<'_> {
         if !lacking.is_empty() {
             return self.lacks_axes(lacking, mv, origin);
         }
+        if self.measures.inches || self.length.waits && changed.contains(Axis::Z) {
+            return self.lacks_form(mv, origin);
+        }
         // A change of the kind of feed has a line of its own.
         if self.feed_word(Feed::PerMinute(1.0), origin).is_err() {
             return;
@@ -45,7 +49,8 @@ impl Printer<'_> {
         let linear = changed.without(rotary);
         let (way, turn) = (self.way(linear, &ends), self.way(rotary, &ends));
         let small = (1.0 / self.places.scale()).max(SMALL);
-        let coarse = self.places.units(feed * way / length).is_none_or(|units| units < COARSE);
+        let coarse =
+            self.feed_places(FeedKind::PerMinute).units(feed * way / length).is_none_or(|units| units < COARSE);
         if turn > 0.0 && way > 0.0 && way <= small && coarse {
             self.carried_line(rotary, &ends, feed * turn / length, origin);
             return self.carried_line(linear, &ends, feed, origin);
@@ -60,14 +65,14 @@ impl Printer<'_> {
     }
 
     fn carried_line(&mut self, axes: AxisSet, ends: &[i64; AXES], feed: f64, origin: &Origin) {
-        let Some(units) = self.places.units(feed).filter(|units| *units > 0) else {
+        let Some(units) = self.feed_places(FeedKind::PerMinute).units(feed).filter(|units| *units > 0) else {
             return self.report(codes::O1001, origin, &format!("the feed {feed} prints as zero or not at all"));
         };
         self.page.text.word(self.target.motion.line);
         for axis in axes.iter() {
             self.axis_word(axis, ends[axis.index()]);
         }
-        self.page.text.number(self.target.feed.address, units, self.places);
+        self.page.text.number(self.target.feed.address, units, self.feed_places(FeedKind::PerMinute));
         self.page.end_line(origin);
         self.compensation.straight();
         self.modal.forget_feed();
@@ -77,7 +82,7 @@ impl Printer<'_> {
     /// How far `axes` go to `ends`, as printed.
     fn way(&self, axes: AxisSet, ends: &[i64; AXES]) -> f64 {
         let of = |axis: Axis| match self.modal.place(axis) {
-            Some(place) => (ends[axis.index()] - place) as f64 / self.places.scale(),
+            Some(place) => (ends[axis.index()] - place) as f64 / self.places_of(axis).scale(),
             None => 0.0,
         };
         libm::sqrt(axes.iter().map(|axis| of(axis) * of(axis)).sum())

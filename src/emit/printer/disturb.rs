@@ -42,7 +42,7 @@ impl Printer<'_> {
             }
             Disturbance::Plane(plane) => self.modal.plane = plane,
             Disturbance::Feed(feed) => {
-                if let Some(units) = self.places.units(feed.value()) {
+                if let Some(units) = self.feed_places(FeedKind::of(feed)).units(feed.value()) {
                     self.modal.feed_changes(feed, units);
                 }
             }

@@ -4,10 +4,12 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Origin, Side};
 use crate::machine::settings::ToolChange;
+use crate::target::{Change, Length, LengthNumber, Limit};
 use crate::text::Loc;
 
 use super::super::comment;
-use super::{HandChange, Printer};
+use super::super::modal::FeedKind;
+use super::{HandChange, Printer, ToolLength};
 
 impl Printer<'_> {
     pub(super) fn print_function(&mut self, function: &Function, origin: &Origin) {
@@ -17,6 +19,10 @@ impl Printer<'_> {
         let flow = &self.target.flow;
         match function {
             Function::ToolChange { number } => self.tool_change(*number, origin),
+            Function::ToolPrepare { .. } if !self.target.tool.prepares => {
+                let help = "leave the T word out that only brings the tool forth, or take another target";
+                self.lacks(codes::O9320, origin, "a tool that is brought forth before its change", help);
+            }
             Function::ToolPrepare { number } => {
                 self.tool_word(*number, origin);
                 self.page.end_line(origin);
@@ -47,6 +53,7 @@ impl Printer<'_> {
                 if self.compensation.side != Side::None {
                     self.end_compensation(origin);
                 }
+                self.template(&self.settings.footer);
                 self.page.words(if *rewind { flow.rewind } else { flow.end }, origin);
                 self.ended = true;
             }
@@ -68,25 +75,62 @@ impl Printer<'_> {
         self.modal.may_have_moved();
         if self.settings.tool_change == ToolChange::Stop {
             self.change_by_hand(number, origin);
-        } else if let Some(change) = self.target.tool.change {
-            self.tool_word(number, origin);
-            self.page.text.word(change);
-            self.page.end_line(origin);
         } else {
-            let help = "set `[output] tool_change = \"stop\"` to change by hand, or write one program a tool";
-            self.lacks(codes::O9305, origin, "a tool change", help);
+            self.change(number, origin);
         }
-        if !self.settings.tool_length {
+        self.tool_length(number, origin);
+    }
+
+    fn change(&mut self, number: u32, origin: &Origin) {
+        match self.target.tool.change {
+            Some(Change::Word(change)) => {
+                self.tool_word(number, origin);
+                self.page.text.word(change);
+            }
+            Some(Change::Turret { digits }) if number > 0 => {
+                let place = 10u64.pow(digits as u32);
+                self.tool_word(number, origin);
+                self.page.text.drop_line();
+                let (tool, digits) = (u64::from(number) * (place + 1), 2 * digits);
+                let word = format!("{}{tool:0digits$}", self.target.tool.address as char);
+                self.page.text.word(&word);
+            }
+            Some(Change::Turret { .. }) => {
+                let help = "a turret has no empty place: leave tool 0 out";
+                return self.lacks(codes::O9305, origin, "tool 0", help);
+            }
+            None => {
+                let help = "set `[output] tool_change = \"stop\"` to change by hand, or write one program a tool";
+                return self.lacks(codes::O9305, origin, "a tool change", help);
+            }
+        }
+        self.page.end_line(origin);
+    }
+
+    /// The length of the tool behind its change.
+    fn tool_length(&mut self, number: u32, origin: &Origin) {
+        if !self.settings.prints_tool_length() {
             return;
         }
-        match &self.target.tool.length {
-            None => {
+        match self.target.tool.length {
+            Length::None => {
                 let help = "leave `[output] tool_length` at \"off\", and set the length up on the target";
                 self.lacks(codes::O9307, origin, "the length of a tool in its table", help);
             }
-            Some(length) if number == 0 => self.page.words(length.off, origin),
-            Some(length) => {
-                self.page.text.word(length.on).whole(length.number, u64::from(number));
+            Length::WithTool => {}
+            Length::Words(words) if number == 0 => {
+                self.length = ToolLength { tool: 0, waits: false, ..self.length };
+                self.page.words(words.off, origin);
+            }
+            Length::Words(words) if words.with_move => {
+                self.length = ToolLength { tool: number, waits: true, ..self.length };
+            }
+            Length::Words(words) => {
+                self.length = ToolLength { tool: number, waits: false, ..self.length };
+                self.page.text.word(words.on);
+                if let LengthNumber::Tool(address) = words.number {
+                    self.page.text.whole(address, u64::from(number));
+                }
                 self.page.end_line(origin);
             }
         }
@@ -131,16 +175,28 @@ impl Printer<'_> {
     }
 
     fn dwell(&mut self, seconds: f64, origin: &Origin) {
-        let words = &self.target.dwell;
-        let Some(mut units) = self.places.units(seconds) else { return self.unprintable(origin) };
-        let most = self.places.units(words.most).unwrap_or(i64::MAX);
-        while units > most {
-            self.page.text.word(words.word).number(words.seconds, most, self.places);
-            self.page.end_line(origin);
-            units -= most;
+        let words = self.target.dwell;
+        let places = self.measures.time;
+        let Some(mut units) = places.units(seconds) else { return self.unprintable(origin) };
+        if words.per_minute && self.modal.feed_kind_changes(FeedKind::PerMinute) {
+            self.page.words(self.target.feed.per_minute, origin);
+            self.modal.forget_feed();
         }
-        self.page.text.word(words.word).number(words.seconds, units, self.places);
-        self.page.end_line(origin);
+        let most = places.units(words.most).unwrap_or(i64::MAX);
+        loop {
+            let part = units.min(most);
+            self.page.text.word(words.word);
+            if words.milliseconds {
+                self.page.text.whole(words.address, part.unsigned_abs());
+            } else {
+                self.page.text.number(words.address, part, places);
+            }
+            self.page.end_line(origin);
+            units -= part;
+            if units <= 0 {
+                return;
+            }
+        }
     }
 
     #[cold]
@@ -194,35 +250,48 @@ impl Printer<'_> {
             Spindle::Start(Turn::CounterClockwise) => text.word(words.counter_clockwise),
             Spindle::Stop => text.word(words.stop),
             Spindle::Speed(speed) => {
-                let Some(units) = self.places.units(speed) else { return self.unprintable(origin) };
+                let Some(units) = self.measures.speed.units(speed) else { return self.unprintable(origin) };
                 if let Some(cutting) = &words.cutting_speed
                     && number.is_none()
                     && std::mem::take(&mut self.modal.cutting_speed)
                 {
                     text.word(cutting.off);
                 }
-                text.number(words.speed, units, self.places)
+                text.number(words.speed, units, self.measures.speed)
             }
             Spindle::CuttingSpeed { speed, limit } => {
                 let Some(cutting) = &words.cutting_speed else {
                     let help = "program a constant speed with G97 in the source, or take another target";
                     return self.lacks(codes::O9302, origin, "constant cutting speed", help);
                 };
-                self.modal.cutting_speed = true;
-                text.word(cutting.on);
-                if let Some(units) = limit.and_then(|limit| self.places.units(limit)) {
-                    text.number(cutting.limit, units, self.places);
+                if self.measures.inches || limit.is_none() && self.length.limited {
+                    return self.lacks_cutting_speed(origin);
                 }
-                let Some(units) = self.places.units(speed) else { return self.unprintable(origin) };
-                text.number(words.speed, units, self.places)
+                self.modal.cutting_speed = true;
+                let places = self.measures.speed;
+                let Some(units) = places.units(speed) else { return self.unprintable(origin) };
+                match (cutting.limit, limit.and_then(|limit| places.units(limit))) {
+                    (Limit::Word(word), Some(limit)) => {
+                        text.word(cutting.on).valued(word, limit, places);
+                    }
+                    (Limit::Block(word), Some(limit)) => {
+                        text.word(word).number(words.speed, limit, places);
+                        self.page.end_line(origin);
+                        self.length.limited = true;
+                        self.page.text.word(cutting.on);
+                    }
+                    (_, None) => drop(text.word(cutting.on)),
+                }
+                self.page.text.number(words.speed, units, places)
             }
             Spindle::Orient(angle) => {
                 let Some((word, address)) = words.orient else {
                     let help = "leave M19 out where nothing depends on the angle, or take another target";
                     return self.lacks(codes::O9303, origin, "a spindle stop at an angle", help);
                 };
-                let Some(units) = self.places.units(angle) else { return self.unprintable(origin) };
-                text.word(word).number(address, units, self.places)
+                let places = self.measures.angle;
+                let Some(units) = places.units(angle) else { return self.unprintable(origin) };
+                text.word(word).number(address, units, places)
             }
         };
         if let Some(number) = number {
@@ -235,9 +304,24 @@ impl Printer<'_> {
         self.page.end_line(origin);
     }
 
+    #[cold]
+    fn lacks_cutting_speed(&mut self, origin: &Origin) {
+        if self.measures.inches {
+            let help = "set `[output] units = \"mm\"`, or program a constant speed with G97";
+            return self.lacks(codes::O9319, origin, "a cutting speed in feet", help);
+        }
+        let help = "state the largest speed with each constant cutting speed (LIMS, G92 S)";
+        self.lacks(
+            codes::O9323,
+            origin,
+            "a constant cutting speed without a largest speed behind one that had it",
+            help,
+        );
+    }
+
     fn comment(&mut self, text: &[u8], origin: &Origin) {
         let comments = &self.target.comments;
-        let text = comment::harmless(text, comments.forbidden);
+        let text = comment::harmless(text, comments);
         let room = self.target.line.length - comments.open.len() - comments.close.len();
         for piece in comment::pieces(&text, room) {
             self.page.text.raw(comments.open.as_bytes()).raw(piece).raw(comments.close.as_bytes());

@@ -6,9 +6,11 @@ use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::{Feed, Origin};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet};
+use crate::target::{Lead, Thread, Turns};
 
 use super::super::arc::{self, Printed};
 use super::super::modal::FeedKind;
+use super::super::number::Places;
 use super::Printer;
 
 /// Most lines that replace an arc.
@@ -36,7 +38,7 @@ impl Printer<'_> {
         let mut changed = AxisSet::EMPTY;
         for axis in mv.axes.iter() {
             let Some(value) = mv.end.get(axis) else { continue };
-            let Some(units) = self.places.units(value) else { return self.unprintable(origin) };
+            let Some(units) = self.places_of(axis).units(value) else { return self.unprintable(origin) };
             ends[axis.index()] = units;
             if mv.machine || !self.modal.says(axis, units) {
                 changed.insert(axis);
@@ -51,30 +53,39 @@ impl Printer<'_> {
         }
         let feed = match mv.path.feed() {
             Some(feed) if !self.modal.holds(feed) => match self.feed_word(feed, origin) {
-                Ok(feed) => feed,
+                Ok(units) => units.map(|units| (units, self.feed_places(FeedKind::of(feed)))),
                 Err(()) => return,
             },
             _ => None,
         };
+        if (self.special || mv.machine) && !self.may_be_straight(mv, changed, origin) {
+            return;
+        }
         if mv.machine {
-            self.page.text.word(self.target.motion.machine);
+            self.page.text.word(self.target.motion.machine.unwrap_or_default());
         }
         self.page.text.word(word);
+        let length = if self.length.waits { self.length_word(mv, changed) } else { None };
+        let changed = if self.special { self.spelled_out(mv, changed, &mut ends) } else { changed };
         for axis in changed.iter() {
             let units = ends[axis.index()];
             let units = if self.diameter && axis == Axis::X { 2 * units } else { units };
-            self.page.text.hot_number(axis.letter() as u8, units, self.places);
+            self.page.text.hot_number(axis.letter() as u8, units, self.places_of(axis));
+        }
+        if let Some((address, tool)) = length {
+            self.page.text.whole(address, u64::from(tool));
         }
         if let Some((address, units)) = lead {
-            self.page.text.number(address, units, self.places);
+            self.page.text.number(address, units, self.measures.lead);
         }
-        if let Some(units) = feed {
-            self.page.text.number(self.target.feed.address, units, self.places);
+        if let Some((units, places)) = feed {
+            self.page.text.number(self.target.feed.address, units, places);
         }
         self.page.end_line(origin);
         self.compensation.straight();
         if mv.machine {
             self.modal.forget(changed);
+            self.length_again(origin);
         } else {
             self.modal.reach(changed, &ends);
         }
@@ -83,24 +94,59 @@ impl Printer<'_> {
     /// An axis with its coordinate in units.
     pub(super) fn axis_word(&mut self, axis: Axis, units: i64) {
         let units = if self.diameter && axis == Axis::X { 2 * units } else { units };
-        self.page.text.number(axis.letter() as u8, units, self.places);
+        self.page.text.number(axis.letter() as u8, units, self.places_of(axis));
     }
 
     /// A line in step with the spindle.
     pub(super) fn thread(&mut self, lead: f64, mv: &Move, origin: &Origin) {
-        let Some((word, address)) = self.target.motion.thread else {
+        let Some(Thread { word, lead: form, stops }) = self.target.motion.thread else {
             let help = "cut the thread another way, or take a target that turns the spindle in step";
             self.lacks(codes::O9300, origin, "a thread in step with the spindle", help);
             return self.pretend(mv);
         };
-        let lead = self.places.units(lead).filter(|units| *units > 0);
+        let Some(address) = self.lead_address(form, mv) else {
+            let help = "cut the thread along one axis, or take a target that takes its lead along the way";
+            self.lacks(codes::O9322, origin, "a thread along two axes", help);
+            return self.pretend(mv);
+        };
+        let lead = self.measures.lead.units(lead).filter(|units| *units > 0);
         let Some(lead) = lead else {
             return self.report(codes::O1003, origin, "the lead of this thread prints as zero or not at all");
         };
+        if self.length.waits && mv.axes.contains(Axis::Z) {
+            return self.lacks_form(mv, origin);
+        }
         let before = self.page.lines();
+        let behind_thread = self.thread.as_ref().is_some_and(|(at, lines)| at == self.modal.at() && *lines != before);
+        if behind_thread && !stops {
+            let help = "tap by a cycle of the target, or with a floating holder at a feed in mm/min";
+            self.lacks(codes::O9325, origin, "a thread behind a thread with another function between them", help);
+            return self.pretend(mv);
+        }
         self.straight(word, mv, Some((address, lead)), origin);
         if self.page.lines() == before && !self.diags.has_errors() {
             self.report(codes::O1003, origin, "the thread has no length that can be printed");
+        }
+        if !stops {
+            self.thread = Some((*self.modal.at(), self.page.lines()));
+        }
+        if address == self.target.feed.address {
+            // The lead was an F.
+            self.modal.forget_feed();
+        }
+    }
+
+    /// The address that gives the lead of this thread.
+    fn lead_address(&self, form: Lead, mv: &Move) -> Option<u8> {
+        let moves = |axis: &Axis| {
+            let units = mv.end.get(*axis).and_then(|value| self.places_of(*axis).units(value));
+            units.is_some() && units != self.modal.place(*axis)
+        };
+        let mut moving = mv.axes.iter().filter(moves);
+        match (form, moving.next(), moving.next()) {
+            (Lead::Way(address), ..) | (Lead::OneAxis(address), _, None) => Some(address),
+            (Lead::AlongZ(address), None | Some(Axis::Z), None) => Some(address),
+            (Lead::OneAxis(_) | Lead::AlongZ(_), ..) => None,
         }
     }
 
@@ -113,12 +159,12 @@ impl Printer<'_> {
     /// The F word where it changes; a change of its kind gets a line of its own.
     #[inline(never)]
     pub(super) fn feed_word(&mut self, feed: Feed, origin: &Origin) -> Result<Option<i64>, ()> {
-        let units = self.places.units(feed.value()).filter(|units| *units > 0);
+        let kind = FeedKind::of(feed);
+        let units = self.feed_places(kind).units(feed.value()).filter(|units| *units > 0);
         let Some(units) = units else {
             self.report(codes::O1001, origin, &format!("the feed {} prints as zero or not at all", feed.value()));
             return Err(());
         };
-        let kind = FeedKind::of(feed);
         if self.modal.feed_kind_changes(kind) {
             self.page.by_time = kind == FeedKind::InverseTime;
             match kind.word(&self.target.feed) {
@@ -129,7 +175,11 @@ impl Printer<'_> {
                 }
             }
         }
-        Ok(self.modal.feed_changes(feed, units).then_some(units))
+        let changes = self.modal.feed_changes(feed, units);
+        if !self.settings.modal {
+            self.modal.forget_feed();
+        }
+        Ok((changes || !self.settings.modal).then_some(units))
     }
 
     pub(super) fn arc(&mut self, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
@@ -161,7 +211,7 @@ impl Printer<'_> {
             most_radius: words.most_radius * scale,
             least_chord: words.least_chord * scale,
         };
-        let blocks = words.blocks(arc.sweep);
+        let blocks = if request.from == request.to { words.blocks(arc.sweep) } else { words.open_blocks(arc.sweep) };
         if blocks > 1 {
             return self.divided_arc(&request, blocks, arc, feed, mv, origin);
         }
@@ -176,7 +226,8 @@ impl Printer<'_> {
         };
         let Some((printed, ends)) = self.arc_ends(&request, arc, mv, origin) else { return };
         self.select_plane(arc.plane, origin);
-        let Ok(feed) = self.feed_word(feed, origin) else { return };
+        let Ok(units) = self.feed_word(feed, origin) else { return };
+        let feed = units.map(|units| (units, self.feed_places(FeedKind::of(feed))));
         self.arc_block(arc, &ArcBlock { printed, ends, offset, turns }, feed, origin);
     }
 
@@ -192,7 +243,7 @@ impl Printer<'_> {
         let mut ends = *self.modal.at();
         let mut printed = AxisSet::of(Axis::ALL[first]).union(AxisSet::of(Axis::ALL[second]));
         for axis in mv.axes.without(printed).iter() {
-            let Some(units) = mv.end.get(axis).and_then(|value| self.places.units(value)) else {
+            let Some(units) = mv.end.get(axis).and_then(|value| self.places_of(axis).units(value)) else {
                 self.unprintable(origin);
                 return None;
             };
@@ -206,12 +257,17 @@ impl Printer<'_> {
             self.lacks_axes(lacking, mv, origin);
             return None;
         }
+        if self.length.waits && printed.contains(Axis::Z) || self.measures.inches && self.turns_axes(printed) {
+            self.lacks_form(mv, origin);
+            return None;
+        }
         [ends[first], ends[second]] = request.to;
         Some((printed, ends))
     }
 
-    fn arc_block(&mut self, arc: &Arc, block: &ArcBlock, feed: Option<i64>, origin: &Origin) {
-        let ArcBlock { printed, ends, offset, turns } = *block;
+    fn arc_block(&mut self, arc: &Arc, block: &ArcBlock, feed: Option<(i64, Places)>, origin: &Origin) {
+        let ArcBlock { printed, mut ends, offset, turns } = *block;
+        let printed = if self.settings.modal { printed } else { self.with_known(printed, &mut ends) };
         let words = &self.target.arcs;
         self.page.text.word(if arc.sweep > 0.0 { words.counter_clockwise } else { words.clockwise });
         for axis in printed.iter() {
@@ -223,11 +279,15 @@ impl Printer<'_> {
         for (axis, units) in offsets {
             self.page.text.number(words.center[axis], units, self.places);
         }
-        if let (Some(address), true) = (words.turns, turns > 1) {
-            self.page.text.whole(address, u64::from(turns));
+        match words.turns {
+            Some(Turns::All(address)) if turns > 1 => drop(self.page.text.whole(address, u64::from(turns))),
+            Some(Turns::More(word)) if turns > 1 => {
+                self.page.text.valued(word, i64::from(turns) - 1, Places::new(0));
+            }
+            _ => {}
         }
-        if let Some(units) = feed {
-            self.page.text.number(self.target.feed.address, units, self.places);
+        if let Some((units, places)) = feed {
+            self.page.text.number(self.target.feed.address, units, places);
         }
         self.page.end_line(origin);
         self.modal.reach(printed, &ends);
@@ -256,7 +316,8 @@ impl Printer<'_> {
         for block in 1..=blocks {
             let Some(part) = self.part(request, arc, from, block, blocks) else { return };
             let Printed::Arc { offset, .. } = arc::fit(&part) else { return };
-            let Ok(feed) = self.feed_word(feed, origin) else { return };
+            let Ok(units) = self.feed_word(feed, origin) else { return };
+            let feed = units.map(|units| (units, self.feed_places(FeedKind::of(feed))));
             let share = f64::from(block) / f64::from(blocks);
             let mut ends = last;
             for axis in printed.iter() {
@@ -313,7 +374,7 @@ impl Printer<'_> {
             if t < 1.0 {
                 let p = arc.center + turned(arc.from - arc.center, arc.sweep * t);
                 for &(axis, from) in &start {
-                    let from = from as f64 * unit;
+                    let from = from as f64 / self.places_of(axis).scale();
                     let end = mv.end.get(axis).unwrap_or(from);
                     let value = if axis == x {
                         p.x

@@ -25,6 +25,31 @@ impl Printer<'_> {
         self.lacks(codes::O9315, &Origin { loc: start, ..Origin::default() }, "X as a diameter", help);
     }
 
+    /// The kind of machine is a wish of the configuration, too.
+    #[cold]
+    pub(super) fn lacks_machine(&mut self, lathe: bool) {
+        let start = Loc { line: 1, ..Loc::default() };
+        let (what, help) = match (lathe, self.target.frame.lathe_diameter) {
+            (true, Some(_)) => ("X as a radius", "leave `[output] diameter` away: X is printed as a diameter"),
+            (true, None) => ("a lathe", "take the target for lathes, or set `[machine] kind = \"mill\"`"),
+            (false, _) => ("a mill", "take the target for mills, or set `[machine] kind = \"lathe\"`"),
+        };
+        self.lacks(codes::O9317, &Origin { loc: start, ..Origin::default() }, what, help);
+    }
+
+    /// The length of a tool that would begin in an arc or a thread, or degrees a minute where F counts inches.
+    #[cold]
+    pub(super) fn lacks_form(&mut self, mv: &Move, origin: &Origin) {
+        if self.length.waits {
+            let help = "move along Z in a straight block behind the tool change";
+            self.lacks(codes::O9318, origin, "the length of a tool that begins in such a block", help);
+        } else {
+            let help = "set `[output] units = \"mm\"`";
+            self.lacks(codes::O9319, origin, "a rotary axis at a feed in inches", help);
+        }
+        self.pretend(mv);
+    }
+
     /// A move under compensation, or the one that ends it.
     #[cold]
     pub(super) fn lacks_compensation(&mut self, mv: &Move, origin: &Origin) {
@@ -49,7 +74,7 @@ impl Printer<'_> {
     #[cold]
     pub(super) fn pretend(&mut self, mv: &Move) {
         for axis in mv.axes.iter() {
-            let units = mv.end.get(axis).filter(|_| !mv.machine).and_then(|value| self.places.units(value));
+            let units = mv.end.get(axis).filter(|_| !mv.machine).and_then(|value| self.places_of(axis).units(value));
             self.modal.pretend(axis, units);
         }
     }

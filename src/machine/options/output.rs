@@ -1,9 +1,9 @@
 //! `[output]`, `[limits]` and `[include]`: what is printed, how long a run may be, and what it may open.
 
 use crate::machine::keys::{Key, Kind, key};
-use crate::machine::settings::{Compensation, Settings, ToolChange};
+use crate::machine::settings::{Compensation, Decimals, Settings, ToolChange, Units};
 use crate::machine::tree::{ConfigError, Node, Value};
-use crate::machine::values::{flag, is, put, table_of, text, whole, wholes};
+use crate::machine::values::{flag, is, put, table_of, text, texts, whole, wholes};
 use crate::target;
 
 pub const KEYS: &[Key] = &[
@@ -11,26 +11,56 @@ pub const KEYS: &[Key] = &[
         put(&mut s.output.target, target::find(text(v)).ok_or_else(|| v.fail("no such target"))?)
     })
     .or(r#""linuxcnc""#),
-    key("decimals", Kind::Whole, "decimal places of lengths, 3 to 6", |s, v| {
-        let places = u8::try_from(whole(v)).ok().filter(|n| (3..=6).contains(n));
-        put(&mut s.output.decimals, places.ok_or_else(|| v.fail("3 to 6 decimal places"))?)
+    key("units", Kind::Choice(&["mm", "inch"]), "unit of the printed lengths", |s, v| {
+        put(&mut s.output.units, if is(v, "inch") { Units::Inches } else { Units::Millimetres })
     })
-    .or("4"),
+    .or(r#""mm""#),
+    key(
+        "decimals",
+        Kind::Places,
+        "decimal places of lengths, 3 to 6; or of each quantity: { length = 3, angle = 3, feed = 1, speed = 0, time = 2 }; \
+         without it as the target has them, linuxcnc 4",
+        |s, v| put(&mut s.output.decimals, decimals(v)?),
+    ),
     key("compensation", Kind::Choice(&["resolve", "control"]), "tool-centre path, or contour with G41/G42", |s, v| {
         put(&mut s.output.compensation, if is(v, "control") { Compensation::Control } else { Compensation::Resolve })
     })
     .or(r#""resolve""#),
-    key("diameter", Kind::Flag, "print diameters (lathe)", |s, v| put(&mut s.output.diameter, flag(v))).or("false"),
+    key("diameter", Kind::Flag, "print diameters (lathe); without it as the target has X", |s, v| {
+        put(&mut s.output.diameter, Some(flag(v)))
+    }),
     key("comments", Kind::Flag, "keep comments of the source", |s, v| put(&mut s.output.comments, flag(v))).or("true"),
+    key("modal", Kind::Flag, "print what changes; false prints all axes and the feed in each block", |s, v| {
+        put(&mut s.output.modal, flag(v))
+    })
+    .or("true"),
+    key("line_numbers", Kind::Whole, "step of block numbers, such as 10; 0 prints none", |s, v| {
+        let step = u32::try_from(whole(v)).ok().filter(|n| *n <= 1000);
+        put(&mut s.output.line_numbers, step.ok_or_else(|| v.fail("0 to 1000"))?)
+    })
+    .or("0"),
+    key("program_number", Kind::Whole, "number of the program where the target names programs by one", |s, v| {
+        let number = u32::try_from(whole(v)).ok().filter(|n| (1..=99_999_999).contains(n));
+        put(&mut s.output.program_number, number.ok_or_else(|| v.fail("1 to 99999999"))?)
+    })
+    .or("1"),
+    key("header", Kind::Texts, HEADER, |s, v| put(&mut s.output.header, templates(v)?)).or("[]"),
+    key("footer", Kind::Texts, "comments in front of the end of the program, with the fields of `header`", |s, v| {
+        put(&mut s.output.footer, templates(v)?)
+    })
+    .or("[]"),
     key("pass_m", Kind::Wholes, "M functions that are printed as they stand", |s, v| {
         let number = |n| u32::try_from(n).ok().filter(|n| *n < 10_000).ok_or_else(|| v.fail("no M function"));
         put(&mut s.output.pass_m, wholes(v).map(number).collect::<Result<_, _>>()?)
     })
     .or("[]"),
-    key("tool_length", Kind::Choice(&["off", "G43"]), "G43 H behind a tool change", |s, v| {
-        put(&mut s.output.tool_length, is(v, "G43"))
-    })
-    .or(r#""off""#),
+    key(
+        "tool_length",
+        Kind::Choice(&["off", "G43"]),
+        "the target adds the length of the tool from its table: G43 H, or its own word; without it as is usual there, \
+         linuxcnc off",
+        |s, v| put(&mut s.output.tool_length, Some(is(v, "G43"))),
+    ),
     key(
         "tool_change",
         Kind::Choice(&["change", "stop"]),
@@ -58,6 +88,50 @@ pub const INCLUDE: &[Key] =
 
 fn at_least_one(node: &Node) -> Result<u64, ConfigError> {
     u64::try_from(whole(node)).ok().filter(|n| *n > 0).ok_or_else(|| node.fail("must be at least 1"))
+}
+
+const HEADER: &str = "comments behind the head; fields: {source}, {version}, {target}, {number}, {units}";
+
+/// Fields of a template.
+pub const FIELDS: [&str; 5] = ["source", "version", "target", "number", "units"];
+
+/// Lines of comments whose fields are all known.
+fn templates(node: &Node) -> Result<Vec<String>, ConfigError> {
+    for text in texts(node) {
+        let mut rest = text;
+        while let Some((_, behind)) = rest.split_once('{') {
+            let (field, behind) = behind.split_once('}').ok_or_else(|| node.fail("a field ends with `}`"))?;
+            if !FIELDS.contains(&field) {
+                return Err(node.fail(format!("`{{{field}}}` is no field: {}", FIELDS.join(", "))));
+            }
+            rest = behind;
+        }
+    }
+    Ok(texts(node).map(str::to_owned).collect())
+}
+
+/// `4`, or `{ length = 3, feed = 1 }`
+fn decimals(node: &Node) -> Result<Decimals, ConfigError> {
+    let of = |node: &Node, from: u8| {
+        let places = u8::try_from(whole(node)).ok().filter(|n| (from..=6).contains(n));
+        let places = places.filter(|_| matches!(node.value, Value::Whole(_)));
+        places.map(Some).ok_or_else(|| node.fail(format!("{from} to 6 decimal places")))
+    };
+    let Value::Table(table) = &node.value else {
+        return Ok(Decimals { length: of(node, 3)?, ..Decimals::default() });
+    };
+    let mut decimals = Decimals::default();
+    for (name, node) in table {
+        match name.as_str() {
+            "length" => decimals.length = of(node, 3)?,
+            "angle" => decimals.angle = of(node, 3)?,
+            "feed" => decimals.feed = of(node, 0)?,
+            "speed" => decimals.speed = of(node, 0)?,
+            "time" => decimals.time = of(node, 1)?,
+            other => return Err(node.fail(format!("`{other}` is none of length, angle, feed, speed, time"))),
+        }
+    }
+    Ok(decimals)
 }
 
 fn roots(settings: &mut Settings, node: &Node) -> Result<(), ConfigError> {

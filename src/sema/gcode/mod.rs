@@ -15,7 +15,7 @@ use crate::ir::{Function, Pos};
 use crate::machine::{Axis, MachineKind, Settings, Unit};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
-use crate::read::{self, AXES, Act, Lack, Modes, Reader, SCALE};
+use crate::read::{self, AXES, Act, Lack, Modes, Reader, Rules, SCALE};
 use crate::text::{Span, SplitRules};
 
 use super::common::start::Start;
@@ -215,6 +215,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
             return;
         }
         for comment in &line.comments {
+            self.check_receiver(comment.of(text));
             if let Some(comment) = self.core.comment_of(comment.of(text)) {
                 self.does(&comment);
             }
@@ -260,6 +261,22 @@ impl Run<'_> {
         self.lost = true;
         self.reader.forget();
         self.core.send_lost(&self.ctx);
+    }
+
+    /// The head of an output names the receiver that it is for.
+    fn check_receiver(&self, comment: &[u8]) {
+        if !comment.get(..6).is_some_and(|begin| begin.eq_ignore_ascii_case(b"partc ")) {
+            return;
+        }
+        let text = String::from_utf8_lossy(comment).to_lowercase();
+        let Some((_, name)) = text.split_once(", target ") else { return };
+        let name = name.trim();
+        if Rules::of(name) != Rules::of("linuxcnc") {
+            let message = format!("this program was printed for the target {name}, where its words mean other things");
+            let found = Diagnostic::new(codes::R1003, self.here.origin.loc, message);
+            self.report(found.help("compile the program that it was made of for the target you need"));
+            self.stop_run();
+        }
     }
 
     fn words(&mut self, line: &Line, text: &[u8]) -> Outcome {
@@ -344,7 +361,7 @@ impl Run<'_> {
     /// The length of a tool counts from here on.
     fn length(&mut self, number: u32) -> Result<(), Refused> {
         self.reader.lose(Axis::Z.index());
-        if !self.job.settings.output.tool_length {
+        if !self.job.settings.output.prints_tool_length() {
             let message = format!("G43 H{number} adds a tool length, and the output has none");
             let with_length = Answer::key("output", "tool_length").one_of(&["\"G43\""]);
             return Err(self.refused(&message, with_length.help("set `[output] tool_length = \"G43\"`")));
@@ -417,7 +434,11 @@ impl Run<'_> {
             self.does(&function::cutter(cutter));
         }
         let with_length = self.reader.modes().length.is_some_and(|number| number != 0);
-        if self.job.settings.output.tool_length && !mv.machine && !with_length && self.tool.is_some_and(|t| t != 0) {
+        if self.job.settings.output.prints_tool_length()
+            && !mv.machine
+            && !with_length
+            && self.tool.is_some_and(|t| t != 0)
+        {
             let message = "the tool moves without its length, and the output adds it (G43) at the tool change";
             return Err(
                 self.refused(message, "set `[output] tool_length = \"off\"`, or write G43 in front of the move")

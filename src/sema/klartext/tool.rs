@@ -198,7 +198,7 @@ impl Run<'_> {
     fn length_acts_along_z(&self, tool: Option<&Named>, span: Span) -> Outcome {
         let axis = self.st.axis();
         let none = tool.is_none_or(|tool| *tool == Named::Number(0, 0));
-        if axis == Axis::Z || none || !self.job.settings.output.tool_length {
+        if axis == Axis::Z || none || !self.job.settings.output.prints_tool_length() {
             return Ok(());
         }
         self.fail_help(

@@ -422,7 +422,7 @@ impl Run<'_> {
         let none = self.st.tool.active().is_none_or(|number| number == 0);
         if plane == Plane::Xy
             || none
-            || !settings.output.tool_length
+            || !settings.output.prints_tool_length()
             || settings.machine.kind == crate::machine::MachineKind::Lathe
         {
             return Ok(());

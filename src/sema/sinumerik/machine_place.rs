@@ -69,7 +69,7 @@ impl Channel<'_> {
         if length == ToolLength::Off {
             return Ok(value);
         }
-        if !self.job.settings.output.tool_length {
+        if !self.job.settings.output.prints_tool_length() {
             self.says_tip_in_machine_coordinates(place);
             return Ok(value);
         }
@@ -87,7 +87,7 @@ impl Channel<'_> {
     pub(super) fn length_acts_along_z(&self) {
         let [_, _, third] = self.st.roles();
         let output = &self.job.settings.output;
-        if third == Axis::Z || !output.tool_length || self.st.machine.lathe || self.is_capturing() {
+        if third == Axis::Z || !output.prints_tool_length() || self.st.machine.lathe || self.is_capturing() {
             return;
         }
         let tool = &self.st.tool;

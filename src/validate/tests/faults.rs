@@ -192,7 +192,7 @@ fn of(seed: u64) -> (Dice, Stream) {
     let mut dice = Dice(seed.wrapping_mul(0xd134_2543_de82_ef95) | 1);
     let mut stream = stream(&mut dice, LENGTH);
     // What a unit is.
-    stream.settings.output.decimals = 4;
+    stream.settings.output.decimals.length = Some(4);
     (dice, stream)
 }
 

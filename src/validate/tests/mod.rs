@@ -8,9 +8,10 @@ use crate::emit::Printer;
 use crate::emit::printer::disturb::Disturbance;
 use crate::ir::Origin;
 use crate::ir::motion::Sink as _;
+use crate::machine::settings::Units;
 
 use super::{Mismatch, Validator};
-use streams::{Dice, Item, Stream, stream};
+use streams::{Dice, Item, Stream, stream, stream_for};
 
 /// Streams of a run; the environment variable `PARTC_STREAMS` says another number.
 const STREAMS: u64 = 2_000;
@@ -99,4 +100,34 @@ fn generated_streams_are_printed_as_they_are_meant() {
     }
     println!("{valid} streams, {lines} lines, 0 mismatches; {refused} streams were refused by the printer");
     assert!(valid > count() / 2, "{refused} of {} streams are refused", count());
+}
+
+/// In millimetres and inches, with all words in each block, with block numbers.
+#[test]
+fn streams_are_printed_as_they_are_meant_on_every_target() {
+    for target in crate::target::ALL {
+        let mut valid = 0u64;
+        for seed in 1..=count() / 4 {
+            let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
+            let mut stream = stream_for(&mut dice, LENGTH, target.name);
+            stream.settings.output.units = dice.of(&[Units::Millimetres, Units::Inches]);
+            // A line that is too long gives its feed away, which a move by time cannot.
+            if target.feed.inverse_time.is_none() {
+                stream.settings.output.modal = dice.one_in(2);
+                stream.settings.output.line_numbers = dice.of(&[0, 10]);
+            }
+            let Some(outcome) = validate(&stream, None, &mut as_it_is) else { continue };
+            if let Some(mismatch) = outcome.mismatch {
+                panic!(
+                    "{} stream {seed}: {mismatch}\nmeant {}\n{}",
+                    target.name,
+                    mismatch.meant,
+                    outcome.pieces.concat()
+                );
+            }
+            valid += 1;
+        }
+        println!("{}: {valid} streams", target.name);
+        assert!(valid > count() / 80, "{}: {valid} of {} streams", target.name, count() / 4);
+    }
 }

@@ -6,7 +6,7 @@ use crate::geo::{Plane, Point2, turned};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
 use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::{Feed, Function, Pos, Side};
-use crate::machine::settings::ToolChange;
+use crate::machine::settings::{Quantity, ToolChange};
 use crate::machine::{Axis, AxisSet, MachineKind, Settings};
 
 /// A small generator of numbers that look random and are the same everywhere.
@@ -59,30 +59,40 @@ struct Maker<'a> {
     unit: f64,
     linuxcnc: bool,
     grbl: bool,
+    by_time: bool,
     items: Vec<Item>,
 }
 
 /// A stream of about `length` items.
 pub fn stream(dice: &mut Dice, length: usize) -> Stream {
-    let mut settings = Settings::default();
     let target = dice.of(&["linuxcnc", "linuxcnc", "grbl", "grblhal"]);
+    stream_for(dice, length, target)
+}
+
+/// The same for a target.
+pub fn stream_for(dice: &mut Dice, length: usize, target: &str) -> Stream {
+    let mut settings = Settings::default();
     settings.output.target = crate::target::find(target).expect("a target");
-    settings.output.decimals = dice.of(&[3, 4, 4, 5, 6]);
+    settings.output.decimals.length = Some(dice.of(&[3, 4, 4, 5, 6]));
     let linuxcnc = target == "linuxcnc";
-    if dice.one_in(3) {
+    let frame = &settings.output.target.frame;
+    if frame.mill.is_none() || frame.lathe.is_some() && dice.one_in(3) {
         settings.machine.kind = MachineKind::Lathe;
-        settings.output.diameter = linuxcnc && dice.one_in(2);
+        let both = frame.lathe.is_some() && frame.lathe_diameter.is_some();
+        settings.output.diameter = both.then(|| dice.one_in(2)).or(frame.lathe.map(|_| false));
     }
-    settings.output.tool_length = linuxcnc && dice.one_in(4);
+    settings.output.tool_length = Some(linuxcnc && dice.one_in(4));
     if dice.one_in(4) {
         settings.output.tool_change = ToolChange::Stop;
     }
     let plane = if settings.machine.kind == MachineKind::Lathe { Plane::Zx } else { Plane::Xy };
-    let unit = 1.0 / f64::from(10u32.pow(u32::from(settings.output.decimals)));
+    let unit = 1.0 / f64::from(10u32.pow(u32::from(settings.output.places(Quantity::Length))));
     let feed = Feed::PerMinute(100.0);
     let grbl = target == "grbl";
+    let by_time = settings.output.target.feed.inverse_time.is_some();
+    let items = Vec::new();
     let mut maker =
-        Maker { dice, at: Pos::UNKNOWN, plane, feed, side: Side::None, unit, linuxcnc, grbl, items: Vec::new() };
+        Maker { dice, at: Pos::UNKNOWN, plane, feed, side: Side::None, unit, linuxcnc, grbl, by_time, items };
     maker.begin();
     while maker.items.len() < length {
         maker.item();
@@ -138,7 +148,14 @@ impl Maker<'_> {
             1 => self.unit * (1 + self.dice.roll(50)) as f64,
             _ => 0.01 + self.dice.part() * 500.0,
         };
-        self.feed = match self.dice.roll(if self.linuxcnc { 5 } else { 4 }) {
+        let kinds = if self.linuxcnc {
+            5
+        } else if self.by_time {
+            4
+        } else {
+            3
+        };
+        self.feed = match self.dice.roll(kinds) {
             3 => Feed::InverseTime(value),
             4 => Feed::PerRevolution(value),
             _ => Feed::PerMinute(value),

@@ -1,0 +1,105 @@
+//! What stands around the program: its name, who made it of what, the modes that hold, comments of the configuration.
+
+use crate::diag::{Diagnostic, codes};
+use crate::machine::settings::Units;
+use crate::target::ProgramName;
+use crate::text::Loc;
+
+use super::super::comment;
+use super::Printer;
+
+/// Digits of the hash in the head.
+const HASH_DIGITS: usize = 16;
+/// Most of the name of the source that is printed.
+const NAME: usize = 40;
+
+impl Printer<'_> {
+    pub(super) fn head(&mut self, source: &str, lathe: bool) {
+        let frame = &self.target.frame;
+        if let Some(first) = frame.first {
+            self.page.plain(first.as_bytes());
+        }
+        if let Some(name) = self.program_name() {
+            self.page.plain(name.as_bytes());
+        }
+        let title = self.framed(&format!("partc {}, target {}", env!("CARGO_PKG_VERSION"), self.target.name));
+        self.page.plain(&title);
+        let source = source.rsplit(['/', '\\']).next().unwrap_or(source);
+        let mut name = comment::harmless(source.as_bytes(), &self.target.comments);
+        name.truncate(NAME);
+        let name = String::from_utf8_lossy(&name).into_owned();
+        let text = self.framed(&format!("source {name}, hash {:0HASH_DIGITS$}", 0));
+        let behind = self.target.comments.close.len() + HASH_DIGITS;
+        self.hash_at = (self.page.text.len() + text.len() - behind) as u64;
+        self.page.plain(&text);
+        let lines = if self.measures.inches { frame.inch_head } else { frame.head };
+        for line in lines {
+            self.page.block(line.as_bytes());
+        }
+        let modes = match (lathe, self.diameter) {
+            (false, _) => frame.mill,
+            (true, false) => frame.lathe,
+            (true, true) => frame.lathe_diameter.or_else(|| {
+                if frame.lathe.is_some() {
+                    self.lacks_diameters();
+                }
+                frame.lathe
+            }),
+        };
+        match modes {
+            Some(modes) => self.page.block(modes.as_bytes()),
+            None => self.lacks_machine(lathe),
+        }
+        self.source = name;
+        self.template(&self.settings.header);
+    }
+
+    /// The hash of the source as the head has it.
+    pub(super) fn hash(&self, hash: u64) -> String {
+        let digits = format!("{hash:0HASH_DIGITS$x}");
+        if self.target.comments.upper { digits.to_uppercase() } else { digits }
+    }
+
+    fn program_name(&mut self) -> Option<String> {
+        let ProgramName::Number { letter, digits, most } = self.target.frame.name else { return None };
+        let number = self.settings.program_number;
+        if number > most {
+            let start = Loc { line: 1, ..Loc::default() };
+            let message = format!("program number {number}: the target {} counts programs to {most}", self.target.name);
+            self.diags
+                .push(Diagnostic::new(codes::O9324, start, message).help("give a smaller `[output] program_number`"));
+        }
+        Some(format!("{}{number:0digits$}", letter as char))
+    }
+
+    /// A comment of the target.
+    fn framed(&self, text: &str) -> Vec<u8> {
+        let comments = &self.target.comments;
+        let text = comment::harmless(text.as_bytes(), comments);
+        [comments.open.as_bytes(), &text, comments.close.as_bytes()].concat()
+    }
+
+    /// Comments of the configuration, their fields filled in.
+    pub(super) fn template(&mut self, lines: &[String]) {
+        for line in lines {
+            let units = if self.settings.units == Units::Inches { "inch" } else { "mm" };
+            let text = line
+                .replace("{source}", &self.source)
+                .replace("{version}", env!("CARGO_PKG_VERSION"))
+                .replace("{target}", self.target.name)
+                .replace("{number}", &self.settings.program_number.to_string())
+                .replace("{units}", units);
+            for piece in comment::pieces(text.as_bytes(), self.comment_room()) {
+                let piece = self.framed(&String::from_utf8_lossy(piece));
+                self.page.plain(&piece);
+            }
+        }
+    }
+
+    /// Longest text of a comment.
+    pub(super) fn comment_room(&self) -> usize {
+        let comments = &self.target.comments;
+        // A text may grow by what keeps it from being active.
+        self.target.line.length - comments.open.len() - comments.close.len() - 2
+    }
+}

@@ -1,0 +1,60 @@
+//! How the numbers of each quantity are written.
+
+use crate::machine::settings::{Quantity, Units};
+use crate::machine::{Axis, OutputSettings};
+
+use super::super::modal::FeedKind;
+use super::super::number::Places;
+use super::Printer;
+
+/// Quantities besides lengths.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Measures {
+    pub angle: Places,
+    feed: Places,
+    feed_per_revolution: Places,
+    inverse_time: Places,
+    pub lead: Places,
+    pub speed: Places,
+    pub time: Places,
+    pub inches: bool,
+}
+
+impl Measures {
+    /// Places of lengths, and of the others.
+    pub fn of(output: &OutputSettings) -> (Places, Measures) {
+        let numbers = output.target.numbers;
+        let inches = output.units == Units::Inches;
+        let plain = |quantity| Places::new(output.places(quantity)).written(numbers.point, numbers.zero);
+        let length = |quantity| if inches { plain(quantity).of_inches() } else { plain(quantity) };
+        let measures = Measures {
+            angle: plain(Quantity::Angle),
+            feed: length(Quantity::Feed),
+            feed_per_revolution: length(Quantity::FeedPerRevolution),
+            inverse_time: plain(Quantity::InverseTime),
+            lead: length(Quantity::Lead),
+            // A whole number has no point where the target counts whole turns.
+            speed: Places::new(output.places(Quantity::Speed)).written(numbers.point && numbers.speed.is_none(), true),
+            time: plain(Quantity::Time),
+            inches,
+        };
+        (length(Quantity::Length), measures)
+    }
+}
+
+impl Printer<'_> {
+    /// Places of the coordinates of an axis.
+    #[inline(always)]
+    pub(super) fn places_of(&self, axis: Axis) -> Places {
+        if axis.is_rotary() { self.measures.angle } else { self.places }
+    }
+
+    #[inline]
+    pub(super) fn feed_places(&self, kind: FeedKind) -> Places {
+        match kind {
+            FeedKind::PerMinute => self.measures.feed,
+            FeedKind::PerRevolution => self.measures.feed_per_revolution,
+            FeedKind::InverseTime => self.measures.inverse_time,
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! What some straight moves need besides their axes and their feed: the length of the tool, all words, a closer look.
+
+use crate::diag::codes;
+use crate::ir::Origin;
+use crate::ir::motion::{Move, Path};
+use crate::machine::axis::AXES;
+use crate::machine::{Axis, AxisSet};
+use crate::target::{Length, LengthNumber, LengthWords};
+
+use super::Printer;
+
+impl Printer<'_> {
+    /// Looks at a straight move that is not as most are; false if it is refused.
+    #[cold]
+    pub(super) fn may_be_straight(&mut self, mv: &Move, changed: AxisSet, origin: &Origin) -> bool {
+        let fed = !matches!(mv.path, Path::Rapid);
+        if mv.machine && (self.target.motion.machine.is_none() || fed && !self.target.motion.machine_feed) {
+            let what = if fed { "a move in machine coordinates at a feed" } else { "machine coordinates" };
+            let help = "go there at rapid traverse or by hand, or program the place in workpiece coordinates";
+            self.lacks(codes::O9321, origin, what, help);
+            self.pretend(mv);
+            return false;
+        }
+        if let (true, Length::Words(words)) = (mv.machine && self.length.tool > 0, self.target.tool.length)
+            && self.target.motion.machine_drops_length
+        {
+            self.page.words(words.off, origin);
+        }
+        if fed && self.measures.inches && self.turns_axes(changed) {
+            self.lacks_form(mv, origin);
+            return false;
+        }
+        true
+    }
+
+    pub(super) fn turns_axes(&self, changed: AxisSet) -> bool {
+        changed.iter().any(Axis::is_rotary)
+    }
+
+    /// Axes of a block that says all words.
+    #[cold]
+    pub(super) fn spelled_out(&self, mv: &Move, changed: AxisSet, ends: &mut [i64; AXES]) -> AxisSet {
+        if self.settings.modal || mv.machine { changed } else { self.with_known(changed, ends) }
+    }
+
+    /// `axes` and the main axes of which the target knows where they stand.
+    pub(super) fn with_known(&self, axes: AxisSet, ends: &mut [i64; AXES]) -> AxisSet {
+        let mut all = axes;
+        for axis in AxisSet::MAIN.without(axes).iter() {
+            let place = self.modal.place(axis).filter(|place| self.modal.says(axis, *place));
+            if let Some(place) = place {
+                ends[axis.index()] = place;
+                all.insert(axis);
+            }
+        }
+        all
+    }
+
+    /// The length of the tool in front of a move along Z: prints its word, gives its address and number.
+    #[cold]
+    pub(super) fn length_word(&mut self, mv: &Move, changed: AxisSet) -> Option<(u8, u32)> {
+        let Length::Words(LengthWords { on, number: LengthNumber::Tool(address), .. }) = self.target.tool.length else {
+            return None;
+        };
+        if mv.machine || !changed.contains(Axis::Z) {
+            return None;
+        }
+        self.length.waits = false;
+        self.page.text.word(on);
+        Some((address, self.length.tool))
+    }
+
+    /// Behind a move in machine coordinates the length of the tool counts again.
+    pub(super) fn length_again(&mut self, origin: &Origin) {
+        let Length::Words(words) = self.target.tool.length else { return };
+        if self.length.tool == 0 {
+            return;
+        }
+        // Some controls have dropped it.
+        self.length.waits |= words.with_move;
+        if self.target.motion.machine_drops_length {
+            self.page.words(words.on, origin);
+        }
+    }
+}

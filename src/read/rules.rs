@@ -1,0 +1,183 @@
+//! What differs between the receivers: which words they know, and what those mean.
+
+use super::number::SCALE;
+
+/// How a receiver reads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Rules {
+    /// G functions.
+    pub words: Words,
+    /// A line `O0001` in front of the program names it.
+    pub named: bool,
+    /// What G4 counts its wait in, and in units of what.
+    pub dwell: (u8, i64),
+    /// Arcs take their number of turns.
+    pub turns: bool,
+    /// The address of the lead of a thread. An F is the lead along the one axis that moves, and no feed behind it.
+    pub lead: u8,
+    /// X words are diameters, always.
+    pub diameters: bool,
+    /// T0101 changes the tool: this many digits each for the tool and its offset.
+    pub turret: Option<u32>,
+    /// G43 stands in a move along Z only: alone it would move by the length.
+    pub length_moves: bool,
+}
+
+/// Families of G functions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Words {
+    /// LinuxCNC and what follows it.
+    Rs274,
+    /// Mills that read as Fanuc does.
+    FanucMill,
+    /// Fanuc lathes: absolute by letters, G98 and G99 for feeds, G50 for the largest speed.
+    LatheA,
+    /// Fanuc lathes with G90, G94, G95 and G92 for the largest speed.
+    LatheB,
+    /// The same with G70 and G71 for the units.
+    LatheC,
+    /// SINUMERIK: names of several letters, numbers behind `=`, comments behind `;`.
+    Siemens,
+}
+
+pub(super) const RS274: Rules = Rules {
+    words: Words::Rs274,
+    named: false,
+    dwell: (b'P', 1),
+    turns: true,
+    lead: b'K',
+    diameters: false,
+    turret: None,
+    length_moves: false,
+};
+
+/// Parts of a second that a wait may count.
+const THOUSANDTHS: i64 = 1000;
+
+const FANUC: Rules = Rules {
+    words: Words::FanucMill,
+    named: true,
+    dwell: (b'P', THOUSANDTHS),
+    turns: false,
+    lead: b'F',
+    diameters: false,
+    turret: None,
+    length_moves: true,
+};
+
+const LATHE: Rules = Rules { words: Words::LatheA, diameters: true, turret: Some(2), length_moves: false, ..FANUC };
+
+const SIEMENS: Rules = Rules { words: Words::Siemens, dwell: (b'F', 1), turns: false, ..RS274 };
+
+impl Rules {
+    /// Those of a receiver by its name.
+    pub fn of(target: &str) -> Rules {
+        match target {
+            "fanuc" | "haas" | "mazak" => FANUC,
+            "centroid" => Rules { dwell: (b'P', 1), ..FANUC },
+            "fanuc-lathe" => LATHE,
+            "fanuc-lathe-b" => Rules { words: Words::LatheB, ..LATHE },
+            "fanuc-lathe-c" => Rules { words: Words::LatheC, ..LATHE },
+            "sinumerik" => SIEMENS,
+            _ => RS274,
+        }
+    }
+
+    /// A G function, in tenths, as RS274 numbers what it does.
+    pub(super) fn function(&self, tenths: i64) -> Option<G> {
+        let g = |tenths| Some(G::Rs274(tenths));
+        let common = matches!(
+            tenths,
+            0 | 10
+                | 20
+                | 30
+                | 40
+                | 170
+                | 180
+                | 190
+                | 400
+                | 410
+                | 420
+                | 530
+                | 540
+                | 550
+                | 560
+                | 570
+                | 580
+                | 590
+                | 800
+                | 960
+                | 970
+        );
+        match self.words {
+            Words::Rs274 => g(tenths),
+            Words::Siemens => match tenths {
+                0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 330 | 400 | 540 | 550 | 560 | 570 | 900 | 910 | 940 | 950 => {
+                    g(tenths)
+                }
+                7000 => g(200),
+                7100 => g(210),
+                _ => None,
+            },
+            _ if common => g(tenths),
+            Words::FanucMill => match tenths {
+                200 | 210 | 430 | 490 | 610 | 640 | 900 | 910 | 940 | 950 => g(tenths),
+                920 => Some(G::SpeedLimit),
+                _ => None,
+            },
+            Words::LatheA => match tenths {
+                200 | 210 => g(tenths),
+                320 => g(330),
+                500 => Some(G::SpeedLimit),
+                980 => g(940),
+                990 => g(950),
+                _ => None,
+            },
+            Words::LatheB | Words::LatheC => match (tenths, self.words) {
+                (200 | 210, Words::LatheB) | (330 | 900 | 910 | 940 | 950, _) => g(tenths),
+                (700, Words::LatheC) => g(200),
+                (710, Words::LatheC) => g(210),
+                (920, _) => Some(G::SpeedLimit),
+                _ => None,
+            },
+        }
+    }
+
+    /// The modes that hold without a word for them.
+    pub(super) fn fixes(&self) -> Fixed {
+        let lathe = matches!(self.words, Words::LatheA | Words::LatheB | Words::LatheC);
+        Fixed {
+            centers_count_from_the_start: self.words != Words::Rs274,
+            absolute: self.words == Words::LatheA,
+            // A turret brings the length with the tool.
+            no_length: lathe,
+            // SINUMERIK has no G80: cycles are calls.
+            no_cycles: lathe || self.words == Words::Siemens,
+        }
+    }
+
+    /// A wait in seconds.
+    pub(super) fn seconds(&self, units: i64) -> Option<i64> {
+        let (_, parts) = self.dwell;
+        // Milliseconds are whole.
+        (parts == 1 || units % SCALE == 0).then_some(units / parts)
+    }
+}
+
+/// What a G function does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum G {
+    /// What the function of this number, in tenths, does in RS274.
+    Rs274(i64),
+    /// S is the largest speed.
+    SpeedLimit,
+}
+
+/// Modes that no word states.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Fixed {
+    pub centers_count_from_the_start: bool,
+    pub absolute: bool,
+    pub no_length: bool,
+    pub no_cycles: bool,
+}

@@ -1,0 +1,26 @@
+//! Centroid mills: much as Fanuc, waits in seconds. A preview: what published post processors write.
+
+use super::{
+    Dwell, FeedWords, Frame, MFunctions, Measure, Motion, Numbers, ProgramName, SpindleWords, Target, fanuc::OWN,
+    fanuc::TARGET as FANUC,
+};
+
+pub(super) const TARGET: Target = Target {
+    name: "centroid",
+    about: "Centroid mills (preview: after published post processors)",
+    frame: Frame { name: ProgramName::Number { letter: b'O', digits: 5, most: 99_999 }, ..FANUC.frame },
+    numbers: Numbers { zero: true, ..FANUC.numbers },
+    // Neither G53 nor a feed per revolution is confirmed.
+    motion: Motion { machine: None, ..FANUC.motion },
+    feed: FeedWords {
+        address: b'F',
+        per_minute: "G94",
+        per_revolution: None,
+        inverse_time: None,
+        measure: Measure::Linear,
+    },
+    spindle: SpindleWords { cutting_speed: None, ..FANUC.spindle },
+    dwell: Dwell { milliseconds: false, per_minute: false, ..FANUC.dwell },
+    m: MFunctions { own: OWN, ..FANUC.m },
+    ..FANUC
+};
