@@ -96,7 +96,7 @@ fn random(dice: &mut Dice) -> Made {
     let named: String = order.iter().map(|at| format!(" /{}", at + 1)).collect();
     let overlap = number(dice, 0.4, 1.999);
     let climb = if dice.roll(2) == 0 { "+1" } else { "-1" };
-    let coarse = (dice.roll(3) == 0).then(|| radius + number(dice, 0.05, 0.8 * radius));
+    let coarse = (dice.roll(3) == 0).then(|| ((radius + number(dice, 0.05, 0.8 * radius)) * 1000.0).round() / 1000.0);
     let reciprocating = if dice.roll(4) == 0 { PLUNGE } else { 0.0 };
     let head = format!(
         "BEGIN PGM P MM\nTOOL DEF 1 L+0 R+{radius}\nTOOL DEF 2 L+0 R+{}\nTOOL CALL 1 Z S3000\nL X+7 Y+3 Z+50 R0 FMAX M3\n\
@@ -161,14 +161,17 @@ impl Made {
         let track =
             |text: &str| track_of("klartext", text, &settings).map_err(|codes| format!("refused: {codes:?}\n{text}"));
         let floor = -self.case.depth + self.case.floor;
-        let at = |text: &str| -> Result<Vec<P>, String> {
+        // Into material the tool goes from the surface, or from the set-up clearance; from lower down it goes over cleared ground.
+        let solid = |z: f64| z.abs() < EXACT || z > 2.0 - EXACT;
+        let at = |text: &str, drills: bool| -> Result<Vec<P>, String> {
             let cuts = track(text)?;
             let down = cuts.iter().filter(|cut| {
-                cut.is_vertical() && !cut.is_rapid() && (cut.to[2] - floor).abs() < EXACT && cut.from[2] > floor + EXACT
+                let arrives = (cut.to[2] - floor).abs() < EXACT && cut.from[2] > floor + EXACT;
+                cut.is_vertical() && !cut.is_rapid() && arrives && (drills || solid(cut.from[2]))
             });
             Ok(down.map(|cut| [cut.to[0], cut.to[1]]).collect())
         };
-        let (holes, plunges) = (at(&self.pilot)?, at(&self.first)?);
+        let (holes, plunges) = (at(&self.pilot, true)?, at(&self.first, false)?);
         if holes.is_empty() || holes != plunges {
             return Err(format!("holes at {holes:?}, down at {plunges:?}\n{}", self.pilot));
         }

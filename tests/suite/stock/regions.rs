@@ -258,7 +258,8 @@ impl Case {
             Ok(cuts) => cuts,
             Err(codes)
                 if codes.iter().all(|code| {
-                    let known = ["no room for the radius Q8", "touch or run along each other"];
+                    let known =
+                        ["no room for the radius Q8", "touch or run along each other", "(Q18) roughed these contours"];
                     code.starts_with("G3321") || known.iter().any(|text| code.contains(text))
                 }) =>
             {
