@@ -5,6 +5,7 @@
 
 pub mod angle;
 pub mod arc;
+pub mod area;
 pub mod corner;
 pub mod crossing;
 pub mod element;
@@ -13,6 +14,7 @@ pub mod intersect;
 pub mod joint;
 pub mod offset;
 pub mod open;
+pub mod overlay;
 pub mod pattern;
 pub mod plane;
 pub mod profile;

@@ -61,7 +61,7 @@ books! {
     klartext_functions = "klartext/functions":
         m116_to_m140 m91;
     klartext_machining = "klartext/machining":
-        bores contours contours_refused faces finishing holes old_pockets patterns pockets slots studs threads tilts;
+        bores contours contours_refused faces finishing holes islands old_pockets patterns pockets rest slots studs threads tilts;
     klartext_parameters = "klartext/parameters":
         functions system_data texts;
     klartext_path = "klartext/path":

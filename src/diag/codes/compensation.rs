@@ -69,6 +69,6 @@ or rounding between such a way and the contour no manual at hand says. Let the c
 
 G3218 Warning "corner-without-effect" "M function for a corner has no effect"
 "M97 and M197 lead the tool around the corner at the end of their block in a way of their own. Only an outside corner has a way around it: at an inside corner, and where the contour goes on \
-straight, nothing comes of them. The block may be the wrong one."
+straight, nothing comes of them; neither does at the end of the compensation. The block may be the wrong one."
 
 }

@@ -506,8 +506,8 @@ K9019 Error "rapid-arc" "arc at rapid traverse"
 `[control] rapid_feed = 10000.0`."
 
 K9018 Error "contour-cycle" "contours that contour cycles (SL) cannot take yet"
-"Cycles 21 to 24 mill one pocket without islands, whose contour cycle 14 names by its label. Islands, several pockets, and the contours of SEL CONTOUR, \
-CONTOUR DEF and DECLARE CONTOUR are not supported, and without them material would stay or be lost. Program the roughing as blocks."
+"Cycles 21 to 24 mill the contours that cycle 14 names by their labels. The contours of SEL CONTOUR, CONTOUR DEF and DECLARE CONTOUR are not supported, \
+and without them material would stay or be lost. Name labels in cycle 14, or program the roughing as blocks."
 
 K2951 Error "contour-label" "a subprogram describes no contour for its cycle"
 "Cycle 14 names subprograms whose blocks describe a contour. The first block names both axes of the working plane, and RL or RR: with the tool inside it is a \
@@ -522,5 +522,10 @@ K2953 Warning "feed-in-contour" "F of a contour does not count"
 
 K2954 Warning "further-contours" "cycle 25 mills the first contour only"
 "Cycle 25 takes the first label of cycle 14; the contours of the other labels are not milled by it."
+
+K2955 Error "contours-together" "the contours of cycle 14 make no certain area together"
+"Cycles 21 to 24 clear all pockets that cycle 14 names, less its islands. Contours lie apart, or an island in a pocket, or they cross: then each pocket begins outside \
+the pockets named after it and outside the islands, and each island inside a pocket. Contours that touch, run along each other or lie in one of their \
+own kind are refused, and so is what two pockets have in common."
 
 }

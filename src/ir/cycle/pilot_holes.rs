@@ -12,7 +12,7 @@ use super::{Family, drilling};
 #[derive(Debug, Clone, PartialEq)]
 pub struct PilotHoles {
     /// As it will be roughed, by the cutter that roughs it.
-    pub pocket: Region,
+    pub pocket: Box<Region>,
     pub hole: Drilling,
 }
 

@@ -1,9 +1,9 @@
-//! Arguments of pockets with an outline of lines and arcs, and islands in it.
+//! Arguments of pockets with outlines of lines and arcs, and islands in them.
 
 use core::fmt;
 
 use crate::geo::{Element, Point2};
-use crate::ir::Pos;
+use crate::ir::{Feed, Pos};
 
 use super::Family;
 use super::milling::{Mill, MillFault, parts};
@@ -12,15 +12,16 @@ use super::pocket::{Finish, Insertion, MOST_RINGS};
 /// Largest radius of an arc of a contour, mm; more is a line, or a lost decimal point.
 const LARGEST_ARC: f64 = 10_000.0;
 
-/// A pocket along a contour.
+/// Pockets along contours.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Region {
     pub mill: Mill,
-    /// Closed, each element from where the one before ends; in either sense.
-    pub outline: Vec<Element>,
-    /// Closed, inside the outline and apart from each other.
+    /// Of each pocket: closed, each element from where the one before ends, in either sense; apart from each other and not in one
+    /// another. They are milled one after the other.
+    pub outlines: Vec<Vec<Element>>,
+    /// Closed, inside the outlines and apart from each other.
     pub islands: Vec<Vec<Element>>,
-    /// Sense in which the tool goes round along the outline; around islands it is the other one.
+    /// Sense in which the tool goes round along the outlines; around islands it is the other one.
     pub counter_clockwise: bool,
     /// What roughing leaves on the walls.
     pub allowance: f64,
@@ -31,12 +32,27 @@ pub struct Region {
     /// Greatest width of a cut.
     pub width: f64,
     pub insertion: Insertion,
+    /// Of the way down; that for the depth without one.
+    pub insertion_feed: Option<Feed>,
+    /// The cutter that roughed before: only what it left is roughed.
+    pub coarse: Option<Box<Coarse>>,
     /// Where the tool is inserted, if it can be.
     pub start: Option<Point2>,
     pub rough: bool,
     pub finish: Option<Finish>,
     /// From one insertion to the next over the retract height, not over the safety distance.
     pub lifts_high: bool,
+}
+
+/// What a coarser cutter roughed down to the same floor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Coarse {
+    /// Above that of the cutter after it.
+    pub radius: f64,
+    pub allowance: f64,
+    /// As those of the pockets, with the inside corners that it left.
+    pub outlines: Vec<Vec<Element>>,
+    pub islands: Vec<Vec<Element>>,
 }
 
 /// Arguments that make no pocket.
@@ -77,14 +93,14 @@ fn radius_of(element: &Element) -> f64 {
 }
 
 impl Region {
-    /// Outline and islands.
+    /// Outlines and islands.
     pub fn walls(&self) -> impl Iterator<Item = &Element> {
-        self.outline.iter().chain(self.islands.iter().flatten())
+        self.outlines.iter().chain(&self.islands).flatten()
     }
 
-    /// The larger side of what the outline takes up.
+    /// The larger side of what the outlines take up.
     fn size(&self) -> f64 {
-        let points = self.outline.iter().flat_map(|element| [element.from(), element.middle()]);
+        let points = self.outlines.iter().flatten().flat_map(|element| [element.from(), element.middle()]);
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for p in points {
             low = [low[0].min(p.x), low[1].min(p.y)];
@@ -114,10 +130,11 @@ impl Family for Region {
             (self.width > 0.0 && self.width <= 2.0 * self.mill.radius + 1e-9, RegionFault::Width),
             (self.walls().all(|element| radius_of(element) <= LARGEST_ARC), RegionFault::LargeArc),
             (self.size() / self.width <= MOST_RINGS, RegionFault::TooManyRings),
-            (insertion, RegionFault::Insertion),
+            (insertion && self.insertion_feed.is_none_or(|feed| feed.value() > 0.0), RegionFault::Insertion),
+            (self.coarse.as_ref().is_none_or(|coarse| coarse.radius > self.mill.radius), RegionFault::Number),
             (self.insertion.ends(&self.mill), RegionFault::Pitch),
             (self.rough || self.finish.is_some_and(|finish| finish.wall || finish.floor), RegionFault::Nothing),
-            (!self.outline.is_empty(), RegionFault::Nothing),
+            (!self.outlines.is_empty(), RegionFault::Nothing),
         ];
         rules.iter().find(|(good, _)| !good).map_or(Ok(()), |(_, fault)| Err(*fault))
     }

@@ -197,6 +197,9 @@ impl Compensator {
     /// Settles and prints the contour; `mv` leads away from it.
     fn end_of_contour(&mut self, mv: &Move, origin: &Origin, out: &mut Out<'_>) -> Result<(), Refused> {
         self.close(out)?;
+        if let Some(last) = self.path.back() {
+            reports::last_corner(last, origin, out.diags);
+        }
         let around = match self.path.back() {
             Some(last) if last.rules.retract != Border::Perpendicular && !mv.machine => {
                 let (edge, corner) = (last.curve.to(), last.contour.to());

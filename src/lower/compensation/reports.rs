@@ -250,6 +250,16 @@ pub fn corner_without_effect(last: &Piece, next: &Piece, diags: &Diags) {
     diags.push(found.help("move it into the block that ends in the corner that is meant, or remove it"));
 }
 
+/// A corner that the last block of a contour asks for; `leaves` is the way off it.
+pub fn last_corner(last: &Piece, leaves: &Origin, diags: &Diags) {
+    if !last.rules.own_corner {
+        return;
+    }
+    let message = "the M function for the corner at the end of this element has no effect: the compensation ends there";
+    let found = at(codes::G3218, last.origin, message).also(leaves.loc, "the tool leaves the contour here");
+    diags.push(found.help("move it into the block that ends in the corner that is meant, or remove it"));
+}
+
 /// What no manual says about the joint in front of `next`.
 pub fn reading(last: &Piece, next: &Piece, diags: &Diags) {
     let (before, behind) = (last.mv.path.feed(), next.mv.path.feed());

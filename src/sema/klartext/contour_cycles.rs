@@ -1,42 +1,39 @@
-//! Pockets along contours of subprograms: cycles 21 to 24.
+//! Pockets along contours of subprograms, with islands: cycles 21 to 24.
 //!
 //! Source: K 6.6; F B7 (docs/sources.md).
 
 use std::rc::Rc;
 
 use crate::diag::{Answer, Diagnostic, codes};
-use crate::geo::{Element, corner, distance};
-use crate::ir::captured::Captured;
+use crate::geo::overlay::Area;
+use crate::ir::Feed;
 use crate::ir::cycle::drilling::{Ahead, Levels, Method, usual_ahead};
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill};
 use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
+use crate::ir::cycle::region::Coarse;
 use crate::ir::cycle::{Cycle, Drilling, PilotHoles, Region};
-use crate::ir::{Feed, Side};
 use crate::machine::{Axis, AxisSet};
 
 use super::contour_data::{Known, NamedContours, Roughed, Values};
 use super::cycles::call::Call;
 use super::cycles::contours::{COARSE_TOOL, FEED_FACTOR, RECIPROCATING_FEED, RETRACT_FEED};
 use super::cycles::contours::{
-    CORNERS, DEPTH, DIRECTION, FLOOR, HEIGHT, INFEED, LEFT, MILLING_FEED, OVERLAP, PLUNGING_FEED, ROUGHING_TOOL,
-    SET_UP, SIDE, SURFACE,
+    DEPTH, DIRECTION, FLOOR, HEIGHT, INFEED, LEFT, MILLING_FEED, OVERLAP, PLUNGING_FEED, ROUGHING_TOOL, SET_UP, SIDE,
+    SURFACE,
 };
 use super::cycles::{DefinedCycle, Q};
 use super::drilling::steps;
-use super::labels::Label;
 use super::{Outcome, Reported, Run};
 
 /// What a control takes for rapid traverse.
 const FASTEST: f64 = 99_999.0;
 /// Least and greatest factor of the overlap.
 const OVERLAPS: core::ops::RangeInclusive<f64> = 0.1..=1.9999;
-/// What arithmetic may add to an element that is all rounded away, mm.
-const TOLERANCE: f64 = 1e-6;
 
 /// What the cycles of a pocket take.
-struct Pocket {
-    named: Rc<NamedContours>,
-    data: Rc<Values>,
+pub(super) struct Pocket {
+    pub named: Rc<NamedContours>,
+    pub data: Rc<Values>,
 }
 
 impl Run<'_> {
@@ -78,22 +75,6 @@ impl Run<'_> {
             }
             Known::Given(data) => Rc::clone(data),
         };
-        if named.labels.len() > 1 {
-            self.report(
-                Diagnostic::new(
-                    codes::K9018,
-                    self.here.origin.loc,
-                    format!(
-                        "cycle {}: {} contours are named; a pocket with islands, and several pockets, are not supported",
-                        cycle.number,
-                        named.labels.len()
-                    ),
-                )
-                .also(named.loc, "they are named here")
-                .help("name one pocket, or have the CAM system put the moves out"),
-            );
-            return Err(Reported);
-        }
         Ok(Pocket { named, data })
     }
 
@@ -172,90 +153,24 @@ impl Run<'_> {
             return self.cycle_value(&data.cycle, &format!("the overlap factor Q2 = {factor} is not 0.1 to 1.9999"));
         }
         let allowance = self.kept_unsigned(data, SIDE)?;
-        let outline = self.outline(cycle, pocket, mill.radius + allowance)?;
+        let Area { outlines, islands } = self.contour_area(cycle, pocket, mill.radius + allowance)?;
         Ok(Region {
-            outline,
-            islands: Vec::new(),
+            outlines,
+            islands,
             counter_clockwise,
             allowance,
             left: 0.0,
             cleared: true,
             width: factor * mill.radius,
             insertion: Insertion::Vertical,
+            insertion_feed: None,
+            coarse: None,
             start: None,
             rough: true,
             finish: None,
             lifts_high: false,
             mill,
         })
-    }
-
-    /// The contour of the pocket; inside corners are rounded so that the path `away` from it keeps the radius Q8.
-    fn outline(&mut self, cycle: &DefinedCycle, pocket: &Pocket, away: f64) -> Outcome<Vec<Element>> {
-        let corners = if pocket.data.cycle.gives_q(CORNERS) { self.kept_unsigned(&pocket.data, CORNERS)? } else { 0.0 };
-        let Some(label) = pocket.named.labels.first() else { return Err(Reported) };
-        let contour = self.capture(label, cycle.loc)?;
-        self.check_contour(label, &contour)?;
-        let elements = self.closed_pocket(label, &contour)?;
-        if corners == 0.0 {
-            return Ok(elements);
-        }
-        rounded(elements, corners + away).or_else(|()| {
-            let help = "set Q8 to 0, or take a smaller cutter";
-            let what = format!("an inside corner has no room for the radius Q8 = {corners} of the path");
-            self.contour_fault(label, &what, help)
-        })
-    }
-
-    /// Elements that make a contour.
-    pub(super) fn check_contour(&mut self, label: &Label, contour: &Captured) -> Outcome {
-        if contour.plane != self.st.plane() || contour.pieces.is_empty() {
-            return self.contour_fault(
-                label,
-                "it has no element in the working plane",
-                "program its elements behind its start point",
-            );
-        }
-        if let Some((first, second)) = contour.crossing()
-            && let (Some(a), Some(b)) = (contour.pieces.get(first), contour.pieces.get(second))
-        {
-            let found = Diagnostic::new(codes::K2951, b.origin.loc, format!("the contour {label} crosses itself"))
-                .called(b.origin.call);
-            self.report(
-                found.also(a.origin.loc, "it crosses the element of this block").help("check the end points of both"),
-            );
-            return Err(Reported);
-        }
-        Ok(())
-    }
-
-    /// The elements of a closed contour inside of which the tool lies.
-    fn closed_pocket(&mut self, label: &Label, contour: &Captured) -> Outcome<Vec<Element>> {
-        if !contour.is_closed() {
-            return self.contour_fault(label, "it is not closed", "end it where it starts");
-        }
-        let mut elements: Vec<Element> = contour.pieces.iter().map(|piece| piece.element).collect();
-        if let Some(Element::Line { to, .. } | Element::Arc { to, .. }) = elements.last_mut() {
-            *to = contour.start;
-        }
-        let inside = match contour.side {
-            Some(Side::Left) => is_counter_clockwise(&elements),
-            Some(Side::Right) => !is_counter_clockwise(&elements),
-            Some(Side::None) | None => {
-                let help = "write RL or RR into its first block";
-                return self.contour_fault(label, "neither RL nor RR says whether it is a pocket or an island", help);
-            }
-        };
-        if inside {
-            return Ok(elements);
-        }
-        let found = Diagnostic::new(
-            codes::K9018,
-            self.here.origin.loc,
-            format!("the contour {label} is an island: its RL or RR leads the tool outside of it"),
-        );
-        self.report(found.help("a pocket is needed: swap RL and RR if it is meant as one; islands are not supported"));
-        Err(Reported)
     }
 
     // The cycles.
@@ -280,16 +195,14 @@ impl Run<'_> {
         let mut peck = steps(step, (0.0, 0.0), 0.0);
         peck.removal.ahead = Ahead::Evenly([usual_ahead((levels.reference - levels.depth).abs()); 2]);
         let hole = Drilling { axis, levels, feed, entry: None, method: Method::Peck(peck) };
-        self.sound(cycle, PilotHoles { pocket: region, hole }).map(|made| Some(Cycle::PilotHoles(made)))
+        self.sound(cycle, PilotHoles { pocket: Box::new(region), hole }).map(|made| Some(Cycle::PilotHoles(made)))
     }
 
     /// Cycle 22.
     pub(super) fn rough_out(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
         let pocket = self.pocket_data(cycle, call)?;
-        self.no_coarse_tool(cycle)?;
-        if self.cycle_option(cycle, RECIPROCATING_FEED)? != 0.0 {
-            return self.cycle_unbuilt(cycle, "going to and fro into the material (Q19)");
-        }
+        let coarse = self.coarse_tool(cycle, &pocket)?;
+        let (insertion, insertion_feed) = self.insertion_by_feed(cycle)?;
         if cycle.gives_q(FEED_FACTOR) && self.cycle_number(cycle, FEED_FACTOR)? != 100.0 {
             return self.cycle_unbuilt(cycle, "a lower feed at full engagement (Q401)");
         }
@@ -298,9 +211,13 @@ impl Run<'_> {
         let (feeds, step) = (self.contour_feeds(cycle)?, self.contour_infeed(cycle)?);
         let Some(mill) = self.contour_mill(cycle, &pocket.data, radius, (feeds, step))? else { return Ok(None) };
         let region = self.roughed_pocket(cycle, &pocket, mill)?;
-        let made = self.sound(cycle, region)?;
-        let (outline, frame) = (made.outline.clone(), self.st.ctx.frame.clone());
-        self.contours.roughed = Some(Roughed { named: pocket.named, radius, outline, frame, pocket: pocket.data });
+        let made = self.sound(cycle, Region { insertion, insertion_feed, coarse, ..region })?;
+        let area = Area { outlines: made.outlines.clone(), islands: made.islands.clone() };
+        let frame = self.st.ctx.frame.clone();
+        let tool = self.st.tool.active().map(|tool| tool.called.to_string());
+        let allowance = made.allowance;
+        self.contours.roughed =
+            Some(Roughed { named: pocket.named, tool, radius, allowance, area, frame, pocket: pocket.data });
         Ok(Some(Cycle::Region(made)))
     }
 
@@ -326,11 +243,15 @@ impl Run<'_> {
         let mill = Mill { heights: Heights { allowance: 0.0, ..mill.heights }, ..mill };
         let left = self.not_below_zero(cycle, LEFT)?;
         let allowance = self.kept_unsigned(&pocket.data, SIDE)?;
-        let roughed = self.contours.roughed.as_ref().filter(|roughed| Rc::ptr_eq(&roughed.named, &pocket.named));
+        let roughed = self.contours.roughed.as_ref().filter(|roughed| {
+            Rc::ptr_eq(&roughed.named, &pocket.named)
+                && roughed.allowance == allowance
+                && roughed.frame == self.st.ctx.frame
+        });
         let by = roughed.map_or(0.0, |roughed| roughed.radius);
         if left + radius >= allowance + by {
             let tool = if by == 0.0 {
-                "0, because no cycle 22 roughed this contour before".to_owned()
+                "0, because no cycle 22 roughed this contour here, with this Q3, before".to_owned()
             } else {
                 by.to_string()
             };
@@ -343,16 +264,18 @@ impl Run<'_> {
         }
         let direction = self.cycle_number(cycle, DIRECTION)?;
         let counter_clockwise = self.is_climb(cycle, DIRECTION, direction)?;
-        let outline = self.outline(cycle, &pocket, radius + left)?;
+        let Area { outlines, islands } = self.contour_area(cycle, &pocket, radius + left)?;
         let region = Region {
-            outline,
-            islands: Vec::new(),
+            outlines,
+            islands,
             counter_clockwise,
             allowance,
             left,
             cleared: true,
             width: radius,
             insertion: Insertion::Vertical,
+            insertion_feed: None,
+            coarse: None,
             start: None,
             rough: false,
             finish: Some(finishing(feeds.plane, step, (true, Some(2.0 * radius)))),
@@ -366,10 +289,50 @@ impl Run<'_> {
     fn is_roughed(&self, pocket: &Pocket, region: &Region) -> bool {
         self.contours.roughed.as_ref().is_some_and(|roughed| {
             Rc::ptr_eq(&roughed.pocket, &pocket.data)
-                && roughed.outline == region.outline
+                && (&roughed.area.outlines, &roughed.area.islands) == (&region.outlines, &region.islands)
                 && roughed.frame == self.st.ctx.frame
                 && roughed.radius <= region.mill.radius
         })
+    }
+
+    /// Q18: what the tool cleared that roughed these contours before.
+    fn coarse_tool(&mut self, cycle: &DefinedCycle, pocket: &Pocket) -> Outcome<Option<Box<Coarse>>> {
+        let number = self.cycle_option(cycle, COARSE_TOOL)?;
+        if number == 0.0 {
+            return Ok(None);
+        }
+        let radius = self.cutter_radius(cycle)?;
+        let before = self.contours.roughed.as_ref().filter(|before| {
+            Rc::ptr_eq(&before.pocket, &pocket.data)
+                && Rc::ptr_eq(&before.named, &pocket.named)
+                && before.tool.as_deref() == Some(&number.to_string())
+                && before.frame == self.st.ctx.frame
+        });
+        let Some(before) = before else {
+            let what =
+                format!("no cycle 22 with tool {number} (Q18) roughed these contours, with these data, in front of it");
+            return self.cycle_value(cycle, &what);
+        };
+        let (coarse, Area { outlines, islands }) = (before.radius, before.area.clone());
+        let allowance = before.allowance;
+        if coarse <= radius {
+            let what = format!("the coarse tool {number} (Q18) has radius {coarse}, and the one after it {radius}");
+            return self.cycle_value(cycle, &what);
+        }
+        Ok(Some(Box::new(Coarse { radius: coarse, allowance, outlines, islands })))
+    }
+
+    /// Q19: 0 is straight down, else to and fro at the angle of the tool, with this feed.
+    fn insertion_by_feed(&mut self, cycle: &DefinedCycle) -> Outcome<(Insertion, Option<Feed>)> {
+        if self.cycle_option(cycle, RECIPROCATING_FEED)? == 0.0 {
+            return Ok((Insertion::Vertical, None));
+        }
+        let feed = self.cycle_feed(cycle, RECIPROCATING_FEED, None)?;
+        let insertion = match self.plunging_angle(cycle, "Q19 above 0", "Q19 = 0")? {
+            Some(angle) => Insertion::Sway { angle, stroke: None },
+            None => Insertion::Vertical,
+        };
+        Ok((insertion, Some(feed)))
     }
 
     /// Q18
@@ -415,47 +378,4 @@ impl Run<'_> {
 fn finishing(feed: Feed, step: f64, (wall, arc): (bool, Option<f64>)) -> Finish {
     let onto = arc.map_or(Onto::Usual, Onto::Quarter);
     Finish { wall, floor: !wall, feed, step, speed: None, onto, inserts: false }
-}
-
-/// Does a closed contour turn to the left?
-fn is_counter_clockwise(elements: &[Element]) -> bool {
-    let of = |element: &Element| {
-        let (a, b) = (element.from(), element.to());
-        let segment = match *element {
-            Element::Line { .. } => 0.0,
-            Element::Arc { center, sweep, from, .. } => {
-                let radius = distance(from, center);
-                radius * radius * (sweep - libm::sin(sweep))
-            }
-        };
-        a.x * b.y - a.y * b.x + segment
-    };
-    elements.iter().map(of).sum::<f64>() > 0.0
-}
-
-/// The outline of a pocket with its inside corners rounded.
-fn rounded(mut elements: Vec<Element>, radius: f64) -> Result<Vec<Element>, ()> {
-    let count = elements.len();
-    if count < 2 {
-        return Ok(elements);
-    }
-    let turns = if is_counter_clockwise(&elements) { 1.0 } else { -1.0 };
-    let mut made: Vec<Option<Element>> = vec![None; count];
-    for at in 0..count {
-        let next = (at + 1) % count;
-        let (before, after) = (elements[at], elements[next]);
-        let (Some(u), Some(w)) = (before.end_direction(), after.start_direction()) else { return Err(()) };
-        let turn = crate::geo::cross(u, w) * turns;
-        if turn < -crate::geo::SAME_DIRECTION || turn.abs() <= crate::geo::SAME_DIRECTION && u.dot(&w) > 0.0 {
-            continue;
-        }
-        let cut = corner::rounding(&before, &after, radius, TOLERANCE).map_err(|_| ())?;
-        let Some((center, ccw)) = cut.arc else { return Err(()) };
-        elements[at] = before.ending_at(cut.leave);
-        elements[next] = after.starting_at(cut.join);
-        let sweep = crate::geo::arc::sweep(cut.leave, cut.join, center, ccw);
-        made[at] = Some(Element::Arc { from: cut.leave, to: cut.join, center, sweep });
-    }
-    let parts = elements.into_iter().zip(made).flat_map(|(element, corner)| [Some(element), corner]).flatten();
-    Ok(parts.filter(|part| part.length() > TOLERANCE).collect())
 }

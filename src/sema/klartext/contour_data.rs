@@ -5,7 +5,7 @@
 use std::rc::Rc;
 
 use crate::diag::codes;
-use crate::geo::Element;
+use crate::geo::overlay::Area;
 use crate::ir::Frame;
 use crate::parser::klartext::ast::Block;
 use crate::text::Loc;
@@ -56,9 +56,12 @@ pub(super) struct Values {
 #[derive(Debug)]
 pub(super) struct Roughed {
     pub named: Rc<NamedContours>,
+    /// As it was called.
+    pub tool: Option<String>,
     pub radius: f64,
+    pub allowance: f64,
     /// What was cleared, and the system in which it was.
-    pub outline: Vec<Element>,
+    pub area: Area,
     pub frame: Frame,
     pub pocket: Rc<Values>,
 }

@@ -395,12 +395,18 @@ impl Run<'_> {
         if kind == 0 {
             return Ok(Plunging::Vertical);
         }
-        let angle = self.st.tool.active().and_then(|tool| tool.plunge_angle);
-        match angle {
-            Some(angle) if angle >= 90.0 => Ok(Plunging::Vertical),
-            Some(angle) if angle > 0.0 => {
-                Ok(if kind == 1 { Plunging::Helix(Deg(angle)) } else { Plunging::Sway(Deg(angle)) })
-            }
+        Ok(match self.plunging_angle(cycle, &format!("Q366 = {kind}"), "Q366 = 0")? {
+            None => Plunging::Vertical,
+            Some(angle) if kind == 1 => Plunging::Helix(angle),
+            Some(angle) => Plunging::Sway(angle),
+        })
+    }
+
+    /// ANGLE of the tool, which `asked` needs; none for one that goes straight down.
+    pub(super) fn plunging_angle(&mut self, cycle: &DefinedCycle, asked: &str, without: &str) -> Outcome<Option<Deg>> {
+        match self.st.tool.active().and_then(|tool| tool.plunge_angle) {
+            Some(angle) if angle >= 90.0 => Ok(None),
+            Some(angle) if angle > 0.0 => Ok(Some(Deg(angle))),
             known => {
                 let what = if known.is_some() { "is 0: it cannot plunge so" } else { "is not known" };
                 let called = self.st.tool.active().map(|tool| tool.called.clone()).unwrap_or_default();
@@ -408,10 +414,10 @@ impl Run<'_> {
                     Diagnostic::new(
                         codes::K2902,
                         self.here.origin.loc,
-                        format!("cycle {}: Q366 = {kind} needs the plunging angle ANGLE of tool {called}, which {what}", cycle.number),
+                        format!("cycle {}: {asked} needs the plunging angle ANGLE of tool {called}, which {what}", cycle.number),
                     )
                     .also(cycle.loc, "the cycle is defined here")
-                    .help(Answer::tool(&called, "plunge_angle").help(format!("give `[tools.{called}] plunge_angle = 3.0`, the column ANGLE of the tool table, or plunge straight down by Q366 = 0"))),
+                    .help(Answer::tool(&called, "plunge_angle").help(format!("give `[tools.{called}] plunge_angle = 3.0`, the column ANGLE of the tool table, or plunge straight down by {without}"))),
                 );
                 Err(Reported)
             }

@@ -13,6 +13,7 @@ mod capture;
 mod change;
 mod compensation;
 mod contour;
+mod contour_area;
 mod contour_cycles;
 mod contour_data;
 mod contour_train;

@@ -5,34 +5,69 @@ use std::fmt::Write as _;
 use partc::Settings;
 
 use super::super::damage::Dice;
+use super::klartext_pockets::{ANGLE, settings};
 use super::milling::{EXACT, many, track_of};
 use super::pockets::{FINISH, PLUNGE, ROUGH, number};
-use super::regions::{Case, P, Ring, star};
+use super::regions::{COARSE, Case, Land, P, Ring, star};
 
-/// The subprogram of the contour of a pocket.
-fn label(ring: &Ring) -> String {
-    let mut text = "LBL 1\n".to_owned();
+/// The subprogram of a contour.
+fn label(number: usize, ring: &Ring, is_pocket: bool) -> String {
+    let mut text = format!("LBL {number}\n");
+    let side = |ccw: bool| if ccw == is_pocket { "RL" } else { "RR" };
     match ring {
         Ring::Corners(corners) => {
             let twice: f64 =
                 corners.iter().zip(corners.iter().cycle().skip(1)).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum();
-            for (at, p) in corners.iter().chain(corners.first()).enumerate() {
-                let side = if at > 0 {
-                    ""
-                } else if twice > 0.0 {
-                    " RL"
-                } else {
-                    " RR"
-                };
-                let _ = writeln!(text, "L X{:+} Y{:+}{side}", p[0], p[1]);
+            let _ = writeln!(text, "L X{:+} Y{:+} {}", corners[0][0], corners[0][1], side(twice > 0.0));
+            for p in corners.iter().skip(1).chain(corners.first()) {
+                let _ = writeln!(text, "L X{:+} Y{:+}", p[0], p[1]);
             }
         }
         Ring::Circle { center: [x, y], radius } => {
-            let _ =
-                writeln!(text, "CC X{x:+} Y{y:+}\nL X{:+.4} Y{y:+} RL\nC X{:+.4} Y{y:+} DR+", x + radius, x + radius);
+            // Small ones one way round, large ones the other.
+            let (sense, side) = if *radius > 6.0 { ("DR+", side(true)) } else { ("DR-", side(false)) };
+            let at = x + radius;
+            let _ = writeln!(text, "CC X{x:+} Y{y:+}\nL X{at:+.4} Y{y:+} {side}\nC X{at:+.4} Y{y:+} {sense}");
         }
     }
     text + "LBL 0\n"
+}
+
+/// A pocket, further ones that may cross it, and islands that may cross them.
+fn land(dice: &mut Dice) -> Land {
+    let first = match dice.roll(6) {
+        0 => {
+            Ring::Circle { center: [number(dice, -5.0, 5.0), number(dice, -5.0, 5.0)], radius: number(dice, 8.0, 40.0) }
+        }
+        _ => Ring::Corners(star(dice)),
+    };
+    let mut land = Land::new(vec![first], 1);
+    let (pockets, islands) = ([0, 0, 1, 2][dice.roll(4)], dice.roll(4));
+    for at in 0..pockets + islands {
+        let is_pocket = at < pockets;
+        let far = if is_pocket { 40.0 } else { 28.0 };
+        let center = [number(dice, -far, far), number(dice, -far, far)];
+        let size = if is_pocket { number(dice, 6.0, 20.0) } else { number(dice, 1.0, 9.0) };
+        let ring = match dice.roll(2) {
+            0 => Ring::Circle { center, radius: size },
+            _ => {
+                let (turn, count) = (number(dice, 0.0, 90.0), 3 + dice.roll(3));
+                let round = |v: f64| (v * 1000.0).round() / 1000.0;
+                let corner = |i: usize| {
+                    let (sin, cos) = (turn + 360.0 / count as f64 * i as f64).to_radians().sin_cos();
+                    [round(center[0] + size * cos), round(center[1] + size * sin)]
+                };
+                Ring::Corners((0..count).map(corner).collect())
+            }
+        };
+        if land.takes(&ring, is_pocket) {
+            let pockets = land.pockets + usize::from(is_pocket);
+            let mut rings = land.rings;
+            rings.push(ring);
+            land = Land::new(rings, pockets);
+        }
+    }
+    land
 }
 
 struct Made {
@@ -49,27 +84,42 @@ fn random(dice: &mut Dice) -> Made {
     let step = number(dice, depth / 3.0, depth * 1.2);
     let some = |dice: &mut Dice, high: f64| if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.01, high) };
     let (wall, floor) = (some(dice, 0.4 * radius), some(dice, 0.3 * depth));
-    let ring = match dice.roll(6) {
-        0 => {
-            Ring::Circle { center: [number(dice, -5.0, 5.0), number(dice, -5.0, 5.0)], radius: number(dice, 8.0, 40.0) }
-        }
-        _ => Ring::Corners(star(dice)),
-    };
+    let land = land(dice);
     let corners = if dice.roll(3) == 0 { number(dice, 0.1, 2.0) } else { 0.0 };
-    let corners = if matches!(ring, Ring::Circle { .. }) { 0.0 } else { corners };
+    // An arc stays as it is, so that a cutter may reach more next to it.
+    let corners = if land.rings.iter().any(|ring| matches!(ring, Ring::Circle { .. })) { 0.0 } else { corners };
+    // Pockets keep their order; islands stand anywhere between them.
+    let mut order: Vec<usize> = (0..land.pockets).collect();
+    for island in land.pockets..land.rings.len() {
+        order.insert(dice.roll(order.len() + 1), island);
+    }
+    let named: String = order.iter().map(|at| format!(" /{}", at + 1)).collect();
     let overlap = number(dice, 0.4, 1.999);
     let climb = if dice.roll(2) == 0 { "+1" } else { "-1" };
+    let coarse = (dice.roll(3) == 0).then(|| ((radius + number(dice, 0.05, 0.8 * radius)) * 1000.0).round() / 1000.0);
+    let reciprocating = if dice.roll(4) == 0 { PLUNGE } else { 0.0 };
     let head = format!(
-        "BEGIN PGM P MM\nTOOL DEF 1 L+0 R+{radius}\nTOOL CALL 1 Z S3000\nL X+7 Y+3 Z+50 R0 FMAX M3\n\
-         CYCL DEF 14.0 CONTOUR GEOMETRY\nCYCL DEF 14.1 CONTOUR LABEL 1\n\
+        "BEGIN PGM P MM\nTOOL DEF 1 L+0 R+{radius}\nTOOL DEF 2 L+0 R+{}\nTOOL CALL 1 Z S3000\nL X+7 Y+3 Z+50 R0 FMAX M3\n\
+         CYCL DEF 14.0 CONTOUR GEOMETRY\nCYCL DEF 14.1 CONTOUR LABEL{named}\n\
          CYCL DEF 20 DATA Q1={} Q2={overlap} Q3={wall} Q4={floor} Q5=+0 Q6=+2 Q7=+10 Q8={corners} Q9={climb}\n",
+        coarse.unwrap_or(9.0),
         -depth
     );
-    let tail = format!("M30\n{}END PGM P MM\n", label(&ring));
-    let rough = |step: f64| {
-        format!("CYCL DEF 22 ROUGH Q10={step} Q11={PLUNGE} Q12={ROUGH} Q18=+0 Q19=+0\nL X+7 Y+3 R0 FMAX\nCYCL CALL\n")
+    let labels: String =
+        land.rings.iter().enumerate().map(|(at, ring)| label(at + 1, ring, at < land.pockets)).collect();
+    let tail = format!("M30\n{labels}END PGM P MM\n");
+    let rough = |step: f64, feed: f64, before: u32, swaying: f64| {
+        format!(
+            "CYCL DEF 22 ROUGH Q10={step} Q11={PLUNGE} Q12={feed} Q18={before} Q19={swaying}\n\
+             L X+7 Y+3 R0 FMAX\nCYCL CALL\n"
+        )
     };
-    let mut text = head.clone() + &rough(step);
+    let mut text = head.clone();
+    if coarse.is_some() {
+        let with_it = rough(step, COARSE, 0, 0.0);
+        let _ = write!(text, "TOOL CALL 2 Z S3000\nM3\n{with_it}L Z+50 R0 FMAX\nTOOL CALL 1 Z S3000\nM3\n");
+    }
+    text += &rough(step, ROUGH, if coarse.is_some() { 2 } else { 0 }, reciprocating);
     let left = if wall > 0.02 && dice.roll(2) == 0 { number(dice, 0.0, 0.8 * wall) } else { 0.0 };
     let finish = [wall > left && dice.roll(2) == 0, dice.roll(2) == 0];
     if finish[1] {
@@ -84,11 +134,11 @@ fn random(dice: &mut Dice) -> Made {
     text += &tail;
     let drill = format!("CYCL DEF 21 PILOT Q10={step} Q11={PLUNGE} Q13=1\nCYCL CALL\n");
     let pilot = format!("{head}{drill}{tail}");
-    let first = format!("{head}{}{tail}", rough(2.0 * depth));
+    let first = format!("{head}{}{tail}", rough(2.0 * depth, ROUGH, 0, 0.0));
     let case = Case {
         language: "klartext",
         text,
-        rings: vec![ring],
+        land,
         radius,
         depth,
         step,
@@ -97,6 +147,9 @@ fn random(dice: &mut Dice) -> Made {
         finish,
         left: if finish[0] { left } else { 0.0 },
         corners,
+        coarse,
+        angle: (reciprocating > 0.0).then_some(ANGLE),
+        settings: settings(),
     };
     Made { case, pilot, first }
 }
@@ -108,14 +161,17 @@ impl Made {
         let track =
             |text: &str| track_of("klartext", text, &settings).map_err(|codes| format!("refused: {codes:?}\n{text}"));
         let floor = -self.case.depth + self.case.floor;
-        let at = |text: &str| -> Result<Vec<P>, String> {
+        // Into material the tool goes from the surface, or from the set-up clearance; from lower down it goes over cleared ground.
+        let solid = |z: f64| z.abs() < EXACT || z > 2.0 - EXACT;
+        let at = |text: &str, drills: bool| -> Result<Vec<P>, String> {
             let cuts = track(text)?;
             let down = cuts.iter().filter(|cut| {
-                cut.is_vertical() && !cut.is_rapid() && (cut.to[2] - floor).abs() < EXACT && cut.from[2] > floor + EXACT
+                let arrives = (cut.to[2] - floor).abs() < EXACT && cut.from[2] > floor + EXACT;
+                cut.is_vertical() && !cut.is_rapid() && arrives && (drills || solid(cut.from[2]))
             });
             Ok(down.map(|cut| [cut.to[0], cut.to[1]]).collect())
         };
-        let (holes, plunges) = (at(&self.pilot)?, at(&self.first)?);
+        let (holes, plunges) = (at(&self.pilot, true)?, at(&self.first, false)?);
         if holes.is_empty() || holes != plunges {
             return Err(format!("holes at {holes:?}, down at {plunges:?}\n{}", self.pilot));
         }

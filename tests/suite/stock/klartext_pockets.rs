@@ -10,7 +10,7 @@ use super::milling::{many, turned};
 use super::pockets::{Case, FINISH, Outline, PLUNGE, ROUGH, Sizes, number, sizes};
 
 /// Plunging angle of the tool, degrees.
-const ANGLE: f64 = 4.0;
+pub const ANGLE: f64 = 4.0;
 
 struct Common {
     sizes: Sizes,

@@ -6,15 +6,19 @@ use cavalier_contours::core::math::Vector2;
 use cavalier_contours::polyline::{PlineSource, PlineSourceMut, PlineVertex, Polyline};
 use cavalier_contours::shape_algorithms::{IndexedPolyline, Shape, ShapeOffsetOptions};
 
+use crate::geo::area::is_counter_clockwise;
 use crate::geo::{Element, Point2, distance, turned};
 
 use super::carriers::settled;
-use super::walls::{Walls, point_at};
+use super::rest::Meets;
+use super::walls::{Walls, nearest_on, point_at};
 
 /// How much a ring may miss its distance, mm.
 const MISSES: f64 = 1e-5;
 /// Shorter elements are passed over, mm.
 const NOTHING: f64 = 1e-7;
+/// Points nearer than this to the start of an element are that start, mm.
+const SNAPS: f64 = 1e-3;
 /// Largest sweep of a part of an arc.
 const LARGEST: f64 = 3.0;
 
@@ -22,6 +26,8 @@ const LARGEST: f64 = 3.0;
 #[derive(Debug, Clone)]
 pub struct Loop {
     pub elements: Vec<Element>,
+    /// What of it a cutter before this one left.
+    pub meets: Meets,
     line: Polyline<f64>,
 }
 
@@ -29,6 +35,8 @@ pub struct Loop {
 #[derive(Debug, Clone)]
 pub struct Part {
     pub outer: Loop,
+    /// Which of the outlines it lies in.
+    pub outline: usize,
     /// Distance of its rings from the walls.
     pub away: f64,
     pub holes: Vec<Loop>,
@@ -50,10 +58,11 @@ pub struct Entry {
     pub stroke: Option<Point2>,
 }
 
-/// Outline and islands, ready for rings.
+/// Outlines and islands, ready for rings.
 #[derive(Debug)]
 pub struct Area {
     shape: Shape<f64>,
+    outlines: Vec<Polyline<f64>>,
 }
 
 impl Loop {
@@ -61,7 +70,7 @@ impl Loop {
     fn new(traced: &Polyline<f64>, distance: f64, walls: &Walls) -> Option<Loop> {
         let elements = settled(&elements(traced), distance, walls)?;
         let exact = elements.iter().all(|element| is_at(element, distance, walls));
-        exact.then(|| Loop { line: polyline(&elements, true), elements })
+        exact.then(|| Loop { line: polyline(&elements, true), elements, meets: Meets::Everywhere })
     }
 
     /// Does the point lie inside?
@@ -72,9 +81,55 @@ impl Loop {
     pub fn start(&self) -> Point2 {
         self.elements.first().map_or_else(Point2::origin, Element::from)
     }
+
+    /// The nearest point, and the element it lies on; the start of an element where that is as good.
+    pub fn nearest(&self, p: Point2) -> (usize, Point2) {
+        let found = self.elements.iter().enumerate().map(|(at, element)| (at, nearest_on(p, element)));
+        let nearest = found.min_by(|a, b| distance(a.1, p).total_cmp(&distance(b.1, p)));
+        let Some((at, point)) = nearest else { return (0, self.start()) };
+        let next = (at + 1) % self.elements.len().max(1);
+        match (self.elements.get(at), self.elements.get(next)) {
+            (Some(this), _) if distance(this.from(), point) < SNAPS => (at, this.from()),
+            (Some(this), Some(next_one)) if distance(this.to(), point) < SNAPS => (next, next_one.from()),
+            _ => (at, point),
+        }
+    }
+
+    /// Distance of a point from the ring.
+    pub fn away(&self, p: Point2) -> f64 {
+        distance(p, self.nearest(p).1)
+    }
+
+    pub fn middle_of_longest(&self) -> Option<(usize, Point2)> {
+        let longest = self.elements.iter().enumerate().max_by(|a, b| a.1.length().total_cmp(&b.1.length()));
+        longest.map(|(at, element)| (at, element.middle()))
+    }
+
+    /// The ring from a point of an element on, as it runs or the other way.
+    pub fn beginning_at(&self, element: usize, at: Point2, as_it_runs: bool) -> Vec<Element> {
+        let (before, after) = self.elements.split_at(element.min(self.elements.len()));
+        let Some((first, after)) = after.split_first() else { return Vec::new() };
+        let whole = first.from() == at;
+        let begins = if whole { *first } else { first.starting_at(at) };
+        let ends = (!whole).then(|| first.ending_at(at));
+        let parts = [begins].into_iter().chain(after.iter().copied()).chain(before.iter().copied()).chain(ends);
+        let parts = parts.filter(|part| part.length() > 1e-6);
+        if as_it_runs {
+            parts.collect()
+        } else {
+            let mut turned: Vec<Element> = parts.map(|part| part.reversed()).collect();
+            turned.reverse();
+            turned
+        }
+    }
 }
 
 impl Part {
+    /// Does the tool go down into it, and not to a ring that begins in cleared ground?
+    pub fn is_inserted(&self) -> bool {
+        self.inner.is_empty() && matches!(self.outer.meets, Meets::Everywhere)
+    }
+
     /// Does the point lie in it, and in no hole?
     pub fn holds(&self, p: Point2) -> bool {
         self.outer.holds(p) && !self.holes.iter().any(|hole| hole.holds(p))
@@ -86,11 +141,21 @@ impl Part {
 }
 
 impl Area {
-    /// Of an outline and islands, in any sense.
-    pub fn new(outline: &[Element], islands: &[Vec<Element>]) -> Area {
-        let mut lines = vec![polyline(outline, true)];
-        lines.extend(islands.iter().map(|island| polyline(island, false)));
-        Area { shape: Shape::from_plines(lines) }
+    /// Of outlines and islands, in any sense.
+    pub fn new(outlines: &[Vec<Element>], islands: &[Vec<Element>]) -> Area {
+        let outlines: Vec<Polyline<f64>> = outlines.iter().map(|outline| polyline(outline, true)).collect();
+        let islands = islands.iter().map(|island| polyline(island, false));
+        Area { shape: Shape::from_plines(outlines.iter().cloned().chain(islands)), outlines }
+    }
+
+    /// The outline around a point.
+    fn outline_of(&self, p: Point2) -> Option<usize> {
+        self.outlines.iter().position(|outline| outline.winding_number(Vector2::new(p.x, p.y)) != 0)
+    }
+
+    /// Does the cutter find room in each of the outlines?
+    pub fn has_all(&self, parts: &[Part]) -> bool {
+        (0..self.outlines.len()).all(|outline| parts.iter().any(|part| part.outline == outline))
     }
 
     /// What the centre of the cutter may reach at `distance` from the walls; `None` where the rings are not at that distance.
@@ -105,15 +170,18 @@ impl Area {
         let (outer, holes) = (made(shape.ccw_plines)?, made(shape.cw_plines)?);
         let mut parts: Vec<Part> = outer
             .into_iter()
-            .map(|outer| Part { outer, away: distance, holes: Vec::new(), inner: Vec::new(), entry: None })
-            .collect();
+            .map(|outer| {
+                let outline = self.outline_of(outer.start())?;
+                Some(Part { outer, outline, away: distance, holes: Vec::new(), inner: Vec::new(), entry: None })
+            })
+            .collect::<Option<_>>()?;
         for hole in holes {
             let at = hole.start();
             parts.iter_mut().find(|part| part.outer.holds(at))?.holes.push(hole);
         }
         parts.sort_by(|a, b| {
-            let (a, b) = (a.outer.start(), b.outer.start());
-            a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
+            let (p, q) = (a.outer.start(), b.outer.start());
+            a.outline.cmp(&b.outline).then(p.x.total_cmp(&q.x)).then(p.y.total_cmp(&q.y))
         });
         Some(parts)
     }
@@ -122,22 +190,6 @@ impl Area {
 /// Is every point that is looked at as far from the walls as it should be?
 fn is_at(element: &Element, asked: f64, walls: &Walls) -> bool {
     [0.0, 0.2, 0.5, 0.8].into_iter().all(|part| (walls.distance(point_at(element, part)) - asked).abs() <= MISSES)
-}
-
-/// Twice the area that a closed chain goes around, above 0 counter-clockwise.
-fn area(elements: &[Element]) -> f64 {
-    let of = |element: &Element| {
-        let (a, b) = (element.from(), element.to());
-        let segment = match *element {
-            Element::Line { .. } => 0.0,
-            Element::Arc { center, sweep, from, .. } => {
-                let radius = distance(from, center);
-                radius * radius * (sweep - libm::sin(sweep))
-            }
-        };
-        a.x * b.y - a.y * b.x + segment
-    };
-    elements.iter().map(of).sum()
 }
 
 fn polyline(elements: &[Element], ccw: bool) -> Polyline<f64> {
@@ -155,7 +207,7 @@ fn polyline(elements: &[Element], ccw: bool) -> Polyline<f64> {
             }
         }
     }
-    if (area(elements) > 0.0) != ccw {
+    if is_counter_clockwise(elements) != ccw {
         line.invert_direction_mut();
     }
     line

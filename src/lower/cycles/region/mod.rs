@@ -3,9 +3,11 @@
 mod carriers;
 mod loops;
 mod pilot_holes;
+mod rest;
 mod walls;
 
 use crate::diag::codes;
+use crate::geo::area::reversed;
 use crate::geo::{Deg, Element, Point2, Vec2, distance, left};
 use crate::ir::Feed;
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
@@ -17,7 +19,8 @@ use super::pocket::{endless_strokes, strokes};
 use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 use loops::{Area, Entry, Loop, Part};
-use walls::{Walls, nearest_on, roomiest};
+use rest::{Cleared, Meets};
+use walls::{Walls, roomiest};
 
 /// Rooms for less than this are none, mm.
 const NOTHING: f64 = 1e-4;
@@ -28,8 +31,6 @@ const SMALLEST_APPROACH: f64 = 0.1;
 const STROKE_DIRECTIONS: u32 = 72;
 /// How much the room of a place may lose against the step of the rings, mm.
 const ROOM: f64 = 5e-3;
-/// Points nearer than this to the start of an element are that start, mm.
-const SNAPS: f64 = 1e-3;
 /// Links longer than so many widths of a cut are ways through the air.
 const LONGEST_LINK: f64 = 2.5;
 
@@ -38,13 +39,16 @@ impl Expand for Region {
         let help = "check the contour, the data of the cutter, and the allowances";
         self.check().map_err(|fault| Failure::new(codes::G3321, fault.to_string(), help))?;
         let walls = Walls::new(self.walls().copied().collect());
-        let area = Area::new(&self.outline, &self.islands);
+        let area = Area::new(&self.outlines, &self.islands);
         let radius = self.mill.radius;
         // All rings are known before the tool moves.
-        let rough = match self.rough {
+        let mut rough = match self.rough {
             true => self.rings(&area, &walls, radius + self.allowance)?,
             false => Vec::new(),
         };
+        if let Some(coarse) = &self.coarse {
+            Cleared::new(coarse, radius).ok_or_else(unproved)?.look_along(&mut rough);
+        }
         let floor = match self.finish {
             Some(Finish { floor: true, wall, .. }) => {
                 self.rings(&area, &walls, radius + if wall { self.left } else { self.allowance })?
@@ -55,30 +59,23 @@ impl Expand for Region {
             Some(Finish { wall: true, .. }) => area.parts(radius + self.left, &walls).ok_or_else(unproved)?,
             _ => Vec::new(),
         };
-        if self.finish.is_some_and(|finish| finish.wall) && wall.is_empty() {
+        if self.finish.is_some_and(|finish| finish.wall) && !area.has_all(&wall) {
             return Err(no_room());
         }
         for part in &rough {
             self.check_insertion(part, radius + self.allowance)?;
         }
-        let cutter = Cutter::new(&self.mill, Place::HERE, start, out);
-        let mut tool = Tool {
-            region: self,
-            walls: &walls,
-            cutter,
-            is_over: false,
-            cut: Vec::new(),
-            cleared: self.mill.heights.reference,
-            at: None,
-        };
-        let heights = self.mill.heights;
-        for part in &rough {
-            let mut from = heights.reference;
-            for level in heights.levels() {
-                tool.level(part, radius + self.allowance, from, level, self.mill.feeds.plane);
-                from = level;
+        if self.insertion != Insertion::Vertical && self.insertion != Insertion::Predrilled {
+            // A cutter that cannot go straight down must not have to.
+            let mut nothing = |_: CycleItem| ();
+            let mut tool = Tool::new(self, &walls, Cutter::new(&self.mill, Place::HERE, start, &mut nothing));
+            tool.rough(&rough);
+            if tool.is_plunged {
+                return Err(no_insertion("a ring of the pocket can only be reached straight down"));
             }
         }
+        let mut tool = Tool::new(self, &walls, Cutter::new(&self.mill, Place::HERE, start, out));
+        tool.rough(&rough);
         if let Some(finish) = &self.finish {
             if let Some(speed) = finish.speed {
                 tool.cutter.speed(speed.finishing);
@@ -88,11 +85,13 @@ impl Expand for Region {
                     Onto::Quarter(most) => Some(self.widest_arc(part, &walls).min(most)),
                     Onto::Usual | Onto::Semicircle => None,
                 };
+                tool.begin(part);
                 for ring in part.loops() {
                     tool.wall(ring, finish, most.unwrap_or(APPROACH));
                 }
             }
             for part in &floor {
+                tool.begin(part);
                 tool.floor(part, finish);
             }
             if let Some(after) = finish.speed.and_then(|speed| speed.after) {
@@ -121,9 +120,7 @@ fn start_point() -> Failure {
 }
 
 fn no_insertion(what: &str) -> Failure {
-    let help =
-        "take a smaller cutter, or 0 in the tens of `_VARI` for straight down, which needs a cutter that can plunge";
-    Failure::new(codes::G3321, what, help)
+    Failure::new(codes::G3321, what, "take a smaller cutter, or go straight down, which needs a cutter that can plunge")
 }
 
 fn unproved() -> Failure {
@@ -138,7 +135,7 @@ impl Region {
     /// Parts of the area at `least` from the walls, with all that lies deeper.
     fn rings(&self, area: &Area, walls: &Walls, least: f64) -> Result<Vec<Part>, Failure> {
         let roots = area.parts(least, walls).ok_or_else(unproved)?;
-        if roots.is_empty() {
+        if !area.has_all(&roots) {
             return Err(no_room());
         }
         let mut most = 0.0f64;
@@ -197,7 +194,7 @@ impl Region {
         for inner in &part.inner {
             self.check_insertion(inner, least)?;
         }
-        let Some(entry) = part.entry else { return Ok(()) };
+        let Some(entry) = part.entry.filter(|_| part.is_inserted()) else { return Ok(()) };
         let step = self.mill.heights.way() / self.mill.heights.levels().len() as f64;
         match (self.insertion, entry.stroke) {
             (Insertion::Helix { radius, .. }, _)
@@ -265,6 +262,8 @@ struct Tool<'a> {
     region: &'a Region,
     walls: &'a Walls,
     cutter: Cutter<'a>,
+    /// In which outline the tool works.
+    outline: Option<usize>,
     /// The tool stands at the safety distance over the pocket.
     is_over: bool,
     /// Rings that are cut on this level.
@@ -273,14 +272,59 @@ struct Tool<'a> {
     cleared: f64,
     /// Where the tool stands on this level; `None` above it.
     at: Option<Point2>,
+    /// Parts of rings that wait to be cut, from inside out.
+    chains: Vec<Vec<Element>>,
+    /// The tool went straight down to a ring in material.
+    is_plunged: bool,
 }
 
-impl Tool<'_> {
+impl<'a> Tool<'a> {
+    fn new(region: &'a Region, walls: &'a Walls, cutter: Cutter<'a>) -> Tool<'a> {
+        Tool {
+            region,
+            walls,
+            cutter,
+            outline: None,
+            is_over: false,
+            cut: Vec::new(),
+            cleared: region.mill.heights.reference,
+            at: None,
+            chains: Vec::new(),
+            is_plunged: false,
+        }
+    }
+
+    fn rough(&mut self, parts: &[Part]) {
+        let heights = self.region.mill.heights;
+        for part in parts {
+            self.begin(part);
+            let mut from = heights.reference;
+            for level in heights.levels() {
+                self.level(
+                    part,
+                    self.region.mill.radius + self.region.allowance,
+                    from,
+                    level,
+                    self.region.mill.feeds.plane,
+                );
+                from = level;
+            }
+        }
+    }
+
+    /// From one outline to the next the tool goes over the retract height.
+    fn begin(&mut self, part: &Part) {
+        if self.outline.replace(part.outline) != Some(part.outline) {
+            self.is_over = false;
+        }
+    }
+
     /// A part on one level: what lies deeper, then its own rings.
     fn level(&mut self, part: &Part, least: f64, from: f64, to: f64, feed: Feed) {
         self.cut.clear();
         self.cleared = from;
         self.part(part, least, from, to, feed);
+        self.cut_chains(least, to, feed);
         self.up();
     }
 
@@ -288,11 +332,43 @@ impl Tool<'_> {
         for inner in &part.inner {
             self.part(inner, least, from, to, feed);
         }
-        if part.inner.is_empty() {
+        if part.is_inserted() {
             self.insert_into(part, least, from, to);
         }
         for ring in part.loops() {
-            self.ring(ring, least, to, feed);
+            match &ring.meets {
+                Meets::Everywhere => {
+                    self.cut_chains(least, to, feed);
+                    self.ring(ring, least, to, feed);
+                }
+                Meets::Nowhere => self.cut.push(ring.clone()),
+                Meets::Along(chains) => {
+                    let ccw = self.region.counter_clockwise;
+                    self.chains.extend(chains.iter().map(|chain| if ccw { chain.clone() } else { reversed(chain) }));
+                    self.cut.push(ring.clone());
+                }
+            }
+        }
+    }
+
+    /// The parts of rings that wait: from each one on to one that begins nearby, so that a corner is finished before the next.
+    fn cut_chains(&mut self, least: f64, level: f64, feed: Feed) {
+        let heights = self.region.mill.heights;
+        while !self.chains.is_empty() {
+            let start = |chain: &Vec<Element>| chain.first().map_or_else(Point2::origin, Element::from);
+            let near = |at: Point2, to: Point2| distance(at, to) <= LONGEST_LINK * self.region.mill.radius;
+            let next = self.at.and_then(|at| self.chains.iter().position(|chain| near(at, start(chain))));
+            let chain = self.chains.remove(next.unwrap_or(0));
+            let begin = start(&chain);
+            if self.at.is_some_and(|at| near(at, begin) && self.walls.is_free(at, begin, least)) {
+                self.cutter.line(begin, feed);
+            } else {
+                self.go_over(begin);
+                self.cutter.lift(heights.above_cleared(level));
+                self.cutter.plunge(level);
+            }
+            self.cutter.follow(&chain, feed);
+            self.at = chain.last().map(Element::to);
         }
     }
 
@@ -344,7 +420,8 @@ impl Tool<'_> {
     }
 
     fn down(&mut self, begin: Point2, entry: &Entry, arm: f64, from: f64, to: f64) {
-        let (feed, ccw) = (self.region.mill.feeds.depth, self.region.counter_clockwise);
+        let feed = self.region.insertion_feed.unwrap_or(self.region.mill.feeds.depth);
+        let ccw = self.region.counter_clockwise;
         match (self.region.insertion, entry.stroke) {
             (Insertion::Helix { pitch, .. }, _) if arm > 0.0 => {
                 let turns = parts((from - to).abs(), pitch).min(MOST_LEVELS) as u32;
@@ -364,7 +441,7 @@ impl Tool<'_> {
                     self.cutter.line(begin, feed);
                 }
             }
-            _ => self.cutter.plunge(to),
+            _ => self.cutter.sink(to, feed),
         }
     }
 
@@ -382,6 +459,7 @@ impl Tool<'_> {
         };
         let known = from_here.or_else(from_cut);
         let cleared = if known.is_some() { level } else { self.cleared };
+        self.is_plunged |= known.is_none();
         let (from, (element, to)) = known.unwrap_or_else(|| (ring.start(), (0, ring.start())));
         if self.at != Some(from) {
             let heights = self.region.mill.heights;
@@ -471,49 +549,6 @@ impl Tool<'_> {
         }
         for ring in part.loops() {
             self.ring(ring, least, heights.depth, feed);
-        }
-    }
-}
-
-impl Loop {
-    /// The nearest point, and the element it lies on; the start of an element where that is as good.
-    fn nearest(&self, p: Point2) -> (usize, Point2) {
-        let found = self.elements.iter().enumerate().map(|(at, element)| (at, nearest_on(p, element)));
-        let nearest = found.min_by(|a, b| distance(a.1, p).total_cmp(&distance(b.1, p)));
-        let Some((at, point)) = nearest else { return (0, self.start()) };
-        let next = (at + 1) % self.elements.len().max(1);
-        match (self.elements.get(at), self.elements.get(next)) {
-            (Some(this), _) if distance(this.from(), point) < SNAPS => (at, this.from()),
-            (Some(this), Some(next_one)) if distance(this.to(), point) < SNAPS => (next, next_one.from()),
-            _ => (at, point),
-        }
-    }
-
-    /// Distance of a point from the ring.
-    fn away(&self, p: Point2) -> f64 {
-        distance(p, self.nearest(p).1)
-    }
-
-    fn middle_of_longest(&self) -> Option<(usize, Point2)> {
-        let longest = self.elements.iter().enumerate().max_by(|a, b| a.1.length().total_cmp(&b.1.length()));
-        longest.map(|(at, element)| (at, element.middle()))
-    }
-
-    /// The ring from a point of an element on, as it runs or the other way.
-    fn beginning_at(&self, element: usize, at: Point2, as_it_runs: bool) -> Vec<Element> {
-        let (before, after) = self.elements.split_at(element.min(self.elements.len()));
-        let Some((first, after)) = after.split_first() else { return Vec::new() };
-        let whole = first.from() == at;
-        let begins = if whole { *first } else { first.starting_at(at) };
-        let ends = (!whole).then(|| first.ending_at(at));
-        let parts = [begins].into_iter().chain(after.iter().copied()).chain(before.iter().copied()).chain(ends);
-        let parts = parts.filter(|part| part.length() > 1e-6);
-        if as_it_runs {
-            parts.collect()
-        } else {
-            let mut turned: Vec<Element> = parts.map(|part| part.reversed()).collect();
-            turned.reverse();
-            turned
         }
     }
 }

@@ -17,7 +17,7 @@ impl Expand for PilotHoles {
         let pocket = &self.pocket;
         let walls = Walls::new(pocket.walls().copied().collect());
         let least = pocket.mill.radius + pocket.allowance;
-        let parts = pocket.rings(&Area::new(&pocket.outline, &pocket.islands), &walls, least)?;
+        let parts = pocket.rings(&Area::new(&pocket.outlines, &pocket.islands), &walls, least)?;
         let mut places = Vec::new();
         for part in &parts {
             entries(part, least, &mut places);

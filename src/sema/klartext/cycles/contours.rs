@@ -93,16 +93,22 @@ pub(super) const ROWS: &[Row] = &[
             Q10,
             Q11,
             Q12,
-            q(COARSE_TOOL, Kind::Number, "tool that roughed before: 0 is none, others are refused").default("0"),
+            q(
+                COARSE_TOOL,
+                Kind::Number,
+                "number of the tool that roughed before, with a cycle 22 in this program; 0 is none",
+            )
+            .default("0"),
             q(
                 RECIPROCATING_FEED,
                 Kind::Feed,
-                "feed to and fro into the material: 0 is straight down, others are refused",
+                "feed to and fro into the material at the angle ANGLE of the tool; 0 is straight down",
             )
             .default("0"),
             Q208,
             q(FEED_FACTOR, Kind::Number, "feed at full engagement in %: 100; others are refused").default("100"),
-            q(Q(404), Kind::Number, "how a finer tool goes on").without_effect("it counts with a coarse tool Q18 only"),
+            q(Q(404), Kind::Number, "how a finer tool goes on")
+                .without_effect("the path behind a coarse tool is partc's own"),
         ],
     ),
     cycle(23, "CYCL DEF 23", "FLOOR FINISHING", |run, cycle, call| run.floor_finishing(cycle, call), &[Q11, Q12, Q208]),

@@ -3,7 +3,8 @@
 //! Source: M 7.7 (docs/sources.md).
 
 use crate::diag::codes;
-use crate::geo::{Deg, Element, Point2, crossing};
+use crate::geo::area::{Relation, relation};
+use crate::geo::{Deg, Element};
 use crate::ir::captured::Captured;
 use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
 use crate::ir::cycle::region::RegionFault;
@@ -69,7 +70,9 @@ impl CycleCall<'_, '_> {
             left: 0.0,
             cleared: true,
             width: self.width(DXY, mill.radius)?,
-            outline: Vec::new(),
+            insertion_feed: None,
+            coarse: None,
+            outlines: Vec::new(),
             islands: Vec::new(),
             insertion,
             start,
@@ -127,7 +130,7 @@ impl CycleCall<'_, '_> {
         let outline = closed.next().unwrap_or_default();
         let islands: Vec<Vec<Element>> = closed.collect();
         self.islands_lie_inside(&contours, &outline, &islands)?;
-        let region = Region { outline, islands, ..made };
+        let region = Region { outlines: vec![outline], islands, ..made };
         if let Err(fault) = region.check() {
             let (key, alarm) = match fault {
                 RegionFault::Mill(fault) => return self.mill_fault(&ALONG_CONTOURS, fault),
@@ -154,15 +157,9 @@ impl CycleCall<'_, '_> {
         outline: &[Element],
         islands: &[Vec<Element>],
     ) -> Outcome {
-        let meets = |a: &[Element], b: &[Element]| a.iter().any(|a| b.iter().any(|b| crossing::meet(a, b, &[])));
         for (at, island) in islands.iter().enumerate() {
-            let others = islands.iter().take(at);
-            let apart = !meets(outline, island) && !others.clone().any(|other| meets(other, island));
-            let start = island.first().map_or_else(Point2::origin, Element::from);
-            let nested = |other: &Vec<Element>| {
-                surrounds(other, start) || surrounds(island, other.first().map_or_else(Point2::origin, Element::from))
-            };
-            if apart && surrounds(outline, start) && !others.clone().any(nested) {
+            let apart = |other: &Vec<Element>| relation(other, island) == Relation::Apart;
+            if relation(outline, island) == Relation::SecondInside && islands.iter().take(at).all(apart) {
                 continue;
             }
             let Some((call, _)) = contours.get(at + 1) else { continue };
@@ -185,27 +182,4 @@ fn closed(contour: &Captured) -> Vec<Element> {
         }
     }
     elements
-}
-
-/// Does a point lie inside a closed chain?
-fn surrounds(chain: &[Element], p: Point2) -> bool {
-    const PIECES: u32 = 32;
-    let mut inside = false;
-    let mut from = chain.first().map_or_else(Point2::origin, Element::from);
-    for element in chain {
-        let count = if matches!(element, Element::Arc { .. }) { PIECES } else { 1 };
-        for i in 1..=count {
-            let to = match *element {
-                Element::Line { to, .. } => to,
-                Element::Arc { from, center, sweep, .. } => {
-                    center + crate::geo::turned(from - center, sweep * f64::from(i) / f64::from(count))
-                }
-            };
-            if (from.y > p.y) != (to.y > p.y) && p.x < from.x + (p.y - from.y) / (to.y - from.y) * (to.x - from.x) {
-                inside = !inside;
-            }
-            from = to;
-        }
-    }
-    inside
 }

@@ -1,0 +1,231 @@
+//! What cycles 21 to 24 clear: the pockets among the contours that cycle 14 names, less its islands.
+//!
+//! Source: K 6.6; F B7 (docs/sources.md). How contours that cross are taken together is the HEIDENHAIN manuals' rule of superimposed
+//! contours: it goes by where their start points lie.
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::area::{Relation, is_counter_clockwise, meet, passes, relation, surrounds};
+use crate::geo::overlay::{Area, Touching, overlay};
+use crate::geo::{Element, Point2, corner};
+use crate::ir::Side;
+use crate::ir::captured::Captured;
+
+use super::contour_cycles::Pocket;
+use super::cycles::DefinedCycle;
+use super::cycles::contours::CORNERS;
+use super::labels::Label;
+use super::{Outcome, Reported, Run};
+
+/// What arithmetic may add to an element that is all rounded away, mm.
+const TOLERANCE: f64 = 1e-6;
+
+/// A closed contour.
+struct Closed<'a> {
+    label: &'a Label,
+    is_pocket: bool,
+    elements: Vec<Element>,
+}
+
+impl Closed<'_> {
+    fn start(&self) -> Point2 {
+        self.elements.first().map_or_else(Point2::origin, Element::from)
+    }
+
+    /// Does it go around a point?
+    fn holds(&self, p: Point2) -> bool {
+        surrounds(&self.elements, p)
+    }
+
+    fn kind(&self) -> &'static str {
+        if self.is_pocket { "pocket" } else { "island" }
+    }
+}
+
+impl Run<'_> {
+    /// Pockets and islands; inside corners are rounded so that the path `away` from them keeps the radius Q8.
+    pub(super) fn contour_area(&mut self, cycle: &DefinedCycle, pocket: &Pocket, away: f64) -> Outcome<Area> {
+        let corners = if pocket.data.cycle.gives_q(CORNERS) { self.kept_unsigned(&pocket.data, CORNERS)? } else { 0.0 };
+        let mut closed = Vec::with_capacity(pocket.named.labels.len());
+        for label in &pocket.named.labels {
+            let contour = self.capture(label, cycle.loc)?;
+            self.check_contour(label, &contour)?;
+            closed.push(self.closed_contour(label, &contour)?);
+        }
+        let area = self.taken_together(cycle, pocket, &closed)?;
+        if corners == 0.0 {
+            return Ok(area);
+        }
+        with_rounded_corners(&area, corners + away).or_else(|()| {
+            let help = "set Q8 to 0, or take a smaller cutter";
+            let what = format!("an inside corner has no room for the radius Q8 = {corners} of the path");
+            match &pocket.named.labels[..] {
+                [label] => self.contour_fault(label, &what, help),
+                _ => self.no_area(cycle, pocket, &what, help),
+            }
+        })
+    }
+
+    /// Elements that make a contour.
+    pub(super) fn check_contour(&mut self, label: &Label, contour: &Captured) -> Outcome {
+        if contour.plane != self.st.plane() || contour.pieces.is_empty() {
+            return self.contour_fault(
+                label,
+                "it has no element in the working plane",
+                "program its elements behind its start point",
+            );
+        }
+        if let Some((first, second)) = contour.crossing()
+            && let (Some(a), Some(b)) = (contour.pieces.get(first), contour.pieces.get(second))
+        {
+            let found = Diagnostic::new(codes::K2951, b.origin.loc, format!("the contour {label} crosses itself"))
+                .called(b.origin.call);
+            self.report(
+                found.also(a.origin.loc, "it crosses the element of this block").help("check the end points of both"),
+            );
+            return Err(Reported);
+        }
+        Ok(())
+    }
+
+    fn closed_contour<'a>(&mut self, label: &'a Label, contour: &Captured) -> Outcome<Closed<'a>> {
+        if !contour.is_closed() {
+            return self.contour_fault(label, "it is not closed", "end it where it starts");
+        }
+        let mut elements: Vec<Element> = contour.pieces.iter().map(|piece| piece.element).collect();
+        if let Some(Element::Line { to, .. } | Element::Arc { to, .. }) = elements.last_mut() {
+            *to = contour.start;
+        }
+        // With the tool inside it is a pocket.
+        let is_pocket = match contour.side {
+            Some(Side::Left) => is_counter_clockwise(&elements),
+            Some(Side::Right) => !is_counter_clockwise(&elements),
+            Some(Side::None) | None => {
+                let help = "write RL or RR into its first block";
+                return self.contour_fault(label, "neither RL nor RR says whether it is a pocket or an island", help);
+            }
+        };
+        Ok(Closed { label, is_pocket, elements })
+    }
+
+    fn no_area<T>(&mut self, cycle: &DefinedCycle, pocket: &Pocket, what: &str, help: &str) -> Outcome<T> {
+        let message = format!("cycle {}: {what}", cycle.number);
+        let found = Diagnostic::new(codes::K2955, self.here.origin.loc, message);
+        self.report(found.also(pocket.named.loc, "the contours are named here").help(help));
+        Err(Reported)
+    }
+
+    /// All pockets, less all islands.
+    fn taken_together(&mut self, cycle: &DefinedCycle, pocket: &Pocket, closed: &[Closed<'_>]) -> Outcome<Area> {
+        for (at, second) in closed.iter().enumerate() {
+            for first in &closed[..at] {
+                if let Err((what, help)) = belongs_to(first, second) {
+                    return self.no_area(cycle, pocket, &what, help);
+                }
+            }
+        }
+        let (pockets, islands): (Vec<&Closed<'_>>, Vec<&Closed<'_>>) = closed.iter().partition(|one| one.is_pocket);
+        if pockets.is_empty() {
+            let what = "all of its contours are islands: RL or RR leads the tool outside of them";
+            return self.no_area(cycle, pocket, what, "name the pocket around them, or swap RL and RR");
+        }
+        if let Some(alone) = islands.iter().find(|island| !pockets.iter().any(|pocket| pocket.holds(island.start()))) {
+            let what = format!("the island {} does not begin in a pocket", alone.label);
+            let help = "begin it inside a pocket, or leave it out of cycle 14; if it is a pocket, swap RL and RR";
+            return self.no_area(cycle, pocket, &what, help);
+        }
+        let elements = |list: &[&Closed<'_>]| list.iter().map(|one| one.elements.clone()).collect::<Vec<_>>();
+        let area = overlay(&elements(&pockets), &elements(&islands)).or_else(|Touching(first, second)| {
+            let named: Vec<&Closed<'_>> = pockets.iter().chain(&islands).copied().collect();
+            let what = match (named.get(first), named.get(second)) {
+                (Some(first), Some(second)) => touch(first, second),
+                _ => "contours touch".to_owned(),
+            };
+            self.no_area(cycle, pocket, &what, APART)
+        })?;
+        if area.outlines.is_empty() {
+            return self.no_area(cycle, pocket, "the islands take up all of the pockets", "check RL and RR");
+        }
+        Ok(area)
+    }
+}
+
+const APART: &str = "let them cross clearly, or draw one contour around both";
+
+fn touch(first: &Closed<'_>, second: &Closed<'_>) -> String {
+    format!("the contours {} and {} touch or run along each other", first.label, second.label)
+}
+
+/// Is it certain what two contours make together? The second one is named after the first.
+fn belongs_to(first: &Closed<'_>, second: &Closed<'_>) -> Result<(), (String, &'static str)> {
+    let inside = |inner: &Closed<'_>, outer: &Closed<'_>, help| {
+        let what = format!("the {} {} lies in the {} {}", inner.kind(), inner.label, outer.kind(), outer.label);
+        Err((what, help))
+    };
+    let (a, b) = (first, second);
+    match relation(&a.elements, &b.elements) {
+        Relation::Apart => Ok(()),
+        Relation::FirstInside if !a.is_pocket && b.is_pocket => Ok(()),
+        Relation::SecondInside if a.is_pocket && !b.is_pocket => Ok(()),
+        Relation::FirstInside => inside(a, b, "leave one of the two out of cycle 14, or mill them one after the other"),
+        Relation::SecondInside => {
+            inside(b, a, "leave one of the two out of cycle 14, or mill them one after the other")
+        }
+        Relation::Crossing if passes(&a.elements, b.start()) || passes(&b.elements, a.start()) => {
+            Err((touch(a, b), "begin each of them at a point that is not on the other"))
+        }
+        Relation::Crossing => match (a.is_pocket, b.is_pocket) {
+            (true, true) if b.holds(a.start()) => Err((
+                format!("the pockets {} and {} cross, and the first one begins in the second one", a.label, b.label),
+                "what they have in common is no pocket that partc makes: draw it as one contour; for both together let the first one begin \
+                 outside the second one",
+            )),
+            (true, false) if b.holds(a.start()) => Err(apart_from(b, a)),
+            (false, true) if a.holds(b.start()) => Err(apart_from(a, b)),
+            _ => Ok(()),
+        },
+    }
+}
+
+fn apart_from(island: &Closed<'_>, pocket: &Closed<'_>) -> (String, &'static str) {
+    let what = format!("the pocket {} begins in the island {}, which crosses it", pocket.label, island.label);
+    (what, "begin the pocket outside the island: then it is certain what stays")
+}
+
+/// The area with its inside corners rounded.
+fn with_rounded_corners(area: &Area, radius: f64) -> Result<Area, ()> {
+    let all = |chains: &[Vec<Element>], left: bool| -> Result<Vec<Vec<Element>>, ()> {
+        let turns = |chain: &[Element]| if is_counter_clockwise(chain) == left { 1.0 } else { -1.0 };
+        chains.iter().map(|chain| rounded(chain.clone(), radius, turns(chain))).collect()
+    };
+    let made = Area { outlines: all(&area.outlines, true)?, islands: all(&area.islands, false)? };
+    // What fills a corner may reach an island in it.
+    let walls: Vec<&Vec<Element>> = made.outlines.iter().chain(&made.islands).collect();
+    let apart = walls.iter().enumerate().all(|(at, wall)| !walls[..at].iter().any(|other| meet(other, wall)));
+    if apart { Ok(made) } else { Err(()) }
+}
+
+/// A chain with its inside corners rounded: `turns` is 1 where they turn to the left, else -1.
+fn rounded(mut elements: Vec<Element>, radius: f64, turns: f64) -> Result<Vec<Element>, ()> {
+    let count = elements.len();
+    if count < 2 {
+        return Ok(elements);
+    }
+    let mut made: Vec<Option<Element>> = vec![None; count];
+    for at in 0..count {
+        let next = (at + 1) % count;
+        let (before, after) = (elements[at], elements[next]);
+        let (Some(u), Some(w)) = (before.end_direction(), after.start_direction()) else { return Err(()) };
+        let turn = crate::geo::cross(u, w) * turns;
+        if turn < -crate::geo::SAME_DIRECTION || turn.abs() <= crate::geo::SAME_DIRECTION && u.dot(&w) > 0.0 {
+            continue;
+        }
+        let cut = corner::rounding(&before, &after, radius, TOLERANCE).map_err(|_| ())?;
+        let Some((center, ccw)) = cut.arc else { return Err(()) };
+        elements[at] = before.ending_at(cut.leave);
+        elements[next] = after.starting_at(cut.join);
+        let sweep = crate::geo::arc::sweep(cut.leave, cut.join, center, ccw);
+        made[at] = Some(Element::Arc { from: cut.leave, to: cut.join, center, sweep });
+    }
+    let parts = elements.into_iter().zip(made).flat_map(|(element, corner)| [Some(element), corner]).flatten();
+    Ok(parts.filter(|part| part.length() > TOLERANCE).collect())
+}
