@@ -411,16 +411,19 @@ fn show_fixes(args: &Check, inputs: &[Input], mut reporter: Reporter) -> Result<
     })
 }
 
-/// A file whose extension or content some dialect knows. One that cannot be read is judged by its name: who opens it
-/// says why it cannot.
+/// A file of a folder whose extension or content some dialect knows; plain G-code is taken where it is named, for outputs
+/// lie beside their programs. One that cannot be read is judged by its name: who opens it says why it cannot.
 pub(super) fn is_program(path: &Path) -> bool {
+    let is_source = |dialect: &dialect::Dialect| dialect.id != "gcode";
     let Ok(main) = open_main(path, None) else {
-        return path.file_name().is_some_and(|name| dialect::guess(&name.to_string_lossy(), &[]).is_some());
+        return path
+            .file_name()
+            .is_some_and(|name| dialect::guess(&name.to_string_lossy(), &[]).is_some_and(is_source));
     };
     let name = main.name.clone();
     let session = Session::new(main);
     let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
-    dialect::guess(&name, &head).is_some()
+    dialect::guess(&name, &head).is_some_and(is_source)
 }
 
 /// Name of the language of a program, where it is one and its language is known.

@@ -20,21 +20,25 @@ pub mod trace;
 use std::io;
 
 use crate::ir::Origin;
+#[cfg(feature = "cli")]
 use crate::target;
 
 pub use printer::Printer;
 
 /// Is this how a printed program begins? Comments look as those of its target.
+#[cfg(feature = "cli")]
 pub fn is_printed(head: &[u8]) -> bool {
     // The frame and the name of the program stand in front.
     head.split(|b| *b == b'\n').take(MARKED).any(|line| begins(line, MADE))
 }
 
 /// Does this line of a printed program name the version of partc, or the source and its hash?
+#[cfg(feature = "cli")]
 pub fn names_source(line: &[u8]) -> bool {
     [MADE, SOURCE].iter().any(|mark| begins(line, mark))
 }
 
+#[cfg(feature = "cli")]
 fn begins(line: &[u8], mark: &[u8]) -> bool {
     target::ALL.iter().any(|target| {
         let mark = [target.comments.open.as_bytes(), mark].concat();
@@ -42,9 +46,12 @@ fn begins(line: &[u8], mark: &[u8]) -> bool {
     })
 }
 
+#[cfg(feature = "cli")]
 const MADE: &[u8] = b"partc ";
+#[cfg(feature = "cli")]
 const SOURCE: &[u8] = b"source ";
 /// Lines of which one says who made the program.
+#[cfg(feature = "cli")]
 const MARKED: usize = 3;
 
 /// Where the program text goes. The head holds a hash that is known only at the end, hence `patch`.

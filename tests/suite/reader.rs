@@ -77,6 +77,7 @@ impl Reader {
     /// True at the end of the program.
     fn line(&mut self, text: &str, decimals: u8) -> Result<bool, String> {
         let mut line = Line::default();
+        let mut own_feed = false;
         for word in text.split(' ') {
             let (letter, value) = word.split_at_checked(1).ok_or("two blanks")?;
             if letter == "G" {
@@ -91,7 +92,7 @@ impl Reader {
                 "M" => line.m = Some(whole(value)?),
                 "$" => line.spindle = value.parse().map_err(|e| format!("{word}: {e}"))?,
                 "S" => line.speed = Some(real),
-                "F" => self.feed = real,
+                "F" => (self.feed, own_feed) = (real, true),
                 "P" => line.p = Some(real),
                 "D" => line.d = Some(real),
                 "R" => line.r = Some(real),
@@ -103,6 +104,9 @@ impl Reader {
             }
         }
         self.modes(&line);
+        if self.kind == Kind::Inverse && matches!(line.motion, Some(1..=3)) && !own_feed {
+            return Err("a move by time without its F".to_owned());
+        }
         if line.motion.is_some() {
             self.moves(&line)?;
         } else if !line.ends.is_empty() {

@@ -242,7 +242,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
 enum Refused {
     Line(read::Fault),
     /// Of a line that can be read.
-    Words(Diagnostic),
+    Words(Box<Diagnostic>),
 }
 
 impl From<&'static str> for Refused {
@@ -309,7 +309,7 @@ impl Run<'_> {
                 };
                 self.give_up(Diagnostic::new(codes::R1001, self.here.origin.loc, message).help(help))
             }
-            Err(Refused::Words(found)) => self.give_up(found),
+            Err(Refused::Words(found)) => self.give_up(*found),
         }
     }
 
@@ -377,7 +377,7 @@ impl Run<'_> {
 
     #[cold]
     fn refused(&self, message: &str, help: impl Into<Help>) -> Refused {
-        Refused::Words(Diagnostic::new(codes::R2001, self.here.origin.loc, message).help(help))
+        Refused::Words(Box::new(Diagnostic::new(codes::R2001, self.here.origin.loc, message).help(help)))
     }
 
     fn act(&mut self, act: &Act, changes: bool) -> Result<(), Refused> {
@@ -402,7 +402,7 @@ impl Run<'_> {
                 let found = Diagnostic::new(codes::R9001, self.here.origin.loc, message);
                 let help = Answer::pass_m(number)
                     .help(format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`"));
-                return Err(Refused::Words(found.help(help)));
+                return Err(Refused::Words(Box::new(found.help(help))));
             }
             _ => {
                 if let Some(function) = function::function(act)? {
