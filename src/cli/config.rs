@@ -144,6 +144,13 @@ pub(super) fn settings_of(tree: &Table, common: &Common) -> Result<Settings, Tro
     Ok(settings)
 }
 
+/// The nearest configuration file above `folder`, as one in `folder` would name it.
+pub(super) fn above(folder: &Path) -> Option<String> {
+    let folder = fs::canonicalize(folder).ok()?;
+    let levels = folder.ancestors().skip(1).position(|dir| dir.join(NAME).is_file())?;
+    Some("../".repeat(levels + 1) + NAME)
+}
+
 /// The nearest configuration file at or above the folder of `input`.
 fn nearest(input: &Path) -> Option<PathBuf> {
     let folder = if input == Path::new("-") { PathBuf::from(".") } else { input.parent()?.to_path_buf() };

@@ -46,6 +46,9 @@ pub(super) fn init(args: &Init) -> Result<Exit, Trouble> {
     let (mut all, inputs) = (Programs::default(), found.list);
     let beside = if target == Path::new("-") { usual(args)? } else { target.clone() };
     let folder = beside.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if args.common.config.is_none() && !args.common.isolated {
+        all.extends = config::above(folder);
+    }
     let base = Base { folder: folder.to_path_buf(), lies_in: index(folder) };
     let work = |input: &Input| Trial::of(&input.path, &base, &args.common);
     in_order(args.many.jobs, &inputs, work, |done, trial| {
@@ -270,6 +273,8 @@ fn errors(session: &Session) -> Vec<(&'static str, Place)> {
 /// What all programs came to.
 #[derive(Default)]
 struct Programs {
+    /// The configuration that a new one would hide.
+    extends: Option<String>,
     count: u32,
     /// Compile as they are.
     at_once: u32,
@@ -322,6 +327,9 @@ impl Programs {
     /// The file.
     fn toml(&self) -> String {
         let mut text = self.head();
+        if let Some(above) = &self.extends {
+            text += &format!("\n# It held for these programs until now.\nextend = \"{above}\"\n");
+        }
         self.seen(&mut text);
         let taken = self.tools.keys().copied().filter(|number| *number < 9000).collect();
         let listed = |section: &str, key: &str| {

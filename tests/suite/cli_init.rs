@@ -90,6 +90,18 @@ fn an_existing_configuration_is_kept() {
     folder.run(&["init", "nowhere"]).exits(2);
 }
 
+/// A new file hides the one above it, whose values the programs had.
+#[test]
+fn a_configuration_above_goes_on_to_hold() {
+    let above = "[tools.5]\nradius = 4.0\n";
+    let folder = Folder::new("init_above").with(&[("shop/new/A.H", NEEDS), ("partc.toml", above)]);
+    folder.run(&["init", "shop/new"]).exits(0);
+    let config = folder.read("shop/new/partc.toml");
+    assert!(config.contains("\nextend = \"../../partc.toml\"\n") && !config.contains("#radius = "), "{config}");
+    folder.write("shop/new/partc.toml", &filled(&config));
+    folder.run(&["compile", "shop/new/A.H"]).exits(0);
+}
+
 #[test]
 fn programs_of_the_machine_builder_and_folders_are_named() {
     let call = "N10 G54\nN20 TC(\"MILL_D10\",1)\nN30 G0 X0 Y0 Z5\nN40 SUB\nN50 M77\nN60 M30\n";
