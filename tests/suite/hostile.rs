@@ -171,3 +171,15 @@ fn bytes_of_all_kinds() {
         }
     }
 }
+
+/// A byte that is no letter of its own is one place in the program, however it is shown.
+#[test]
+fn places_are_counted_in_bytes() {
+    for word in ["Q3%45=+1", "Q200=%", "% Q200=+2", "Q201=%=%"] {
+        for number in [100, 105, 110, 111, 120, 125] {
+            let block = format!("0 BEGIN PGM A MM\n1 GLOBAL DEF {number} ALL {word}\n2 END PGM A MM\n");
+            let bytes: Vec<u8> = block.bytes().flat_map(|b| if b == b'%' { vec![0xff; 90] } else { vec![b] }).collect();
+            run("A.H", &bytes, &limited());
+        }
+    }
+}

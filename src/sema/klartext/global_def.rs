@@ -70,7 +70,9 @@ fn lines(code: &str, start: u32) -> Vec<Line> {
 
 impl Run<'_> {
     pub(super) fn global_def(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let code = String::from_utf8_lossy(text.get(block.span.start as usize..).unwrap_or_default());
+        // A letter a byte, so that places in it are places in the program; words of other letters are names only.
+        let bytes = text.get(block.span.start as usize..).unwrap_or_default();
+        let code: String = bytes.iter().map(|b| if b.is_ascii() { char::from(*b) } else { '?' }).collect();
         let words = split(lines(&code, block.span.start));
         let Some((head, parameters)) = words.split_first() else { return Ok(()) };
         let number = head.0.split_ascii_whitespace().nth(2).and_then(|number| number.parse::<u32>().ok());
