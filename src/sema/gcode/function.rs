@@ -12,6 +12,10 @@ use crate::read::{self, Act, FeedKind, Reader, SCALE, Speed};
 pub fn function(act: &Act) -> Result<Option<Function>, &'static str> {
     Ok(Some(match *act {
         Act::Move(_) | Act::Select(_) | Act::Change => return Ok(None),
+        Act::Speed(speed) if speed.value < 0 => return Err("a speed below zero"),
+        Act::Speed(Speed { constant_cut: Some(Some(limit)), .. }) if limit <= 0 => {
+            return Err("a limit of the speed that is not above zero");
+        }
         Act::Speed(speed) => of_speed(speed),
         Act::M { number, spindle, angle } => m_function(number, spindle, angle)?,
         Act::Dwell(seconds) => Function::Dwell(real(seconds)),
