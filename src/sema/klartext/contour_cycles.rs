@@ -216,8 +216,9 @@ impl Run<'_> {
         let frame = self.st.ctx.frame.clone();
         let tool = self.st.tool.active().map(|tool| tool.called.to_string());
         let allowance = made.allowance;
+        let oversize = self.st.tool.active().map_or(0.0, |tool| tool.table_deltas[1] + tool.call_deltas[1]);
         self.contours.roughed =
-            Some(Roughed { named: pocket.named, tool, radius, allowance, area, frame, pocket: pocket.data });
+            Some(Roughed { named: pocket.named, tool, radius, oversize, allowance, area, frame, pocket: pocket.data });
         Ok(Some(Cycle::Region(made)))
     }
 
@@ -313,6 +314,13 @@ impl Run<'_> {
                 format!("no cycle 22 with tool {number} (Q18) roughed these contours, with these data, in front of it");
             return self.cycle_value(cycle, &what);
         };
+        if before.oversize > 0.0 {
+            let what = format!(
+                "the coarse tool {number} (Q18) cut with an oversize of {} mm: whether it cleared as much is open; rough with its true radius, and leave the allowance by Q3",
+                before.oversize
+            );
+            return self.cycle_value(cycle, &what);
+        }
         let (coarse, Area { outlines, islands }) = (before.radius, before.area.clone());
         let allowance = before.allowance;
         if coarse <= radius {

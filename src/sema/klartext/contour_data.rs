@@ -59,6 +59,8 @@ pub(super) struct Roughed {
     /// As it was called.
     pub tool: Option<String>,
     pub radius: f64,
+    /// What its calls and its table add to its own radius.
+    pub oversize: f64,
     pub allowance: f64,
     /// What was cleared, and the system in which it was.
     pub area: Area,
