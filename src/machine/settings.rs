@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use crate::diag::Selection;
-use crate::target::{self, Length, Target};
+use crate::target::{self, Form, Length, Target};
 
 use super::axis::{Axis, AxisSet};
 use super::options::cycles::Cycles;
@@ -283,6 +283,15 @@ impl OutputSettings {
             Quantity::Speed => self.decimals.speed.or(numbers.speed).unwrap_or(lengths),
             Quantity::Time if self.target.dwell.milliseconds => 3,
             Quantity::Time => self.decimals.time.unwrap_or(lengths),
+        }
+    }
+
+    /// What a printed feed of one is, in mm a minute.
+    pub fn feed_unit(&self) -> f64 {
+        match (&self.target.form, self.units) {
+            (_, Units::Millimetres) => 1.0,
+            (Form::Words, Units::Inches) => Unit::Inch.mm(),
+            (Form::Dialog(dialog), Units::Inches) => dialog.inch_feed,
         }
     }
 

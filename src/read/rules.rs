@@ -38,6 +38,8 @@ pub enum Words {
     LatheC,
     /// SINUMERIK: names of several letters, numbers behind `=`, comments behind `;`.
     Siemens,
+    /// HEIDENHAIN Klartext: blocks that begin with what they do.
+    Dialog,
 }
 
 pub(super) const RS274: Rules = Rules {
@@ -67,6 +69,8 @@ const FANUC: Rules = Rules {
 
 const LATHE: Rules = Rules { words: Words::LatheA, diameters: true, turret: Some(2), length_moves: false, ..FANUC };
 
+const DIALOG: Rules = Rules { words: Words::Dialog, turns: false, ..RS274 };
+
 const SIEMENS: Rules = Rules { words: Words::Siemens, dwell: (b'F', 1), turns: false, ..RS274 };
 
 impl Rules {
@@ -79,6 +83,7 @@ impl Rules {
             "fanuc-lathe-b" => Rules { words: Words::LatheB, ..LATHE },
             "fanuc-lathe-c" => Rules { words: Words::LatheC, ..LATHE },
             "sinumerik" => SIEMENS,
+            "heidenhain" => DIALOG,
             _ => RS274,
         }
     }
@@ -111,6 +116,7 @@ impl Rules {
         );
         match self.words {
             Words::Rs274 => g(tenths),
+            Words::Dialog => None,
             Words::Siemens => match tenths {
                 0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 330 | 400 | 540 | 550 | 560 | 570 | 900 | 910 | 940 | 950 => {
                     g(tenths)
@@ -146,13 +152,17 @@ impl Rules {
     /// The modes that hold without a word for them.
     pub(super) fn fixes(&self) -> Fixed {
         let lathe = matches!(self.words, Words::LatheA | Words::LatheB | Words::LatheC);
+        let dialog = self.words == Words::Dialog;
         Fixed {
-            centers_count_from_the_start: self.words != Words::Rs274,
-            absolute: self.words == Words::LatheA,
+            centers: self.words != Words::Rs274,
+            absolute: self.words == Words::LatheA || dialog,
             // A turret brings the length with the tool.
-            no_length: lathe,
+            no_length: lathe || dialog,
             // SINUMERIK has no G80: cycles are calls.
-            no_cycles: lathe || self.words == Words::Siemens,
+            no_cycles: lathe || self.words == Words::Siemens || dialog,
+            // What a TNC selects anew begins so.
+            per_minute: dialog,
+            no_cutter: dialog,
         }
     }
 
@@ -176,8 +186,11 @@ pub(super) enum G {
 /// Modes that no word states.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Fixed {
-    pub centers_count_from_the_start: bool,
+    /// Where centres count from: in words from the start of the arc, in a dialog from the zero point.
+    pub centers: bool,
     pub absolute: bool,
     pub no_length: bool,
     pub no_cycles: bool,
+    pub per_minute: bool,
+    pub no_cutter: bool,
 }

@@ -4,14 +4,16 @@
 use core::f64::consts::PI;
 
 use super::{
-    Arcs, Change, Comments, CoolantWords, CuttingSpeed, Dwell, FeedWords, Flow, Frame, Length, LengthNumber,
-    LengthWords, Limit, Line, MFunctions, Measure, Motion, Numbers, ProgramName, SpindleWords, Target, ToolWords,
+    Arcs, Change, Comments, CoolantWords, CuttingSpeed, Dwell, FeedWords, Flow, Form, Frame, Length, LengthNumber,
+    LengthWords, Limit, Line, MFunctions, Measure, Motion, Numbers, ProgramName, Sequence, SpindleWords, Target,
+    ToolWords,
 };
 
 pub(super) const TARGET: Target = Target {
     name: "fanuc",
     about: "Fanuc mills (0i, 30i), and Mitsubishi, Brother and others that read them",
     extension: "tap",
+    form: Form::Words,
     frame: Frame {
         first: Some("%"),
         last: Some("%"),
@@ -23,12 +25,13 @@ pub(super) const TARGET: Target = Target {
         lathe_diameter: None,
     },
     comments: Comments { open: "(", close: ")", upper: true, forbidden: b"" },
-    line: Line { length: 80, digits: 8, sequence: (b'N', 99_999) },
+    line: Line { length: 80, digits: 8, sequence: Sequence::Address(b'N', 99_999) },
     numbers: Numbers {
         // Without it a number may count thousandths, by a parameter.
         point: true,
         zero: false,
         length: [3, 4],
+        most: 6,
         feed: Some([2, 3]),
         feed_per_revolution: Some([3, 4]),
         lead: Some([4, 6]),
@@ -44,7 +47,7 @@ pub(super) const TARGET: Target = Target {
         machine_drops_length: false,
         // A mill taps with G84; whether G33 is there is an option of the machine.
         thread: None,
-        planes: ["G17", "G18", "G19"],
+        planes: Some(["G17", "G18", "G19"]),
     },
     feed: FeedWords {
         address: b'F',

@@ -3,14 +3,15 @@
 use core::f64::consts::PI;
 
 use super::{
-    Arcs, Comments, CoolantWords, Dwell, FeedWords, Flow, Frame, Length, Line, MFunctions, Measure, Motion, Numbers,
-    ProgramName, SpindleWords, Target, ToolWords,
+    Arcs, Comments, CoolantWords, Dwell, FeedWords, Flow, Form, Frame, Length, Line, MFunctions, Measure, Motion,
+    Numbers, ProgramName, Sequence, SpindleWords, Target, ToolWords,
 };
 
 pub(super) const TARGET: Target = Target {
     name: "grbl",
     about: "GRBL 1.1, as it is delivered",
     extension: "gcode",
+    form: Form::Words,
     frame: Frame {
         // A percent sign is an error.
         first: None,
@@ -24,11 +25,12 @@ pub(super) const TARGET: Target = Target {
     },
     // The receiver acts on these three as they arrive, inside a comment, too.
     comments: Comments { open: "(", close: ")", upper: false, forbidden: b"!?~" },
-    line: Line { length: 79, digits: 8, sequence: (b'N', 99_999) },
+    line: Line { length: 79, digits: 8, sequence: Sequence::Address(b'N', 99_999) },
     numbers: Numbers {
         point: false,
         zero: true,
         length: [4, 5],
+        most: 6,
         feed: None,
         feed_per_revolution: None,
         lead: None,
@@ -42,7 +44,7 @@ pub(super) const TARGET: Target = Target {
         machine_feed: true,
         machine_drops_length: false,
         thread: None,
-        planes: ["G17", "G18", "G19"],
+        planes: Some(["G17", "G18", "G19"]),
     },
     feed: FeedWords {
         address: b'F',

@@ -3,15 +3,16 @@
 use crate::geo::Plane;
 
 use super::{
-    Arcs, Change, Comments, CompensationWords, CoolantWords, CuttingSpeed, Dwell, FeedWords, Flow, Frame, Lead, Length,
-    LengthNumber, LengthWords, Limit, Line, MFunctions, Measure, Motion, Numbers, ProgramName, SpindleWords, Target,
-    Thread, ToolWords, Turns,
+    Arcs, Change, Comments, CompensationWords, CoolantWords, CuttingSpeed, Dwell, FeedWords, Flow, Form, Frame, Lead,
+    Length, LengthNumber, LengthWords, Limit, Line, MFunctions, Measure, Motion, Numbers, ProgramName, Sequence,
+    SpindleWords, Target, Thread, ToolWords, Turns,
 };
 
 pub(super) const TARGET: Target = Target {
     name: "linuxcnc",
     about: "LinuxCNC (RS274/NGC)",
     extension: "ngc",
+    form: Form::Words,
     frame: Frame {
         first: Some("%"),
         last: Some("%"),
@@ -23,11 +24,12 @@ pub(super) const TARGET: Target = Target {
         lathe_diameter: Some("G18 G7 G40 G49 G80"),
     },
     comments: Comments { open: "(", close: ")", upper: false, forbidden: b"" },
-    line: Line { length: 80, digits: 0, sequence: (b'N', 99_999) },
+    line: Line { length: 80, digits: 0, sequence: Sequence::Address(b'N', 99_999) },
     numbers: Numbers {
         point: false,
         zero: true,
         length: [4, 5],
+        most: 6,
         feed: None,
         feed_per_revolution: None,
         lead: None,
@@ -41,7 +43,7 @@ pub(super) const TARGET: Target = Target {
         machine_feed: true,
         machine_drops_length: false,
         thread: Some(Thread { word: "G33", lead: Lead::Way(b'K'), stops: true }),
-        planes: ["G17", "G18", "G19"],
+        planes: Some(["G17", "G18", "G19"]),
     },
     feed: FeedWords {
         address: b'F',

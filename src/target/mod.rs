@@ -9,6 +9,7 @@ mod fanuc_lathe;
 mod grbl;
 mod grblhal;
 mod haas;
+mod heidenhain;
 mod linuxcnc;
 mod mazak;
 mod siemens;
@@ -27,6 +28,7 @@ pub const ALL: &[&Target] = &[
     &fanuc_lathe::B,
     &fanuc_lathe::C,
     &siemens::TARGET,
+    &heidenhain::TARGET,
     &centroid::TARGET,
     &mazak::TARGET,
 ];

@@ -3,8 +3,8 @@
 use core::f64::consts::PI;
 
 use super::{
-    Arcs, Change, Comments, CoolantWords, Dwell, FeedWords, Flow, Frame, Lead, Length, LengthNumber, LengthWords, Line,
-    MFunctions, Measure, Motion, Numbers, ProgramName, SpindleWords, Target, Thread, ToolWords, Turns,
+    Arcs, Change, Comments, CoolantWords, Dwell, FeedWords, Flow, Form, Frame, Lead, Length, LengthNumber, LengthWords,
+    Line, MFunctions, Measure, Motion, Numbers, ProgramName, Sequence, SpindleWords, Target, Thread, ToolWords, Turns,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -12,6 +12,7 @@ pub(super) const TARGET: Target = Target {
     about: "SINUMERIK 840D sl, 828D, ONE: plain moves, no cycles",
     // A program beside its source must not replace it.
     extension: "plain.mpf",
+    form: Form::Words,
     frame: Frame {
         first: None,
         last: None,
@@ -24,11 +25,12 @@ pub(super) const TARGET: Target = Target {
         lathe_diameter: Some("G18 DIAMON D0"),
     },
     comments: Comments { open: "; ", close: "", upper: false, forbidden: b"" },
-    line: Line { length: 80, digits: 0, sequence: (b'N', 99_999) },
+    line: Line { length: 80, digits: 0, sequence: Sequence::Address(b'N', 99_999) },
     numbers: Numbers {
         point: false,
         zero: true,
         length: [4, 5],
+        most: 6,
         feed: None,
         feed_per_revolution: None,
         lead: None,
@@ -43,7 +45,7 @@ pub(super) const TARGET: Target = Target {
         machine_feed: true,
         machine_drops_length: true,
         thread: Some(Thread { word: "G33", lead: Lead::AlongZ(b'K'), stops: false }),
-        planes: ["G17", "G18", "G19"],
+        planes: Some(["G17", "G18", "G19"]),
     },
     feed: FeedWords {
         address: b'F',

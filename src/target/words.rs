@@ -15,6 +15,7 @@ pub struct Target {
     pub about: &'static str,
     /// Extension of output files.
     pub extension: &'static str,
+    pub form: Form,
     pub frame: Frame,
     pub comments: Comments,
     pub line: Line,
@@ -43,6 +44,64 @@ impl PartialEq for Target {
 
 impl Eq for Target {}
 
+/// How blocks are made.
+#[derive(Debug)]
+pub enum Form {
+    /// Words of a letter and a number; G functions state modes that hold.
+    Words,
+    /// A block begins with what it does, names its axes, and ends with how fast.
+    Dialog(Dialog),
+}
+
+/// Words of a dialog.
+#[derive(Debug)]
+pub struct Dialog {
+    /// First and last block; the name of the program and the unit stand behind.
+    pub begin: &'static str,
+    pub end: &'static str,
+    /// Millimetres, inches.
+    pub units: [&'static str; 2],
+    /// What F1 is in a program in inches, in mm/min.
+    pub inch_feed: f64,
+    /// At rapid traverse, where a feed would stand; it holds for its own block.
+    pub rapid: &'static str,
+    /// The tool centre moves along the programmed path.
+    pub uncompensated: &'static str,
+    /// States the centre of the arcs behind it.
+    pub center: &'static str,
+    /// An arc to its end.
+    pub arc: &'static str,
+    pub helix: HelixWords,
+    /// Calls a tool, or states the speed alone.
+    pub tool: &'static str,
+    /// The axis along which the tool is long.
+    pub tool_axis: &'static str,
+    /// Brings a tool forth.
+    pub prepare: &'static str,
+    /// The block in front of the one that waits.
+    pub dwell: &'static str,
+    /// What stands in front of the number of a work offset and behind it, in lines of one block.
+    pub offset: [&'static str; 2],
+}
+
+/// An arc that goes along its third axis, by the angle that it turns.
+#[derive(Debug)]
+pub struct HelixWords {
+    pub word: &'static str,
+    /// The angle from the start.
+    pub angle: &'static str,
+    /// In front of an axis: its way.
+    pub way: &'static str,
+    /// Places of the angle.
+    pub places: u8,
+    /// Turns of one block.
+    pub most_turns: i64,
+    /// Up to this radius in mm the last place of the angle moves the end by less than a thousandth.
+    pub most_radius: f64,
+    /// Working planes.
+    pub planes: &'static [Plane],
+}
+
 /// What stands around the program, and the modes stated at its start.
 #[derive(Debug)]
 pub struct Frame {
@@ -70,6 +129,10 @@ pub enum ProgramName {
         digits: usize,
         most: u32,
     },
+    /// A word of at most so many letters, digits, `_` and `-`, made of the name of the source.
+    Text {
+        most: usize,
+    },
 }
 
 /// How comments look.
@@ -90,8 +153,16 @@ pub struct Line {
     pub length: usize,
     /// Most digits of a number that are read; 0 for any.
     pub digits: u32,
-    /// Address of block numbers, and the largest one.
-    pub sequence: (u8, u32),
+    pub sequence: Sequence,
+}
+
+/// Numbers of blocks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sequence {
+    /// By this address, up to the largest one, where the configuration wants them.
+    Address(u8, u32),
+    /// Every line that begins a block has its number, counted from 0.
+    Blocks,
 }
 
 /// How numbers are written. Places come in pairs: in millimetres, in inches.
@@ -102,6 +173,8 @@ pub struct Numbers {
     /// The zero in front of a point.
     pub zero: bool,
     pub length: [u8; 2],
+    /// Most places of a length that are read.
+    pub most: u8,
     /// Where they have no places of their own, these have those of lengths.
     pub feed: Option<[u8; 2]>,
     pub feed_per_revolution: Option<[u8; 2]>,
@@ -114,15 +187,15 @@ pub struct Numbers {
 pub struct Motion {
     pub rapid: &'static str,
     pub line: &'static str,
-    /// In front of a move in machine coordinates.
+    /// In front of a move in machine coordinates, in a dialog behind it.
     pub machine: Option<&'static str>,
     /// Such a move may have a feed.
     pub machine_feed: bool,
     /// The length of the tool counts in machine coordinates, too: it is switched off for the move.
     pub machine_drops_length: bool,
     pub thread: Option<Thread>,
-    /// XY, ZX, YZ.
-    pub planes: [&'static str; 3],
+    /// XY, ZX, YZ; `None` where an arc says its plane itself.
+    pub planes: Option<[&'static str; 3]>,
 }
 
 /// Line in step with the spindle.
@@ -146,12 +219,12 @@ pub enum Lead {
 }
 
 impl Motion {
-    pub fn plane(&self, plane: Plane) -> &'static str {
-        match plane {
-            Plane::Xy => self.planes[0],
-            Plane::Zx => self.planes[1],
-            Plane::Yz => self.planes[2],
-        }
+    pub fn plane(&self, plane: Plane) -> Option<&'static str> {
+        self.planes.map(|[xy, zx, yz]| match plane {
+            Plane::Xy => xy,
+            Plane::Zx => zx,
+            Plane::Yz => yz,
+        })
     }
 }
 
@@ -283,6 +356,8 @@ pub enum Change {
     Word(&'static str),
     /// `T0101`: the tool and its offset, in so many digits each.
     Turret { digits: usize },
+    /// By its block in a dialog.
+    Call,
 }
 
 /// Length of the tool from the table of the target.

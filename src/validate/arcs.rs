@@ -19,6 +19,10 @@ const TURNED: f64 = 6.0;
 const ROUNDED: f64 = 0.7072;
 /// How far from the circle the middle of a line may be that stands for a part of it.
 const CHORD: f64 = 1.3;
+/// What an angle in degrees of four places may be off, in rad,
+const ANGLE: f64 = 1e-6;
+/// and the printed ends and centre beside it, in units of the last place.
+const MENDED: f64 = 4.0;
 /// Below so many units of radius a circle is lost between its places: that it stays there is all that can be said.
 const LOST: f64 = 3.0;
 
@@ -32,6 +36,8 @@ struct Course {
     blocks: f64,
     /// The blocks are lines; they are all of one kind.
     as_lines: bool,
+    /// The last block was an arc whose end is as exact as its angle: a line leads to where it is meant to end.
+    open: bool,
     /// F of its first block.
     feed: i64,
 }
@@ -47,6 +53,7 @@ impl Validator {
             swept: 0.0,
             blocks: 0.0,
             as_lines: false,
+            open: false,
             feed: 0,
         };
         let [first, second, _] = plane(arc.plane).axes();
@@ -61,6 +68,13 @@ impl Validator {
             }
             let to = [self.reader.at()[first], self.reader.at()[second]];
             let line = matches!(found.path, read::Path::Line);
+            if std::mem::take(&mut course.open) {
+                self.mends(&course, from, to, line)?;
+                self.feed_of_part(&mut course, feed)?;
+                printed |= found.axes;
+                from = to;
+                continue;
+            }
             if course.blocks > 0.0 && line != course.as_lines {
                 return Err(Why::new("an arc is either arcs or lines"));
             }
@@ -74,7 +88,8 @@ impl Validator {
             self.same_side(mv)?;
             self.feed_of_part(&mut course, feed)?;
             printed |= found.axes;
-            if end > 0 {
+            course.open = matches!(found.path, read::Path::Arc(part) if part.by_angle && part.from != part.to);
+            if end > 0 && !course.open {
                 self.on_the_way(&course, mv, &start, known, [first, second])?;
             }
             from = to;
@@ -96,6 +111,13 @@ impl Validator {
             }
             Feed::InverseTime(_) | Feed::PerMinute(_) | Feed::PerRevolution(_) => Ok(()),
         }
+    }
+
+    /// A line from where the angle of an arc leads to where the arc is meant to end.
+    fn mends(&self, course: &Course, from: [i64; 2], to: [i64; 2], line: bool) -> Result<(), Why> {
+        let way = libm::hypot((to[0] - from[0]) as f64, (to[1] - from[1]) as f64);
+        let near = way <= MENDED * self.unit + course.radius * ANGLE;
+        if line && near { Ok(()) } else { Err(Why::new("an arc ends elsewhere")) }
     }
 
     /// A block that is an arc; how far it turns.

@@ -89,7 +89,8 @@ pub struct Validator {
     /// The last feed, as meant and as read: it needs no second look.
     feed: Option<(Feed, i64)>,
     cutter: CutterData,
-    plane: Plane,
+    /// The plane that the head has to state; `None` where an arc says it itself.
+    plane: Option<Plane>,
     /// X as a diameter or not, where the head has to say it.
     diameter: Option<bool>,
     /// Moves say axes that stand, too.
@@ -124,7 +125,7 @@ impl Validator {
             stated: 0,
             feed: None,
             cutter: CutterData::default(),
-            plane: if lathe { Plane::Zx } else { Plane::Xy },
+            plane: output.target.motion.planes.map(|_| if lathe { Plane::Zx } else { Plane::Xy }),
             diameter: (lathe && output.target.frame.lathe_diameter.is_some()).then_some(output.prints_diameters()),
             in_full: !output.modal,
             before: [0; AXES],
@@ -236,7 +237,7 @@ impl Validator {
             && modes.feed_kind == Some(crate::read::FeedKind::PerMinute)
             && modes.cutter.is_some_and(|cutter| cutter.side == 0)
             && modes.length == Some(0)
-            && modes.plane == Some(self.plane)
+            && modes.plane == self.plane
             && modes.cycles_are_off
             && modes.diameter == self.diameter;
         if stated { Ok(()) } else { Err(Why::new("the head does not state the modes that the moves need")) }
@@ -287,7 +288,7 @@ impl Grain {
             inches: output.units == Units::Inches,
             length: plain(Quantity::Length) * inch,
             angle: plain(Quantity::Angle) / 2.0,
-            feed: plain(Quantity::Feed) * inch / 2.0,
+            feed: plain(Quantity::Feed) * output.feed_unit() / 2.0,
             feed_per_revolution: plain(Quantity::FeedPerRevolution) * inch / 2.0,
             inverse_time: plain(Quantity::InverseTime) / 2.0,
             lead: plain(Quantity::Lead) * inch / 2.0,

@@ -28,6 +28,10 @@ O4002 Note "arc-rounded-away" "arc is shorter than the last printed digit"
 "Start and end of the arc print as the same numbers. A control would take that for a full circle, so the arc is left out; \
 the path differs by less than the last printed digit."
 
+O4003 Note "work-offset-as-preset" "work offset is printed as a preset"
+"A TNC has a preset table instead of work offsets. G54 to G59.3 are printed as cycle 247 with the presets 1 to 9, as partc reads them. Set the part up in that line of the \
+preset table."
+
 O9001 Error "word-unknown-to-target" "the target has no word for this"
 "The program asks for something that the selected target cannot express. Choose another target or change the program."
 
@@ -136,6 +140,19 @@ O9324 Error "program-number-too-large" "the target does not count programs that 
 O9325 Error "thread-behind-stopped-spindle" "the target cannot turn the spindle round between two threads"
 "Tapping in step with the spindle is a thread down, a spindle that turns round, and a thread up. The selected target takes threads one behind the other only where nothing happens \
 between them (SINUMERIK alarm 10600). Tap by a cycle of the target, or with a floating holder at a feed in mm/min."
+
+O9326 Error "places-not-read" "the target reads fewer places"
+"`[output] decimals` asks for more places of a length than the selected target reads. Print fewer."
+
+O9327 Error "change-by-hand-unknown-to-target" "a change by hand would bring no length"
+"With `[output] tool_change = \"stop\"` a change is a spindle stop, a comment and a program stop. On the selected target the block that calls a tool brings its length and \
+its radius, too, and without it those of the last tool count. Leave the key away: where there is no changer, the control stops at TOOL CALL."
+
+O9328 Error "helix-unknown-to-target" "the target cuts no helix in this plane"
+"The selected target takes helices by their angle in the XY plane. Whether it does in the others is not confirmed. Mill the helix in XY, or choose another target."
+
+O9329 Warning "block-numbers-of-target" "the target numbers its blocks by itself"
+"On the selected target every block has a number, counted from 0 by 1, so `[output] line_numbers` and `--numbers` change nothing. Leave them away."
 
 O9330 Error "line-longer-than-read" "line has more characters than the target reads"
 "The selected target takes lines of a certain length and refuses or cuts longer ones. A line that is a little too long gives its F to a line in front of it; under G93, \

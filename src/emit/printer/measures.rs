@@ -29,7 +29,7 @@ impl Measures {
         let length = |quantity| if inches { plain(quantity).of_inches() } else { plain(quantity) };
         let measures = Measures {
             angle: plain(Quantity::Angle),
-            feed: length(Quantity::Feed),
+            feed: plain(Quantity::Feed).of(output.feed_unit()),
             feed_per_revolution: length(Quantity::FeedPerRevolution),
             inverse_time: plain(Quantity::InverseTime),
             lead: length(Quantity::Lead),

@@ -1,12 +1,14 @@
 //! Moves: lines, threads, arcs, lines instead of arcs.
 
+use core::f64::consts::TAU;
+
 use crate::diag::codes;
 use crate::geo::{Point2, turned};
 use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::{Feed, Origin};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet};
-use crate::target::{Lead, Thread, Turns};
+use crate::target::{Form, Lead, Thread, Turns};
 
 use super::super::arc::{self, Printed};
 use super::super::modal::FeedKind;
@@ -15,14 +17,16 @@ use super::Printer;
 
 /// Most lines that replace an arc.
 const MOST_CHORDS: f64 = 1e6;
+/// What a number of turns may be off a whole one.
+const WHOLE: f64 = 1e-12;
 
 /// One block of an arc, all numbers in units.
-struct ArcBlock {
-    printed: AxisSet,
-    ends: [i64; AXES],
+pub(super) struct ArcBlock {
+    pub printed: AxisSet,
+    pub ends: [i64; AXES],
     /// From the start to the centre.
-    offset: [i64; 2],
-    turns: u32,
+    pub offset: [i64; 2],
+    pub turns: u32,
 }
 
 impl Printer<'_> {
@@ -58,8 +62,13 @@ impl Printer<'_> {
             },
             _ => None,
         };
-        if (self.special || mv.machine) && !self.may_be_straight(mv, changed, origin) {
-            return;
+        if self.special || mv.machine {
+            if !self.may_be_straight(mv, changed, origin) {
+                return;
+            }
+            if let Form::Dialog(dialog) = &self.target.form {
+                return self.dialog_straight(dialog, mv, (changed, &mut ends), feed, origin);
+            }
         }
         if mv.machine {
             self.page.text.word(self.target.motion.machine.unwrap_or_default());
@@ -211,7 +220,19 @@ impl Printer<'_> {
             most_radius: words.most_radius * scale,
             least_chord: words.least_chord * scale,
         };
-        let blocks = if request.from == request.to { words.blocks(arc.sweep) } else { words.open_blocks(arc.sweep) };
+        let blocks = match &self.target.form {
+            Form::Dialog(dialog) if self.rises(arc, mv) => {
+                if !dialog.helix.planes.contains(&arc.plane) {
+                    return self.lacks_helix(mv, origin);
+                }
+                if !self.turns_exactly(&dialog.helix, &request) {
+                    return self.chords(arc, feed, mv, origin);
+                }
+                1
+            }
+            Form::Words | Form::Dialog(_) if request.from == request.to => words.blocks(arc.sweep),
+            Form::Words | Form::Dialog(_) => words.open_blocks(arc.sweep),
+        };
         if blocks > 1 {
             return self.divided_arc(&request, blocks, arc, feed, mv, origin);
         }
@@ -266,6 +287,9 @@ impl Printer<'_> {
     }
 
     fn arc_block(&mut self, arc: &Arc, block: &ArcBlock, feed: Option<(i64, Places)>, origin: &Origin) {
+        if let Form::Dialog(dialog) = &self.target.form {
+            return self.dialog_arc(dialog, arc, block, feed, origin);
+        }
         let ArcBlock { printed, mut ends, offset, turns } = *block;
         let printed = if self.settings.modal { printed } else { self.with_known(printed, &mut ends) };
         let words = &self.target.arcs;
@@ -334,7 +358,14 @@ impl Printer<'_> {
     fn part(&self, whole: &arc::Request, arc: &Arc, from: [i64; 2], block: u32, blocks: u32) -> Option<arc::Request> {
         let share = f64::from(block) / f64::from(blocks);
         let end = arc.center + turned(arc.from - arc.center, arc.sweep * share);
-        let to = if block == blocks { whole.to } else { [self.places.units(end.x)?, self.places.units(end.y)?] };
+        let turns = arc.sweep * share / TAU;
+        let to = if block == blocks {
+            whole.to
+        } else if (libm::round(turns) - turns).abs() < WHOLE {
+            whole.from
+        } else {
+            [self.places.units(end.x)?, self.places.units(end.y)?]
+        };
         Some(arc::Request { from, to, sweep: arc.sweep / f64::from(blocks), ..*whole })
     }
 

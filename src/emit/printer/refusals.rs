@@ -61,6 +61,13 @@ impl Printer<'_> {
     }
 
     #[cold]
+    pub(super) fn lacks_helix(&mut self, mv: &Move, origin: &Origin) {
+        let help = "mill it in the XY plane, or without the way along the third axis";
+        self.lacks(codes::O9328, origin, "a helix in this plane", help);
+        self.pretend(mv);
+    }
+
+    #[cold]
     pub(super) fn lacks_axes(&mut self, lacking: AxisSet, mv: &Move, origin: &Origin) {
         self.axes = self.axes.union(lacking);
         let letters: String = lacking.iter().map(Axis::letter).collect();
