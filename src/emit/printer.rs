@@ -58,6 +58,8 @@ pub struct Printer<'a> {
     /// The last line of the frame.
     last: Option<String>,
     ended: bool,
+    /// That work offsets are not confirmed was said.
+    doubted: bool,
 }
 
 /// The spindle, as far as a tool change by hand stops it.
@@ -120,6 +122,7 @@ impl<'a> Printer<'a> {
             source: String::new(),
             last: target.frame.last.map(str::to_owned),
             ended: false,
+            doubted: false,
         };
         printer.head(source, lathe);
         #[cfg(test)]

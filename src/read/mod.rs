@@ -26,6 +26,8 @@ use rules::Words;
 
 /// Lines in which a program has its name.
 const NAMED: u64 = 2;
+/// Letters of the name of an Okuma program, O included.
+const LONGEST_NAME: usize = 5;
 /// Most acts of one line.
 const ACTS: usize = 16;
 
@@ -222,11 +224,9 @@ impl Reader {
             return Ok(());
         }
         if self.rules.named && self.lines <= NAMED && line[0] == b'O' {
-            return if line[1..].iter().all(u8::is_ascii_digit) {
-                Ok(())
-            } else {
-                Err(Fault::new("no program number"))
-            };
+            let letters = self.rules.words == Words::Okuma && line.len() <= LONGEST_NAME;
+            let named = |b: &u8| b.is_ascii_digit() || letters && b.is_ascii_uppercase();
+            return if line[1..].iter().all(named) { Ok(()) } else { Err(Fault::new("no program number")) };
         }
         let block = Block::read(line, &self.rules)?;
         if self.ended && !block.is_empty() {

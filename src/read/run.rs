@@ -183,6 +183,10 @@ impl Reader {
             modes.motion = None;
             modes.cycles_are_off = true;
         }
+        if block.offset_by_number {
+            let number = block.take_whole(b'H')?.and_then(|number| u8::try_from(number).ok()).filter(|n| *n > 0);
+            block.offset = Some(number.ok_or_else(|| Fault::new("G15 wants H"))?);
+        }
         if let Some(offset) = block.offset {
             modes.offset = offset;
             // The same place has other coordinates now.

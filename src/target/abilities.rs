@@ -1,6 +1,6 @@
 //! What a target can say, in short words: for `partc targets` and docs/targets.md.
 
-use super::{Change, Form, Length, Limit, ProgramName, Sequence, Target, Turns};
+use super::{Change, DwellUnit, Form, Length, Limit, ProgramName, Sequence, Target, Turns};
 
 impl Target {
     /// Each ability, and the words or the limit for it; `-` where the target has none.
@@ -41,7 +41,9 @@ impl Target {
         let name = match self.frame.name {
             ProgramName::None => "-".to_owned(),
             ProgramName::Number { letter, digits, .. } => format!("{}{:0digits$}", letter as char, 1),
-            ProgramName::Text { most } => format!("{most} characters"),
+            ProgramName::Text { front, most, .. } => {
+                format!("{front}, {most} characters").trim_start_matches(", ").to_owned()
+            }
         };
         let speed = self.spindle.cutting_speed.as_ref().map(|words| match words.limit {
             Limit::Word(limit) => format!("{}, {limit}", words.on),
@@ -51,7 +53,11 @@ impl Target {
             "{} {}{}",
             self.dwell.word,
             (self.dwell.address as char).to_string().trim(),
-            if self.dwell.milliseconds { " ms" } else { " s" }
+            match self.dwell.unit {
+                DwellUnit::Seconds => " s",
+                DwellUnit::Milliseconds => " ms",
+                DwellUnit::Setting => " by `dwell_unit`",
+            }
         );
         let dwell = dwell.replace("  ", " ");
         vec![

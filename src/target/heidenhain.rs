@@ -6,8 +6,9 @@ use core::f64::consts::{PI, TAU};
 use crate::geo::Plane;
 
 use super::{
-    Arcs, Change, Comments, CoolantWords, Dialog, Dwell, FeedWords, Flow, Form, Frame, HelixWords, Length, Line,
-    MFunctions, Measure, Motion, Numbers, ProgramName, Sequence, SpindleWords, Target, ToolWords,
+    Arcs, Change, Comments, CoolantWords, Dialog, Dwell, DwellUnit, EVERY_PLANE, FeedWords, Flow, Form, Frame,
+    HelixWords, Length, Line, MFunctions, Measure, Motion, Numbers, ProgramName, Sequence, SpindleWords, Target,
+    ToolWords,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -43,7 +44,7 @@ pub(super) const TARGET: Target = Target {
     frame: Frame {
         first: None,
         last: None,
-        name: ProgramName::Text { most: 16 },
+        name: ProgramName::Text { front: "", most: 16, marks: "_-" },
         // Positions are absolute where no I stands in front of them, and what is selected anew compensates nothing.
         head: &[],
         inch_head: &[],
@@ -56,6 +57,7 @@ pub(super) const TARGET: Target = Target {
     line: Line { length: 80, digits: 9, sequence: Sequence::Blocks },
     numbers: Numbers {
         point: false,
+        feed_point: false,
         zero: true,
         length: [4, 4],
         most: 4,
@@ -87,11 +89,13 @@ pub(super) const TARGET: Target = Target {
         clockwise: "DR-",
         counter_clockwise: "DR+",
         center: *b"XYZ",
+        planes: EVERY_PLANE,
         turns: None,
         most_sweep: TAU,
         // The control moves a centre that does not quite fit, and far where start and end lie close together.
         most_open_sweep: PI * 1.5,
         tolerance: 1.5,
+        mismatch: [0.016, 0.016],
         least_radius: 0.01,
         // Nine digits.
         most_radius: 50_000.0,
@@ -115,10 +119,17 @@ pub(super) const TARGET: Target = Target {
         prepares: true,
         length: Length::WithTool,
     },
-    dwell: Dwell { word: "CYCL DEF 9.1 DWELL", address: b' ', milliseconds: false, most: 3600.0, per_minute: false },
+    dwell: Dwell {
+        word: "CYCL DEF 9.1 DWELL",
+        address: b' ',
+        unit: DwellUnit::Seconds,
+        most: 3600.0,
+        per_minute: false,
+    },
     // M0 would stop the spindle, too.
     flow: Flow { stop: "STOP", optional_stop: "M1", optional_stop_is_idle: false, end: "M2", rewind: "M30" },
     offsets: &["Q339=+1", "Q339=+2", "Q339=+3", "Q339=+4", "Q339=+5", "Q339=+6", "Q339=+7", "Q339=+8", "Q339=+9"],
+    offsets_confirmed: true,
     compensation: None,
     m: MFunctions { address: b'M', own: OWN, open: true },
 };

@@ -11,7 +11,9 @@ mod grblhal;
 mod haas;
 mod heidenhain;
 mod linuxcnc;
+mod mach;
 mod mazak;
+mod okuma;
 mod siemens;
 mod words;
 
@@ -31,6 +33,9 @@ pub const ALL: &[&Target] = &[
     &heidenhain::TARGET,
     &centroid::TARGET,
     &mazak::TARGET,
+    &mach::MACH3,
+    &mach::UCCNC,
+    &okuma::TARGET,
 ];
 
 /// Their names, in the same order.

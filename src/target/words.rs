@@ -32,6 +32,8 @@ pub struct Target {
     pub flow: Flow,
     /// Work offsets in order, from G54 on.
     pub offsets: &'static [&'static str],
+    /// That the receiver knows them is confirmed.
+    pub offsets_confirmed: bool,
     pub compensation: Option<CompensationWords>,
     pub m: MFunctions,
 }
@@ -129,9 +131,11 @@ pub enum ProgramName {
         digits: usize,
         most: u32,
     },
-    /// A word of at most so many letters, digits, `_` and `-`, made of the name of the source.
+    /// At most so many letters, digits and `marks` of the name of the source, with this in front.
     Text {
+        front: &'static str,
         most: usize,
+        marks: &'static str,
     },
 }
 
@@ -168,8 +172,10 @@ pub enum Sequence {
 /// How numbers are written. Places come in pairs: in millimetres, in inches.
 #[derive(Debug, Clone, Copy)]
 pub struct Numbers {
-    /// A whole number has its point, too: without it, some controls count in their least increment.
+    /// A whole length has its point, too: without it, some controls count in their least increment.
     pub point: bool,
+    /// So does a whole feed.
+    pub feed_point: bool,
     /// The zero in front of a point.
     pub zero: bool,
     pub length: [u8; 2],
@@ -246,6 +252,9 @@ pub enum Measure {
     Linear,
 }
 
+/// All planes.
+pub const EVERY_PLANE: &[Plane] = &[Plane::Xy, Plane::Zx, Plane::Yz];
+
 /// Arcs by offset from the start to the centre.
 #[derive(Debug)]
 pub struct Arcs {
@@ -253,6 +262,8 @@ pub struct Arcs {
     pub counter_clockwise: &'static str,
     /// Addresses of the centre, by axis.
     pub center: [u8; 3],
+    /// Planes in which the receiver goes round.
+    pub planes: &'static [Plane],
     /// Number of turns in one block; `None`: an arc is divided at `most_sweep`.
     pub turns: Option<Turns>,
     /// Largest sweep of a block in rad where it cannot count turns.
@@ -262,6 +273,8 @@ pub struct Arcs {
     pub most_open_sweep: f64,
     /// Largest difference of the radii at start and end of a printed arc, in units of the last place.
     pub tolerance: f64,
+    /// The same in mm, in programs in millimetres and in inches.
+    pub mismatch: [f64; 2],
     /// Radii in mm that are printed as arcs; others become lines.
     pub least_radius: f64,
     pub most_radius: f64,
@@ -374,7 +387,8 @@ pub enum Length {
 pub struct LengthWords {
     pub on: &'static str,
     pub number: LengthNumber,
-    pub off: &'static str,
+    /// Where there is none, an empty spindle is not said.
+    pub off: Option<&'static str>,
     /// The words stand in the next move along Z: alone, some controls move by the length.
     pub with_move: bool,
     /// They are printed unless the configuration says otherwise.
@@ -395,12 +409,21 @@ pub enum LengthNumber {
 pub struct Dwell {
     pub word: &'static str,
     pub address: u8,
-    /// The number counts milliseconds and is whole; otherwise it counts seconds.
-    pub milliseconds: bool,
+    pub unit: DwellUnit,
     /// Longest wait of one block in seconds; a longer one takes several.
     pub most: f64,
     /// Under a feed per revolution the number may count revolutions: the feed per minute is switched on before.
     pub per_minute: bool,
+}
+
+/// What the number of a wait counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DwellUnit {
+    Seconds,
+    /// Whole milliseconds.
+    Milliseconds,
+    /// A setting of the receiver says which of them; so does the configuration.
+    Setting,
 }
 
 /// Stops and the end of the program.

@@ -18,7 +18,7 @@ const TURNED: f64 = 6.0;
 /// How far from the circle a rounded place may be: half a unit on each axis.
 const ROUNDED: f64 = 0.7072;
 /// How far from the circle the middle of a line may be that stands for a part of it.
-const CHORD: f64 = 1.3;
+pub(super) const CHORD: f64 = 1.3;
 /// What an angle in degrees of four places may be off, in rad,
 const ANGLE: f64 = 1e-6;
 /// and the printed ends and centre beside it, in units of the last place.
@@ -177,7 +177,7 @@ impl Validator {
         let middle = libm::hypot((ax + bx) / 2.0, (ay + by) / 2.0);
         let beside = libm::hypot(bx, by) - course.radius;
         let slack = 2.0 + course.radius * 1e-14;
-        if beside.abs() > ROUNDED * self.unit + slack || course.radius - middle > CHORD * self.unit + slack {
+        if beside.abs() > ROUNDED * self.unit + slack || course.radius - middle > self.chord + slack {
             return Err(Why::new("a line leaves the arc that it stands for"));
         }
         Ok(libm::atan2(ax * by - ay * bx, ax * bx + ay * by))

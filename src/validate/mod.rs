@@ -26,6 +26,8 @@ use crate::read::{AXES, Plane, Reader, Rules, SCALE};
 const SHOWN: usize = 2000;
 /// A nanometre's thousandth is what binary fractions lose of a tie, and the printer counts it as one.
 const TIE: f64 = 1.0;
+/// A millionth of a mm in units of the reader.
+const MILLIONTH: f64 = 1e-6 * SCALE as f64;
 /// What the text of an item may be that is no number: the axes that people may move at a stop.
 const MAIN: u16 = 0b111;
 
@@ -83,6 +85,8 @@ pub struct Validator {
     /// A unit of the last printed place, and half of it.
     unit: f64,
     half: f64,
+    /// How far the middle of a line may leave the arc that it stands for.
+    chord: f64,
     grain: Grain,
     /// Axes that were printed since somebody may have moved them.
     stated: u16,
@@ -118,9 +122,10 @@ impl Validator {
         let grain = Grain::of(output);
         let unit = grain.length;
         Validator {
-            reader: Reader::with(Rules::of(output.target.name)),
+            reader: Reader::with(Rules::of(output.target.name).in_milliseconds(output.waits_in_milliseconds())),
             unit,
             half: unit / 2.0,
+            chord: output.arc_fallback.map_or(0.0, |most| f64::from(most) * MILLIONTH).max(arcs::CHORD * unit),
             grain,
             stated: 0,
             feed: None,

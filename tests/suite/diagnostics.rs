@@ -136,6 +136,13 @@ const BUILT: &[Built] = &[
         fires: || on("heidenhain", "G18 G2 X10 Y5 Z5 I5 K0 F100", ""),
         silent: || on("heidenhain", "G18 G2 X10 Z5 I5 K0 F100", ""),
     },
+    Built {
+        code: "O4004",
+        fires: || on("uccnc", "G18 G2 X10 Z5 I5 K0 F100", LINES),
+        silent: || on("uccnc", "G17 G2 X10 Y0 I5 J0 F100", LINES),
+    },
+    Built { code: "O2002", fires: || on("mach3", "G55", ""), silent: || on("fanuc", "G55", "") },
+    Built { code: "O9331", fires: || on("mach3", "G4 F1", ""), silent: || on("mach3", "G4 F1", SECONDS) },
     Built { code: "O9329", fires: || on("heidenhain", "M8", NUMBERS), silent: || on("sinumerik", "M8", NUMBERS) },
     Built { code: "O9317", fires: || on("fanuc", "M8", LATHE), silent: || on("fanuc-lathe", "M8", LATHE) },
     Built {
@@ -183,6 +190,8 @@ const LATHE: &str = "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"";
 const BY_HAND_T: &str = "[control]\ntool_change = \"t\"\n[output]\ntool_change = \"stop\"";
 const BY_HAND: &str = "[output]\ntool_change = \"stop\"";
 const CONTROL: &str = "[output]\ncompensation = \"control\"\ntool_change = \"stop\"\n[tools.1]\nradius = 2.0";
+const LINES: &str = "[output]\narc_fallback_tolerance = 0.01";
+const SECONDS: &str = "[output]\ndwell_unit = \"seconds\"";
 const SIX: &str = "[output]\ndecimals = 6";
 const NUMBERS: &str = "[output]\nline_numbers = 10";
 const EIGHTH: &str = "[datums]\nG505 = \"G59.2\"";

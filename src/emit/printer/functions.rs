@@ -141,7 +141,10 @@ impl Printer<'_> {
             Length::WithTool => {}
             Length::Words(words) if number == 0 => {
                 self.length = ToolLength { tool: 0, waits: false, ..self.length };
-                self.page.words(words.off, origin);
+                match words.off {
+                    Some(off) => self.page.words(off, origin),
+                    None => self.lacks(codes::O9307, origin, "tool 0", "leave tool 0 out: nothing takes a length back"),
+                }
             }
             Length::Words(words) if words.with_move => {
                 self.length = ToolLength { tool: number, waits: true, ..self.length };
@@ -199,6 +202,9 @@ impl Printer<'_> {
         let words = self.target.dwell;
         let places = self.measures.time;
         let Some(mut units) = places.units(seconds) else { return self.unprintable(origin) };
+        if self.settings.dwell_unit().is_none() {
+            return self.lacks_dwell_unit(origin);
+        }
         if words.per_minute && self.modal.feed_kind_changes(FeedKind::PerMinute) {
             self.page.words(self.target.feed.per_minute, origin);
             self.modal.forget_feed();
@@ -212,7 +218,7 @@ impl Printer<'_> {
             self.page.text.word(words.word);
             if matches!(self.target.form, Form::Dialog(_)) {
                 self.page.text.bare(part, places);
-            } else if words.milliseconds {
+            } else if self.settings.waits_in_milliseconds() {
                 self.page.text.whole(words.address, part.unsigned_abs());
             } else {
                 self.page.text.number(words.address, part, places);
@@ -250,6 +256,11 @@ impl Printer<'_> {
     }
 
     fn work_offset(&mut self, number: u8, origin: &Origin) {
+        if !self.target.offsets_confirmed && !std::mem::replace(&mut self.doubted, true) {
+            let message = format!("work offsets of the target {} are not confirmed", self.target.name);
+            let help = "look in the air whether the part lies where it should";
+            self.diags.push(Diagnostic::new(codes::O2002, origin.loc, message).help(help).called(origin.call));
+        }
         match self.target.offsets.get(usize::from(number.clamp(1, 9)) - 1) {
             Some(word) => match &self.target.form {
                 Form::Words => self.page.words(word, origin),

@@ -66,7 +66,7 @@ impl Printer<'_> {
         let (letter, digits, most) = match self.target.frame.name {
             ProgramName::None => return None,
             ProgramName::Number { letter, digits, most } => (letter, digits, most),
-            ProgramName::Text { most } => return self.name_blocks(source, most),
+            ProgramName::Text { front, most, marks } => return Some(self.text_name(source, front, most, marks)),
         };
         let number = self.settings.program_number;
         if number > most {
@@ -78,16 +78,19 @@ impl Printer<'_> {
         Some(format!("{}{number:0digits$}", letter as char))
     }
 
-    /// The first block of a dialog; the last one, which repeats the name, is kept.
-    fn name_blocks(&mut self, source: &str, most: usize) -> Option<String> {
-        let Form::Dialog(dialog) = &self.target.form else { return None };
+    /// The line with the name of the source. The last line of a dialog repeats it, and is kept.
+    fn text_name(&mut self, source: &str, front: &str, most: usize, marks: &str) -> String {
         let file = source.rsplit(['/', '\\']).next().unwrap_or(source);
         let stem = file.split('.').find(|part| !part.is_empty()).unwrap_or(self.target.name);
-        let letter = |c: char| if c.is_ascii_alphanumeric() || "_-".contains(c) { c.to_ascii_uppercase() } else { '_' };
-        let name: String = stem.chars().map(letter).take(most).collect();
+        let known = |c: char| c.is_ascii_alphanumeric() || marks.contains(c);
+        // What is no letter of a name becomes the first mark, or nothing.
+        let letters = stem.chars().filter_map(|c| if known(c) { Some(c) } else { marks.chars().next() });
+        let name: String = letters.map(|c| c.to_ascii_uppercase()).take(most).collect();
+        let name = if name.is_empty() { "1".to_owned() } else { name };
+        let Form::Dialog(dialog) = &self.target.form else { return format!("{front}{name}") };
         let unit = dialog.units[usize::from(self.measures.inches)];
         self.last = Some(format!("{} {name} {unit}", dialog.end));
-        Some(format!("{} {name} {unit}", dialog.begin))
+        format!("{} {name} {unit}", dialog.begin)
     }
 
     /// Wishes of the configuration that the numbers of the target cannot keep.

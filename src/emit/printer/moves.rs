@@ -17,6 +17,8 @@ use super::Printer;
 
 /// Most lines that replace an arc.
 const MOST_CHORDS: f64 = 1e6;
+/// Such a line turns by a right angle at most: the cosine of half of it.
+const STEEPEST: f64 = core::f64::consts::FRAC_1_SQRT_2;
 /// What a number of turns may be off a whole one.
 const WHOLE: f64 = 1e-12;
 
@@ -215,7 +217,7 @@ impl Printer<'_> {
             to: [to_x, to_y],
             center: Point2::new(arc.center.x * scale, arc.center.y * scale),
             sweep: arc.sweep,
-            tolerance: words.tolerance,
+            tolerance: words.tolerance.min(words.mismatch[usize::from(self.measures.inches)] * scale),
             least_radius: words.least_radius * scale,
             most_radius: words.most_radius * scale,
             least_chord: words.least_chord * scale,
@@ -223,12 +225,15 @@ impl Printer<'_> {
         let blocks = match &self.target.form {
             Form::Dialog(dialog) if self.rises(arc, mv) => {
                 if !dialog.helix.planes.contains(&arc.plane) {
-                    return self.lacks_helix(mv, origin);
+                    return self.fall_back(true, arc, feed, mv, origin);
                 }
                 if !self.turns_exactly(&dialog.helix, &request) {
                     return self.chords(arc, feed, mv, origin);
                 }
                 1
+            }
+            Form::Words | Form::Dialog(_) if !words.planes.contains(&arc.plane) => {
+                return self.fall_back(false, arc, feed, mv, origin);
             }
             Form::Words | Form::Dialog(_) if request.from == request.to => words.blocks(arc.sweep),
             Form::Words | Form::Dialog(_) => words.open_blocks(arc.sweep),
@@ -378,6 +383,22 @@ impl Printer<'_> {
         known
     }
 
+    /// Lines instead of an arc that the target cannot say, where the configuration allows them.
+    #[cold]
+    fn fall_back(&mut self, helix: bool, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
+        let Some(millionths) = self.settings.arc_fallback else { return self.lacks_arc(helix, mv, origin) };
+        if !self.knows_start(mv, origin) {
+            return;
+        }
+        let most = f64::from(millionths) * 1e-6;
+        let what = if helix { "the helix" } else { "the arc" };
+        let message = format!("{what} is printed as lines that leave it by at most {most} mm");
+        self.report(codes::O4004, origin, &message);
+        // The printed places are rounded, too.
+        let unit = 1.0 / self.places.scale();
+        self.lines(arc, feed, mv, (most - unit).max(0.5 * unit), origin);
+    }
+
     /// Straight lines instead of an arc that does not fit the printed grid.
     #[cold]
     fn chords(&mut self, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
@@ -391,9 +412,14 @@ impl Printer<'_> {
             "the arc is too small for its printed numbers and is printed as lines"
         };
         self.report(codes::O4001, origin, message);
-        let unit = 1.0 / self.places.scale();
+        self.lines(arc, feed, mv, 0.5 / self.places.scale(), origin);
+    }
+
+    /// Lines that leave the arc by so much at most.
+    fn lines(&mut self, arc: &Arc, feed: Feed, mv: &Move, most: f64, origin: &Origin) {
+        let radius = crate::geo::distance(arc.from, arc.center);
         // A chord leaves the arc by r·(1 - cos(a/2)).
-        let step = 2.0 * libm::acos((1.0 - unit / (2.0 * radius)).max(0.0));
+        let step = 2.0 * libm::acos((1.0 - most / radius).max(STEEPEST));
         let count = libm::ceil(arc.sweep.abs() / step.max(1e-6)).clamp(1.0, MOST_CHORDS);
         let (x, y, _) = arc.plane.axes();
         let (x, y) = (Axis::ALL[x], Axis::ALL[y]);
