@@ -7,7 +7,7 @@ use super::Dialect;
 pub(super) const DIALECT: Dialect = Dialect {
     id: "gcode",
     name: "plain G-code (LinuxCNC)",
-    extensions: &["ngc", "gcode", "tap", "gc"],
+    extensions: &["ngc", "gcode"],
     recognizes,
     turns: false,
     run: gcode::run,

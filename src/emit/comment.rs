@@ -20,6 +20,32 @@ const ACTIVE: &[&[u8]] = &[
 
 /// The text of `comment` as it may stand between brackets. Characters that the target does not take become points.
 pub fn harmless(comment: &[u8], comments: &Comments) -> Vec<u8> {
+    let mut text = plain(comment, comments);
+    text.splice(0..0, guard(&text, comments).iter().copied());
+    text
+}
+
+/// The text of `comment` in lines of at most `room` bytes, cut at blanks where there are any. No line is active.
+pub fn lines(comment: &[u8], comments: &Comments, room: usize) -> Vec<Vec<u8>> {
+    let text = plain(comment, comments);
+    let mut rest = text.trim_ascii();
+    let mut out = Vec::new();
+    while !rest.is_empty() {
+        let guard = guard(rest, comments);
+        let room = room.saturating_sub(guard.len()).max(1);
+        let cut = if rest.len() <= room {
+            rest.len()
+        } else {
+            rest[..=room].iter().rposition(|b| *b == b' ').filter(|cut| *cut > room / 2).unwrap_or(room)
+        };
+        out.push([guard, rest[..cut].trim_ascii_end()].concat());
+        rest = rest[cut..].trim_ascii_start();
+    }
+    out
+}
+
+/// Characters that the target takes.
+fn plain(comment: &[u8], comments: &Comments) -> Vec<u8> {
     let mut text = Vec::with_capacity(comment.len() + 2);
     to_ascii(comment, &mut text);
     for b in &mut text {
@@ -36,33 +62,25 @@ pub fn harmless(comment: &[u8], comments: &Comments) -> Vec<u8> {
     if comments.upper {
         text.iter_mut().for_each(|b| *b = in_capitals(*b));
     }
+    text
+}
+
+/// What stands in front of a text that would be active.
+fn guard(text: &[u8], comments: &Comments) -> &'static [u8] {
     let word = text.trim_ascii_start();
     let len = word.iter().take_while(|b| b.is_ascii_alphabetic()).count();
-    let first = word[..len].to_ascii_lowercase();
-    if ACTIVE.iter().any(|active| **active == *first) && !matches!(word.get(len), Some(b' ')) {
-        text.splice(0..0, if comments.upper { *b"- " } else { *b": " });
+    let first = &word[..len];
+    let active = ACTIVE.iter().any(|active| active.eq_ignore_ascii_case(first)) && !matches!(word.get(len), Some(b' '));
+    match (active, comments.upper) {
+        (false, _) => b"",
+        (true, false) => b": ",
+        (true, true) => b"- ",
     }
-    text
 }
 
 fn in_capitals(b: u8) -> u8 {
     let b = b.to_ascii_uppercase();
     if b.is_ascii_uppercase() || b.is_ascii_digit() || b" ,=_-".contains(&b) { b } else { b'.' }
-}
-
-/// Pieces of a text of at most `len` bytes, cut at blanks where there are any.
-pub fn pieces(text: &[u8], len: usize) -> Vec<&[u8]> {
-    let mut rest = text.trim_ascii();
-    let mut out = Vec::new();
-    while rest.len() > len {
-        let cut = rest[..=len].iter().rposition(|b| *b == b' ').filter(|cut| *cut > len / 2).unwrap_or(len);
-        out.push(rest[..cut].trim_ascii_end());
-        rest = rest[cut..].trim_ascii_start();
-    }
-    if !rest.is_empty() {
-        out.push(rest);
-    }
-    out
 }
 
 #[cfg(test)]
@@ -86,8 +104,23 @@ mod tests {
 
     #[test]
     fn long_texts_are_cut_at_blanks() {
-        assert_eq!(pieces(b"aaaa bbbb cccc", 9), [&b"aaaa bbbb"[..], b"cccc"]);
-        assert_eq!(pieces(b"aaaaaaaaaaaa", 5), [&b"aaaaa"[..], b"aaaaa", b"aa"]);
-        assert!(pieces(b"  ", 5).is_empty());
+        let cut = |text: &str, room| {
+            lines(text.as_bytes(), &PLAIN, room)
+                .iter()
+                .map(|line| String::from_utf8_lossy(line).into_owned())
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(cut("aaaa bbbb cccc", 9), ["aaaa bbbb", "cccc"]);
+        assert_eq!(cut("aaaaaaaaaaaa", 5), ["aaaaa", "aaaaa", "aa"]);
+        assert_eq!(cut("Fräsern", 8), ["Fraesern"]);
+        assert!(cut("  ", 5).is_empty());
+    }
+
+    #[test]
+    fn no_line_of_a_long_text_is_active() {
+        let cut = lines(b"words of the target (MSG, DEBUG, PRINT, LOG)", &PLAIN, 25);
+        assert_eq!(cut, [&b"words of the target [MSG,"[..], b": DEBUG, PRINT, LOG]"]);
+        let narrow = lines(b"tool 12345 DEBUG,1234567890", &PLAIN, 14);
+        assert_eq!(narrow, [&b"tool 12345"[..], b": DEBUG,123456", b"7890"]);
     }
 }

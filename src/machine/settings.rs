@@ -37,6 +37,8 @@ pub struct Settings {
     pub output: OutputSettings,
     /// Which findings are reported.
     pub lint: Selection,
+    /// What rules take for the blank of a program that describes none, by axis.
+    pub blank: BTreeMap<Axis, (f64, f64)>,
     pub limits: Limits,
 }
 

@@ -45,6 +45,14 @@ K8108 Warning "corner-radius-not-counted" "corner radius of the cutter is not co
 "The milling cycles compute their paths for a cutter with sharp corners. With a corner radius (R2 of the tool table, `[tools.N] corner_radius`, DR2) a rounding stays at the foot of \
 each wall, and cusps stay on the floor between paths that lie farther apart than the flat part of the cutter is wide. Give a smaller overlap factor, or finish with another cutter."
 
+K8109 Warning "floor-behind-larger-cutter" "floor is finished by a smaller cutter than roughed it"
+"Cycle 22 ran with a larger cutter in front of this cycle 23. Where that one did not get into a corner or a narrow part, the material stands as high as before, and \
+the smaller cutter of cycle 23 takes it away down to the floor in one cut. Let a cycle 22 with the smaller tool and Q18 (the coarse tool) run in between."
+
+K8110 Warning "contours-that-cross" "contours of cycle 14 cross"
+"partc takes all pockets together and leaves out all islands, and cuts crossing contours at their crossings. No manual at hand says it in full: look at a picture (`partc plot`), \
+or draw one contour around the area. Said once for a program."
+
 K9030 Error "milling-frame" "milling cycle under a scaling or a mirrored tool axis"
 "A scaling would change the sizes of the cycle and not the cutter, and a tool axis that is mirrored or tilted would lead the tool from the far side. Shifts, rotations and \
 mirrors in the plane are computed. End the transformation in front of the call."

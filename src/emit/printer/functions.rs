@@ -367,10 +367,8 @@ impl Printer<'_> {
 
     fn comment(&mut self, text: &[u8], origin: &Origin) {
         let comments = &self.target.comments;
-        let text = comment::harmless(text, comments);
-        let room = self.page.room() - comments.open.len() - comments.close.len();
-        for piece in comment::pieces(&text, room) {
-            self.page.text.raw(comments.open.as_bytes()).raw(piece).raw(comments.close.as_bytes());
+        for line in comment::lines(text, comments, self.comment_room()) {
+            self.page.text.raw(comments.open.as_bytes()).raw(&line).raw(comments.close.as_bytes());
             self.page.end_line(origin);
         }
     }

@@ -126,9 +126,10 @@ impl Printer<'_> {
                 .replace("{target}", self.target.name)
                 .replace("{number}", &self.settings.program_number.to_string())
                 .replace("{units}", units);
-            for piece in comment::pieces(text.as_bytes(), self.comment_room()) {
-                let piece = self.framed(&String::from_utf8_lossy(piece));
-                self.page.plain(&piece);
+            let comments = &self.target.comments;
+            for line in comment::lines(text.as_bytes(), comments, self.comment_room()) {
+                let framed = [comments.open.as_bytes(), &line, comments.close.as_bytes()].concat();
+                self.page.plain(&framed);
             }
         }
     }
@@ -136,7 +137,6 @@ impl Printer<'_> {
     /// Longest text of a comment.
     pub(super) fn comment_room(&self) -> usize {
         let comments = &self.target.comments;
-        // A text may grow by what keeps it from being active.
-        self.page.room() - comments.open.len() - comments.close.len() - 2
+        self.page.room() - comments.open.len() - comments.close.len()
     }
 }

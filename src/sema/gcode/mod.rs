@@ -160,7 +160,8 @@ fn reader(settings: &Settings, start: &Start) -> Reader {
     let modes = reader.modes_mut();
     modes.inches = settings.control.unit.map(|unit| unit == Unit::Inch);
     if settings.machine.kind == MachineKind::Lathe {
-        modes.plane = Some(read::Plane::Zx);
+        // Most lathes are set up for G18, which no file shows.
+        modes.plane = None;
     }
     stand(&mut reader, start);
     reader
@@ -180,7 +181,7 @@ impl<'a> Run<'a> {
     fn new(job: &Job<'a>, out: &'a mut dyn Sink) -> Run<'a> {
         let start = Start::new(job.settings, false);
         let reader = reader(job.settings, &start);
-        let plane = reader.modes().plane.map_or(Plane::Xy, function::plane);
+        let plane = reader.modes().plane.map_or(Plane::Zx, function::plane);
         Run {
             core: Core::new(job, out),
             reader,

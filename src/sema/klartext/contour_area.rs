@@ -145,7 +145,19 @@ impl Run<'_> {
         if area.outlines.is_empty() {
             return self.no_area(cycle, pocket, "the islands take up all of the pockets", "check RL and RR");
         }
+        let as_named = |chain: &Vec<Element>| closed.iter().any(|one| one.elements == *chain);
+        if !area.outlines.iter().chain(&area.islands).all(as_named) {
+            self.say_that_they_cross(pocket);
+        }
         Ok(area)
+    }
+
+    #[cold]
+    fn say_that_they_cross(&mut self, pocket: &Pocket) {
+        let text = "contours of cycle 14 cross: the pockets are taken together, and the islands left out";
+        let found = Diagnostic::new(codes::K8110, pocket.named.loc, text)
+            .help("look at a picture of the path, or draw one contour");
+        self.job.diags.push_once(found);
     }
 }
 

@@ -23,6 +23,7 @@ use super::cycles::contours::{
 };
 use super::cycles::{DefinedCycle, Q};
 use super::drilling::steps;
+use super::pockets::rounded;
 use super::{Outcome, Reported, Run};
 
 /// What a control takes for rapid traverse.
@@ -232,6 +233,7 @@ impl Run<'_> {
         let region = self.roughed_pocket(cycle, &pocket, mill)?;
         let finish = Some(finishing(feeds.plane, 0.0, (false, None)));
         let cleared = self.is_roughed(&pocket, &region);
+        self.warn_of_larger_cutter(&pocket, radius);
         self.sound(cycle, Region { rough: false, finish, cleared, ..region }).map(|made| Some(Cycle::Region(made)))
     }
 
@@ -284,6 +286,25 @@ impl Run<'_> {
             mill,
         };
         self.sound(cycle, region).map(|made| Some(Cycle::Region(made)))
+    }
+
+    /// What a larger cutter left goes in one cut.
+    fn warn_of_larger_cutter(&mut self, pocket: &Pocket, radius: f64) {
+        let larger = self.contours.roughed.as_ref().map(|roughed| roughed.radius).filter(|before| *before > radius);
+        let here = self
+            .contours
+            .roughed
+            .as_ref()
+            .is_some_and(|roughed| Rc::ptr_eq(&roughed.pocket, &pocket.data) && roughed.frame == self.st.ctx.frame);
+        if let (Some(before), true) = (larger, here) {
+            let message = format!(
+                "cycle 23 with a cutter of radius {} mm behind cycle 22 with one of {} mm: what that one left is cut down to the floor in one cut",
+                rounded(radius),
+                rounded(before)
+            );
+            let found = Diagnostic::new(codes::K8109, self.here.origin.loc, message);
+            self.report(found.help("let a cycle 22 with this tool and Q18 run in between"));
+        }
     }
 
     /// Was this pocket roughed here, with these data, and by no larger cutter?
