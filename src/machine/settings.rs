@@ -311,6 +311,11 @@ impl OutputSettings {
         }
     }
 
+    /// What the radii at both ends of an arc may differ by on the receiver, in mm.
+    pub fn arc_mismatch(&self) -> f64 {
+        self.target.arcs.mismatch[usize::from(self.units == Units::Inches)]
+    }
+
     /// Waits are counted in milliseconds.
     pub fn waits_in_milliseconds(&self) -> bool {
         self.dwell_unit() == Some(DwellUnit::Milliseconds)

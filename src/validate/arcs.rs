@@ -10,9 +10,9 @@ use crate::read::{self, AXES, Act, SCALE};
 use super::moves::kind;
 use super::{Text, Validator, Why, is_rounding, plane};
 
-/// What the radii at both ends of a printed arc may differ by, and how far its centre may lie from the exact one on each
-/// axis, in units of the last place.
-const MOST_OFF: f64 = 1.5;
+/// What the radii at both ends of a printed arc may differ by, where the receiver allows that, and how far its centre may lie
+/// from the exact one on each axis, in units of the last place.
+pub(super) const MOST_OFF: f64 = 1.5;
 /// By how many units the printed ends and the printed centre turn the ends of an arc about its centre.
 const TURNED: f64 = 6.0;
 /// How far from the circle a rounded place may be: half a unit on each axis.
@@ -128,7 +128,7 @@ impl Validator {
         let off = [0, 1].map(|i| (found.center[i] as f64 - course.center[i]).abs());
         let slack = 0.51 * self.unit + 2.0;
         let near = |most: f64| off.iter().all(|off| *off <= most);
-        let closes = found.from == found.to || self.radii(found, found.center) <= MOST_OFF * self.unit + 2.0;
+        let closes = found.from == found.to || self.radii(found, found.center) <= self.most_off + 2.0;
         if !closes {
             return Err(Why::new("start and end of the arc are not on one circle"));
         }
@@ -156,7 +156,7 @@ impl Validator {
     fn rounded_closes(&self, course: &Course, found: &read::Arc) -> bool {
         let center = course.center.map(|c| (libm::round(c / self.unit) * self.unit) as i64);
         let center_is_end = center == found.from || center == found.to;
-        found.from == found.to || !center_is_end && self.radii(found, center) < MOST_OFF * self.unit - 2.0
+        found.from == found.to || !center_is_end && self.radii(found, center) < self.most_off - 2.0
     }
 
     /// Difference of the radii at start and end.

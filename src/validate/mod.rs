@@ -85,6 +85,8 @@ pub struct Validator {
     /// A unit of the last printed place, and half of it.
     unit: f64,
     half: f64,
+    /// What the radii at both ends of a printed arc may differ by.
+    most_off: f64,
     /// How far the middle of a line may leave the arc that it stands for.
     chord: f64,
     grain: Grain,
@@ -125,6 +127,7 @@ impl Validator {
             reader: Reader::with(Rules::of(output.target.name).in_milliseconds(output.waits_in_milliseconds())),
             unit,
             half: unit / 2.0,
+            most_off: (arcs::MOST_OFF * unit).min(output.arc_mismatch() * SCALE as f64),
             chord: output.arc_fallback.map_or(0.0, |most| f64::from(most) * MILLIONTH).max(arcs::CHORD * unit),
             grain,
             stated: 0,

@@ -217,7 +217,7 @@ impl Printer<'_> {
             to: [to_x, to_y],
             center: Point2::new(arc.center.x * scale, arc.center.y * scale),
             sweep: arc.sweep,
-            tolerance: words.tolerance.min(words.mismatch[usize::from(self.measures.inches)] * scale),
+            tolerance: words.tolerance.min(self.settings.arc_mismatch() * scale),
             least_radius: words.least_radius * scale,
             most_radius: words.most_radius * scale,
             least_chord: words.least_chord * scale,
