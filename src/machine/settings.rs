@@ -296,7 +296,7 @@ impl OutputSettings {
 
     /// What a printed feed of one is, in mm a minute.
     pub fn feed_unit(&self) -> f64 {
-        match (&self.target.form, self.units) {
+        match (self.target.form, self.units) {
             (_, Units::Millimetres) => 1.0,
             (Form::Words, Units::Inches) => Unit::Inch.mm(),
             (Form::Dialog(dialog), Units::Inches) => dialog.inch_feed,

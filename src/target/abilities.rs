@@ -6,7 +6,7 @@ impl Target {
     /// Each ability, and the words or the limit for it; `-` where the target has none.
     pub fn abilities(&self) -> Vec<(&'static str, String)> {
         let text = |word: Option<&str>| word.unwrap_or("-").to_owned();
-        let dialog = match &self.form {
+        let dialog = match self.form {
             Form::Words => None,
             Form::Dialog(dialog) => Some(dialog),
         };

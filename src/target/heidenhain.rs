@@ -16,7 +16,7 @@ pub(super) const TARGET: Target = Target {
     about: "HEIDENHAIN Klartext (iTNC 530, TNC 320 to 640, TNC7): plain moves",
     // A program beside its source must not replace it.
     extension: "plain.h",
-    form: Form::Dialog(Dialog {
+    form: Form::Dialog(&Dialog {
         begin: "BEGIN PGM",
         end: "END PGM",
         units: ["MM", "INCH"],

@@ -47,12 +47,12 @@ impl PartialEq for Target {
 impl Eq for Target {}
 
 /// How blocks are made.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub enum Form {
     /// Words of a letter and a number; G functions state modes that hold.
     Words,
     /// A block begins with what it does, names its axes, and ends with how fast.
-    Dialog(Dialog),
+    Dialog(&'static Dialog),
 }
 
 /// Words of a dialog.

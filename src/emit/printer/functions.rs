@@ -25,7 +25,7 @@ impl Printer<'_> {
                 self.lacks(codes::O9320, origin, "a tool that is brought forth before its change", help);
             }
             Function::ToolPrepare { number } => {
-                if let Form::Dialog(dialog) = &self.target.form {
+                if let Form::Dialog(dialog) = self.target.form {
                     self.page.text.word(dialog.prepare);
                 }
                 self.tool_word(*number, origin);
@@ -112,7 +112,7 @@ impl Printer<'_> {
                 self.page.text.word(&word);
             }
             Some(Change::Call) => {
-                if let Form::Dialog(dialog) = &self.target.form {
+                if let Form::Dialog(dialog) = self.target.form {
                     self.dialog_tool(dialog, Some(number), origin);
                 }
             }
@@ -212,7 +212,7 @@ impl Printer<'_> {
         let most = places.units(words.most).unwrap_or(i64::MAX);
         loop {
             let part = units.min(most);
-            if let Form::Dialog(dialog) = &self.target.form {
+            if let Form::Dialog(dialog) = self.target.form {
                 self.page.words(dialog.dwell, origin);
             }
             self.page.text.word(words.word);
@@ -262,7 +262,7 @@ impl Printer<'_> {
             self.diags.push(Diagnostic::new(codes::O2002, origin.loc, message).help(help).called(origin.call));
         }
         match self.target.offsets.get(usize::from(number.clamp(1, 9)) - 1) {
-            Some(word) => match &self.target.form {
+            Some(word) => match self.target.form {
                 Form::Words => self.page.words(word, origin),
                 Form::Dialog(dialog) => self.dialog_offset(dialog, number, word, origin),
             },
@@ -297,7 +297,7 @@ impl Printer<'_> {
                 {
                     text.word(cutting.off);
                 }
-                if let Form::Dialog(dialog) = &self.target.form {
+                if let Form::Dialog(dialog) = self.target.form {
                     self.modal.dialog.speed = Some(units);
                     self.dialog_tool(dialog, None, origin);
                     &mut self.page.text

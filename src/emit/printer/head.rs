@@ -87,7 +87,7 @@ impl Printer<'_> {
         let letters = stem.chars().filter_map(|c| if known(c) { Some(c) } else { marks.chars().next() });
         let name: String = letters.map(|c| c.to_ascii_uppercase()).take(most).collect();
         let name = if name.is_empty() { "1".to_owned() } else { name };
-        let Form::Dialog(dialog) = &self.target.form else { return format!("{front}{name}") };
+        let Form::Dialog(dialog) = self.target.form else { return format!("{front}{name}") };
         let unit = dialog.units[usize::from(self.measures.inches)];
         self.last = Some(format!("{} {name} {unit}", dialog.end));
         format!("{} {name} {unit}", dialog.begin)

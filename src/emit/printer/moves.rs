@@ -68,7 +68,7 @@ impl Printer<'_> {
             if !self.may_be_straight(mv, changed, origin) {
                 return;
             }
-            if let Form::Dialog(dialog) = &self.target.form {
+            if let Form::Dialog(dialog) = self.target.form {
                 return self.dialog_straight(dialog, mv, (changed, &mut ends), feed, origin);
             }
         }
@@ -222,7 +222,7 @@ impl Printer<'_> {
             most_radius: words.most_radius * scale,
             least_chord: words.least_chord * scale,
         };
-        let blocks = match &self.target.form {
+        let blocks = match self.target.form {
             Form::Dialog(dialog) if self.rises(arc, mv) => {
                 if !dialog.helix.planes.contains(&arc.plane) {
                     return self.fall_back(true, arc, feed, mv, origin);
@@ -292,7 +292,7 @@ impl Printer<'_> {
     }
 
     fn arc_block(&mut self, arc: &Arc, block: &ArcBlock, feed: Option<(i64, Places)>, origin: &Origin) {
-        if let Form::Dialog(dialog) = &self.target.form {
+        if let Form::Dialog(dialog) = self.target.form {
             return self.dialog_arc(dialog, arc, block, feed, origin);
         }
         let ArcBlock { printed, mut ends, offset, turns } = *block;
