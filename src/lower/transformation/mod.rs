@@ -355,7 +355,9 @@ mod tests {
 
     #[test]
     fn as_few_chords_as_stay_within_the_tolerance() {
-        for (radius, degrees, count) in [(40.0, 90.0, 50), (40.0, -90.0, 50), (10.0, 360.0, 100), (2.0, 5.0, 1), (0.004, 300.0, 2)] {
+        for (radius, degrees, count) in
+            [(40.0, 90.0, 50), (40.0, -90.0, 50), (10.0, 360.0, 100), (2.0, 5.0, 1), (0.004, 300.0, 2)]
+        {
             let arc = Arc {
                 plane: Plane::Xy,
                 from: Point2::new(radius + 7.0, -3.0),

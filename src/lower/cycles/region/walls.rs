@@ -245,9 +245,12 @@ mod tests {
 
     #[test]
     fn most_room_of_a_leaning_slot_is_on_its_ridge() {
-        // 3 x 4 x 5 turned: 50 long, 10 wide; its ridge runs from 5 to 45 along (0.8, 0.6), and the least X is taken.
+        // 50 long, 10 wide, turned by the angle of a triangle of 3, 4 and 5.
         let (p, room) = most(&[(0.0, 0.0), (40.0, 30.0), (34.0, 38.0), (-6.0, 8.0)]);
         assert!((room - 5.0).abs() < 1e-6, "{p} {room}");
-        assert!(distance(p, Point2::new(0.8 * 5.0 - 3.0, 0.6 * 5.0 + 4.0)) < 1e-2, "{p}");
+        // Its ridge begins 5 from the end, and the place with the least X is taken, as far as a square tells.
+        let along = (p - Point2::new(-3.0, 4.0)).dot(&Vec2::new(0.8, 0.6));
+        let aside = (p - Point2::new(-3.0, 4.0)).dot(&Vec2::new(-0.6, 0.8));
+        assert!((5.0 - 1e-5..6.0).contains(&along) && aside.abs() < 1e-5, "{p} {along} {aside}");
     }
 }
