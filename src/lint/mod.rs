@@ -11,16 +11,18 @@ pub mod renumber;
 pub mod rules;
 pub mod source;
 pub mod suppression;
+pub mod tapping;
+pub mod turned;
 
 use crate::diag::{Diags, Trail};
-use crate::machine::Settings;
+use crate::machine::{MachineKind, Settings};
 use crate::sema::Job;
 use crate::sema::run::survey::{Survey, Visitor};
 use crate::text::files::NoFiles;
 use crate::text::{FileId, Sources};
 
 use fix::Fix;
-use motion::{Say, Setup, Watch, Watching};
+use motion::{Bar, Blank, Say, Setup, Watch, Watching};
 use policy::Policy;
 use rules::{Make, RULES};
 use source::{FindsBlank, Reader};
@@ -47,9 +49,12 @@ impl<'a> Checks<'a> {
         policy: &'a Policy,
         diags: &'a Diags,
     ) -> Checks<'a> {
-        let mut blank = FindsBlank::default();
-        lead(sources, FileId(0), survey, &mut blank);
-        let setup = Setup { settings, blank: blank.blank(), size: sources.size(FileId(0)), sources };
+        let lathe = settings.machine.kind == MachineKind::Lathe;
+        let mut found = FindsBlank::on(lathe);
+        lead(sources, FileId(0), survey, &mut found);
+        let blank = found.blank().or_else(|| Blank::given(&settings.blank).filter(|_| !lathe));
+        let bar = found.bar().or_else(|| Bar::given(&settings.blank).filter(|_| lathe));
+        let setup = Setup { settings, blank, bar, size: sources.size(FileId(0)), sources };
         Checks { setup, policy, diags }
     }
 

@@ -1,6 +1,7 @@
 //! The walk of rules over what a program does: they look on while it runs, and change nothing.
 
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use crate::diag::{Code, Diagnostic, Diags, codes};
@@ -8,6 +9,7 @@ use crate::geo::Plane;
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Corner, CtxRef, Load};
 use crate::ir::cycle::Cycle;
+use crate::ir::cycle::drilling::{Method, Tap};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::motion::{self, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
@@ -21,12 +23,45 @@ pub struct Blank {
     pub max: [f64; 3],
 }
 
+impl Blank {
+    /// Where the program describes none: that of `[lint] blank`.
+    pub fn given(ranges: &BTreeMap<Axis, (f64, f64)>) -> Option<Blank> {
+        let [x, y, z] = [Axis::X, Axis::Y, Axis::Z].map(|axis| ranges.get(&axis));
+        let [x, y, z] = [x?, y?, z?];
+        Some(Blank { min: [x.0, y.0, z.0], max: [x.1, y.1, z.1] })
+    }
+}
+
+/// A bar or tube about Z, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bar {
+    pub radius: f64,
+    pub bore: f64,
+    pub left: f64,
+    pub right: f64,
+}
+
+impl Bar {
+    /// The same on a lathe; X are the diameters of the bore and of the bar.
+    pub fn given(ranges: &BTreeMap<Axis, (f64, f64)>) -> Option<Bar> {
+        let (x, z) = (ranges.get(&Axis::X)?, ranges.get(&Axis::Z)?);
+        Some(Bar { radius: x.1 / 2.0, bore: x.0 / 2.0, left: z.0, right: z.1 }).filter(Bar::is_one)
+    }
+
+    /// Is there any material?
+    pub fn is_one(&self) -> bool {
+        self.bore >= 0.0 && self.bore < self.radius && self.left < self.right
+    }
+}
+
 /// What a rule is made with.
 #[derive(Debug, Clone, Copy)]
 pub struct Setup<'a> {
     pub settings: &'a Settings,
-    /// The blank that the program describes, where it does.
+    /// The blank that the program describes, where it does, or that of the configuration.
     pub blank: Option<Blank>,
+    /// The same of a turned part.
+    pub bar: Option<Bar>,
     /// Bytes of the main program.
     pub size: u64,
     pub sources: &'a Sources,
@@ -82,6 +117,8 @@ pub struct Step<'s> {
     pub origin: &'s Origin,
     /// A cycle makes it, no block of its own.
     pub of_cycle: bool,
+    /// The cycle taps with a compensating chuck.
+    pub of_tap: bool,
 }
 
 impl Step<'_> {
@@ -193,6 +230,8 @@ pub struct Watch<'a> {
     diags: &'a Diags,
     /// The block of the last cycle.
     cycle: Option<Origin>,
+    /// It taps with a compensating chuck.
+    taps: bool,
     /// Side of the last programmed move.
     side: Side,
 }
@@ -207,7 +246,7 @@ pub type Watching<'a> = Rc<RefCell<Watch<'a>>>;
 
 impl<'a> Watch<'a> {
     pub fn new(rules: Vec<Box<dyn MotionRule + 'a>>, diags: &'a Diags) -> Watching<'a> {
-        let watch = Watch { rules, machine: Machine::default(), diags, cycle: None, side: Side::None };
+        let watch = Watch { rules, machine: Machine::default(), diags, cycle: None, taps: false, side: Side::None };
         Rc::new(RefCell::new(watch))
     }
 
@@ -224,7 +263,8 @@ impl<'a> Watch<'a> {
         let mut to = self.machine.at;
         to.update(&mv.end);
         let of_cycle = self.cycle.is_some_and(|cycle| cycle == *origin);
-        let step = Step { mv, from: &self.machine.at, to, origin, of_cycle };
+        let of_tap = of_cycle && self.taps;
+        let step = Step { mv, from: &self.machine.at, to, origin, of_cycle, of_tap };
         let say = Say::to(self.diags);
         for rule in self.rules.iter_mut().filter(|_| !self.diags.has_failed()) {
             rule.movement(&step, &self.machine, say);
@@ -332,7 +372,12 @@ impl contour::Sink for OnContour<'_, '_> {
     }
 
     fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef, origin: &Origin) {
-        self.watch.borrow_mut().cycle = Some(*origin);
+        {
+            let watch = &mut *self.watch.borrow_mut();
+            watch.cycle = Some(*origin);
+            watch.taps = matches!(cycle, Cycle::Drilling(drilling)
+                if matches!(drilling.method, Method::Tap(Tap { lead: None, .. })));
+        }
         self.next.cycle(cycle, ctx, origin);
     }
 

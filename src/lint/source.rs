@@ -6,7 +6,7 @@ use crate::sema::run::survey::{Surveyed, Visitor, Wanted, What};
 use crate::text::{Loc, Span};
 
 use super::fix::Fix;
-use super::motion::{Blank, Say};
+use super::motion::{Bar, Blank, Say};
 
 /// A rule over the blocks of the main program.
 pub trait SourceRule {
@@ -119,9 +119,21 @@ fn begins_with_blank(text: &[u8]) -> bool {
 #[derive(Debug, Default)]
 pub struct FindsBlank {
     corners: [Option<[f64; 3]>; 2],
+    bar: Option<Bar>,
+    parts: bool,
+    /// On lathes any block may belong to it.
+    lathe: bool,
 }
 
 impl FindsBlank {
+    pub fn on(lathe: bool) -> FindsBlank {
+        FindsBlank { lathe, ..FindsBlank::default() }
+    }
+
+    pub fn bar(&self) -> Option<Bar> {
+        self.bar.filter(|bar| !self.parts && bar.is_one())
+    }
+
     pub fn blank(&self) -> Option<Blank> {
         let [Some(min), Some(max)] = self.corners else { return None };
         min.iter().zip(&max).all(|(min, max)| min < max).then_some(Blank { min, max })
@@ -130,6 +142,9 @@ impl FindsBlank {
 
 impl Visitor for FindsBlank {
     fn wanted(&self) -> Wanted<'_> {
+        if self.lathe {
+            return Wanted::ALL;
+        }
         // `BLK FORM`, and the unit in `BEGIN PGM`.
         Wanted { letter: Some(b'B'), is: &begins_with_blank }
     }
@@ -140,8 +155,13 @@ impl Visitor for FindsBlank {
 
     fn block(&mut self, block: &Surveyed<'_>, _: &Job<'_>) {
         for item in block.items {
-            if let What::BlankCorner { high, at } = item.what {
-                self.corners[usize::from(high)] = Some(at);
+            match item.what {
+                What::BlankCorner { high, at } => self.corners[usize::from(high)] = Some(at),
+                What::BlankBar { radius, bore, left, right } => {
+                    self.bar = Some(Bar { radius, bore, left, right });
+                }
+                What::Parts => self.parts = true,
+                _ => {}
             }
         }
     }

@@ -38,6 +38,8 @@ pub struct Settings {
     pub output: OutputSettings,
     /// Which findings are reported.
     pub lint: Selection,
+    /// What rules take for the blank of a program that describes none, by axis.
+    pub blank: BTreeMap<Axis, (f64, f64)>,
     pub limits: Limits,
     /// `[dialects]`: patterns of files and the language they are in.
     pub dialects: Vec<(String, String)>,

@@ -229,7 +229,7 @@ pub(super) fn rotary_axes(node: &Node) -> Result<AxisSet, ConfigError> {
 }
 
 pub(super) fn range(node: &Node) -> Result<(f64, f64), ConfigError> {
-    let fail = || node.fail("travel limits are two numbers, the smaller one first: [-10.0, 800.0]");
+    let fail = || node.fail("a range is two numbers, the smaller one first: [-10.0, 800.0]");
     let Value::List(items) = &node.value else { return Err(fail()) };
     match items.as_slice() {
         [low, high] => match (number(low), number(high)) {

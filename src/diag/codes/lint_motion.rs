@@ -25,9 +25,9 @@ check the changer puts the tool away and fetches it again. TOOL CALL of a HEIDEN
 turning, change nothing then, and nothing is said."
 
 L1006 Warning "rapid-into-blank" "rapid move ends inside the blank"
-"A move at rapid traverse ends inside the blank that BLK FORM describes, deeper than anything was cut before. At rapid traverse the tool does not cut: it \
-breaks, or moves the part. Stop above the part and go down at feed. The coordinates of BLK FORM are taken as those of the active datum; after a change \
-of the datum nothing is said."
+"A move at rapid traverse ends inside the blank that BLK FORM describes, deeper than anything was cut before; on a lathe, inside the bar of G20, where nothing was cut before. At rapid traverse the tool does not cut: it \
+breaks, or moves the part. Stop above the part and go down at feed. The coordinates of the blank are taken as those of the active datum; after a change \
+of the datum nothing is said. `[lint] blank` gives the blank of programs that describe none."
 
 L1007 Warning "cut-below-blank" "tool cuts far below the blank"
 "A cutting move goes more than 5 mm below the lower side of the blank that BLK FORM describes: into the vice, the parallels or the table, or the blank is \
@@ -134,4 +134,18 @@ L1034 Warning "drill-cuts-sideways" "drill or tap cuts sideways"
 "The tool table says that this tool is a drill or a tap, and it moves sideways at feed below the height from which it last went down. It breaks. Either the wrong \
 tool is called, or the retract is missing. Said once for each tool."
 
+L1035 Warning "pitch-implausible" "tap or thread has a pitch that no thread has"
+"A tap in a compensating chuck goes as far in a turn as F and S make it go, and here that is less than 0.1 mm or more than 8 mm; a thread that is cut in step with the \
+spindle has a pitch below 0.05 mm or above 100 mm. Most often F holds the pitch and G94 is in force (`F1.5` is 1.5 mm per minute), or F is mm per minute \
+under G95. The tap breaks. Under G94 program F as pitch times speed, under G95 the pitch. Taps are known by the cycle, by G63, and by `kind = \"tap\"` in the tool table."
+
+L1036 Warning "thread-crossed" "pass crosses the thread that the pass before has cut"
+"Two passes lie in one thread, and the second makes a helix of the other hand: it goes the other way while the spindle turns as before, or the same way while the \
+spindle turns the other way. A tap that comes out so tears the thread or breaks; a turned thread is destroyed. Reverse the spindle (M3, M4) for the way out of a \
+tapped hole; return beside a turned thread at rapid. Cycles reverse the spindle by themselves."
+
+L1037 Warning "cut-beside-blank" "tool cuts far beside the blank"
+"A cutting move goes more than 150 mm beyond the sides of the blank. A digit or a sign is wrong, the zero is that of another part, or the blank is described \
+wrong. Tools, and their ways in and out, need some room beside the part, so up to 150 mm nothing is said. Said once for each tool; after a change of the datum \
+nothing is said."
 }

@@ -61,4 +61,12 @@ configuration what holds in the shop. Off by default. Said once."
 L2015 Note off "comment-foreign-letters" "comment holds letters that controls do not show"
 "A comment holds characters beyond ASCII. Controls show them as other signs or not at all, and some refuse the file. Off by default. Said once."
 
+L2016 Warning "pole-of-other-plane" "polar block uses a pole of another working plane"
+"The pole was set, then the working plane changed (G17, G18, G19; another tool axis in TOOL CALL), and now a block counts from the pole. SINUMERIK takes the zero of \
+the new plane for its pole; a HEIDENHAIN control keeps a pole in axes that are no longer those of the plane. Neither is what the program seems to mean. Set the \
+pole again behind the change of the plane. Behind a label nothing is said: who leads there is not known."
+
+L2017 Warning "radius-left-on" "program ends in radius programming on a lathe that begins in diameters"
+"The last of DIAMON, DIAM90 and DIAMOF in the program is DIAMOF (G15 of G15 and G16 on an MTC200), and then comes its end. The configuration says that the lathe begins in diameters. Where the control does not \
+reset it, the next program takes its diameters for radii, and the tool stands twice as far out or the part gets twice as thick. Go back to DIAMON where radii end."
 }

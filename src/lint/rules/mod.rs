@@ -10,7 +10,9 @@ mod coolant_left_on;
 mod cut_backwards;
 mod cut_before_tool;
 mod cut_below_blank;
+mod cut_beside_blank;
 mod cut_dry;
+mod diameter_left;
 mod drill_sideways;
 mod dwell_long;
 mod dwell_zero;
@@ -28,6 +30,7 @@ mod number_precision;
 mod offset_compensated;
 mod plane_left;
 mod plunge_at_feed;
+mod pole_elsewhere;
 mod rapid_into_blank;
 mod rapid_slanting_down;
 mod redundant_word;
@@ -39,6 +42,8 @@ mod spindle_off;
 mod spindle_reversed;
 mod start_without_speed;
 mod stop_in_cut;
+mod tap_pitch;
+mod thread_crossed;
 mod tool_called_again;
 mod tool_data_missing;
 mod tool_unused;
@@ -116,6 +121,9 @@ rules! {
     Motion L1032 blank_untouched::BlankUntouched,
     Motion L1033 feed_outlier::FeedOutlier,
     Motion L1034 drill_sideways::DrillSideways,
+    Motion L1035 tap_pitch::TapPitch,
+    Motion L1036 thread_crossed::ThreadCrossed,
+    Motion L1037 cut_beside_blank::CutBesideBlank,
     Source L2001 label_unused::LabelUnused,
     Source L2002 unreachable::Unreachable,
     Source L2003 behind_end::BehindEnd,
@@ -131,6 +139,8 @@ rules! {
     Source L2013 unfinished::Unfinished,
     Source L2014 skip_mark::SkipMark,
     Source L2015 foreign_letters::ForeignLetters,
+    Source L2016 pole_elsewhere::PoleElsewhere,
+    Source L2017 diameter_left::DiameterLeft,
 }
 
 #[cfg(test)]

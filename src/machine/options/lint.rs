@@ -2,9 +2,10 @@
 
 use crate::diag::selection::{Choice, Selector};
 use crate::diag::{Severity, codes};
+use crate::machine::axis::Axis;
 use crate::machine::keys::{Key, Kind, key};
 use crate::machine::tree::{ConfigError, Node, Value, did_you_mean};
-use crate::machine::values::{fits, put, table_of, text};
+use crate::machine::values::{fits, put, range, table_of, text};
 
 pub const KEYS: &[Key] = &[
     key(
@@ -25,6 +26,20 @@ pub const KEYS: &[Key] = &[
         "how bad findings are: K8001 = \"error\", K2 = \"note\"; errors stay errors",
         |s, v| put(&mut s.lint.all.severity, severities(v)?),
     ),
+    key(
+        "blank",
+        Kind::Free,
+        "blank where the program describes none: X = [0.0, 100.0], Y, Z; lathe: X is the diameters of bore and bar, and Z",
+        |s, v| {
+            for (name, node) in table_of(v) {
+                s.blank.insert(blank_axis(name, node)?, range(node)?);
+            }
+            if s.blank.contains_key(&Axis::X) && s.blank.contains_key(&Axis::Z) {
+                return Ok(());
+            }
+            Err(v.fail("a blank has X, Y and Z, or X and Z on a lathe"))
+        },
+    ),
     key("files", Kind::Free, "the same for files whose path fits: \"legacy/**\" = { ignore = [\"K8001\"] }", |s, v| {
         for (pattern, node) in table_of(v) {
             s.lint.files.push((pattern.clone(), choice(node)?));
@@ -40,7 +55,7 @@ fn choice(node: &Node) -> Result<Choice, ConfigError> {
         return Err(node.fail("a pattern of files has a table: { ignore = [\"K8001\"] }"));
     };
     for (name, node) in table {
-        let Some(key) = KEYS.iter().find(|key| key.name == name && name != "files") else {
+        let Some(key) = KEYS.iter().find(|key| key.name == name && !matches!(key.name, "files" | "blank")) else {
             let mut error = node.fail(format!("unknown key `{name}`"));
             let like = did_you_mean(name, ["select", "ignore", "severity"]);
             error.help = like.map(|like| format!("did you mean `{like}`?"));
@@ -54,6 +69,15 @@ fn choice(node: &Node) -> Result<Choice, ConfigError> {
         }
     }
     Ok(choice)
+}
+
+fn blank_axis(name: &str, node: &Node) -> Result<Axis, ConfigError> {
+    match name {
+        "X" => Ok(Axis::X),
+        "Y" => Ok(Axis::Y),
+        "Z" => Ok(Axis::Z),
+        _ => Err(node.fail(format!("`{name}` is none of X, Y and Z"))),
+    }
 }
 
 fn selectors(node: &Node) -> Result<Vec<Selector>, ConfigError> {
@@ -131,6 +155,8 @@ mod tests {
             ("[lint]\nseverity = { K8001 = \"off\" }", "`K8001` is \"error\", \"warning\" or \"note\""),
             ("[lint.files.\"a/*\"]\nignored = [\"K8\"]", "unknown key `ignored`; did you mean `ignore`?"),
             ("[lint.files.\"a/*\"]\nignore = \"K8\"", "`ignore` needs a list of texts"),
+            ("[lint]\nblank = { X = [0, 100] }", "a blank has X, Y and Z, or X and Z on a lathe"),
+            ("[lint]\nblank = { A = [0, 100] }", "`A` is none of X, Y and Z"),
             ("[lint]\nfiles = { \"a/*\" = 5 }", "a pattern of files has a table"),
         ] {
             let error = error(text);

@@ -1,8 +1,9 @@
 //! Klartext blocks for rules on source text.
 
+use crate::geo::Plane;
 use crate::lexer::klartext::Value;
 use crate::machine::Unit;
-use crate::parser::klartext::ast::{Addr, Block, LabelRef, Stmt, Test};
+use crate::parser::klartext::ast::{Addr, Block, LabelRef, PathFn, Stmt, Test};
 use crate::parser::symbols::Symbols;
 use crate::sema::Job;
 use crate::sema::run::survey::{Item, Notes, Surveyed, Visitor, What};
@@ -18,6 +19,7 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
     let Some(mut blocks) = Blocks::<Klartext>::open(job, file, start) else { return };
     let (mut symbols, mut notes) = (Symbols::default(), Notes::default());
     let mut unit = Unit::Mm;
+    let mut low = None;
     loop {
         let wanted = visitor.wanted();
         let Some(passed) = blocks.next_that(job, &mut symbols, wanted.letter, wanted.is) else { return };
@@ -36,7 +38,7 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
             }
             note(block, text, &mut notes);
             if block.stmt == Stmt::BlkForm {
-                notes.items.extend(corner_of_blank(block, text, unit.mm()));
+                notes.items.extend(corner_of_blank(block, text, unit.mm(), &mut low));
             }
         }
         let surveyed = Surveyed {
@@ -79,6 +81,10 @@ fn note(block: &Block, text: &[u8], notes: &mut Notes) {
         }
         Stmt::Begin { .. } => notes.add(What::Begins, block.span),
         Stmt::End { .. } => notes.add(What::Ends, block.span),
+        Stmt::Pole => notes.add(What::Pole, block.span),
+        Stmt::Path(PathFn::Circle | PathFn::LinePolar | PathFn::CirclePolar | PathFn::TangentPolar) => {
+            notes.add(What::Polar, block.span);
+        }
         // F of TOOL CALL is that of F AUTO.
         Stmt::ToolDef
         | Stmt::ToolCall
@@ -92,6 +98,11 @@ fn note(block: &Block, text: &[u8], notes: &mut Notes) {
         _ => {}
     }
     for word in &block.words {
+        if let (Stmt::ToolCall, Addr::Axis { axis, .. }) = (block.stmt, word.addr) {
+            notes
+                .items
+                .extend(Plane::normal_to(axis.index()).map(|plane| Item { what: What::Plane(plane), span: word.span }));
+        }
         let letter = match word.addr {
             Addr::Feed => b'F',
             Addr::Speed => b'S',
@@ -112,8 +123,8 @@ fn note(block: &Block, text: &[u8], notes: &mut Notes) {
     parameters(block, text, notes);
 }
 
-/// `BLK FORM 0.1 Z X+0 Y+0 Z-20`, where all coordinates are numbers.
-fn corner_of_blank(block: &Block, text: &[u8], mm: f64) -> Option<Item> {
+/// `BLK FORM 0.1 Z X+0 Y+0 Z-20`, where all coordinates are numbers; increments of the high corner count from the `low` one.
+fn corner_of_blank(block: &Block, text: &[u8], mm: f64, low: &mut Option<[f64; 3]>) -> Option<Item> {
     let high = match block.words.first()?.span.of(text) {
         b"0.1" | b"0,1" => false,
         b"0.2" | b"0,2" => true,
@@ -121,13 +132,17 @@ fn corner_of_blank(block: &Block, text: &[u8], mm: f64) -> Option<Item> {
     };
     let mut at = [None; 3];
     for word in &block.words {
-        if let (Addr::Axis { axis, incremental: false }, Value::Number(value)) = (word.addr, word.value)
+        if let (Addr::Axis { axis, incremental }, Value::Number(value)) = (word.addr, word.value)
             && axis.is_main()
         {
-            at[axis.index()] = Some(value * mm);
+            let base = if incremental { low.filter(|_| high)?[axis.index()] } else { 0.0 };
+            at[axis.index()] = Some(base + value * mm);
         }
     }
     let [Some(x), Some(y), Some(z)] = at else { return None };
+    if !high {
+        *low = Some([x, y, z]);
+    }
     Some(Item { what: What::BlankCorner { high, at: [x, y, z] }, span: block.span })
 }
 

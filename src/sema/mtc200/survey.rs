@@ -50,6 +50,9 @@ fn note(block: &Block, symbols: &Symbols, notes: &mut Notes) {
         match (word.target, word.value) {
             (Target::Letter(letter), Value::Literal(value)) => {
                 notes.word(letter, value, word.span);
+                if letter == b'G' && (value == 15.0 || value == 16.0) {
+                    notes.add(What::Radii(value == 15.0), word.span);
+                }
                 if letter == b'M' && (value == 2.0 || value == 30.0) {
                     notes.add(What::Ends, word.span);
                 }

@@ -1,5 +1,6 @@
 //! Blocks as rules for source text see them, in every language alike, whether they run or not.
 
+use crate::geo::Plane;
 use crate::sema::Job;
 use crate::sema::run::Site;
 use crate::text::{FileId, Span};
@@ -29,6 +30,18 @@ pub enum What {
     Branches,
     /// A corner of the blank, the high one or the low one, in mm.
     BlankCorner { high: bool, at: [f64; 3] },
+    /// A bar about Z as the blank: its radius and that of its bore, and where it ends along Z, in mm.
+    BlankBar { radius: f64, bore: f64, left: f64, right: f64 },
+    /// The working plane, where no G function says it.
+    Plane(Plane),
+    /// A pole or centre for blocks that follow.
+    Pole,
+    /// A block that counts from the pole.
+    Polar,
+    /// Coordinates of the diameter axis are radii from here on, or diameters again.
+    Radii(bool),
+    /// Several parts, each with a blank of its own.
+    Parts,
     /// F and S of the block are for the tool, or for this block alone: no modal words.
     OwnValues,
     /// A word with a letter and a literal: `G1`, `F200`.

@@ -7,13 +7,18 @@ use crate::sema::run::survey::{Notes, Surveyed, Visitor, What};
 use crate::sema::run::unexecuted::Blocks;
 use crate::text::{FileId, Loc, Span};
 
+use rustc_hash::FxHashMap;
+
+use super::dictionary;
 use super::macros::Sinumerik;
+use super::vocabulary::{Address, Meaning};
 
 /// Leads `visitor` through a file.
 pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
     let start = Loc { file, line: 1, span: Span::default() };
     let Some(mut blocks) = Blocks::<Sinumerik>::open(job, file, start) else { return };
     let (mut symbols, mut notes) = (Symbols::default(), Notes::default());
+    let words = dictionary::words();
     loop {
         let wanted = visitor.wanted();
         let Some(passed) = blocks.next_that(job, &mut symbols, wanted.letter, wanted.is) else { return };
@@ -22,7 +27,7 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
         notes.clear();
         notes.comments.extend(block.comment);
         if visitor.items() {
-            Noting { block, symbols: &symbols, notes: &mut notes }.note();
+            Noting { block, symbols: &symbols, words: &words, notes: &mut notes }.note();
         }
         let surveyed = Surveyed {
             text,
@@ -42,6 +47,7 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
 struct Noting<'n> {
     block: &'n Block,
     symbols: &'n Symbols,
+    words: &'n FxHashMap<&'static str, Meaning>,
     notes: &'n mut Notes,
 }
 
@@ -133,6 +139,9 @@ impl Noting<'_> {
             match (word.target, word.value) {
                 (Target::Letter(letter), Value::Literal { value, .. }) => {
                     self.notes.word(letter, value, word.span);
+                    if letter == b'G' && matches!(value as i64, 110..=112) && value.fract() == 0.0 {
+                        self.notes.add(What::Pole, word.span);
+                    }
                     if letter == b'M' && matches!(value as i64, 2 | 17 | 30) && value.fract() == 0.0 {
                         self.notes.add(What::Ends, word.span);
                     }
@@ -149,8 +158,19 @@ impl Noting<'_> {
                         self.notes.add(What::Opaque, word.span);
                         self.notes.add(What::UsesUnknown, word.span);
                     }
+                    if matches!(self.words.get(text.as_str()), Some(Meaning::Address(Address::Ap | Address::Rp))) {
+                        self.notes.add(What::Polar, word.span);
+                    }
+                    match text.as_str() {
+                        "DIAMOF" => self.notes.add(What::Radii(true), word.span),
+                        "DIAMON" | "DIAM90" => self.notes.add(What::Radii(false), word.span),
+                        _ => {}
+                    }
                     if assigned {
-                        self.notes.add(What::Writes(text), word.span);
+                        // CR=, SPOS= and their kin are words, no variables.
+                        if !self.words.contains_key(text.as_str()) {
+                            self.notes.add(What::Writes(text), word.span);
+                        }
                     } else if !text.starts_with("CYCLE") {
                         // A call, a word of the control, or a variable in a call.
                         self.notes.add(What::Reads(text), word.span);

@@ -1,10 +1,11 @@
 //! Blocks of HEIDENHAIN turning for rules on source text.
 
 use crate::lexer::turning::VarKind;
+use crate::machine::Unit;
 use crate::parser::symbols::Symbols;
-use crate::parser::turning::ast::{Addr, Block, Op, Stmt, Value};
+use crate::parser::turning::ast::{Addr, Block, Op, Section, Stmt, Value};
 use crate::sema::Job;
-use crate::sema::run::survey::{Notes, Surveyed, Visitor, What};
+use crate::sema::run::survey::{Item, Notes, Surveyed, Visitor, What};
 use crate::sema::run::unexecuted::Blocks;
 use crate::text::{FileId, Loc, Span};
 
@@ -15,6 +16,7 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
     let start = Loc { file, line: 1, span: Span::default() };
     let Some(mut blocks) = Blocks::<Turning>::open(job, file, start) else { return };
     let (mut symbols, mut notes) = (Symbols::default(), Notes::default());
+    let mut shape = Shape::default();
     loop {
         let wanted = visitor.wanted();
         let Some(passed) = blocks.next_that(job, &mut symbols, wanted.letter, wanted.is) else { return };
@@ -24,6 +26,7 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
         comments(text, block.comment, &mut notes.comments);
         if visitor.items() {
             note(block, &mut notes);
+            shape.note(block, text, &mut notes);
         }
         let surveyed = Surveyed {
             text,
@@ -88,4 +91,62 @@ fn note(block: &Block, notes: &mut Notes) {
             notes.add(What::Reads(var.to_string()), span);
         }
     }
+}
+
+/// What the sections in front say of lengths.
+#[derive(Debug, Default)]
+struct Shape {
+    in_blank: bool,
+    unit: Unit,
+}
+
+impl Shape {
+    /// A bar by G20 in the section of the blank, where all its words are numbers.
+    fn note(&mut self, block: &Block, text: &[u8], notes: &mut Notes) {
+        match block.stmt {
+            Stmt::Head { key, value }
+                if matches!(key.of(text).to_ascii_uppercase().as_slice(), b"UNIT" | b"EINHEIT") =>
+            {
+                let value = value.of(text).trim_ascii().to_ascii_uppercase();
+                let inch = value.ends_with(b"INCH") || value.ends_with(b"ZOLL");
+                self.unit = if inch { Unit::Inch } else { Unit::Mm };
+            }
+            Stmt::Section(section, _) => {
+                self.in_blank = section == Section::Blank;
+                if section == Section::Contours {
+                    notes.add(What::Parts, block.span);
+                }
+            }
+            _ if self.in_blank => {
+                let bar = bar(block, self.unit.mm());
+                notes.items.extend(bar.map(|what| Item { what, span: block.span }));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// `G20 X80 Z100 K2 I30`: a diameter, a length, where the right face lies, and the diameter of a bore.
+fn bar(block: &Block, mm: f64) -> Option<What> {
+    let (mut is_bar, mut of) = (false, [None, None, Some(0.0), Some(0.0)]);
+    for word in &block.words {
+        let value = match word.value {
+            Value::Number { value, .. } => Some(value),
+            _ => None,
+        };
+        let at = match word.address.addr.letter() {
+            Some(b'G') => {
+                is_bar |= value == Some(20.0);
+                continue;
+            }
+            Some(b'X') => 0,
+            Some(b'Z') => 1,
+            Some(b'K') => 2,
+            Some(b'I') => 3,
+            _ => continue,
+        };
+        of[at] = value.map(|value| value * mm);
+    }
+    let [Some(diameter), Some(length), Some(right), Some(bore)] = of else { return None };
+    is_bar.then_some(What::BlankBar { radius: diameter / 2.0, bore: bore / 2.0, left: right - length, right })
 }
