@@ -11,6 +11,9 @@ use partc::internals::diag::codes::{self, Code};
 /// Documents of the project that stand beside `docs`.
 const BESIDE: &[&str] = &["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"];
 
+/// What they link to and the book takes as it is.
+const LICENCES: &[&str] = &["LICENSE-MIT", "LICENSE-APACHE"];
+
 /// What the letter of a code says.
 const LETTERS: &[(char, &str)] = &[
     ('P', "General"),
@@ -37,6 +40,9 @@ fn main() -> io::Result<()> {
         // From within the book the documents stand beside it.
         let text = fs::read_to_string(root.join(name))?.replace("](docs/", "](");
         fs::write(pages.join(name), text)?;
+    }
+    for name in LICENCES {
+        fs::copy(root.join(name), pages.join(name))?;
     }
     let mut summary = fs::read_to_string(root.join("docs/SUMMARY.md"))?;
     fs::create_dir(pages.join("codes"))?;

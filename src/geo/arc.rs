@@ -153,6 +153,42 @@ mod tests {
     }
 
     #[test]
+    fn sweeps_of_quarters_go_the_way_that_is_said() {
+        let (east, north, zero) = (Point2::new(1.0, 0.0), Point2::new(0.0, 1.0), Point2::origin());
+        let quarters = |from, to, ccw| sweep(from, to, zero, ccw) / (TAU / 4.0);
+        for (from, to, ccw, wanted) in [
+            (east, north, true, 1.0),
+            (east, north, false, -3.0),
+            (north, east, true, 3.0),
+            (north, east, false, -1.0),
+            (east, east, true, 4.0),
+            (east, east, false, -4.0),
+        ] {
+            let found = quarters(from, to, ccw);
+            assert!((found - wanted).abs() < 1e-12, "{from} {to} {ccw}: {found}");
+        }
+    }
+
+    #[test]
+    fn centres_by_opening_and_through_a_point() {
+        let (east, north) = (Point2::new(1.0, 0.0), Point2::new(0.0, 1.0));
+        let opening = |quarters: f64| center_by_opening(east, north, quarters * TAU / 4.0, 1e-6).unwrap();
+        for (quarters, wanted) in [(1.0, (0.0, 0.0)), (-3.0, (0.0, 0.0)), (-1.0, (1.0, 1.0)), (3.0, (1.0, 1.0))] {
+            let found = opening(quarters);
+            assert!(distance(found, Point2::from(<[f64; 2]>::from(wanted))) < 1e-12, "{quarters}: {found}");
+        }
+        assert!(
+            center_by_opening(east, north, TAU, 1e-6).is_none() && center_by_opening(east, east, 1.0, 1e-6).is_none()
+        );
+        let half = core::f64::consts::FRAC_1_SQRT_2;
+        for (via, ccw) in [(Point2::new(half, half), true), (Point2::new(-half, -half), false)] {
+            let (center, sense) = through(east, via, north, 1e-6).unwrap();
+            assert!(distance(center, Point2::origin()) < 1e-12 && sense == ccw, "{via}: {center} {sense}");
+        }
+        assert!(through(east, Point2::new(0.5, 0.5), north, 1e-6).is_none());
+    }
+
+    #[test]
     fn ends_within_rounding_are_one_point() {
         let at = |x, y| closing(Vec2::new(x, y));
         assert_eq!(at(0.0, 0.0), Closing::Closed);

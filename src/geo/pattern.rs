@@ -238,6 +238,12 @@ mod tests {
         near(Grid { frame: true, ..grid }.positions().unwrap(), &frame);
         near(Grid { frame: true, rows: 1, ..grid }.positions().unwrap(), &frame[..3]);
         near(Grid { turn: Deg(90.0), ..grid }.positions().unwrap().take(2), &[(10., 20.), (10., 25.)]);
+        // Columns that lean by 30 degrees lean towards the next one: (8 sin 30, 8 cos 30); rows rise with theirs.
+        let leaning = Shear { columns: Deg(30.0), ..Shear::default() };
+        let lean = Grid { columns: 1, rows: 2, shear: leaning, ..grid };
+        near(lean.positions().unwrap(), &[(10., 20.), (14., 26.9282)]);
+        let rising = Shear { rows: Deg(30.0), ..Shear::default() };
+        near(Grid { columns: 2, rows: 1, shear: rising, ..grid }.positions().unwrap(), &[(10., 20.), (14.3301, 22.5)]);
         assert_eq!(Grid { rows: 0, ..grid }.positions().err(), Some(Fault::None));
         assert_eq!(Grid { rows: 1000, columns: 1000, ..grid }.positions().err(), Some(Fault::TooMany));
     }

@@ -286,6 +286,18 @@ mod tests {
     }
 
     #[test]
+    fn the_start_angle_begins_farther_ahead() {
+        // A quarter turn of a lead of 1.5 in front of Z8.
+        let from = Point2::new(5.0, 13.0);
+        let thread = Thread { start_angle: Deg(90.0), ..m20() };
+        assert_eq!(words(&strokes(&thread, from), from)[..3], ["G0 Z8.375", "G0 X19.4", "G33 Z-21 K1.5"]);
+        // To a place behind the thread the tool leaves as it came.
+        let behind = Thread { park: Point2::new(-30.0, 15.0), ..thread };
+        let list = words(&strokes(&behind, from), from);
+        assert_eq!(list[list.len() - 3..], ["G0 Z8.375", "G0 X30", "G0 Z-30"]);
+    }
+
+    #[test]
     fn flank_offset_from_the_crest() {
         // M20×1.5, depth 0.92, finishing 0.05, five passes and one air cut, 30 degrees.
         let from = Point2::new(5.0, 13.0);

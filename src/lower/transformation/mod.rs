@@ -342,3 +342,33 @@ fn passes(arc: &Arc, v: crate::geo::Vec2) -> bool {
     let way = if way < 0.0 { way + TAU } else { way };
     way <= arc.sweep.abs()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The largest way between an arc and one of `count` chords.
+    fn sagitta(arc: &Arc, count: u32) -> f64 {
+        let radius = distance(arc.from, arc.center);
+        radius * (1.0 - libm::cos(arc.sweep / f64::from(count) / 2.0))
+    }
+
+    #[test]
+    fn as_few_chords_as_stay_within_the_tolerance() {
+        for (radius, degrees, count) in
+            [(40.0, 90.0, 50), (40.0, -90.0, 50), (10.0, 360.0, 100), (2.0, 5.0, 1), (0.004, 300.0, 2)]
+        {
+            let arc = Arc {
+                plane: Plane::Xy,
+                from: Point2::new(radius + 7.0, -3.0),
+                center: Point2::new(7.0, -3.0),
+                sweep: f64::to_radians(degrees),
+            };
+            assert_eq!(chords(&arc), count, "radius {radius}, {degrees} degrees");
+            if radius > TOLERANCE {
+                assert!(sagitta(&arc, count) <= TOLERANCE + 1e-9, "radius {radius}");
+                assert!(count == 1 || sagitta(&arc, count - 1) > TOLERANCE, "radius {radius}");
+            }
+        }
+    }
+}

@@ -202,6 +202,11 @@ fn tapping_turns_back_on_the_way_out() {
             "G0 Z50"
         ]
     );
+    // The way out has a speed of its own, and so has the way down through the thread that is cut.
+    let quick = Tap { speed_in: Some(200.0), speed_out: Some(400.0), ..steps };
+    let found = words(&hole(at, Method::Tap(quick)));
+    let again = ["S400", "M4", "G33 K1.25 Z2", "S400", "M3", "G33 K1.25 Z-11", "S200", "M3", "G33 K1.25 Z-20"];
+    assert_eq!(found[4..13], again, "{found:?}");
     // Exactly two steps, and the chip broken between them.
     let words_of = |tap: Tap| words(&hole(at, Method::Tap(tap)));
     let broken = words_of(Tap { step: breaking(10.0, 1.5), ..steps });

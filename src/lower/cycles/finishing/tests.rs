@@ -148,14 +148,22 @@ proptest! {
         let Ok(list) = strokes(&finishing, from) else { return Ok(()) };
         let mut at = from;
         let mut reached = vec![f64::INFINITY; contour.len()];
+        // How much room the nose has about a place of its point.
+        let clear = |p: Point2| {
+            let off = contour.iter().map(|element| gap::point_to(p - nose.tip * radius, element));
+            off.fold(f64::INFINITY, f64::min) - radius - oversize
+        };
         for mv in &list {
+            // A narrow place at an end of a rapid leaves less of the clearance.
+            let free = clear(at).min(clear(mv.to)).min(0.5);
+            prop_assert!(mv.path != Path::Rapid || free > 0.1, "{at:?} {mv:?} {free}");
             for p in along(at, mv) {
                 let center = p - nose.tip * radius;
                 for (element, least) in contour.iter().zip(&mut reached) {
                     let off = gap::point_to(center, element);
                     prop_assert!(off > radius + oversize - 2e-3, "{center:?} {element:?} {off}");
                     if mv.path == Path::Rapid {
-                        prop_assert!(off > radius + oversize + 0.5, "{center:?} {element:?} {off}");
+                        prop_assert!(off > radius + oversize + free - 2e-3, "{center:?} {element:?} {off}");
                     }
                     *least = least.min(off);
                 }

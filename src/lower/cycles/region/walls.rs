@@ -208,3 +208,49 @@ const FINEST_STEP: f64 = 1e-8;
 const LEAST_GAIN: f64 = 1e-6;
 /// How often a way across is cut by a third.
 const THIRDS: usize = 24;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn polygon(corners: &[(f64, f64)]) -> Walls {
+        let corner = |i: usize| Point2::from(<[f64; 2]>::from(corners[i % corners.len()]));
+        Walls::new((0..corners.len()).map(|i| Element::Line { from: corner(i), to: corner(i + 1) }).collect())
+    }
+
+    /// Where there is most room from walls that stand counter-clockwise about it.
+    fn most(corners: &[(f64, f64)]) -> (Point2, f64) {
+        let walls = polygon(corners);
+        let inside = |p: Point2| {
+            walls.elements().iter().all(|wall| (p - wall.from()).dot(&left(wall.to() - wall.from())) >= 0.0)
+        };
+        let room = |p: Point2| if inside(p) { walls.distance(p) } else { -walls.distance(p) };
+        let (mut low, mut high) = (Point2::new(f64::MAX, f64::MAX), Point2::new(f64::MIN, f64::MIN));
+        for (x, y) in corners {
+            low = Point2::new(low.x.min(*x), low.y.min(*y));
+            high = Point2::new(high.x.max(*x), high.y.max(*y));
+        }
+        roomiest(low, high, room).expect("a box")
+    }
+
+    #[test]
+    fn most_room_of_a_triangle_is_in_its_inscribed_circle() {
+        // Sides 30, 40, 50: radius (30 + 40 - 50) / 2.
+        let (p, room) = most(&[(0.0, 0.0), (40.0, 0.0), (0.0, 30.0)]);
+        assert!(distance(p, Point2::new(10.0, 10.0)) < 1e-5 && (room - 10.0).abs() < 1e-6, "{p} {room}");
+        // Sides 13, 14, 15: area 84, radius 4. The foot of the circle on the side of 14 is 21 - 13 from its end.
+        let (p, room) = most(&[(0.0, 0.0), (14.0, 0.0), (9.0, 12.0)]);
+        assert!(distance(p, Point2::new(8.0, 4.0)) < 1e-5 && (room - 4.0).abs() < 1e-6, "{p} {room}");
+    }
+
+    #[test]
+    fn most_room_of_a_leaning_slot_is_on_its_ridge() {
+        // 50 long, 10 wide, turned by the angle of a triangle of 3, 4 and 5.
+        let (p, room) = most(&[(0.0, 0.0), (40.0, 30.0), (34.0, 38.0), (-6.0, 8.0)]);
+        assert!((room - 5.0).abs() < 1e-6, "{p} {room}");
+        // Its ridge begins 5 from the end, and the place with the least X is taken, as far as a square tells.
+        let along = (p - Point2::new(-3.0, 4.0)).dot(&Vec2::new(0.8, 0.6));
+        let aside = (p - Point2::new(-3.0, 4.0)).dot(&Vec2::new(-0.6, 0.8));
+        assert!((5.0 - 1e-5..6.0).contains(&along) && aside.abs() < 1e-5, "{p} {along} {aside}");
+    }
+}
