@@ -34,7 +34,8 @@ pub mod lower {
 
 pub mod machine {
     pub use crate::machine::{
-        Axis, Compensation, Machine, MachineKind, Settings, Undercuts, axis, config, schema, settings, tools, tree,
+        Axis, Compensation, Machine, MachineKind, Settings, Undercuts, Unit, axis, config, schema, settings, table,
+        tools, tree,
     };
 }
 

@@ -55,7 +55,7 @@ pub mod settings {
     pub use crate::machine::config::from_toml;
     pub use crate::machine::settings::*;
     pub use crate::machine::tree::ConfigError;
-    pub use crate::machine::{schema, show, tools, tree};
+    pub use crate::machine::{schema, show, table, tools, tree};
 }
 
 /// What partc finds.

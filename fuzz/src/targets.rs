@@ -3,7 +3,7 @@
 use partc::internals::compare::{Difference, steps_of_text};
 use partc::internals::dialect;
 use partc::internals::driver::Session;
-use partc::internals::machine::{Compensation, Settings, config, tools, tree};
+use partc::internals::machine::{Compensation, Settings, config, table, tree};
 use partc::internals::parser::symbols::Symbols;
 use partc::internals::parser::{klartext, mtc200, sinumerik, turning};
 use partc::internals::text::files::NoFiles;
@@ -147,7 +147,7 @@ pub fn sinumerik(bytes: &[u8]) {
 /// Any text as a tool table and as a configuration.
 pub fn tables(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
-    let _ = tools::read_table(text);
+    let _ = table::read(text);
     if let Ok(tree) = tree::parse(text, "partc.toml") {
         let _ = config::read(&tree);
     }

@@ -64,6 +64,10 @@ pub(super) enum Command {
         #[arg(long, value_enum, default_value = "human")]
         format: ListFormat,
     },
+    /// Print tool, preset, datum and point tables and machine data in one form; convert them
+    Tools(ToolsArgs),
+    /// Check, and check again when a file changes
+    Watch(Watch),
     /// Print completions for a shell
     Completions { shell: clap_complete::Shell },
     /// Print the manual page of partc, or of one of its commands
@@ -133,6 +137,12 @@ pub(super) struct Check {
 }
 
 #[derive(Debug, ClapArgs)]
+pub(super) struct Watch {
+    #[command(flatten)]
+    pub check: Check,
+}
+
+#[derive(Debug, ClapArgs)]
 pub(super) struct Init {
     /// Part programs and folders
     #[arg(required_unless_present = "files_from")]
@@ -186,6 +196,40 @@ pub(super) struct Trace {
     pub findings: Findings,
     #[command(flatten)]
     pub common: Common,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(super) struct ToolsArgs {
+    /// TOOL.T, .D, .PR, .PNT, tool data of a SINUMERIK (.INI, .TOA, .UFR), tool.tbl or machine .ini of LinuxCNC, CSV
+    pub file: PathBuf,
+    /// Form to print
+    #[arg(long, value_enum, default_value = "table")]
+    pub to: TableForm,
+    /// Unit of a file that states none
+    #[arg(long, value_parser = ["mm", "inch"])]
+    pub unit: Option<String>,
+    /// File to write instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// Forms of tables.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum TableForm {
+    /// For people
+    Table,
+    /// One object
+    Json,
+    /// A line for each tool or row
+    Csv,
+    /// Lines for partc.toml
+    Toml,
+    /// Tool table of a HEIDENHAIN control
+    #[value(name = "tool.t")]
+    ToolT,
+    /// Tool table of LinuxCNC
+    #[value(name = "tool.tbl")]
+    ToolTbl,
 }
 
 #[derive(Debug, ClapArgs)]

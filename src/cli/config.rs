@@ -4,8 +4,9 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use crate::machine::settings::{Compensation, Settings};
+use crate::machine::table::{self, Contents, Kind};
 use crate::machine::tree::{Node, Spot, Table, Value, overlay, parse};
-use crate::machine::{config, schema, show, tools};
+use crate::machine::{config, schema, show};
 use crate::target;
 use crate::text::decode::escaped_json;
 
@@ -132,6 +133,13 @@ pub(super) fn settings_of(tree: &Table, common: &Common) -> Result<Settings, Tro
     if let Some(path) = table {
         read_tools(&path, &mut settings)?;
     }
+    if let Some(path) = path_of(tree, "control", "datum_table") {
+        let contents = read_table(&path)?;
+        if contents.kind != Kind::Datums {
+            return Err(format!("{}: is a {}, not a datum table", path.display(), contents.kind.name()));
+        }
+        settings.datums.table = Some(contents);
+    }
     if let Some(target) = &common.target {
         settings.output.target = target::find(target).ok_or_else(|| format!("no target `{target}`"))?;
     }
@@ -156,6 +164,13 @@ fn nearest(input: &Path) -> Option<PathBuf> {
     let folder = if input == Path::new("-") { PathBuf::from(".") } else { input.parent()?.to_path_buf() };
     let folder = fs::canonicalize(if folder.as_os_str().is_empty() { Path::new(".") } else { &folder }).ok()?;
     folder.ancestors().map(|dir| dir.join(NAME)).find(|file| file.is_file())
+}
+
+/// The configuration files that may hold for a folder: the one that is named, or all above.
+pub(super) fn files_above(folder: &Path, common: &Common) -> Vec<PathBuf> {
+    let named = common.config.iter().chain(&common.tools).cloned();
+    let folder = fs::canonicalize(folder).unwrap_or_else(|_| folder.to_path_buf());
+    named.chain(folder.ancestors().map(|dir| dir.join(NAME))).collect()
 }
 
 /// Reads a file and what it extends.
@@ -210,25 +225,34 @@ pub(super) fn make_absolute(tree: &mut Table, folder: &Path) {
             *text = folder.join(&text).to_string_lossy().into_owned();
         }
     };
-    if let Some(Value::Table(tools)) = tree.get_mut("tools").map(|node| &mut node.value)
-        && let Some(node) = tools.get_mut("table")
-    {
-        anchor(node);
+    for (section, key) in [("tools", "table"), ("control", "datum_table")] {
+        if let Some(Value::Table(keys)) = tree.get_mut(section).map(|node| &mut node.value)
+            && let Some(node) = keys.get_mut(key)
+        {
+            anchor(node);
+        }
     }
     if let Some(Value::Table(include)) = tree.get_mut("include").map(|node| &mut node.value)
         && let Some(Value::Table(roots)) = include.get_mut("roots").map(|node| &mut node.value)
     {
         roots.values_mut().for_each(anchor);
     }
+    if let Some(Value::Table(dialects)) = tree.get_mut("dialects").map(|node| &mut node.value) {
+        anchor_patterns(dialects, folder);
+    }
     if let Some(Value::Table(lint)) = tree.get_mut("lint").map(|node| &mut node.value)
         && let Some(Value::Table(files)) = lint.get_mut("files").map(|node| &mut node.value)
     {
-        // Files are compared by where they really lie.
-        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-        let folder = fs::canonicalize(folder).unwrap_or_else(|_| folder.to_path_buf());
-        let here = std::mem::take(files);
-        *files = here.into_iter().map(|(pattern, node)| (pattern_below(&folder, &pattern), node)).collect();
+        anchor_patterns(files, folder);
     }
+}
+
+/// Patterns of files count from a folder, and are compared with where the files really lie.
+fn anchor_patterns(patterns: &mut Table, folder: &Path) {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let folder = fs::canonicalize(folder).unwrap_or_else(|_| folder.to_path_buf());
+    let here = std::mem::take(patterns);
+    *patterns = here.into_iter().map(|(pattern, node)| (pattern_below(&folder, &pattern), node)).collect();
 }
 
 /// A pattern of paths that counts from a folder.
@@ -242,8 +266,13 @@ fn table_path(tree: &Table, common: &Common) -> Option<PathBuf> {
     if let Some(path) = &common.tools {
         return Some(path.clone());
     }
-    let Value::Table(tools) = &tree.get("tools")?.value else { return None };
-    match &tools.get("table")?.value {
+    path_of(tree, "tools", "table")
+}
+
+/// The file that a key names.
+fn path_of(tree: &Table, section: &str, key: &str) -> Option<PathBuf> {
+    let Value::Table(keys) = &tree.get(section)?.value else { return None };
+    match &keys.get(key)?.value {
         Value::Text(path) => Some(path.into()),
         _ => None,
     }
@@ -251,13 +280,16 @@ fn table_path(tree: &Table, common: &Common) -> Option<PathBuf> {
 
 /// Reads a tool table; tools of the configuration file win over it.
 fn read_tools(path: &Path, settings: &mut Settings) -> Result<(), Trouble> {
+    let contents = read_table(path)?;
+    if !contents.has_tools() {
+        return Err(format!("{}: is a {}, and holds no tools", path.display(), contents.kind.name()));
+    }
+    settings.tools.add(contents).map_err(|message| format!("{}: {message}", path.display()))
+}
+
+/// Reads a file of tool or machine data.
+pub(super) fn read_table(path: &Path) -> Result<Contents, Trouble> {
     let bytes = read_settings(path).map_err(|error| format!("{}: {error}", path.display()))?;
     let text = String::from_utf8(bytes).unwrap_or_else(|error| crate::text::decode::readable_lines(error.as_bytes()));
-    let table =
-        tools::read_table(&text).map_err(|error| format!("{}:{}: {}", path.display(), error.line, error.message))?;
-    for (key, tool) in table {
-        settings.tools.table.entry(key).or_insert(tool);
-    }
-    settings.tools.complete = true;
-    Ok(())
+    table::read(&text).map_err(|error| format!("{}:{error}", path.display()))
 }

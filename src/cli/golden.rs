@@ -68,7 +68,7 @@ pub(super) fn test(args: &Test) -> std::result::Result<Exit, Trouble> {
     if !args.dir.is_dir() {
         return Err(format!("{}: is no folder", args.dir.display()));
     }
-    let programs = walked(&|path| !is_golden(path) && !is_output(path) && is_program(path))?;
+    let programs = walked(&|path| !is_golden(path) && !is_output(path) && is_program(path, &args.common))?;
     let mut left = walked(&is_golden)?;
     let format = args.common.report.format.unwrap_or(Format::Human);
     if !matches!(format, Format::Human | Format::Concise | Format::Json) {

@@ -40,7 +40,7 @@ pub(super) fn init(args: &Init) -> Result<Exit, Trouble> {
             target.display()
         ));
     }
-    let found = inputs(&args.paths, &args.many, &|path| is_program(path) && !is_output(path))?;
+    let found = inputs(&args.paths, &args.many, &|path| is_program(path, &args.common) && !is_output(path))?;
     let mut reporter = Reporter::new(&args.common, &super::args::Findings::SHOWN, Stdout::Taken, None);
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     let (mut all, inputs) = (Programs::default(), found.list);

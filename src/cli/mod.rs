@@ -22,7 +22,9 @@ mod run;
 mod stats;
 mod summary;
 mod targets;
+mod tools;
 mod unified;
+mod watch;
 
 use std::io::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -98,6 +100,8 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
         Command::Config(show) => config::command(show),
         Command::Explain { code, format } => listing::explain(code, *format),
         Command::Rules { format } => listing::rules(*format),
+        Command::Watch(args) => watch::watch(args),
+        Command::Tools(args) => tools::tools(args),
         Command::Targets { format } => targets::list(*format),
         Command::Completions { shell } => {
             let mut script = Vec::new();

@@ -9,6 +9,7 @@ use serde_json::json;
 
 use crate::diag::Severity;
 use crate::diag::report::Counts;
+use crate::diag::selection::fits;
 use crate::dialect::{self, Dialect};
 use crate::driver::{Failure, Session};
 use crate::emit::LineMap;
@@ -48,13 +49,15 @@ pub(super) fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
 pub(super) fn load_with(path: &Path, common: &Common, settings: Settings) -> Result<Loaded, Trouble> {
     let shown = path.display().to_string();
     let main = open_main(path, common.stdin_filename.as_deref()).map_err(|error| format!("{shown}: {error}"))?;
-    let name = main.name.clone();
+    let (name, identity) = (main.name.clone(), main.identity.clone());
     let session = Session::new(main);
-    let dialect = if common.dialect == "auto" {
+    let dialect = if common.dialect != "auto" {
+        dialect::find(&common.dialect).ok_or_else(|| format!("no dialect `{}`", common.dialect))?
+    } else if let Some(dialect) = said_dialect(&identity, &settings).map_err(|error| format!("{shown}: {error}"))? {
+        dialect
+    } else {
         let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
         dialect::guess(&name, &head).ok_or_else(|| format!("{shown}: {}", which_language(path, common, &settings)))?
-    } else {
-        dialect::find(&common.dialect).ok_or_else(|| format!("no dialect `{}`", common.dialect))?
     };
     let place = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
     let base = match place.parent() {
@@ -63,6 +66,24 @@ pub(super) fn load_with(path: &Path, common: &Common, settings: Settings) -> Res
     };
     let files = IncludeRoots::new(base, settings.include.roots.clone());
     Ok(Loaded { session, dialect, settings, files })
+}
+
+/// The language that `[dialects]` says for a file of this path.
+fn said_dialect(identity: &str, settings: &Settings) -> Result<Option<&'static Dialect>, Trouble> {
+    let path = if cfg!(windows) { identity.replace('\\', "/") } else { identity.to_owned() };
+    let mut said = settings.dialects.iter().filter(|(pattern, _)| fits(pattern, &path)).map(|(_, dialect)| dialect);
+    let Some(first) = said.next() else { return Ok(None) };
+    if let Some(other) = said.find(|other| *other != first) {
+        return Err(format!("`[dialects]` says that this is {first} and {other}"));
+    }
+    match dialect::find(first) {
+        Some(dialect) => Ok(Some(dialect)),
+        None => Err(format!("`[dialects]` says `{first}`, which is no language; {}", names_of_dialects())),
+    }
+}
+
+fn names_of_dialects() -> String {
+    dialect::ALL.iter().map(|dialect| dialect.id).collect::<Vec<_>>().join("|")
 }
 
 /// All languages, each with how well the program fits it.
@@ -85,14 +106,14 @@ fn which_language(path: &Path, common: &Common, settings: &Settings) -> String {
         .iter()
         .map(|(errors, id)| format!("{id} ({} cannot be read)", counted(*errors, "block", "blocks")))
         .collect();
-    let names = dialect::ALL.iter().map(|dialect| dialect.id).collect::<Vec<_>>().join("|");
+    let names = names_of_dialects();
     let evidence = if evidence.is_empty() { String::new() } else { format!("; tried: {}", evidence.join(", ")) };
     format!("which language is this? Say `--dialect {names}`{evidence}")
 }
 
 /// `partc compile`
 pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
-    let takes = |path: &Path| is_program(path) && !is_output(path);
+    let takes = |path: &Path| is_program(path, &args.common) && !is_output(path);
     let found = inputs(&args.inputs, &args.many, &takes)?;
     if found.list.len() > 1 && args.output.is_some() {
         return Err("several inputs cannot go to one output; use --out-dir".to_owned());
@@ -343,7 +364,7 @@ pub(super) fn same_file(a: &Path, b: &Path) -> bool {
 /// `partc check`
 pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
     let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Free, args.output.as_deref());
-    let found = inputs(&args.paths, &args.many, &is_program)?;
+    let found = inputs(&args.paths, &args.many, &|path| is_program(path, &args.common))?;
     reporter.spares(&found.list, &BTreeSet::new())?;
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     if found.list.is_empty() && reporter.troubles().is_empty() && args.many.shard.is_none() {
@@ -413,17 +434,22 @@ fn show_fixes(args: &Check, inputs: &[Input], mut reporter: Reporter) -> Result<
 
 /// A file of a folder whose extension or content some dialect knows; plain G-code is taken where it is named, for outputs
 /// lie beside their programs. One that cannot be read is judged by its name: who opens it says why it cannot.
-pub(super) fn is_program(path: &Path) -> bool {
+pub(super) fn is_program(path: &Path, common: &Common) -> bool {
     let is_source = |dialect: &dialect::Dialect| dialect.id != "gcode";
     let Ok(main) = open_main(path, None) else {
         return path
             .file_name()
             .is_some_and(|name| dialect::guess(&name.to_string_lossy(), &[]).is_some_and(is_source));
     };
-    let name = main.name.clone();
+    let (name, identity) = (main.name.clone(), main.identity.clone());
     let session = Session::new(main);
     let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
-    dialect::guess(&name, &head).is_some_and(is_source)
+    let said =
+        || config::settings(path, common).is_ok_and(|settings| !matches!(said_dialect(&identity, &settings), Ok(None)));
+    match dialect::guess(&name, &head) {
+        Some(dialect) => is_source(dialect),
+        None => said(),
+    }
 }
 
 /// Name of the language of a program, where it is one and its language is known.
@@ -433,10 +459,14 @@ pub(super) fn dialect_of(path: &Path, common: &Common) -> Option<&'static str> {
         return named();
     }
     let main = open_main(path, None).ok()?;
-    let name = main.name.clone();
+    let (name, identity) = (main.name.clone(), main.identity.clone());
     let session = Session::new(main);
     let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
-    named().or_else(|| dialect::guess(&name, &head).map(|dialect| dialect.id))
+    let said = || {
+        let settings = config::settings(path, common).ok()?;
+        said_dialect(&identity, &settings).ok()?.map(|dialect| dialect.id)
+    };
+    named().or_else(said).or_else(|| dialect::guess(&name, &head).map(|dialect| dialect.id))
 }
 
 /// `partc trace`

@@ -99,7 +99,7 @@ impl Choice {
 }
 
 /// Does the pattern name this path? `*` and `?` stand for characters of one name, `**` for any number of folders.
-fn fits(pattern: &str, path: &str) -> bool {
+pub fn fits(pattern: &str, path: &str) -> bool {
     let names: Vec<&str> = path.split('/').filter(|name| !name.is_empty() && *name != ".").collect();
     // Which numbers of names in front the patterns so far can stand for.
     let mut reached = vec![false; names.len() + 1];

@@ -75,6 +75,10 @@ impl Reader {
                 self.settings.tools.table.insert(key, tool);
             }
             "datums" => set_datum(&mut s.datums, name, node)?,
+            "dialects" => match &node.value {
+                Value::Text(dialect) => s.dialects.push((name.to_owned(), dialect.clone())),
+                _ => return Err(node.fail("a pattern of files has the name of a language in quotes")),
+            },
             "programs" => {
                 let stand_in = self.stand_in(table_of(node), node)?;
                 self.settings.programs.insert(name.to_ascii_uppercase(), stand_in);

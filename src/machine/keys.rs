@@ -3,8 +3,9 @@
 use super::options::{
     control, cycles, klartext, klartext_cycles, lint, machine, mtc200, output, sinumerik, turning, undercut,
 };
-use super::settings::Settings;
+use super::settings::{Settings, Unit};
 use super::tree::{ConfigError, Node};
+use super::values::{is, put};
 
 /// What may stand behind a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -122,6 +123,18 @@ pub(super) const TOOL_KEYS: &[Key] = &[
     ),
 ];
 
+const TOOL_FILE_KEYS: &[Key] = &[
+    part("table", Kind::Text, "TOOL.T (HEIDENHAIN), tool.tbl (LinuxCNC), tool data of a SINUMERIK (.INI, .TOA) or CSV"),
+    Key {
+        set: |s, v| put(&mut s.tools.stated, Some(if is(v, "inch") { Unit::Inch } else { Unit::Mm })),
+        ..part(
+            "unit",
+            Kind::Choice(&["mm", "inch"]),
+            "unit of the table, where it states none, or where its unit is not that of the program",
+        )
+    },
+];
+
 pub(super) const PROGRAM_KEYS: &[Key] = &[
     part("tool", Kind::Whole, "argument that names the tool, from 1: the call changes to it"),
     part("change", Kind::Flag, "the call changes to the tool that T has chosen, as M6 does"),
@@ -143,11 +156,17 @@ pub const SECTIONS: &[Section] = &[
         name: "tools",
         doc: "tool data: a table file, or one table per tool number or quoted name",
         entry: TOOL_KEYS,
-        keys: &[&[part("table", Kind::Text, "TOOL.T (HEIDENHAIN) or tool.tbl (LinuxCNC)")]],
+        keys: &[TOOL_FILE_KEYS],
     },
     Section {
         name: "datums",
         doc: "work offsets (G54 = { X = 0.0 }), preset.N = \"G55\"; SINUMERIK: basic = { X = 0.0 }, the basic frame",
+        entry: &[],
+        keys: &[],
+    },
+    Section {
+        name: "dialects",
+        doc: "language of files by their path: \"lathe/**\" = \"heidenhain-turning\"; without a pattern content and extension tell",
         entry: &[],
         keys: &[],
     },

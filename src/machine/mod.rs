@@ -9,6 +9,7 @@ pub mod options;
 pub mod schema;
 pub mod settings;
 pub mod show;
+pub mod table;
 pub mod tools;
 pub mod tree;
 pub mod undercut;

@@ -30,8 +30,8 @@ fn section_schema(section: &Section) -> Value {
     let others = if !section.entry.is_empty() {
         Value::Object(object(section.entry.iter()))
     } else if section.keys.is_empty() {
-        // Any name: numbers, or tables of them.
-        json!({ "type": ["number", "object"] })
+        // Any name: numbers, texts, or tables of them.
+        json!({ "type": ["number", "object", "string"] })
     } else {
         json!(false)
     };

@@ -14,6 +14,7 @@ use super::options::klartext::{
 use super::options::mtc200::Mtc200;
 use super::options::sinumerik::Sinumerik;
 use super::options::turning::Turning;
+use super::table::Contents;
 use super::tools::Tools;
 use super::undercut::Undercuts;
 
@@ -40,6 +41,8 @@ pub struct Settings {
     /// What rules take for the blank of a program that describes none, by axis.
     pub blank: BTreeMap<Axis, (f64, f64)>,
     pub limits: Limits,
+    /// `[dialects]`: patterns of files and the language they are in.
+    pub dialects: Vec<(String, String)>,
 }
 
 /// Turning technology or not.
@@ -189,6 +192,8 @@ pub struct Datums {
     pub words: BTreeMap<String, u8>,
     /// Work offset word of a preset number, 1 (G54) to 9 (G59.3).
     pub presets: BTreeMap<u32, u8>,
+    /// The datum table that is selected on a HEIDENHAIN control.
+    pub table: Option<Contents>,
 }
 
 /// `[include]`

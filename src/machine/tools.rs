@@ -1,10 +1,13 @@
-//! Tool data, from the program's surroundings: `[tools]`, a HEIDENHAIN `TOOL.T` or a LinuxCNC `tool.tbl`.
+//! Tool data, from the program's surroundings: `[tools]` or a table.
 
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use crate::diag::{Answer, Help};
-use crate::text::number::decimal;
+
+use super::Unit;
+use super::table::{Contents, Edge};
 
 /// How a tool is asked for.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -67,9 +70,47 @@ pub struct Tools {
     pub table: BTreeMap<ToolKey, Tool>,
     /// A tool table was given, so a tool that is not in it is worth a word.
     pub complete: bool,
+    /// What a SINUMERIK knows of the edges, in the unit of the table.
+    pub edges: BTreeMap<Edge, f64>,
+    /// The unit that `[tools] unit` states.
+    pub stated: Option<Unit>,
+    /// The unit of the table, where nobody but the table itself says it.
+    pub unit: Option<Unit>,
 }
 
 impl Tools {
+    /// Takes the tools of a file, but for those that are known already.
+    ///
+    /// # Errors
+    /// A unit that `[tools] unit` contradicts.
+    pub fn add(&mut self, mut contents: Contents) -> Result<(), String> {
+        match (self.stated, contents.unit) {
+            (Some(stated), None) => contents.take_for(stated),
+            (Some(stated), Some(unit)) if stated != unit => {
+                return Err("the unit of the table is not the one that `[tools] unit` states".to_owned());
+            }
+            _ => {}
+        }
+        if self.stated.is_none() {
+            self.unit = Some(contents.unit.unwrap_or_default());
+        }
+        for (key, tool) in contents.tools {
+            match (self.table.entry(key), contents.edges.is_empty()) {
+                (Entry::Vacant(free), _) => drop(free.insert(tool)),
+                // What partc.toml says of a tool is its edge 1.
+                (Entry::Occupied(known), false) => {
+                    if let ToolKey::Number(number, 0) = *known.key() {
+                        contents.edges.retain(|edge, _| (edge.tool, edge.edge) != (number, 1));
+                    }
+                }
+                _ => {}
+            }
+        }
+        self.edges.append(&mut contents.edges);
+        self.complete = true;
+        Ok(())
+    }
+
     pub fn by_number(&self, number: u32, index: u8) -> Option<&Tool> {
         self.table.get(&ToolKey::Number(number, index))
     }
@@ -158,188 +199,5 @@ impl Proposed {
             Some(alike) => format!("{line}; the table has a tool `{alike}`, whose name is written differently"),
             None => line,
         })
-    }
-}
-
-/// A tool table that cannot be read: the line and what is wrong with it.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct TableError {
-    pub line: usize,
-    pub message: String,
-}
-
-/// Reads a HEIDENHAIN `TOOL.T` or a LinuxCNC `tool.tbl`; the content tells which.
-///
-/// # Errors
-/// A line that is neither.
-pub fn read_table(text: &str) -> Result<BTreeMap<ToolKey, Tool>, TableError> {
-    let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-    let columns = text.lines().find(|line| column_start(line, "T").is_some() && column_start(line, "L").is_some());
-    if first.trim_start().to_ascii_uppercase().starts_with("BEGIN") || columns.is_some() {
-        read_tool_t(text)
-    } else {
-        read_tool_tbl(text)
-    }
-}
-
-/// Start of the column with this title in a header line.
-fn column_start(header: &str, title: &str) -> Option<usize> {
-    let mut at = 0;
-    for word in header.split_inclusive(char::is_whitespace) {
-        if word.trim().eq_ignore_ascii_case(title) {
-            return Some(at);
-        }
-        at += word.len();
-    }
-    None
-}
-
-/// `TOOL.T`: `BEGIN TOOL .T MM`, a header whose words stand above their columns, one tool a line, `[END]`.
-fn read_tool_t(text: &str) -> Result<BTreeMap<ToolKey, Tool>, TableError> {
-    let mut table = BTreeMap::new();
-    let mut inch = false;
-    let mut columns: Option<Vec<(String, usize)>> = None;
-    for (i, line) in text.lines().enumerate() {
-        let trimmed = line.trim();
-        let upper = trimmed.to_ascii_uppercase();
-        if trimmed.is_empty() || trimmed.starts_with([';', '#']) {
-            continue;
-        }
-        if upper.starts_with("BEGIN") {
-            inch = upper.contains("INCH");
-            continue;
-        }
-        if upper.starts_with("[END]") || upper.starts_with("END") {
-            break;
-        }
-        let Some(known) = &columns else {
-            columns = Some(header_columns(line));
-            continue;
-        };
-        let field = |title: &str| field_of(line, known, title);
-        let fail = |title: &str| TableError { line: i + 1, message: format!("column {title} holds no number") };
-        let number = field("T").ok_or_else(|| fail("T"))?;
-        let (number, index) = tool_number(number).ok_or_else(|| fail("T"))?;
-        let unit = if inch { 25.4 } else { 1.0 };
-        let length = |title: &str| -> Result<Option<f64>, TableError> {
-            match field(title) {
-                None => Ok(None),
-                Some(text) => signed(text).map(|v| Some(v * unit)).ok_or_else(|| fail(title)),
-            }
-        };
-        let number_of = |title: &str| match field(title) {
-            None => Ok(None),
-            Some(text) => signed(text).map(Some).ok_or_else(|| fail(title)),
-        };
-        let tool = Tool {
-            name: field("NAME").map(|name| name.trim_matches('"').to_owned()),
-            radius: length("R")?,
-            length: length("L")?,
-            corner_radius: length("R2")?,
-            plunge_angle: field("ANGLE").map(|text| signed(text).ok_or_else(|| fail("ANGLE"))).transpose()?,
-            tip_angle: number_of("T-ANGLE")?.filter(|angle| *angle != 0.0),
-            deltas: [length("DL")?.unwrap_or(0.0), length("DR")?.unwrap_or(0.0), length("DR2")?.unwrap_or(0.0)],
-            ..Tool::default()
-        };
-        table.insert(ToolKey::Number(number, index), tool);
-    }
-    Ok(table)
-}
-
-fn header_columns(line: &str) -> Vec<(String, usize)> {
-    let mut columns = Vec::new();
-    let mut at = 0;
-    for word in line.split_inclusive(char::is_whitespace) {
-        if !word.trim().is_empty() {
-            columns.push((word.trim().to_ascii_uppercase(), at));
-        }
-        at += word.len();
-    }
-    columns
-}
-
-/// The text under a column title, up to the next column.
-fn field_of<'a>(line: &'a str, columns: &[(String, usize)], title: &str) -> Option<&'a str> {
-    let at = columns.iter().position(|(name, _)| name == title)?;
-    let start = columns[at].1;
-    let end = columns.get(at + 1).map_or(line.len(), |next| next.1);
-    // Tables with comments in other encodings shift bytes only behind the first columns.
-    let text = line.get(start..end.min(line.len()).max(start)).unwrap_or_default().trim();
-    (!text.is_empty() && text != "-").then_some(text)
-}
-
-fn tool_number(text: &str) -> Option<(u32, u8)> {
-    let (number, index) = text.split_once(['.', ',']).unwrap_or((text, "0"));
-    Some((number.trim().parse().ok()?, index.trim().parse().ok()?))
-}
-
-fn signed(text: &str) -> Option<f64> {
-    let (sign, digits) = match text.as_bytes().first()? {
-        b'-' => (-1.0, &text[1..]),
-        b'+' => (1.0, &text[1..]),
-        _ => (1.0, text),
-    };
-    let (value, used) = decimal(digits.as_bytes(), true)?;
-    (used == digits.len()).then_some(sign * value)
-}
-
-/// LinuxCNC `tool.tbl`: `T1 P1 D6.0 Z50.0 ;remark`, D is a diameter.
-fn read_tool_tbl(text: &str) -> Result<BTreeMap<ToolKey, Tool>, TableError> {
-    let mut table = BTreeMap::new();
-    for (i, line) in text.lines().enumerate() {
-        let (words, remark) = line.split_once(';').unwrap_or((line, ""));
-        let mut number = None;
-        let mut tool = Tool::default();
-        for word in words.split_whitespace() {
-            let fail = || TableError { line: i + 1, message: format!("{word:?} is no word of a tool table") };
-            let letter = word.chars().next().filter(char::is_ascii_alphabetic).ok_or_else(fail)?;
-            let value = signed(&word[1..]).ok_or_else(fail)?;
-            match letter.to_ascii_uppercase() {
-                'T' => number = Some(value as u32),
-                'D' => tool.radius = Some(value / 2.0),
-                'Z' => tool.length = Some(value),
-                // Cutting-edge positions are numbered otherwise there; `[tools]` gives them.
-                'Q' => {}
-                'P' | 'X' | 'Y' | 'A' | 'B' | 'C' | 'U' | 'V' | 'W' | 'I' | 'J' => {}
-                _ => return Err(fail()),
-            }
-        }
-        if let Some(number) = number {
-            tool.name = Some(remark.trim().to_owned()).filter(|name| !name.is_empty());
-            table.insert(ToolKey::Number(number, 0), tool);
-        } else if !words.trim().is_empty() {
-            return Err(TableError { line: i + 1, message: "a tool line starts with its T word".to_owned() });
-        }
-    }
-    Ok(table)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tool_t_by_columns() {
-        let text = "BEGIN TOOL    .T MM\nT    NAME             L         R          R2        DL       DR\n\
-                    0                      +0        +0         +0        +0       +0\n\
-                    5    MILL D10          +80,5     +5         +0,5               -0,02\n\
-                    5.2  MILL D10 B        +70       +5\n[END]\n";
-        let table = read_table(text).unwrap();
-        let five = &table[&ToolKey::Number(5, 0)];
-        assert_eq!((five.radius, five.length, five.corner_radius), (Some(5.0), Some(80.5), Some(0.5)));
-        assert_eq!(five.deltas, [0.0, -0.02, 0.0]);
-        assert_eq!(five.name.as_deref(), Some("MILL D10"));
-        assert_eq!(table[&ToolKey::Number(5, 2)].length, Some(70.0));
-        let inch = read_table("BEGIN TOOL .T INCH\nT NAME L R\n1 A    2 0.5\n").unwrap();
-        assert_eq!(inch[&ToolKey::Number(1, 0)].radius, Some(12.7));
-    }
-
-    #[test]
-    fn linuxcnc_table() {
-        let table = read_table("T1 P1 D6.0 Z+50.5 Q2 ;6 mm end mill\n;remark\n\nT12 D.5\n").unwrap();
-        let one = &table[&ToolKey::Number(1, 0)];
-        assert_eq!((one.radius, one.length, one.orientation), (Some(3.0), Some(50.5), None));
-        assert_eq!(table[&ToolKey::Number(12, 0)].radius, Some(0.25));
-        assert_eq!(read_table("X1 2\n").unwrap_err().line, 1);
     }
 }

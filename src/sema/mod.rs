@@ -14,9 +14,9 @@ pub mod sinumerik;
 pub mod turning;
 pub mod value;
 
-use crate::diag::{Diags, Trail};
-use crate::machine::Settings;
-use crate::text::{FileId, Files, Sources};
+use crate::diag::{Diagnostic, Diags, Trail, codes};
+use crate::machine::{Settings, Unit};
+use crate::text::{FileId, Files, Loc, Sources};
 
 /// A block that could not be executed, or a value that could not be computed; the reason was reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,6 +37,14 @@ pub struct Job<'a> {
 }
 
 impl Job<'_> {
+    /// The program calls a tool while its lengths are in this unit: those of a table should be, too.
+    pub fn calls_tool_in(&self, unit: Unit, from: Loc) {
+        let tools = &self.settings.tools;
+        if tools.unit.is_some_and(|of_table| of_table != unit) {
+            self.diags.push_once(other_unit(unit, from));
+        }
+    }
+
     /// Does the control skip a block for its `/`? `mark` is the number behind it, 0 for none. Level 1 takes the plain
     /// mark along, for users count from the first one.
     #[inline]
@@ -46,6 +54,15 @@ impl Job<'_> {
             Some(mark) => self.settings.control.skip_blocks.iter().any(|on| *on == mark || mark == 0 && *on == 1),
         }
     }
+}
+
+#[cold]
+fn other_unit(unit: Unit, from: Loc) -> Diagnostic {
+    let (program, table) = if unit == Unit::Inch { ("inch", "mm") } else { ("mm", "inch") };
+    let message = format!("the program calls a tool in {program}, and the tool table is in {table}");
+    Diagnostic::new(codes::P0130, from, message).help(format!(
+        "check the table; if its lengths are in {table}, say so in partc.toml: `[tools] unit = \"{table}\"`"
+    ))
 }
 
 impl std::fmt::Debug for Job<'_> {

@@ -120,7 +120,7 @@ fn tool_tables_that_cannot_be_used() {
         ("broken.tbl", "T1 D5\nhello world\n"),
         ("other.t", "BEGIN TOOL .T MM\nT    NAME   L     R\n6    A      +80   +5\n[END]\n"),
     ]);
-    folder.run(&["compile", "A.H", "--tools", "broken.t"]).exits(2).says("broken.t:3: column R");
+    folder.run(&["compile", "A.H", "--tools", "broken.t"]).exits(2).says("broken.t:3: `five` under R is no number");
     folder.run(&["compile", "A.H", "--tools", "broken.tbl"]).exits(2).says("broken.tbl:2:");
     folder.run(&["compile", "A.H", "--tools", "gone.t"]).exits(2).says("gone.t");
     folder.write("partc.toml", "[tools]\ntable = \"gone.t\"\n");

@@ -8,7 +8,7 @@ use std::io;
 
 use partc::internals::diag::{Diagnostic, Severity, codes};
 use partc::internals::driver::Session;
-use partc::internals::machine::Settings;
+use partc::internals::machine::{Settings, Unit};
 use partc::internals::text::files::NoFiles;
 use partc::internals::text::sources::{MAX_ALL_CALLED, MAX_CALLED};
 use partc::internals::text::{FileError, Files, Memory, Opened, ReadAt, Request};
@@ -66,6 +66,7 @@ const BUILT: &[Built] = &[
         silent: || calling(|_| Ok(hole("HOLE.H"))),
     },
     Built { code: "P0106", fires: || calls_of(1000, 0), silent: || calls_of(999, 0) },
+    Built { code: "P0130", fires: || with_table_in(Unit::Inch), silent: || with_table_in(Unit::Mm) },
     Built {
         code: "P0120",
         fires: || calling(|_| Ok(sized("HOLE.H", MAX_CALLED + 1))),
@@ -297,6 +298,13 @@ fn with_table(text: &str, numbers: &[u32]) -> Compiled {
     let mut settings = settings(&table);
     settings.tools.complete = true;
     compile_bytes("PART.H", text.as_bytes().to_vec(), "klartext", &settings, &NoFiles)
+}
+
+/// A program in mm that calls tool 5 of a table in this unit.
+fn with_table_in(unit: Unit) -> Compiled {
+    let mut settings = settings("[tools.5]\nradius = 5.0\n");
+    settings.tools.unit = Some(unit);
+    compile_bytes("PART.H", TOOL_CALL.as_bytes().to_vec(), "klartext", &settings, &NoFiles)
 }
 
 /// A SINUMERIK program with tool 5, and a complete table of these numbers.

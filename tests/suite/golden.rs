@@ -57,7 +57,7 @@ books! {
     klartext_flow = "klartext/flow":
         cycle_12 jumps programs repeats;
     klartext_frames = "klartext/frames":
-        datum_shifts mirrors rotations scaling;
+        datum_shifts datum_tables mirrors rotations scaling;
     klartext_functions = "klartext/functions":
         m116_to_m140 m91;
     klartext_machining = "klartext/machining":

@@ -17,6 +17,7 @@ mod cli_output;
 mod cli_reports;
 mod cli_run;
 mod cli_schema;
+mod cli_tables;
 mod common;
 mod compensation_entry;
 mod compensation_props;

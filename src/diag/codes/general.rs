@@ -60,6 +60,10 @@ often it is no program at all. A main program without jumps may be larger; compi
 P0121 Error "called-files-too-large" "called programs are over 1 GiB together"
 "All programs that a run calls may have 1 GiB together. Compile the large ones as main programs of their own."
 
+P0130 Error "tool-table-unit" "tool table and program have different units"
+"The tool table is in another unit than the program, or states none and is taken for mm. A radius that is off by 25.4 breaks the tool, so the compiler asks: \
+check the table, and say its unit in partc.toml, `[tools] unit = \"mm\"`. Its lengths are converted then."
+
 P0201 Warning "two-skip-levels" "two skip levels are switched on as one"
 "`[control] skip_blocks` lists level 1 and not level 0, and the program has blocks with / and blocks with /1. Level 1 takes the plain / along, as users count \
 who have one switch only; on a SINUMERIK / is level 0, the first of ten, and /1 is another switch. Both kinds are left out. Write `[0]` to leave out those \

@@ -340,6 +340,9 @@ K2512 Note "rotary-axes-at-zero" "rotary axes are taken to stand at zero"
 "PLANE with TURN or MOVE and without a tilt turns the rotary axes to zero. The program moved none of them away from zero, so nothing turns. On a \
 machine whose rotary axes stand elsewhere at the start, bring them to zero first."
 
+K2513 Note "datum-from-table" "datum is shifted by a row of a table"
+"The shift comes from a datum table: compare the values with the table of the machine that will run the program. The row replaces the shift of all axes that it names."
+
 K2601 Error "compensation-in-arc" "radius compensation starts or ends in an arc"
 "RL, RR and R0 take effect over a straight block, at whose end the tool stands beside the contour. The control refuses to switch in \
 C, CR, CT, CP and CTP. Put a straight block in front of or behind the arc."
@@ -451,7 +454,8 @@ K9011 Error "function-unsupported" "function is not supported"
 "The block is a function of newer controls that partc reads by name but does not execute. It may influence the path, so it is refused."
 
 K9012 Error "datum-table" "datum table is not available"
-"A datum shift from a table needs the file on the control. Program the values, or put them into the program as `CYCL DEF 7.1 X+…`."
+"A datum shift takes a row of a datum table, and no table is selected in the program; the control may have one selected by hand. Select it (`SEL TABLE \"NAME.D\"`), \
+name it in partc.toml (`[control] datum_table = \"NAME.D\"`), or program the values: `CYCL DEF 7.1 X+…`."
 
 K9013 Error "feed-form" "feed per tooth or by time is not supported"
 "FZ is a feed per tooth and needs the number of teeth, FT and FMAXT give the time of the block. Neither is known or printed. Program \

@@ -19,6 +19,10 @@ K2944 Error "predef-without-value" "PREDEF finds no value"
 "The cycle takes a parameter by PREDEF, and no GLOBAL DEF before it gives that parameter a value. Programs from the control often have the GLOBAL DEF in a program that \
 calls this one: write it in front of the cycle, or the value in place of PREDEF."
 
+K2948 Error "datum-table-unreadable" "row of a datum table cannot be used"
+"A datum table has `BEGIN NAME.D MM`, a line with the names of its columns (NR X Y Z …), a row a line and `[END]`. The row needs values for X, Y and Z (0 where the \
+datum stays in place), its unit is that of the program, and a rotation or a value in a column that partc does not know is refused."
+
 K2945 Error "point-table-unreadable" "point table cannot be read"
 "SEL PATTERN names a point table: `BEGIN NAME.PNT MM`, a line with the names of the columns (NR X Y Z FADE CLEARANCE), one place a line, `[END]`. The values \
 stand under their columns. A line with as many words as the table has columns may stand beside them; any other word that \

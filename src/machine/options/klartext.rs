@@ -4,6 +4,13 @@ use crate::machine::keys::{Key, Kind, key};
 use crate::machine::values::{is, number, put, text};
 
 pub const KEYS: &[Key] = &[
+    // A file, which whoever reads files takes.
+    key(
+        "datum_table",
+        Kind::Text,
+        "datum table (.D) that is selected on the control, where the program selects none",
+        |_, _| Ok(()),
+    ),
     key("cc_missing", Kind::Choice(&["position", "previous"]), "missing coordinate of a CC block", |s, v| {
         put(&mut s.control.cc_missing, if is(v, "previous") { CcMissing::Previous } else { CcMissing::Position })
     })

@@ -120,8 +120,7 @@ impl Run<'_> {
 
     pub(super) fn shift_cycle(&mut self, open: &Open) -> Outcome {
         if open.table_row {
-            self.error(codes::K9012, "a datum shift from a table needs the table of the control");
-            return Err(Reported);
+            return self.shift_by_row(open);
         }
         if open.axes.is_empty() {
             return self.fail_help(
@@ -377,13 +376,20 @@ impl Run<'_> {
                     None => self.reset_transform(kind),
                 };
             }
-            b"TABLE" | b"TABLINE" => {
-                return self.fail_help(
-                    codes::K9012,
-                    first.map_or(block.span, |word| word.span),
-                    "datum tables are not supported",
-                    "program the values: `TRANS DATUM AXIS X+10 Y+25`",
-                );
+            b"TABLE" | b"TABLINE" if kind == Transform::Datum => {
+                let written = String::from_utf8_lossy(block.span.of(text)).to_ascii_uppercase();
+                let words: Vec<&str> = written.split(';').next().unwrap_or_default().split_whitespace().collect();
+                let row = words.concat();
+                let row = row.rsplit_once("DATUMTABLETABLINE").and_then(|(_, row)| row.parse::<u32>().ok());
+                return match row {
+                    Some(row) => self.take_datum_row(f64::from(row)),
+                    None => self.fail_help(
+                        codes::K2402,
+                        block.span,
+                        "TRANS DATUM TABLE names no row that partc reads",
+                        "write the number of the row: `TRANS DATUM TABLE TABLINE5`",
+                    ),
+                };
             }
             b"IROT" if kind == Transform::Rotation => {}
             label if label == wanted.as_bytes() => {}

@@ -21,6 +21,7 @@ mod cycle;
 mod cycle_definition;
 mod cycle_words;
 mod cycles;
+mod datum_table;
 mod drilling;
 mod eval;
 mod faces;
@@ -106,6 +107,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         free: None,
         places: None,
         places_lost: false,
+        datum_table: datum_table::DatumTable::default(),
         globals: global_def::Globals::default(),
         selected: None,
         noted: Vec::new(),
@@ -230,6 +232,7 @@ struct Run<'a> {
     places: Option<pattern_def::Places>,
     /// The last PATTERN DEF was refused.
     places_lost: bool,
+    datum_table: datum_table::DatumTable,
     /// Values for PREDEF.
     globals: global_def::Globals,
     /// Program of SEL PGM.

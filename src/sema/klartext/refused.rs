@@ -3,6 +3,8 @@
 use crate::diag::{Diagnostic, codes};
 use crate::parser::klartext::ast::{Block, Refused};
 
+use crate::text::Span;
+
 use super::{Outcome, Run};
 
 impl Run<'_> {
@@ -14,9 +16,9 @@ impl Run<'_> {
             Refused::TouchProbe => self.probe(block, text),
             Refused::Pattern => self.select_pattern(block, text, span.end),
             Refused::SelectTable if span.end < block.span.end => {
-                self.left_out(
-                    "SEL TABLE only selects, a shift from the table is refused where it is programmed, and it",
-                );
+                let written = Span { start: span.end, end: block.span.end }.of(text);
+                let name = self.program_name(written)?;
+                self.datum_table.select(name, self.here.origin.loc);
                 Ok(())
             }
             Refused::SelectTable => self.fail_help(

@@ -269,6 +269,8 @@ impl Run<'_> {
     }
 
     fn change_tool(&mut self, tool: &Named, call: &Call, turned: bool, span: Span) -> Outcome {
+        let unit = self.level().frame.unit;
+        self.job.calls_tool_in(unit, self.loc(span));
         let (number, data) = self.look_up(tool, span)?;
         let (mut length, mut radius, mut corner_radius) = (data.length, data.radius, data.corner_radius);
         if let Named::Number(n, 0) = tool {

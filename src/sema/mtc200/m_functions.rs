@@ -8,7 +8,7 @@ use crate::geo::{Plane, Vec2};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
 use crate::ir::{self, Function, Side};
 use crate::machine::options::mtc200::{InchSpeed, Reading};
-use crate::machine::{Compensation, MachineKind};
+use crate::machine::{Compensation, MachineKind, Unit};
 use crate::sema::common::compensation::edge_direction;
 use crate::text::Span;
 
@@ -252,6 +252,7 @@ impl Run<'_> {
 
     /// The compiler itself computes the path of the tool centre, or of the nose centre of a turning tool.
     fn compute_compensation(&mut self, tool: u32, span: Span) -> Outcome {
+        self.job.calls_tool_in(if self.st.inch { Unit::Inch } else { Unit::Mm }, self.loc(span));
         let known = self.job.settings.tools.by_number(tool, 0);
         let help =
             "add it to `[tools]` in partc.toml, or set `[output] compensation = \"control\"` to print G41 and G42";

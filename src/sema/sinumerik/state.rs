@@ -107,7 +107,7 @@ impl State {
             transformation: None,
             modal_call: ModalCall::default(),
             stored: None,
-            system: SystemVariables::default(),
+            system: SystemVariables::of_edges(&settings.tools.edges),
         }
     }
 

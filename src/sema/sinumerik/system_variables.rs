@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use crate::machine::table::Edge;
+
 use super::value::Val;
 
 /// The values by their names with indices: `$TC_DP6[1,1]`.
@@ -11,6 +13,14 @@ pub(super) struct SystemVariables {
 }
 
 impl SystemVariables {
+    /// Those that the tool data of the control have written before the program.
+    pub fn of_edges(edges: &BTreeMap<Edge, f64>) -> SystemVariables {
+        let value = |(edge, value): (&Edge, &f64)| {
+            (format!("$TC_DP{}[{},{}]", edge.parameter, edge.tool, edge.edge), Val::Real(*value))
+        };
+        SystemVariables { written: edges.iter().map(value).collect() }
+    }
+
     pub fn get(&self, key: &str) -> Option<&Val> {
         self.written.get(key)
     }

@@ -5,7 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::function::CutterData;
 use crate::ir::{Function, Side};
-use crate::machine::{Axis, AxisSet, ChangeCall, StandIn, Tool};
+use crate::machine::{Axis, AxisSet, ChangeCall, StandIn, Tool, Unit};
 use crate::sema::run::Where;
 use crate::text::Span;
 
@@ -138,6 +138,10 @@ impl Channel<'_> {
             None => return self.fail(codes::S2043.alarm(17190), t.span, format!("T{} is no tool number", t.value)),
         };
         self.proposed.call(number);
+        if number != 0 {
+            let unit = if self.st.feed_unit() == Unit::Inch.mm() { Unit::Inch } else { Unit::Mm };
+            self.job.calls_tool_in(unit, self.loc(t.span));
+        }
         self.st.tool.choose(number);
         let settings = &self.job.settings.tools;
         if settings.complete && number != 0 && settings.by_number(number, 0).is_none() {

@@ -302,6 +302,7 @@ impl Run<'_> {
             );
         }
         let name = self.sections.tool_name(number, edge);
+        self.job.calls_tool_in(self.st.unit, self.loc(num.span));
         let known = self.job.settings.tools.by_number(number, edge);
         let known = known.map(|tool| tool.number).or_else(|| {
             let (own, tool) = self.job.settings.tools.by_name(name.as_deref()?)?;

@@ -1,0 +1,48 @@
+//! `TOOL.T` of a HEIDENHAIN control.
+
+use crate::machine::{Tool, ToolKey};
+
+use super::columns::Columns;
+use super::{Contents, TableError};
+
+/// Columns that hold numbers or nothing; all others are text or belong to the machine.
+const NUMBERS: &[&str] = &["T", "L", "R", "R2", "DL", "DR", "DR2", "ANGLE", "T-ANGLE", "LCUTS", "RT"];
+
+pub(super) fn is_text(title: &str) -> bool {
+    !NUMBERS.contains(&title)
+}
+
+/// # Errors
+/// A line without a tool number, or without a number where one belongs.
+pub(super) fn read(text: &str) -> Result<Contents, TableError> {
+    let table = Columns::read(text, is_text)?;
+    if table.name.contains('.') && !table.name.ends_with(".T") {
+        let message = format!("{} is no table that partc reads: TOOL.T, .D, .PR or .PNT", table.name);
+        return Err(TableError { line: 1, message });
+    }
+    let mut contents = Contents { unit: table.unit, ..Contents::default() };
+    for row in &table.rows {
+        let number = table.cell(row, "T").unwrap_or_default();
+        // [END] of older files has no brackets.
+        if number.eq_ignore_ascii_case("END") {
+            break;
+        }
+        let fail = || TableError { line: row.line, message: format!("`{number}` under T is no tool number") };
+        let (number, index) = super::tool_number(number).ok_or_else(fail)?;
+        let delta = |title| table.length(row, title).map(Option::unwrap_or_default);
+        let tool = Tool {
+            name: table.cell(row, "NAME").map(|name| name.trim_matches('"').to_owned()).filter(|name| !name.is_empty()),
+            radius: table.length(row, "R")?,
+            length: table.length(row, "L")?,
+            corner_radius: table.length(row, "R2")?,
+            plunge_angle: table.number(row, "ANGLE")?,
+            tip_angle: table.number(row, "T-ANGLE")?.filter(|angle| *angle != 0.0),
+            deltas: [delta("DL")?, delta("DR")?, delta("DR2")?],
+            ..Tool::default()
+        };
+        if contents.tools.insert(ToolKey::Number(number, index), tool).is_some() {
+            return Err(TableError { line: row.line, message: format!("tool {number} stands twice in the table") });
+        }
+    }
+    Ok(contents)
+}
