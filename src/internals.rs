@@ -56,7 +56,7 @@ pub mod sema {
 }
 
 pub mod target {
-    pub use crate::target::{ALL, NAMES, Target, find};
+    pub use crate::target::{ALL, DwellUnit, NAMES, Target, find};
 }
 
 pub mod text {

@@ -126,10 +126,24 @@ impl Text {
         self
     }
 
+    /// Appends a number without a blank in front, with its sign, whichever it is.
+    pub fn signed(&mut self, units: i64, places: Places) -> &mut Text {
+        self.too_long |= units.unsigned_abs() >= self.many && places.digits(units) > self.digits;
+        let sign = if units < 0 { b'-' } else { b'+' };
+        self.end += places.write(false, sign, units.saturating_abs(), self.room());
+        self
+    }
+
     /// Appends an address with a whole number.
     pub fn whole(&mut self, address: u8, number: u64) -> &mut Text {
         let blank = self.end > self.line;
         self.end += write_whole(blank, address, number, self.room());
+        self
+    }
+
+    /// Appends a number without an address.
+    pub fn bare(&mut self, units: i64, places: Places) -> &mut Text {
+        self.end += places.write(false, b' ', units, self.room());
         self
     }
 
@@ -147,15 +161,15 @@ impl Text {
 
     /// Puts `number` of `address` in front of the line.
     #[cold]
-    pub fn begin_with(&mut self, address: u8, number: u32) {
+    pub fn begin_with(&mut self, address: Option<u8>, number: u64) {
         let mut room = [0; LONGEST];
-        let mut len = write_whole(false, address, u64::from(number), &mut room);
+        let len = write_whole(false, address.unwrap_or_default(), number, &mut room);
         room[len] = b' ';
-        len += 1;
+        let number = &room[usize::from(address.is_none())..=len];
         let (line, end) = (self.line, self.end);
-        self.raw(&room[..len]);
-        self.bytes.copy_within(line..end, line + len);
-        self.bytes[line..line + len].copy_from_slice(&room[..len]);
+        self.raw(number);
+        self.bytes.copy_within(line..end, line + number.len());
+        self.bytes[line..line + number.len()].copy_from_slice(number);
     }
 
     /// Appends without a blank in front.

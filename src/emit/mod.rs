@@ -42,6 +42,9 @@ pub fn names_source(line: &[u8]) -> bool {
 fn begins(line: &[u8], mark: &[u8]) -> bool {
     target::ALL.iter().any(|target| {
         let mark = [target.comments.open.as_bytes(), mark].concat();
+        // A block number stands in front.
+        let digits = line.iter().take_while(|b| b.is_ascii_digit()).count();
+        let line = line[digits..].trim_ascii_start();
         line.get(..mark.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(&mark))
     })
 }

@@ -20,6 +20,19 @@ pub(super) struct Modal {
     pub plane: Plane,
     /// Constant cutting speed is on.
     pub cutting_speed: bool,
+    /// What a dialog has said.
+    pub dialog: Said,
+}
+
+/// What holds in a dialog until it is said anew.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Said {
+    /// Centre of the arcs, and the plane that its axes make.
+    pub center: Option<(Plane, [i64; 2])>,
+    /// The speed of the spindle.
+    pub speed: Option<i64>,
+    /// That nothing is compensated.
+    pub uncompensated: bool,
 }
 
 impl Modal {
@@ -33,6 +46,7 @@ impl Modal {
             feed_kind: FeedKind::PerMinute,
             plane,
             cutting_speed: false,
+            dialog: Said::default(),
         }
     }
 

@@ -33,7 +33,12 @@ impl Places {
 
     /// The same places of a length in inches.
     pub fn of_inches(self) -> Places {
-        let scale = self.scale / 25.4;
+        self.of(25.4)
+    }
+
+    /// The same places of what counts so many millimetres.
+    pub fn of(self, millimetres: f64) -> Places {
+        let scale = self.scale / millimetres;
         Places { scale, half: 0.5 + TIE * scale, ..self }
     }
 

@@ -4,7 +4,7 @@ use std::io;
 
 use crate::diag::{Diagnostic, Diags, codes};
 use crate::ir::Origin;
-use crate::target::Line;
+use crate::target::{Line, Sequence};
 use crate::text::Loc;
 
 use super::line::Text;
@@ -24,9 +24,9 @@ pub(super) struct Page<'a> {
     map: Option<&'a mut dyn LineMap>,
     pub text: Text,
     limits: Line,
-    /// Block numbers: their step, the last one.
+    /// Block numbers: their step, 0 for none; the next one.
     step: u32,
-    number: u32,
+    number: u64,
     /// Address of the feed, which an over-long line gives away.
     feed: u8,
     /// The feed counts by time: every line needs its own.
@@ -52,9 +52,11 @@ impl<'a> Page<'a> {
         out: &'a mut dyn Output,
         map: Option<&'a mut dyn LineMap>,
     ) -> Page<'a> {
+        let step = if limits.sequence == Sequence::Blocks { 1 } else { step };
         if step > 0 {
             limits.length -= NUMBER;
         }
+        let number = if limits.sequence == Sequence::Blocks { 0 } else { u64::from(step) };
         Page {
             diags,
             out,
@@ -62,7 +64,7 @@ impl<'a> Page<'a> {
             text: Text::new(CHUNK + 4096, limits.digits),
             limits,
             step,
-            number: 0,
+            number,
             feed,
             by_time: false,
             chunk: FIRST_CHUNK,
@@ -83,9 +85,22 @@ impl<'a> Page<'a> {
         self.full
     }
 
+    /// Longest line, its block number left out.
+    pub fn room(&self) -> usize {
+        self.limits.length
+    }
+
     /// A line without a source.
     pub fn plain(&mut self, text: &[u8]) {
-        self.text.raw(text).end_line();
+        self.text.raw(text);
+        if self.limits.sequence == Sequence::Blocks {
+            self.number_line();
+        }
+        self.end_plain();
+    }
+
+    fn end_plain(&mut self) {
+        self.text.end_line();
         self.lines += 1;
         if self.lines > self.most_lines {
             let start = Loc { line: 1, ..Loc::default() };
@@ -164,6 +179,11 @@ impl<'a> Page<'a> {
         if self.step > 0 {
             self.number_line();
         }
+        self.end_unnumbered(origin);
+    }
+
+    #[inline(always)]
+    fn end_unnumbered(&mut self, origin: &Origin) {
         self.text.end_line();
         self.lines += 1;
         if let Some(map) = &mut self.map {
@@ -177,9 +197,13 @@ impl<'a> Page<'a> {
     /// The number of a block; behind the largest one they begin anew.
     #[cold]
     fn number_line(&mut self) {
-        let (address, most) = self.limits.sequence;
-        self.number = if self.number > most - self.step { self.step } else { self.number + self.step };
+        let step = u64::from(self.step);
+        let (address, most) = match self.limits.sequence {
+            Sequence::Address(address, most) => (Some(address), u64::from(most)),
+            Sequence::Blocks => (None, u64::MAX),
+        };
         self.text.begin_with(address, self.number);
+        self.number = if self.number > most - step { step } else { self.number + step };
     }
 
     /// A line of the frame that is a block.
@@ -188,7 +212,13 @@ impl<'a> Page<'a> {
         if self.step > 0 {
             self.number_line();
         }
-        self.plain(b"");
+        self.end_plain();
+    }
+
+    /// A line behind the first one of its block.
+    pub fn continued(&mut self, text: &[u8], origin: &Origin) {
+        self.text.raw(text);
+        self.end_unnumbered(origin);
     }
 
     /// The target would read the number without its last digits.

@@ -1,6 +1,7 @@
 //! The printer core: modal words, one concern a line, arcs on the printed numbers. All words are the target's.
 
 mod carried;
+mod dialog;
 #[cfg(test)]
 pub mod disturb;
 mod functions;
@@ -19,7 +20,7 @@ use crate::ir::motion::{Move, Path, Sink};
 use crate::ir::{Function, Origin, Pos, Side};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet, MachineKind, OutputSettings, Settings, Tools};
-use crate::target::Target;
+use crate::target::{Form, Target};
 use crate::text::Loc;
 
 use super::compensation::{Compensation, Preparation, Way};
@@ -54,9 +55,11 @@ pub struct Printer<'a> {
     special: bool,
     /// Name of the main program as comments have it.
     source: String,
+    /// The last line of the frame.
+    last: Option<String>,
     ended: bool,
-    /// The last line of the frame is printed.
-    closed: bool,
+    /// That work offsets are not confirmed was said.
+    doubted: bool,
 }
 
 /// The spindle, as far as a tool change by hand stops it.
@@ -114,11 +117,12 @@ impl<'a> Printer<'a> {
             compensation: Compensation::default(),
             spindle: HandChange::Stands,
             length: ToolLength::default(),
-            special: !settings.output.modal || measures.inches,
+            special: !settings.output.modal || measures.inches || matches!(target.form, Form::Dialog(_)),
             thread: None,
             source: String::new(),
+            last: target.frame.last.map(str::to_owned),
             ended: false,
-            closed: false,
+            doubted: false,
         };
         printer.head(source, lathe);
         #[cfg(test)]
@@ -151,7 +155,7 @@ impl<'a> Printer<'a> {
             self.template(&self.settings.footer);
             self.page.block(self.target.flow.end.as_bytes());
         }
-        if let Some(last) = self.target.frame.last.filter(|_| !std::mem::replace(&mut self.closed, true)) {
+        if let Some(last) = self.last.take() {
             self.page.plain(last.as_bytes());
         }
     }
@@ -282,7 +286,9 @@ impl<'a> Printer<'a> {
     fn select_plane(&mut self, plane: Plane, origin: &Origin) {
         if plane != self.modal.plane {
             self.modal.plane = plane;
-            self.page.words(self.target.motion.plane(plane), origin);
+            if let Some(word) = self.target.motion.plane(plane) {
+                self.page.words(word, origin);
+            }
         }
     }
 }

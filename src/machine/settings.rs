@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use crate::diag::Selection;
-use crate::target::{self, Length, Target};
+use crate::target::{self, DwellUnit, Form, Length, Target};
 
 use super::axis::{Axis, AxisSet};
 use super::options::cycles::Cycles;
@@ -246,6 +246,10 @@ pub struct OutputSettings {
     /// The length of the tool behind a tool change; otherwise as is usual with the target.
     pub tool_length: Option<bool>,
     pub tool_change: ToolChange,
+    /// What the number of a wait counts, where the target leaves it to a setting of the receiver.
+    pub dwell_unit: Option<DwellUnit>,
+    /// How far lines may leave an arc that the target cannot say, in millionths of a mm; `None`: it is refused.
+    pub arc_fallback: Option<u32>,
     /// What is printed is read back and compared with what was meant.
     pub validate: bool,
 }
@@ -267,6 +271,8 @@ impl Default for OutputSettings {
             pass_m: Vec::new(),
             tool_length: None,
             tool_change: ToolChange::Change,
+            dwell_unit: None,
+            arc_fallback: None,
             validate: true,
         }
     }
@@ -288,9 +294,36 @@ impl OutputSettings {
             Quantity::InverseTime => of_feed.unwrap_or(lengths),
             Quantity::Lead => own(numbers.lead).unwrap_or(lengths),
             Quantity::Speed => self.decimals.speed.or(numbers.speed).unwrap_or(lengths),
-            Quantity::Time if self.target.dwell.milliseconds => 3,
+            Quantity::Time if self.dwell_unit() == Some(DwellUnit::Milliseconds) => 3,
             Quantity::Time => self.decimals.time.unwrap_or(lengths),
         }
+    }
+
+    /// What a printed feed of one is, in mm a minute.
+    pub fn feed_unit(&self) -> f64 {
+        match (self.target.form, self.units) {
+            (_, Units::Millimetres) => 1.0,
+            (Form::Words, Units::Inches) => Unit::Inch.mm(),
+            (Form::Dialog(dialog), Units::Inches) => dialog.inch_feed,
+        }
+    }
+
+    /// What the number of a wait counts; `None` where a setting of the receiver says it, and the configuration does not.
+    pub fn dwell_unit(&self) -> Option<DwellUnit> {
+        match self.target.dwell.unit {
+            DwellUnit::Setting => self.dwell_unit,
+            unit => Some(unit),
+        }
+    }
+
+    /// What the radii at both ends of an arc may differ by on the receiver, in mm.
+    pub fn arc_mismatch(&self) -> f64 {
+        self.target.arcs.mismatch[usize::from(self.units == Units::Inches)]
+    }
+
+    /// Waits are counted in milliseconds.
+    pub fn waits_in_milliseconds(&self) -> bool {
+        self.dwell_unit() == Some(DwellUnit::Milliseconds)
     }
 
     /// X is printed as a diameter, on a lathe.

@@ -62,6 +62,8 @@ pub struct Arc {
     pub center: [i64; 2],
     /// Turns, the last one begun included; counter-clockwise is positive.
     pub turns: i32,
+    /// The end follows from an angle, and is as exact as that.
+    pub by_angle: bool,
 }
 
 /// Plane of arcs and compensation.

@@ -34,6 +34,8 @@ pub(super) struct Block {
     /// G43, or G49.
     pub length: Option<bool>,
     pub offset: Option<u8>,
+    /// H is the number of the work offset.
+    pub offset_by_number: bool,
     pub path_control: bool,
     m: [u32; MOST_M],
     m_count: usize,
@@ -101,7 +103,12 @@ impl Block {
 
     /// Nothing but comments stood there.
     pub fn is_empty(&self) -> bool {
-        self.letters == 0 && self.groups == 0 && self.m_count == 0 && !self.speed_limit && self.diameter.is_none()
+        self.letters == 0
+            && self.groups == 0
+            && self.m_count == 0
+            && !self.speed_limit
+            && !self.offset_by_number
+            && self.diameter.is_none()
     }
 
     fn word(&mut self, letter: u8, units: i64, rules: &Rules) -> Result<(), Fault> {
@@ -165,6 +172,11 @@ impl Block {
         }
         let tenths = match rules.function(tenths).ok_or_else(unknown)? {
             G::Rs274(tenths) => tenths,
+            G::OffsetByNumber if !self.offset_by_number => {
+                self.offset_by_number = true;
+                return Ok(());
+            }
+            G::OffsetByNumber => return Err(Fault::new("two work offsets")),
             G::SpeedLimit => {
                 self.speed_limit = true;
                 return Ok(());

@@ -9,6 +9,7 @@
 
 mod act;
 mod block;
+mod dialog;
 mod number;
 mod rules;
 mod run;
@@ -20,9 +21,13 @@ pub use rules::Rules;
 pub use straight::Straight;
 
 use block::Block;
+use dialog::Dialog;
+use rules::Words;
 
 /// Lines in which a program has its name.
 const NAMED: u64 = 2;
+/// Letters of the name of an Okuma program, O included.
+const LONGEST_NAME: usize = 5;
 /// Most acts of one line.
 const ACTS: usize = 16;
 
@@ -96,6 +101,7 @@ pub struct Reader {
     ended: bool,
     /// The largest speed that was stated for constant cutting speeds.
     speed_limit: Option<i64>,
+    dialog: Dialog,
     /// The tool that T chose, and the one in the spindle.
     tools: [Option<u32>; 2],
     acts: [Act; ACTS],
@@ -127,12 +133,12 @@ impl Reader {
                 plane: None,
                 inches: None,
                 incremental: fixed.absolute.then_some(false),
-                absolute_centers: fixed.centers_count_from_the_start.then_some(false),
-                feed_kind: None,
+                absolute_centers: fixed.centers.then_some(false),
+                feed_kind: fixed.per_minute.then_some(FeedKind::PerMinute),
                 diameter: rules.diameters.then_some(true),
                 cycles_are_off: fixed.no_cycles,
                 constant_cut: false,
-                cutter: None,
+                cutter: fixed.no_cutter.then_some(Cutter::default()),
                 length: fixed.no_length.then_some(0),
                 offset: 1,
                 path_control: false,
@@ -142,6 +148,7 @@ impl Reader {
             lines: 0,
             ended: false,
             speed_limit: None,
+            dialog: Dialog::default(),
             tools: [None; 2],
             acts: [Act::Change; ACTS],
             open: (0, 0),
@@ -210,15 +217,16 @@ impl Reader {
         self.lines += 1;
         self.open = (0, 0);
         let line = line.trim_ascii();
+        if self.rules.words == Words::Dialog {
+            return self.dialog_line(line);
+        }
         if line.is_empty() || line == b"%" {
             return Ok(());
         }
         if self.rules.named && self.lines <= NAMED && line[0] == b'O' {
-            return if line[1..].iter().all(u8::is_ascii_digit) {
-                Ok(())
-            } else {
-                Err(Fault::new("no program number"))
-            };
+            let letters = self.rules.words == Words::Okuma && line.len() <= LONGEST_NAME;
+            let named = |b: &u8| b.is_ascii_digit() || letters && b.is_ascii_uppercase();
+            return if line[1..].iter().all(named) { Ok(()) } else { Err(Fault::new("no program number")) };
         }
         let block = Block::read(line, &self.rules)?;
         if self.ended && !block.is_empty() {

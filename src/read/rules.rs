@@ -38,6 +38,12 @@ pub enum Words {
     LatheC,
     /// SINUMERIK: names of several letters, numbers behind `=`, comments behind `;`.
     Siemens,
+    /// Mach3 and UCCNC.
+    Mach,
+    /// Okuma mills: G15 for work offsets, G56 for lengths.
+    Okuma,
+    /// HEIDENHAIN Klartext: blocks that begin with what they do.
+    Dialog,
 }
 
 pub(super) const RS274: Rules = Rules {
@@ -67,6 +73,12 @@ const FANUC: Rules = Rules {
 
 const LATHE: Rules = Rules { words: Words::LatheA, diameters: true, turret: Some(2), length_moves: false, ..FANUC };
 
+const MACH: Rules = Rules { words: Words::Mach, turns: false, ..RS274 };
+
+const OKUMA: Rules = Rules { words: Words::Okuma, dwell: (b'F', 1), ..FANUC };
+
+const DIALOG: Rules = Rules { words: Words::Dialog, turns: false, ..RS274 };
+
 const SIEMENS: Rules = Rules { words: Words::Siemens, dwell: (b'F', 1), turns: false, ..RS274 };
 
 impl Rules {
@@ -79,8 +91,18 @@ impl Rules {
             "fanuc-lathe-b" => Rules { words: Words::LatheB, ..LATHE },
             "fanuc-lathe-c" => Rules { words: Words::LatheC, ..LATHE },
             "sinumerik" => SIEMENS,
+            "heidenhain" => DIALOG,
+            "mach3" => MACH,
+            "uccnc" => Rules { dwell: (b'P', THOUSANDTHS), ..MACH },
+            "okuma" => OKUMA,
             _ => RS274,
         }
+    }
+
+    /// The same where a setting says that waits count milliseconds.
+    pub fn in_milliseconds(self, milliseconds: bool) -> Rules {
+        let (letter, parts) = self.dwell;
+        Rules { dwell: (letter, if milliseconds { THOUSANDTHS } else { parts }), ..self }
     }
 
     /// A G function, in tenths, as RS274 numbers what it does.
@@ -111,6 +133,14 @@ impl Rules {
         );
         match self.words {
             Words::Rs274 => g(tenths),
+            Words::Dialog => None,
+            Words::Mach | Words::Okuma if matches!(tenths, 530 | 960 | 970) => None,
+            Words::Okuma => match tenths {
+                150 => Some(G::OffsetByNumber),
+                560 => g(430),
+                0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 200 | 210 | 400 | 800 | 900 | 940 => g(tenths),
+                _ => None,
+            },
             Words::Siemens => match tenths {
                 0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 330 | 400 | 540 | 550 | 560 | 570 | 900 | 910 | 940 | 950 => {
                     g(tenths)
@@ -120,6 +150,10 @@ impl Rules {
                 _ => None,
             },
             _ if common => g(tenths),
+            Words::Mach => match tenths {
+                200 | 210 | 430 | 490 | 900 | 910 | 911 | 940 => g(tenths),
+                _ => None,
+            },
             Words::FanucMill => match tenths {
                 200 | 210 | 430 | 490 | 610 | 640 | 900 | 910 | 940 | 950 => g(tenths),
                 920 => Some(G::SpeedLimit),
@@ -146,13 +180,17 @@ impl Rules {
     /// The modes that hold without a word for them.
     pub(super) fn fixes(&self) -> Fixed {
         let lathe = matches!(self.words, Words::LatheA | Words::LatheB | Words::LatheC);
+        let dialog = self.words == Words::Dialog;
         Fixed {
-            centers_count_from_the_start: self.words != Words::Rs274,
-            absolute: self.words == Words::LatheA,
+            centers: !matches!(self.words, Words::Rs274 | Words::Mach),
+            absolute: self.words == Words::LatheA || dialog,
             // A turret brings the length with the tool.
-            no_length: lathe,
+            no_length: lathe || dialog || self.words == Words::Okuma,
             // SINUMERIK has no G80: cycles are calls.
-            no_cycles: lathe || self.words == Words::Siemens,
+            no_cycles: lathe || self.words == Words::Siemens || dialog,
+            // What a TNC selects anew begins so.
+            per_minute: dialog,
+            no_cutter: dialog,
         }
     }
 
@@ -171,13 +209,18 @@ pub(super) enum G {
     Rs274(i64),
     /// S is the largest speed.
     SpeedLimit,
+    /// H is the number of a work offset.
+    OffsetByNumber,
 }
 
 /// Modes that no word states.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Fixed {
-    pub centers_count_from_the_start: bool,
+    /// Where centres count from: in words from the start of the arc, in a dialog from the zero point.
+    pub centers: bool,
     pub absolute: bool,
     pub no_length: bool,
     pub no_cycles: bool,
+    pub per_minute: bool,
+    pub no_cutter: bool,
 }

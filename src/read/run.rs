@@ -58,7 +58,7 @@ impl Reader {
         Ok(())
     }
 
-    fn push(&mut self, act: Act) -> Result<(), Fault> {
+    pub(super) fn push(&mut self, act: Act) -> Result<(), Fault> {
         let place = self.acts.get_mut(self.open.1).ok_or_else(|| Fault::new("too much in one line"))?;
         *place = act;
         self.open.1 += 1;
@@ -83,7 +83,7 @@ impl Reader {
     }
 
     /// A length of the program in units.
-    fn length(&self, number: i64) -> Result<i64, Fault> {
+    pub(super) fn length(&self, number: i64) -> Result<i64, Fault> {
         match self.modes.inches {
             Some(false) => Ok(number),
             Some(true) => {
@@ -182,6 +182,10 @@ impl Reader {
         if block.stop_motion {
             modes.motion = None;
             modes.cycles_are_off = true;
+        }
+        if block.offset_by_number {
+            let number = block.take_whole(b'H')?.and_then(|number| u8::try_from(number).ok()).filter(|n| *n > 0);
+            block.offset = Some(number.ok_or_else(|| Fault::new("G15 wants H"))?);
         }
         if let Some(offset) = block.offset {
             modes.offset = offset;
@@ -287,7 +291,7 @@ impl Reader {
         let turns = if ccw { turns } else { -turns };
         if let Some(radius) = block.take(b'R') {
             let center = by_radius(from, to, self.length(radius)?, ccw)?;
-            return Ok(Arc { plane, from, to, center, turns });
+            return Ok(Arc { plane, from, to, center, turns, by_angle: false });
         }
         let offsets = [block.take(b"IJK"[first]), block.take(b"IJK"[second])];
         if offsets == [None, None] {
@@ -305,7 +309,7 @@ impl Reader {
             }
             center[i] = place.ok_or_else(|| Fault::new("a centre is too far away"))?;
         }
-        Ok(Arc { plane, from, to, center, turns })
+        Ok(Arc { plane, from, to, center, turns, by_angle: false })
     }
 }
 

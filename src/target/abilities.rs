@@ -1,11 +1,15 @@
 //! What a target can say, in short words: for `partc targets` and docs/targets.md.
 
-use super::{Change, Length, Limit, ProgramName, Target, Turns};
+use super::{Change, DwellUnit, Form, Length, Limit, ProgramName, Sequence, Target, Turns};
 
 impl Target {
     /// Each ability, and the words or the limit for it; `-` where the target has none.
     pub fn abilities(&self) -> Vec<(&'static str, String)> {
         let text = |word: Option<&str>| word.unwrap_or("-").to_owned();
+        let dialog = match self.form {
+            Form::Words => None,
+            Form::Dialog(dialog) => Some(dialog),
+        };
         let offsets = [self.offsets.first(), self.offsets.last()].map(|word| word.copied().unwrap_or("-"));
         let turns = self.arcs.turns.map(|turns| match turns {
             Turns::All(address) => format!("{} turns in a block", address as char),
@@ -18,6 +22,7 @@ impl Target {
         let change = self.tool.change.map(|change| match change {
             Change::Word(word) => word.to_owned(),
             Change::Turret { digits } => format!("{}{:0digits$}{:0digits$}", self.tool.address as char, 1, 1),
+            Change::Call => dialog.map_or("-", |dialog| dialog.tool).to_owned(),
         });
         let length = match self.tool.length {
             Length::None => "-",
@@ -29,9 +34,16 @@ impl Target {
             (Some(_), Some(_)) => "yes",
             (None, Some(_)) => "always",
         };
+        let sequence = match self.line.sequence {
+            Sequence::Address(address, most) => format!("{} to {most}", address as char),
+            Sequence::Blocks => "always".to_owned(),
+        };
         let name = match self.frame.name {
             ProgramName::None => "-".to_owned(),
             ProgramName::Number { letter, digits, .. } => format!("{}{:0digits$}", letter as char, 1),
+            ProgramName::Text { front, most, .. } => {
+                format!("{front}, {most} characters").trim_start_matches(", ").to_owned()
+            }
         };
         let speed = self.spindle.cutting_speed.as_ref().map(|words| match words.limit {
             Limit::Word(limit) => format!("{}, {limit}", words.on),
@@ -40,13 +52,19 @@ impl Target {
         let dwell = format!(
             "{} {}{}",
             self.dwell.word,
-            self.dwell.address as char,
-            if self.dwell.milliseconds { " ms" } else { " s" }
+            (self.dwell.address as char).to_string().trim(),
+            match self.dwell.unit {
+                DwellUnit::Seconds => " s",
+                DwellUnit::Milliseconds => " ms",
+                DwellUnit::Setting => " by `dwell_unit`",
+            }
         );
+        let dwell = dwell.replace("  ", " ");
         vec![
             ("output file", format!(".{}", self.extension)),
-            ("first and last line", text(self.frame.first)),
+            ("first and last line", text(dialog.map(|dialog| dialog.begin).or(self.frame.first))),
             ("name of a program", name),
+            ("number of a block", sequence),
             ("longest line", self.line.length.to_string()),
             ("point in all numbers", if self.numbers.point { "yes" } else { "-" }.to_owned()),
             ("digits of a number", digits),
@@ -55,7 +73,13 @@ impl Target {
             ("feed per revolution", text(self.feed.per_revolution)),
             ("feed by time", text(self.feed.inverse_time)),
             ("threads", text(self.motion.thread.map(|thread| thread.word))),
-            ("arcs", turns.unwrap_or_else(|| most(self.arcs.most_sweep))),
+            (
+                "arcs",
+                dialog
+                    .map(|dialog| format!("{}, {}", dialog.arc, dialog.helix.word))
+                    .or(turns)
+                    .unwrap_or_else(|| most(self.arcs.most_sweep)),
+            ),
             ("machine coordinates", text(self.motion.machine)),
             ("work offsets", offsets.join(" to ")),
             ("X as a diameter", diameter.to_owned()),

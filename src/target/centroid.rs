@@ -1,8 +1,8 @@
 //! Centroid mills: much as Fanuc, waits in seconds. A preview: what published post processors write.
 
 use super::{
-    Dwell, FeedWords, Frame, MFunctions, Measure, Motion, Numbers, ProgramName, SpindleWords, Target, fanuc::OWN,
-    fanuc::TARGET as FANUC,
+    Dwell, DwellUnit, FeedWords, Frame, MFunctions, Measure, Motion, Numbers, ProgramName, SpindleWords, Target,
+    fanuc::OWN, fanuc::TARGET as FANUC,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -20,7 +20,7 @@ pub(super) const TARGET: Target = Target {
         measure: Measure::Linear,
     },
     spindle: SpindleWords { cutting_speed: None, ..FANUC.spindle },
-    dwell: Dwell { milliseconds: false, per_minute: false, ..FANUC.dwell },
+    dwell: Dwell { unit: DwellUnit::Seconds, per_minute: false, ..FANUC.dwell },
     m: MFunctions { own: OWN, ..FANUC.m },
     ..FANUC
 };

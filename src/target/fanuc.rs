@@ -4,14 +4,16 @@
 use core::f64::consts::PI;
 
 use super::{
-    Arcs, Change, Comments, CoolantWords, CuttingSpeed, Dwell, FeedWords, Flow, Frame, Length, LengthNumber,
-    LengthWords, Limit, Line, MFunctions, Measure, Motion, Numbers, ProgramName, SpindleWords, Target, ToolWords,
+    Arcs, Change, Comments, CoolantWords, CuttingSpeed, Dwell, DwellUnit, EVERY_PLANE, FeedWords, Flow, Form, Frame,
+    Length, LengthNumber, LengthWords, Limit, Line, MFunctions, Measure, Motion, Numbers, ProgramName, Sequence,
+    SpindleWords, Target, ToolWords,
 };
 
 pub(super) const TARGET: Target = Target {
     name: "fanuc",
     about: "Fanuc mills (0i, 30i), and Mitsubishi, Brother and others that read them",
     extension: "tap",
+    form: Form::Words,
     frame: Frame {
         first: Some("%"),
         last: Some("%"),
@@ -23,12 +25,14 @@ pub(super) const TARGET: Target = Target {
         lathe_diameter: None,
     },
     comments: Comments { open: "(", close: ")", upper: true, forbidden: b"" },
-    line: Line { length: 80, digits: 8, sequence: (b'N', 99_999) },
+    line: Line { length: 80, digits: 8, sequence: Sequence::Address(b'N', 99_999) },
     numbers: Numbers {
         // Without it a number may count thousandths, by a parameter.
         point: true,
+        feed_point: true,
         zero: false,
         length: [3, 4],
+        most: 6,
         feed: Some([2, 3]),
         feed_per_revolution: Some([3, 4]),
         lead: Some([4, 6]),
@@ -44,7 +48,7 @@ pub(super) const TARGET: Target = Target {
         machine_drops_length: false,
         // A mill taps with G84; whether G33 is there is an option of the machine.
         thread: None,
-        planes: ["G17", "G18", "G19"],
+        planes: Some(["G17", "G18", "G19"]),
     },
     feed: FeedWords {
         address: b'F',
@@ -58,10 +62,12 @@ pub(super) const TARGET: Target = Target {
         clockwise: "G2",
         counter_clockwise: "G3",
         center: *b"IJK",
+        planes: EVERY_PLANE,
         turns: None,
         most_sweep: PI,
         most_open_sweep: f64::INFINITY,
         tolerance: 1.5,
+        mismatch: [f64::INFINITY; 2],
         least_radius: 0.01,
         // Eight digits.
         most_radius: 50_000.0,
@@ -86,14 +92,15 @@ pub(super) const TARGET: Target = Target {
         length: Length::Words(LengthWords {
             on: "G43",
             number: LengthNumber::Tool(b'H'),
-            off: "G49",
+            off: Some("G49"),
             with_move: true,
             usual: true,
         }),
     },
-    dwell: Dwell { word: "G4", address: b'P', milliseconds: true, most: 99_999.999, per_minute: true },
+    dwell: Dwell { word: "G4", address: b'P', unit: DwellUnit::Milliseconds, most: 99_999.999, per_minute: true },
     flow: Flow { stop: "M0", optional_stop: "M1", optional_stop_is_idle: false, end: "M2", rewind: "M30" },
     offsets: &["G54", "G55", "G56", "G57", "G58", "G59"],
+    offsets_confirmed: true,
     compensation: None,
     m: MFunctions { address: b'M', own: OWN, open: true },
 };

@@ -3,14 +3,15 @@
 use core::f64::consts::PI;
 
 use super::{
-    Arcs, Comments, CoolantWords, Dwell, FeedWords, Flow, Frame, Length, Line, MFunctions, Measure, Motion, Numbers,
-    ProgramName, SpindleWords, Target, ToolWords,
+    Arcs, Comments, CoolantWords, Dwell, DwellUnit, EVERY_PLANE, FeedWords, Flow, Form, Frame, Length, Line,
+    MFunctions, Measure, Motion, Numbers, ProgramName, Sequence, SpindleWords, Target, ToolWords,
 };
 
 pub(super) const TARGET: Target = Target {
     name: "grbl",
     about: "GRBL 1.1, as it is delivered",
     extension: "gcode",
+    form: Form::Words,
     frame: Frame {
         // A percent sign is an error.
         first: None,
@@ -24,11 +25,13 @@ pub(super) const TARGET: Target = Target {
     },
     // The receiver acts on these three as they arrive, inside a comment, too.
     comments: Comments { open: "(", close: ")", upper: false, forbidden: b"!?~" },
-    line: Line { length: 79, digits: 8, sequence: (b'N', 99_999) },
+    line: Line { length: 79, digits: 8, sequence: Sequence::Address(b'N', 99_999) },
     numbers: Numbers {
         point: false,
+        feed_point: false,
         zero: true,
         length: [4, 5],
+        most: 6,
         feed: None,
         feed_per_revolution: None,
         lead: None,
@@ -42,7 +45,7 @@ pub(super) const TARGET: Target = Target {
         machine_feed: true,
         machine_drops_length: false,
         thread: None,
-        planes: ["G17", "G18", "G19"],
+        planes: Some(["G17", "G18", "G19"]),
     },
     feed: FeedWords {
         address: b'F',
@@ -55,11 +58,13 @@ pub(super) const TARGET: Target = Target {
         clockwise: "G2",
         counter_clockwise: "G3",
         center: *b"IJK",
+        planes: EVERY_PLANE,
         turns: None,
         // Rounding decides between nothing and a full circle where the end is the start.
         most_sweep: PI,
         most_open_sweep: f64::INFINITY,
         tolerance: 1.5,
+        mismatch: [f64::INFINITY; 2],
         least_radius: 0.01,
         // Beyond, single precision moves the centre by more than a printed place.
         most_radius: 1000.0,
@@ -78,9 +83,10 @@ pub(super) const TARGET: Target = Target {
     coolant: CoolantWords { mist: None, flood: "M8", off: "M9" },
     tool: ToolWords { address: b'T', most: 255, change: None, prepares: true, length: Length::None },
     // The wait is counted in 16 bits of 50 ms.
-    dwell: Dwell { word: "G4", address: b'P', milliseconds: false, most: 3000.0, per_minute: false },
+    dwell: Dwell { word: "G4", address: b'P', unit: DwellUnit::Seconds, most: 3000.0, per_minute: false },
     flow: Flow { stop: "M0", optional_stop: "M1", optional_stop_is_idle: true, end: "M2", rewind: "M30" },
     offsets: &["G54", "G55", "G56", "G57", "G58", "G59"],
+    offsets_confirmed: true,
     compensation: None,
     m: MFunctions { address: b'M', own: &[], open: false },
 };

@@ -3,15 +3,16 @@
 use crate::geo::Plane;
 
 use super::{
-    Arcs, Change, Comments, CompensationWords, CoolantWords, CuttingSpeed, Dwell, FeedWords, Flow, Frame, Lead, Length,
-    LengthNumber, LengthWords, Limit, Line, MFunctions, Measure, Motion, Numbers, ProgramName, SpindleWords, Target,
-    Thread, ToolWords, Turns,
+    Arcs, Change, Comments, CompensationWords, CoolantWords, CuttingSpeed, Dwell, DwellUnit, EVERY_PLANE, FeedWords,
+    Flow, Form, Frame, Lead, Length, LengthNumber, LengthWords, Limit, Line, MFunctions, Measure, Motion, Numbers,
+    ProgramName, Sequence, SpindleWords, Target, Thread, ToolWords, Turns,
 };
 
 pub(super) const TARGET: Target = Target {
     name: "linuxcnc",
     about: "LinuxCNC (RS274/NGC)",
     extension: "ngc",
+    form: Form::Words,
     frame: Frame {
         first: Some("%"),
         last: Some("%"),
@@ -23,11 +24,13 @@ pub(super) const TARGET: Target = Target {
         lathe_diameter: Some("G18 G7 G40 G49 G80"),
     },
     comments: Comments { open: "(", close: ")", upper: false, forbidden: b"" },
-    line: Line { length: 80, digits: 0, sequence: (b'N', 99_999) },
+    line: Line { length: 80, digits: 0, sequence: Sequence::Address(b'N', 99_999) },
     numbers: Numbers {
         point: false,
+        feed_point: false,
         zero: true,
         length: [4, 5],
+        most: 6,
         feed: None,
         feed_per_revolution: None,
         lead: None,
@@ -41,7 +44,7 @@ pub(super) const TARGET: Target = Target {
         machine_feed: true,
         machine_drops_length: false,
         thread: Some(Thread { word: "G33", lead: Lead::Way(b'K'), stops: true }),
-        planes: ["G17", "G18", "G19"],
+        planes: Some(["G17", "G18", "G19"]),
     },
     feed: FeedWords {
         address: b'F',
@@ -54,10 +57,12 @@ pub(super) const TARGET: Target = Target {
         clockwise: "G2",
         counter_clockwise: "G3",
         center: *b"IJK",
+        planes: EVERY_PLANE,
         turns: Some(Turns::All(b'P')),
         most_sweep: f64::INFINITY,
         most_open_sweep: f64::INFINITY,
         tolerance: 1.5,
+        mismatch: [f64::INFINITY; 2],
         // Below its tolerance of 0.00127 mm the interpreter calls the radius zero.
         least_radius: 0.0013,
         most_radius: f64::INFINITY,
@@ -81,14 +86,15 @@ pub(super) const TARGET: Target = Target {
         length: Length::Words(LengthWords {
             on: "G43",
             number: LengthNumber::Tool(b'H'),
-            off: "G49",
+            off: Some("G49"),
             with_move: false,
             usual: false,
         }),
     },
-    dwell: Dwell { word: "G4", address: b'P', milliseconds: false, most: f64::INFINITY, per_minute: false },
+    dwell: Dwell { word: "G4", address: b'P', unit: DwellUnit::Seconds, most: f64::INFINITY, per_minute: false },
     flow: Flow { stop: "M0", optional_stop: "M1", optional_stop_is_idle: false, end: "M2", rewind: "M30" },
     offsets: &["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"],
+    offsets_confirmed: true,
     compensation: Some(CompensationWords {
         left: "G41",
         right: "G42",

@@ -9,8 +9,11 @@ mod fanuc_lathe;
 mod grbl;
 mod grblhal;
 mod haas;
+mod heidenhain;
 mod linuxcnc;
+mod mach;
 mod mazak;
+mod okuma;
 mod siemens;
 mod words;
 
@@ -27,8 +30,12 @@ pub const ALL: &[&Target] = &[
     &fanuc_lathe::B,
     &fanuc_lathe::C,
     &siemens::TARGET,
+    &heidenhain::TARGET,
     &centroid::TARGET,
     &mazak::TARGET,
+    &mach::MACH3,
+    &mach::UCCNC,
+    &okuma::TARGET,
 ];
 
 /// Their names, in the same order.

@@ -3,8 +3,9 @@
 use core::f64::consts::PI;
 
 use super::{
-    Arcs, Change, Comments, CoolantWords, Dwell, FeedWords, Flow, Frame, Lead, Length, LengthNumber, LengthWords, Line,
-    MFunctions, Measure, Motion, Numbers, ProgramName, SpindleWords, Target, Thread, ToolWords, Turns,
+    Arcs, Change, Comments, CoolantWords, Dwell, DwellUnit, EVERY_PLANE, FeedWords, Flow, Form, Frame, Lead, Length,
+    LengthNumber, LengthWords, Line, MFunctions, Measure, Motion, Numbers, ProgramName, Sequence, SpindleWords, Target,
+    Thread, ToolWords, Turns,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -12,6 +13,7 @@ pub(super) const TARGET: Target = Target {
     about: "SINUMERIK 840D sl, 828D, ONE: plain moves, no cycles",
     // A program beside its source must not replace it.
     extension: "plain.mpf",
+    form: Form::Words,
     frame: Frame {
         first: None,
         last: None,
@@ -24,11 +26,13 @@ pub(super) const TARGET: Target = Target {
         lathe_diameter: Some("G18 DIAMON D0"),
     },
     comments: Comments { open: "; ", close: "", upper: false, forbidden: b"" },
-    line: Line { length: 80, digits: 0, sequence: (b'N', 99_999) },
+    line: Line { length: 80, digits: 0, sequence: Sequence::Address(b'N', 99_999) },
     numbers: Numbers {
         point: false,
+        feed_point: false,
         zero: true,
         length: [4, 5],
+        most: 6,
         feed: None,
         feed_per_revolution: None,
         lead: None,
@@ -43,7 +47,7 @@ pub(super) const TARGET: Target = Target {
         machine_feed: true,
         machine_drops_length: true,
         thread: Some(Thread { word: "G33", lead: Lead::AlongZ(b'K'), stops: false }),
-        planes: ["G17", "G18", "G19"],
+        planes: Some(["G17", "G18", "G19"]),
     },
     feed: FeedWords {
         address: b'F',
@@ -56,10 +60,12 @@ pub(super) const TARGET: Target = Target {
         clockwise: "G2",
         counter_clockwise: "G3",
         center: *b"IJK",
+        planes: EVERY_PLANE,
         turns: Some(Turns::More("TURN=")),
         most_sweep: f64::INFINITY,
         most_open_sweep: PI * 2.0 / 3.0,
         tolerance: 1.5,
+        mismatch: [f64::INFINITY; 2],
         least_radius: 0.01,
         most_radius: 100_000.0,
         // Below, rounding turns the centre by more than the control takes (alarm 14040).
@@ -84,15 +90,16 @@ pub(super) const TARGET: Target = Target {
         length: Length::Words(LengthWords {
             on: "D1",
             number: LengthNumber::None,
-            off: "D0",
+            off: Some("D0"),
             with_move: false,
             usual: true,
         }),
     },
-    dwell: Dwell { word: "G4", address: b'F', milliseconds: false, most: f64::INFINITY, per_minute: false },
+    dwell: Dwell { word: "G4", address: b'F', unit: DwellUnit::Seconds, most: f64::INFINITY, per_minute: false },
     flow: Flow { stop: "M0", optional_stop: "M1", optional_stop_is_idle: false, end: "M2", rewind: "M30" },
     // G58 and G59 shift by what stands in their block.
     offsets: &["G54", "G55", "G56", "G57"],
+    offsets_confirmed: true,
     compensation: None,
     m: MFunctions { address: b'M', own: OWN, open: true },
 };

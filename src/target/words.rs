@@ -15,6 +15,7 @@ pub struct Target {
     pub about: &'static str,
     /// Extension of output files.
     pub extension: &'static str,
+    pub form: Form,
     pub frame: Frame,
     pub comments: Comments,
     pub line: Line,
@@ -31,6 +32,8 @@ pub struct Target {
     pub flow: Flow,
     /// Work offsets in order, from G54 on.
     pub offsets: &'static [&'static str],
+    /// That the receiver knows them is confirmed.
+    pub offsets_confirmed: bool,
     pub compensation: Option<CompensationWords>,
     pub m: MFunctions,
 }
@@ -42,6 +45,64 @@ impl PartialEq for Target {
 }
 
 impl Eq for Target {}
+
+/// How blocks are made.
+#[derive(Debug, Clone, Copy)]
+pub enum Form {
+    /// Words of a letter and a number; G functions state modes that hold.
+    Words,
+    /// A block begins with what it does, names its axes, and ends with how fast.
+    Dialog(&'static Dialog),
+}
+
+/// Words of a dialog.
+#[derive(Debug)]
+pub struct Dialog {
+    /// First and last block; the name of the program and the unit stand behind.
+    pub begin: &'static str,
+    pub end: &'static str,
+    /// Millimetres, inches.
+    pub units: [&'static str; 2],
+    /// What F1 is in a program in inches, in mm/min.
+    pub inch_feed: f64,
+    /// At rapid traverse, where a feed would stand; it holds for its own block.
+    pub rapid: &'static str,
+    /// The tool centre moves along the programmed path.
+    pub uncompensated: &'static str,
+    /// States the centre of the arcs behind it.
+    pub center: &'static str,
+    /// An arc to its end.
+    pub arc: &'static str,
+    pub helix: HelixWords,
+    /// Calls a tool, or states the speed alone.
+    pub tool: &'static str,
+    /// The axis along which the tool is long.
+    pub tool_axis: &'static str,
+    /// Brings a tool forth.
+    pub prepare: &'static str,
+    /// The block in front of the one that waits.
+    pub dwell: &'static str,
+    /// What stands in front of the number of a work offset and behind it, in lines of one block.
+    pub offset: [&'static str; 2],
+}
+
+/// An arc that goes along its third axis, by the angle that it turns.
+#[derive(Debug)]
+pub struct HelixWords {
+    pub word: &'static str,
+    /// The angle from the start.
+    pub angle: &'static str,
+    /// In front of an axis: its way.
+    pub way: &'static str,
+    /// Places of the angle.
+    pub places: u8,
+    /// Turns of one block.
+    pub most_turns: i64,
+    /// Up to this radius in mm the last place of the angle moves the end by less than a thousandth.
+    pub most_radius: f64,
+    /// Working planes.
+    pub planes: &'static [Plane],
+}
 
 /// What stands around the program, and the modes stated at its start.
 #[derive(Debug)]
@@ -70,6 +131,12 @@ pub enum ProgramName {
         digits: usize,
         most: u32,
     },
+    /// At most so many letters, digits and `marks` of the name of the source, with this in front.
+    Text {
+        front: &'static str,
+        most: usize,
+        marks: &'static str,
+    },
 }
 
 /// How comments look.
@@ -90,18 +157,30 @@ pub struct Line {
     pub length: usize,
     /// Most digits of a number that are read; 0 for any.
     pub digits: u32,
-    /// Address of block numbers, and the largest one.
-    pub sequence: (u8, u32),
+    pub sequence: Sequence,
+}
+
+/// Numbers of blocks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sequence {
+    /// By this address, up to the largest one, where the configuration wants them.
+    Address(u8, u32),
+    /// Every line that begins a block has its number, counted from 0.
+    Blocks,
 }
 
 /// How numbers are written. Places come in pairs: in millimetres, in inches.
 #[derive(Debug, Clone, Copy)]
 pub struct Numbers {
-    /// A whole number has its point, too: without it, some controls count in their least increment.
+    /// A whole length has its point, too: without it, some controls count in their least increment.
     pub point: bool,
+    /// So does a whole feed.
+    pub feed_point: bool,
     /// The zero in front of a point.
     pub zero: bool,
     pub length: [u8; 2],
+    /// Most places of a length that are read.
+    pub most: u8,
     /// Where they have no places of their own, these have those of lengths.
     pub feed: Option<[u8; 2]>,
     pub feed_per_revolution: Option<[u8; 2]>,
@@ -114,15 +193,15 @@ pub struct Numbers {
 pub struct Motion {
     pub rapid: &'static str,
     pub line: &'static str,
-    /// In front of a move in machine coordinates.
+    /// In front of a move in machine coordinates, in a dialog behind it.
     pub machine: Option<&'static str>,
     /// Such a move may have a feed.
     pub machine_feed: bool,
     /// The length of the tool counts in machine coordinates, too: it is switched off for the move.
     pub machine_drops_length: bool,
     pub thread: Option<Thread>,
-    /// XY, ZX, YZ.
-    pub planes: [&'static str; 3],
+    /// XY, ZX, YZ; `None` where an arc says its plane itself.
+    pub planes: Option<[&'static str; 3]>,
 }
 
 /// Line in step with the spindle.
@@ -146,12 +225,12 @@ pub enum Lead {
 }
 
 impl Motion {
-    pub fn plane(&self, plane: Plane) -> &'static str {
-        match plane {
-            Plane::Xy => self.planes[0],
-            Plane::Zx => self.planes[1],
-            Plane::Yz => self.planes[2],
-        }
+    pub fn plane(&self, plane: Plane) -> Option<&'static str> {
+        self.planes.map(|[xy, zx, yz]| match plane {
+            Plane::Xy => xy,
+            Plane::Zx => zx,
+            Plane::Yz => yz,
+        })
     }
 }
 
@@ -173,6 +252,9 @@ pub enum Measure {
     Linear,
 }
 
+/// All planes.
+pub const EVERY_PLANE: &[Plane] = &[Plane::Xy, Plane::Zx, Plane::Yz];
+
 /// Arcs by offset from the start to the centre.
 #[derive(Debug)]
 pub struct Arcs {
@@ -180,6 +262,8 @@ pub struct Arcs {
     pub counter_clockwise: &'static str,
     /// Addresses of the centre, by axis.
     pub center: [u8; 3],
+    /// Planes in which the receiver goes round.
+    pub planes: &'static [Plane],
     /// Number of turns in one block; `None`: an arc is divided at `most_sweep`.
     pub turns: Option<Turns>,
     /// Largest sweep of a block in rad where it cannot count turns.
@@ -189,6 +273,8 @@ pub struct Arcs {
     pub most_open_sweep: f64,
     /// Largest difference of the radii at start and end of a printed arc, in units of the last place.
     pub tolerance: f64,
+    /// The same in mm, in programs in millimetres and in inches.
+    pub mismatch: [f64; 2],
     /// Radii in mm that are printed as arcs; others become lines.
     pub least_radius: f64,
     pub most_radius: f64,
@@ -283,6 +369,8 @@ pub enum Change {
     Word(&'static str),
     /// `T0101`: the tool and its offset, in so many digits each.
     Turret { digits: usize },
+    /// By its block in a dialog.
+    Call,
 }
 
 /// Length of the tool from the table of the target.
@@ -299,7 +387,8 @@ pub enum Length {
 pub struct LengthWords {
     pub on: &'static str,
     pub number: LengthNumber,
-    pub off: &'static str,
+    /// Where there is none, an empty spindle is not said.
+    pub off: Option<&'static str>,
     /// The words stand in the next move along Z: alone, some controls move by the length.
     pub with_move: bool,
     /// They are printed unless the configuration says otherwise.
@@ -320,12 +409,21 @@ pub enum LengthNumber {
 pub struct Dwell {
     pub word: &'static str,
     pub address: u8,
-    /// The number counts milliseconds and is whole; otherwise it counts seconds.
-    pub milliseconds: bool,
+    pub unit: DwellUnit,
     /// Longest wait of one block in seconds; a longer one takes several.
     pub most: f64,
     /// Under a feed per revolution the number may count revolutions: the feed per minute is switched on before.
     pub per_minute: bool,
+}
+
+/// What the number of a wait counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DwellUnit {
+    Seconds,
+    /// Whole milliseconds.
+    Milliseconds,
+    /// A setting of the receiver says which of them; so does the configuration.
+    Setting,
 }
 
 /// Stops and the end of the program.

@@ -10,15 +10,19 @@ use crate::read::{self, AXES, Act, SCALE};
 use super::moves::kind;
 use super::{Text, Validator, Why, is_rounding, plane};
 
-/// What the radii at both ends of a printed arc may differ by, and how far its centre may lie from the exact one on each
-/// axis, in units of the last place.
-const MOST_OFF: f64 = 1.5;
+/// What the radii at both ends of a printed arc may differ by, where the receiver allows that, and how far its centre may lie
+/// from the exact one on each axis, in units of the last place.
+pub(super) const MOST_OFF: f64 = 1.5;
 /// By how many units the printed ends and the printed centre turn the ends of an arc about its centre.
 const TURNED: f64 = 6.0;
 /// How far from the circle a rounded place may be: half a unit on each axis.
 const ROUNDED: f64 = 0.7072;
 /// How far from the circle the middle of a line may be that stands for a part of it.
-const CHORD: f64 = 1.3;
+pub(super) const CHORD: f64 = 1.3;
+/// What an angle in degrees of four places may be off, in rad,
+const ANGLE: f64 = 1e-6;
+/// and the printed ends and centre beside it, in units of the last place.
+const MENDED: f64 = 4.0;
 /// Below so many units of radius a circle is lost between its places: that it stays there is all that can be said.
 const LOST: f64 = 3.0;
 
@@ -32,6 +36,8 @@ struct Course {
     blocks: f64,
     /// The blocks are lines; they are all of one kind.
     as_lines: bool,
+    /// The last block was an arc whose end is as exact as its angle: a line leads to where it is meant to end.
+    open: bool,
     /// F of its first block.
     feed: i64,
 }
@@ -47,6 +53,7 @@ impl Validator {
             swept: 0.0,
             blocks: 0.0,
             as_lines: false,
+            open: false,
             feed: 0,
         };
         let [first, second, _] = plane(arc.plane).axes();
@@ -61,6 +68,13 @@ impl Validator {
             }
             let to = [self.reader.at()[first], self.reader.at()[second]];
             let line = matches!(found.path, read::Path::Line);
+            if std::mem::take(&mut course.open) {
+                self.mends(&course, from, to, line)?;
+                self.feed_of_part(&mut course, feed)?;
+                printed |= found.axes;
+                from = to;
+                continue;
+            }
             if course.blocks > 0.0 && line != course.as_lines {
                 return Err(Why::new("an arc is either arcs or lines"));
             }
@@ -74,7 +88,8 @@ impl Validator {
             self.same_side(mv)?;
             self.feed_of_part(&mut course, feed)?;
             printed |= found.axes;
-            if end > 0 {
+            course.open = matches!(found.path, read::Path::Arc(part) if part.by_angle && part.from != part.to);
+            if end > 0 && !course.open {
                 self.on_the_way(&course, mv, &start, known, [first, second])?;
             }
             from = to;
@@ -98,6 +113,13 @@ impl Validator {
         }
     }
 
+    /// A line from where the angle of an arc leads to where the arc is meant to end.
+    fn mends(&self, course: &Course, from: [i64; 2], to: [i64; 2], line: bool) -> Result<(), Why> {
+        let way = libm::hypot((to[0] - from[0]) as f64, (to[1] - from[1]) as f64);
+        let near = way <= MENDED * self.unit + course.radius * ANGLE;
+        if line && near { Ok(()) } else { Err(Why::new("an arc ends elsewhere")) }
+    }
+
     /// A block that is an arc; how far it turns.
     fn part(&self, course: &Course, found: &read::Arc, arc: &Arc) -> Result<f64, Why> {
         if found.plane != plane(arc.plane) {
@@ -106,7 +128,7 @@ impl Validator {
         let off = [0, 1].map(|i| (found.center[i] as f64 - course.center[i]).abs());
         let slack = 0.51 * self.unit + 2.0;
         let near = |most: f64| off.iter().all(|off| *off <= most);
-        let closes = found.from == found.to || self.radii(found, found.center) <= MOST_OFF * self.unit + 2.0;
+        let closes = found.from == found.to || self.radii(found, found.center) <= self.most_off + 2.0;
         if !closes {
             return Err(Why::new("start and end of the arc are not on one circle"));
         }
@@ -134,7 +156,7 @@ impl Validator {
     fn rounded_closes(&self, course: &Course, found: &read::Arc) -> bool {
         let center = course.center.map(|c| (libm::round(c / self.unit) * self.unit) as i64);
         let center_is_end = center == found.from || center == found.to;
-        found.from == found.to || !center_is_end && self.radii(found, center) < MOST_OFF * self.unit - 2.0
+        found.from == found.to || !center_is_end && self.radii(found, center) < self.most_off - 2.0
     }
 
     /// Difference of the radii at start and end.
@@ -155,7 +177,7 @@ impl Validator {
         let middle = libm::hypot((ax + bx) / 2.0, (ay + by) / 2.0);
         let beside = libm::hypot(bx, by) - course.radius;
         let slack = 2.0 + course.radius * 1e-14;
-        if beside.abs() > ROUNDED * self.unit + slack || course.radius - middle > CHORD * self.unit + slack {
+        if beside.abs() > ROUNDED * self.unit + slack || course.radius - middle > self.chord + slack {
             return Err(Why::new("a line leaves the arc that it stands for"));
         }
         Ok(libm::atan2(ax * by - ay * bx, ax * bx + ay * by))

@@ -57,7 +57,9 @@ impl Validator {
                 self.stated = 0;
                 *acts == [Act::Offset(*number)]
             }
-            Function::Plane(meant) => acts.is_empty() && self.reader.modes().plane == Some(plane(*meant)),
+            Function::Plane(meant) => {
+                acts.is_empty() && (self.plane.is_none() || self.reader.modes().plane == Some(plane(*meant)))
+            }
             Function::Comment(_) | Function::FeedSpindle(_) | Function::Transformation(_) => acts.is_empty(),
             Function::Dwell(_) | Function::End { .. } => false,
         }

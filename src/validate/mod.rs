@@ -26,6 +26,8 @@ use crate::read::{AXES, Plane, Reader, Rules, SCALE};
 const SHOWN: usize = 2000;
 /// A nanometre's thousandth is what binary fractions lose of a tie, and the printer counts it as one.
 const TIE: f64 = 1.0;
+/// A millionth of a mm in units of the reader.
+const MILLIONTH: f64 = 1e-6 * SCALE as f64;
 /// What the text of an item may be that is no number: the axes that people may move at a stop.
 const MAIN: u16 = 0b111;
 
@@ -83,13 +85,18 @@ pub struct Validator {
     /// A unit of the last printed place, and half of it.
     unit: f64,
     half: f64,
+    /// What the radii at both ends of a printed arc may differ by.
+    most_off: f64,
+    /// How far the middle of a line may leave the arc that it stands for.
+    chord: f64,
     grain: Grain,
     /// Axes that were printed since somebody may have moved them.
     stated: u16,
     /// The last feed, as meant and as read: it needs no second look.
     feed: Option<(Feed, i64)>,
     cutter: CutterData,
-    plane: Plane,
+    /// The plane that the head has to state; `None` where an arc says it itself.
+    plane: Option<Plane>,
     /// X as a diameter or not, where the head has to say it.
     diameter: Option<bool>,
     /// Moves say axes that stand, too.
@@ -117,14 +124,16 @@ impl Validator {
         let grain = Grain::of(output);
         let unit = grain.length;
         Validator {
-            reader: Reader::with(Rules::of(output.target.name)),
+            reader: Reader::with(Rules::of(output.target.name).in_milliseconds(output.waits_in_milliseconds())),
             unit,
             half: unit / 2.0,
+            most_off: (arcs::MOST_OFF * unit).min(output.arc_mismatch() * SCALE as f64),
+            chord: output.arc_fallback.map_or(0.0, |most| f64::from(most) * MILLIONTH).max(arcs::CHORD * unit),
             grain,
             stated: 0,
             feed: None,
             cutter: CutterData::default(),
-            plane: if lathe { Plane::Zx } else { Plane::Xy },
+            plane: output.target.motion.planes.map(|_| if lathe { Plane::Zx } else { Plane::Xy }),
             diameter: (lathe && output.target.frame.lathe_diameter.is_some()).then_some(output.prints_diameters()),
             in_full: !output.modal,
             before: [0; AXES],
@@ -236,7 +245,7 @@ impl Validator {
             && modes.feed_kind == Some(crate::read::FeedKind::PerMinute)
             && modes.cutter.is_some_and(|cutter| cutter.side == 0)
             && modes.length == Some(0)
-            && modes.plane == Some(self.plane)
+            && modes.plane == self.plane
             && modes.cycles_are_off
             && modes.diameter == self.diameter;
         if stated { Ok(()) } else { Err(Why::new("the head does not state the modes that the moves need")) }
@@ -287,7 +296,7 @@ impl Grain {
             inches: output.units == Units::Inches,
             length: plain(Quantity::Length) * inch,
             angle: plain(Quantity::Angle) / 2.0,
-            feed: plain(Quantity::Feed) * inch / 2.0,
+            feed: plain(Quantity::Feed) * output.feed_unit() / 2.0,
             feed_per_revolution: plain(Quantity::FeedPerRevolution) * inch / 2.0,
             inverse_time: plain(Quantity::InverseTime) / 2.0,
             lead: plain(Quantity::Lead) * inch / 2.0,

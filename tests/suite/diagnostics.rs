@@ -129,6 +129,22 @@ const BUILT: &[Built] = &[
         fires: || on_grbl("M5\nM4\nT1 M6\nG1 X5 F100", BY_HAND),
         silent: || on_grbl("T1 M6\nM5\nG1 X5 F100", BY_HAND),
     },
+    Built { code: "O4003", fires: || on("heidenhain", "G55", ""), silent: || on("sinumerik", "G55", "") },
+    Built { code: "O9326", fires: || on("heidenhain", "M8", SIX), silent: || on("linuxcnc", "M8", SIX) },
+    Built { code: "O9327", fires: || on("heidenhain", "T2", BY_HAND_T), silent: || on("grbl", "T2", BY_HAND_T) },
+    Built {
+        code: "O9328",
+        fires: || on("heidenhain", "G18 G2 X10 Y5 Z5 I5 K0 F100", ""),
+        silent: || on("heidenhain", "G18 G2 X10 Z5 I5 K0 F100", ""),
+    },
+    Built {
+        code: "O4004",
+        fires: || on("uccnc", "G18 G2 X10 Z5 I5 K0 F100", LINES),
+        silent: || on("uccnc", "G17 G2 X10 Y0 I5 J0 F100", LINES),
+    },
+    Built { code: "O2002", fires: || on("mach3", "G55", ""), silent: || on("fanuc", "G55", "") },
+    Built { code: "O9331", fires: || on("mach3", "G4 F1", ""), silent: || on("mach3", "G4 F1", SECONDS) },
+    Built { code: "O9329", fires: || on("heidenhain", "M8", NUMBERS), silent: || on("sinumerik", "M8", NUMBERS) },
     Built { code: "O9317", fires: || on("fanuc", "M8", LATHE), silent: || on("fanuc-lathe", "M8", LATHE) },
     Built {
         code: "O9319",
@@ -172,8 +188,13 @@ const NEVER: &[(&str, &str)] = &[
 ];
 
 const LATHE: &str = "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"";
+const BY_HAND_T: &str = "[control]\ntool_change = \"t\"\n[output]\ntool_change = \"stop\"";
 const BY_HAND: &str = "[output]\ntool_change = \"stop\"";
 const CONTROL: &str = "[output]\ncompensation = \"control\"\ntool_change = \"stop\"\n[tools.1]\nradius = 2.0";
+const LINES: &str = "[output]\narc_fallback_tolerance = 0.01";
+const SECONDS: &str = "[output]\ndwell_unit = \"seconds\"";
+const SIX: &str = "[output]\ndecimals = 6";
+const NUMBERS: &str = "[output]\nline_numbers = 10";
 const EIGHTH: &str = "[datums]\nG505 = \"G59.2\"";
 
 const INCHES: &str = "[output]\nunits = \"inch\"";

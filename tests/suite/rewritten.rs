@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use partc::internals::machine::MachineKind;
 use partc::internals::machine::axis::AXES;
 use partc::internals::machine::settings::{Decimals, Settings};
-use partc::internals::target;
+use partc::internals::target::{self, DwellUnit};
 use partc::internals::text::files::NoFiles;
 
 use super::book::{Case, cases};
@@ -23,7 +23,14 @@ struct Judged {
     lathe: bool,
     /// Comments in capitals.
     upper: bool,
-    digits: usize,
+    /// The name of the program; nothing where it has none.
+    program: &'static str,
+    /// The line around the program is there.
+    framed: bool,
+    /// Letters whose numbers have a point, always.
+    points: &'static str,
+    /// What a wait counts, and in which word.
+    wait: (char, f64),
     /// Words that stand for others, whole words only.
     words: &'static [(&'static str, &'static str)],
     /// What states the largest speed, and a thread.
@@ -39,12 +46,64 @@ const MILL_G: &[&str] = &[
     "80", "90", "92", "94", "95", "96", "97",
 ];
 
-const JUDGED: [Judged; 7] = [
+/// Words of Mach3 and UCCNC.
+const MACH_G: &[&str] = &[
+    "0", "1", "2", "3", "4", "17", "18", "19", "20", "21", "40", "43", "49", "54", "55", "56", "57", "58", "59", "80",
+    "90", "91.1", "94",
+];
+
+const JUDGED: [Judged; 10] = [
+    Judged {
+        name: "mach3",
+        lathe: false,
+        upper: true,
+        program: "",
+        framed: false,
+        points: "XYZIJKFRP",
+        wait: ('P', 1.0),
+        words: &[],
+        limit: "-",
+        thread: "-",
+        g: MACH_G,
+        most_sweep: 180.0,
+    },
+    Judged {
+        name: "uccnc",
+        lathe: false,
+        upper: false,
+        program: "",
+        framed: false,
+        points: "",
+        wait: ('P', 1000.0),
+        words: &[],
+        limit: "-",
+        thread: "-",
+        // Arcs in XY alone.
+        g: MACH_G,
+        most_sweep: 90.0,
+    },
+    Judged {
+        name: "okuma",
+        lathe: false,
+        upper: true,
+        program: "OPART",
+        framed: true,
+        points: "XYZIJKR",
+        wait: ('F', 1.0),
+        words: &[],
+        limit: "-",
+        thread: "-",
+        g: &["00", "01", "02", "03", "04", "15", "17", "18", "19", "20", "21", "40", "56", "80", "90", "94"],
+        most_sweep: 180.0,
+    },
     Judged {
         name: "centroid",
         lathe: false,
         upper: true,
-        digits: 5,
+        program: "O00001",
+        framed: true,
+        points: "XYZIJKFRP",
+        wait: ('P', 1.0),
         words: &[],
         limit: "-",
         thread: "-",
@@ -55,7 +114,10 @@ const JUDGED: [Judged; 7] = [
         name: "mazak",
         lathe: false,
         upper: true,
-        digits: 4,
+        program: "O0001",
+        framed: false,
+        points: "XYZIJKFR",
+        wait: ('P', 1000.0),
         words: &[],
         limit: "-",
         thread: "-",
@@ -66,7 +128,10 @@ const JUDGED: [Judged; 7] = [
         name: "fanuc",
         lathe: false,
         upper: true,
-        digits: 4,
+        program: "O0001",
+        framed: true,
+        points: "XYZIJKFR",
+        wait: ('P', 1000.0),
         words: &[],
         limit: "G92",
         thread: "-",
@@ -77,7 +142,10 @@ const JUDGED: [Judged; 7] = [
         name: "haas",
         lathe: false,
         upper: false,
-        digits: 5,
+        program: "O00001",
+        framed: true,
+        points: "XYZIJKFR",
+        wait: ('P', 1000.0),
         words: &[],
         limit: "-",
         thread: "-",
@@ -88,7 +156,10 @@ const JUDGED: [Judged; 7] = [
         name: "fanuc-lathe",
         lathe: true,
         upper: true,
-        digits: 4,
+        program: "O0001",
+        framed: true,
+        points: "XYZIJKFR",
+        wait: ('P', 1000.0),
         words: &[("G98", "G94"), ("G99", "G95")],
         limit: "G50",
         thread: "G32",
@@ -103,7 +174,10 @@ const JUDGED: [Judged; 7] = [
         name: "fanuc-lathe-b",
         lathe: true,
         upper: true,
-        digits: 4,
+        program: "O0001",
+        framed: true,
+        points: "XYZIJKFR",
+        wait: ('P', 1000.0),
         words: &[],
         limit: "G92",
         thread: "G33",
@@ -117,7 +191,10 @@ const JUDGED: [Judged; 7] = [
         name: "fanuc-lathe-c",
         lathe: true,
         upper: true,
-        digits: 4,
+        program: "O0001",
+        framed: true,
+        points: "XYZIJKFR",
+        wait: ('P', 1000.0),
         words: &[("G70", "G20"), ("G71", "G21")],
         limit: "G92",
         thread: "G33",
@@ -131,16 +208,11 @@ const JUDGED: [Judged; 7] = [
 
 /// The program in the words of LinuxCNC, or the first line that the receiver would not take.
 fn rewritten(text: &str, judged: &Judged) -> Result<String, String> {
-    // No percent sign around the program, and waits in seconds.
-    let (bare, seconds) = (judged.name == "mazak", judged.name == "centroid");
-    let framed = if bare { format!("%\n{text}%\n") } else { text.to_owned() };
+    let framed = if judged.framed { text.to_owned() } else { format!("%\n{text}%\n") };
     let text = framed.as_str();
     let mut lines = text.lines();
-    let name = format!("O{:0width$}", 1, width = judged.digits);
-    if lines.next() != Some("%")
-        || lines.next() != Some(&name)
-        || !text.ends_with("M30\n%\n") && !text.ends_with("M2\n%\n")
-    {
+    let ends = ["M30", "M2", "M02"].iter().any(|end| text.ends_with(&format!("\n{end}\n%\n")));
+    if lines.next() != Some("%") || !judged.program.is_empty() && lines.next() != Some(judged.program) || !ends {
         return Err("another frame".to_owned());
     }
     let mut out = "%\n".to_owned();
@@ -162,11 +234,14 @@ fn rewritten(text: &str, judged: &Judged) -> Result<String, String> {
         let mut words: Vec<String> = Vec::new();
         for word in line.split(' ') {
             let (letter, number) = word.split_at(1);
-            let coordinate = "XYZIJKFR".contains(letter) || seconds && letter == "P";
-            if coordinate != number.contains('.') || number.parse::<f64>().is_err() {
+            let coordinate = judged.points.contains(letter);
+            let may = "XYZIJKF".contains(letter) && judged.points != "XYZIJKFR";
+            if coordinate && !number.contains('.') || !coordinate && !may && letter != "G" && number.contains('.') {
                 return Err(says("a point is missing, or too much"));
             }
-            if number.bytes().filter(u8::is_ascii_digit).count() > 8 {
+            if number.parse::<f64>().is_err()
+                || !judged.g.contains(&"91.1") && number.bytes().filter(u8::is_ascii_digit).count() > 8
+            {
                 return Err(says("too many digits"));
             }
             match letter {
@@ -176,6 +251,8 @@ fn rewritten(text: &str, judged: &Judged) -> Result<String, String> {
             }
             let plain = if coordinate {
                 format!("{letter}{}", number.parse::<f64>().unwrap_or(f64::NAN))
+            } else if "GM".contains(letter) && number.len() > 1 {
+                format!("{letter}{}", number.strip_prefix('0').unwrap_or(number))
             } else {
                 word.to_owned()
             };
@@ -184,9 +261,15 @@ fn rewritten(text: &str, judged: &Judged) -> Result<String, String> {
         }
         let has = |wanted: &str| words.iter().any(|word| word == wanted);
         let number = |letter: char| words.iter().find_map(|word| word.strip_prefix(letter)).map(str::to_owned);
-        if has("G4") && !seconds {
-            let ms: u64 = number('P').and_then(|p| p.parse().ok()).ok_or_else(|| says("no whole milliseconds"))?;
-            words = vec!["G4".to_owned(), format!("P{}", ms as f64 / 1000.0)];
+        let (letter, parts) = judged.wait;
+        if has("G4") {
+            let wait: f64 = number(letter).and_then(|p| p.parse().ok()).ok_or_else(|| says("no wait"))?;
+            words = vec!["G4".to_owned(), format!("P{}", wait / parts)];
+        } else if let (true, Some(offset)) = (has("G15"), number('H')) {
+            words = vec![format!("G{}", 53 + offset.parse::<u32>().unwrap_or(0))];
+            if let Some(more @ 1..) = offset.parse::<u32>().ok().and_then(|n| n.checked_sub(6)) {
+                words = vec![format!("G59.{more}")];
+            }
         } else if has(judged.limit) {
             limit = number('S');
             continue;
@@ -214,7 +297,7 @@ fn rewritten(text: &str, judged: &Judged) -> Result<String, String> {
         out.push('\n');
         // Modes that the receiver has without a word.
         if out.matches('\n').count() == 2 {
-            out += if judged.lathe { "G90 G91.1 G49 G80\nG18 G7\n" } else { "G91.1\n" };
+            out += if judged.lathe { "G90 G91.1 G49 G80\nG18 G7\n" } else { "G91.1 G49\n" };
         }
     }
     Ok(out + "%\n")
@@ -278,6 +361,16 @@ fn same(wanted: &[Found], found: &[Found], most_sweep: f64) -> Result<(), String
                         return fail(part);
                     }
                     part = rest.next().ok_or("the other ends within an arc")?;
+                    // A helix by its angle ends a little beside its place, where a line leads.
+                    if let Found::Move(Way::Feed(to), h) = part
+                        && near(to, end, 1e-6)
+                        && near(to, &at, room)
+                        && (done - whole).abs() * radius < 4.0 * room
+                        && alike(how, h)
+                    {
+                        at = *to;
+                        break;
+                    }
                 }
             }
             _ => return fail(other),
@@ -312,7 +405,8 @@ fn print(case: &Case, target: &str, lathe: bool) -> Compiled {
     settings.output.compensation = Default::default();
     settings.output.diameter = lathe.then_some(true);
     settings.output.target = target::find(target).expect("a target");
-    compiled(&case.file, case.program.clone(), &case.dialect, &settings, case)
+    settings.output.dwell_unit = Some(DwellUnit::Seconds);
+    compiled("PART", case.program.clone(), &case.dialect, &settings, case)
 }
 
 /// The output for a receiver; `None` where it is no match for the plain one, the codes where it is refused.
@@ -395,6 +489,8 @@ fn golden_programs_move_alike_after_rewriting() {
                 [Ok(plain), Ok(other)] => same(plain, other, judged.most_sweep),
                 // What LinuxCNC itself does not take is no judge.
                 [Err(_), _] => Ok(()),
+                // Mach3 takes 0.002 mm, where this interpreter was told less.
+                [_, Err(why)] if why.contains("the radii differ by 0.001") && judged.g == MACH_G => Ok(()),
                 [_, Err(why)] => Err(why.clone()),
                 _ => Ok(()),
             };
@@ -412,10 +508,52 @@ fn golden_programs_move_alike_after_rewriting() {
     }
 }
 
-/// What is printed for a SINUMERIK, read by our own front end, moves as the output for LinuxCNC does.
+/// A speed that holds already says nothing.
+fn without_the_same_speed(mut found: Vec<Found>) -> Vec<Found> {
+    let mut last = None;
+    found.retain(|one| !matches!(one, Found::Does(Does::Speed(0, speed)) if last.replace(*speed) == Some(*speed)));
+    found
+}
+
+/// A receiver whose programs our own front end reads.
+struct Own {
+    target: &'static str,
+    dialect: &'static str,
+    file: &'static str,
+    /// What its programs need said on a mill and on a lathe.
+    mill: &'static str,
+    lathe: &'static str,
+    /// Golden programs that are printed at least.
+    least: usize,
+}
+
 #[test]
 fn plain_programs_for_a_sinumerik_mean_the_same_to_our_own_front_end() {
-    let (mut wrong, mut printed, mut refused) = (Vec::new(), 0, 0);
+    read_by_its_own_front_end(&Own {
+        target: "sinumerik",
+        dialect: "sinumerik",
+        file: "AGAIN.MPF",
+        mill: "[control]\ntool_change = \"m6\"",
+        lathe: "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n[control]\ntool_change = \"m6\"",
+        least: 700,
+    });
+}
+
+#[test]
+fn plain_klartext_means_the_same_to_our_own_front_end() {
+    read_by_its_own_front_end(&Own {
+        target: "heidenhain",
+        dialect: "klartext",
+        file: "AGAIN.H",
+        mill: "",
+        lathe: "",
+        least: 700,
+    });
+}
+
+/// What is printed for a control, read by our own front end, moves as the output for LinuxCNC does.
+fn read_by_its_own_front_end(own: &Own) {
+    let (mut wrong, mut printed, mut refused) = (Vec::new(), 0, BTreeMap::<&str, usize>::new());
     for case in programs() {
         let mut base = case.settings();
         let lathe = base.machine.kind == MachineKind::Lathe;
@@ -423,6 +561,8 @@ fn plain_programs_for_a_sinumerik_mean_the_same_to_our_own_front_end() {
         base.output.compensation = Default::default();
         base.output.diameter = None;
         base.output.comments = false;
+        // Feeds of as many places as any of them reads.
+        base.output.decimals.feed = base.output.decimals.feed.or(Some(3));
         // Its thinnest arcs have another radius.
         let print = |name: &str, file: &str, dialect: &str, program: Vec<u8>, base: &Settings| {
             let mut settings = base.clone();
@@ -433,44 +573,45 @@ fn plain_programs_for_a_sinumerik_mean_the_same_to_our_own_front_end() {
         if plain.has_errors() {
             continue;
         }
-        let other = print("sinumerik", &case.file, &case.dialect, case.program.clone(), &base);
-        let codes = |compiled: &Compiled| -> Vec<&str> {
-            compiled.findings.iter().map(|found| found.code.id).filter(|code| code.starts_with('O')).collect()
+        let other = print(own.target, &case.file, &case.dialect, case.program.clone(), &base);
+        // That an offset is a preset changes no move.
+        let codes = |compiled: &Compiled| -> Vec<&'static str> {
+            let own = |code: &&str| code.starts_with('O') && *code != "O4003";
+            compiled.findings.iter().map(|found| found.code.id).filter(own).collect()
         };
         if other.has_errors() {
-            if !codes(&other).iter().any(|code| code.starts_with("O93")) {
-                wrong.push(format!("{}: fails with {:?}", case.name, other.rendered));
+            let codes = codes(&other);
+            match codes.iter().find(|code| code.starts_with("O93")) {
+                Some(code) => *refused.entry(*code).or_default() += 1,
+                None => wrong.push(format!("{}: fails with {:?}", case.name, other.rendered)),
             }
-            refused += 1;
             continue;
         }
         if codes(&other) != codes(&plain) {
+            *refused.entry("as lines").or_default() += 1;
             continue;
         }
-        let mut again = settings(if lathe {
-            "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n[control]\ntool_change = \"m6\""
-        } else {
-            "[control]\ntool_change = \"m6\""
-        });
+        let mut again = settings(if lathe { own.lathe } else { own.mill });
         again.output.decimals = base.output.decimals;
         again.output.pass_m = (0..1000).collect();
-        let read_again = print("linuxcnc", "AGAIN.MPF", "sinumerik", other.output.clone().into_bytes(), &again);
+        let text = other.output.clone().into_bytes();
+        let read_again = print("linuxcnc", own.file, own.dialect, text, &again);
         if read_again.has_errors() {
             wrong.push(format!("{}: {:?}", case.name, read_again.rendered));
             continue;
         }
         printed += 1;
         let decimals = base.output.places(partc::internals::machine::settings::Quantity::Length);
-        let found = reader::read(&plain.output, decimals)
-            .and_then(|plain| same(&plain, &reader::read(&read_again.output, decimals)?, f64::INFINITY));
+        let read = |text: &str| reader::read(text, decimals).map(without_the_same_speed);
+        let found = read(&plain.output).and_then(|plain| same(&plain, &read(&read_again.output)?, f64::INFINITY));
         if let Err(why) = found {
             wrong.push(format!("{}: {why}", case.name));
         }
     }
-    println!("printed {printed}, refused {refused}");
-    wrong.iter().for_each(|why| println!("{why}"));
-    assert!(wrong.is_empty(), "{} of {printed} wrong: {:#?}", wrong.len(), &wrong[..wrong.len().min(12)]);
-    assert!(printed > 700, "{printed} printed, {refused} refused");
+    println!("{}: printed {printed}, refused {refused:?}", own.target);
+    wrong.iter().for_each(|why| println!("{}", why.chars().take(300).collect::<String>()));
+    assert!(wrong.is_empty(), "{} of {printed} wrong", wrong.len());
+    assert!(printed > own.least, "{printed} printed, {refused:?} refused");
 }
 
 /// The part of the reference, as a mill and as a lathe make it.
@@ -506,7 +647,7 @@ fn the_part_of_the_reference_on_every_target() {
                 };
                 let axis = if kind == "lathe" { "diameter_axis = \"X\"\n" } else { "" };
                 let configuration = format!(
-                    "[machine]\nkind = \"{kind}\"\n{axis}[control]\ntool_change = \"{}\"\n[output]\ntarget = \"{}\"\nunits = \"{units}\"\n{by_hand}",
+                    "[machine]\nkind = \"{kind}\"\n{axis}[control]\ntool_change = \"{}\"\n[output]\ntarget = \"{}\"\nunits = \"{units}\"\ndwell_unit = \"seconds\"\n{by_hand}",
                     if kind == "lathe" { "t" } else { "m6" },
                     target.name
                 );

@@ -19,6 +19,10 @@ O2001 Warning "m-function-of-target" "M function that means something on the tar
 "`[output] pass_m` lets M functions through as they stand. The target has this one, too, and does with it what the text says, which is hardly \
 what the machine of the program did. Take it out of `pass_m` and leave it out of the program, or make the target's machine do what is meant by another number."
 
+O2002 Warning "work-offsets-not-confirmed" "whether the target knows this work offset is not confirmed"
+"The selected target is a preview, made after what published post processors write, and its work offsets are general knowledge. Run the program in the air, and look \
+whether the part lies where it should."
+
 O4001 Note "arc-as-lines" "arc is printed as straight lines"
 "The arc is so small or so flat that its printed numbers cannot describe a circle within the tolerance of the target: \
 after rounding, start and end lie at different distances from every possible centre. It is printed as lines that leave the arc \
@@ -27,6 +31,13 @@ by less than half a printed unit."
 O4002 Note "arc-rounded-away" "arc is shorter than the last printed digit"
 "Start and end of the arc print as the same numbers. A control would take that for a full circle, so the arc is left out; \
 the path differs by less than the last printed digit."
+
+O4003 Note "work-offset-as-preset" "work offset is printed as a preset"
+"A TNC has a preset table instead of work offsets. G54 to G59.3 are printed as cycle 247 with the presets 1 to 9, as partc reads them. Set the part up in that line of the \
+preset table."
+
+O4004 Note "arc-as-lines-within-tolerance" "arc that the target cannot say is printed as lines"
+"`[output] arc_fallback_tolerance` allows lines for arcs that the selected target cannot say, and says how far they may leave the arc. The ends are exact."
 
 O9001 Error "word-unknown-to-target" "the target has no word for this"
 "The program asks for something that the selected target cannot express. Choose another target or change the program."
@@ -136,6 +147,24 @@ O9324 Error "program-number-too-large" "the target does not count programs that 
 O9325 Error "thread-behind-stopped-spindle" "the target cannot turn the spindle round between two threads"
 "Tapping in step with the spindle is a thread down, a spindle that turns round, and a thread up. The selected target takes threads one behind the other only where nothing happens \
 between them (SINUMERIK alarm 10600). Tap by a cycle of the target, or with a floating holder at a feed in mm/min."
+
+O9326 Error "places-not-read" "the target reads fewer places"
+"`[output] decimals` asks for more places of a length than the selected target reads. Print fewer."
+
+O9327 Error "change-by-hand-unknown-to-target" "a change by hand would bring no length"
+"With `[output] tool_change = \"stop\"` a change is a spindle stop, a comment and a program stop. On the selected target the block that calls a tool brings its length and \
+its radius, too, and without it those of the last tool count. Leave the key away: where there is no changer, the control stops at TOOL CALL."
+
+O9328 Error "arc-plane-unknown-to-target" "the target goes round in other planes"
+"The selected target takes arcs in XY alone, or helices (heidenhain), as far as is confirmed. With `[output] arc_fallback_tolerance = 0.005` such an arc is printed as lines \
+that leave it by at most so many millimetres; or choose another target."
+
+O9329 Warning "block-numbers-of-target" "the target numbers its blocks by itself"
+"On the selected target every block has a number, counted from 0 by 1, so `[output] line_numbers` and `--numbers` change nothing. Leave them away."
+
+O9331 Error "dwell-unit-is-a-setting" "what a wait counts is a setting of the receiver"
+"A setting of the receiver says whether the number behind G4 P counts seconds or milliseconds. Look there, and set `[output] dwell_unit`: a wait of half a second would take eight minutes, or \
+none, otherwise."
 
 O9330 Error "line-longer-than-read" "line has more characters than the target reads"
 "The selected target takes lines of a certain length and refuses or cuts longer ones. A line that is a little too long gives its F to a line in front of it; under G93, \

@@ -4,11 +4,12 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Origin, Side};
 use crate::machine::settings::ToolChange;
-use crate::target::{Change, Length, LengthNumber, Limit};
+use crate::target::{Change, Form, Length, LengthNumber, Limit};
 use crate::text::Loc;
 
 use super::super::comment;
 use super::super::modal::FeedKind;
+use super::super::number::Places;
 use super::{HandChange, Printer, ToolLength};
 
 impl Printer<'_> {
@@ -24,6 +25,9 @@ impl Printer<'_> {
                 self.lacks(codes::O9320, origin, "a tool that is brought forth before its change", help);
             }
             Function::ToolPrepare { number } => {
+                if let Form::Dialog(dialog) = self.target.form {
+                    self.page.text.word(dialog.prepare);
+                }
                 self.tool_word(*number, origin);
                 self.page.end_line(origin);
             }
@@ -60,20 +64,32 @@ impl Printer<'_> {
         }
     }
 
-    fn tool_word(&mut self, number: u32, origin: &Origin) {
+    pub(super) fn tool_word(&mut self, number: u32, origin: &Origin) {
         let words = &self.target.tool;
         if number > words.most {
             let message = format!("tool {number}: the target {} counts tools to {}", self.target.name, words.most);
             let help = "give the tool a smaller number in the program or with `number` in `[tools]`";
             self.diags.push(Diagnostic::new(codes::O9306, origin.loc, message).help(help).called(origin.call));
         }
-        self.page.text.whole(words.address, u64::from(number));
+        match self.target.form {
+            Form::Words => drop(self.page.text.whole(words.address, u64::from(number))),
+            Form::Dialog(_) => drop(self.page.text.bare(i64::from(number), Places::new(0))),
+        }
     }
 
     fn tool_change(&mut self, number: u32, origin: &Origin) {
         // The change may have moved any axis.
         self.modal.may_have_moved();
         if self.settings.tool_change == ToolChange::Stop {
+            if matches!(self.target.form, Form::Dialog(_)) {
+                let help = "leave `[output] tool_change` away: the control itself stops where no changer changes";
+                return self.lacks(
+                    codes::O9327,
+                    origin,
+                    "a change by hand, for a tool brings its length with its block",
+                    help,
+                );
+            }
             self.change_by_hand(number, origin);
         } else {
             self.change(number, origin);
@@ -94,6 +110,11 @@ impl Printer<'_> {
                 let (tool, digits) = (u64::from(number) * (place + 1), 2 * digits);
                 let word = format!("{}{tool:0digits$}", self.target.tool.address as char);
                 self.page.text.word(&word);
+            }
+            Some(Change::Call) => {
+                if let Form::Dialog(dialog) = self.target.form {
+                    self.dialog_tool(dialog, Some(number), origin);
+                }
             }
             Some(Change::Turret { .. }) => {
                 let help = "a turret has no empty place: leave tool 0 out";
@@ -120,7 +141,10 @@ impl Printer<'_> {
             Length::WithTool => {}
             Length::Words(words) if number == 0 => {
                 self.length = ToolLength { tool: 0, waits: false, ..self.length };
-                self.page.words(words.off, origin);
+                match words.off {
+                    Some(off) => self.page.words(off, origin),
+                    None => self.lacks(codes::O9307, origin, "tool 0", "leave tool 0 out: nothing takes a length back"),
+                }
             }
             Length::Words(words) if words.with_move => {
                 self.length = ToolLength { tool: number, waits: true, ..self.length };
@@ -178,6 +202,9 @@ impl Printer<'_> {
         let words = self.target.dwell;
         let places = self.measures.time;
         let Some(mut units) = places.units(seconds) else { return self.unprintable(origin) };
+        if self.settings.dwell_unit().is_none() {
+            return self.lacks_dwell_unit(origin);
+        }
         if words.per_minute && self.modal.feed_kind_changes(FeedKind::PerMinute) {
             self.page.words(self.target.feed.per_minute, origin);
             self.modal.forget_feed();
@@ -185,8 +212,13 @@ impl Printer<'_> {
         let most = places.units(words.most).unwrap_or(i64::MAX);
         loop {
             let part = units.min(most);
+            if let Form::Dialog(dialog) = self.target.form {
+                self.page.words(dialog.dwell, origin);
+            }
             self.page.text.word(words.word);
-            if words.milliseconds {
+            if matches!(self.target.form, Form::Dialog(_)) {
+                self.page.text.bare(part, places);
+            } else if self.settings.waits_in_milliseconds() {
                 self.page.text.whole(words.address, part.unsigned_abs());
             } else {
                 self.page.text.number(words.address, part, places);
@@ -224,8 +256,16 @@ impl Printer<'_> {
     }
 
     fn work_offset(&mut self, number: u8, origin: &Origin) {
+        if !self.target.offsets_confirmed && !std::mem::replace(&mut self.doubted, true) {
+            let message = format!("work offsets of the target {} are not confirmed", self.target.name);
+            let help = "look in the air whether the part lies where it should";
+            self.diags.push(Diagnostic::new(codes::O2002, origin.loc, message).help(help).called(origin.call));
+        }
         match self.target.offsets.get(usize::from(number.clamp(1, 9)) - 1) {
-            Some(word) => self.page.words(word, origin),
+            Some(word) => match self.target.form {
+                Form::Words => self.page.words(word, origin),
+                Form::Dialog(dialog) => self.dialog_offset(dialog, number, word, origin),
+            },
             None => {
                 let help = "set the part up in one of the first work offsets, G54 to G59";
                 self.lacks(codes::O9310, origin, &format!("work offset {number}"), help);
@@ -257,7 +297,13 @@ impl Printer<'_> {
                 {
                     text.word(cutting.off);
                 }
-                text.number(words.speed, units, self.measures.speed)
+                if let Form::Dialog(dialog) = self.target.form {
+                    self.modal.dialog.speed = Some(units);
+                    self.dialog_tool(dialog, None, origin);
+                    &mut self.page.text
+                } else {
+                    text.number(words.speed, units, self.measures.speed)
+                }
             }
             Spindle::CuttingSpeed { speed, limit } => {
                 let Some(cutting) = &words.cutting_speed else {

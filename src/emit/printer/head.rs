@@ -1,8 +1,8 @@
 //! What stands around the program: its name, who made it of what, the modes that hold, comments of the configuration.
 
 use crate::diag::{Diagnostic, codes};
-use crate::machine::settings::Units;
-use crate::target::ProgramName;
+use crate::machine::settings::{Quantity, Units};
+use crate::target::{Form, ProgramName, Sequence};
 use crate::text::Loc;
 
 use super::super::comment;
@@ -19,7 +19,7 @@ impl Printer<'_> {
         if let Some(first) = frame.first {
             self.page.plain(first.as_bytes());
         }
-        if let Some(name) = self.program_name() {
+        if let Some(name) = self.program_name(source) {
             self.page.plain(name.as_bytes());
         }
         let title = self.framed(&format!("partc {}, target {}", env!("CARGO_PKG_VERSION"), self.target.name));
@@ -29,9 +29,9 @@ impl Printer<'_> {
         name.truncate(NAME);
         let name = String::from_utf8_lossy(&name).into_owned();
         let text = self.framed(&format!("source {name}, hash {:0HASH_DIGITS$}", 0));
-        let behind = self.target.comments.close.len() + HASH_DIGITS;
-        self.hash_at = (self.page.text.len() + text.len() - behind) as u64;
         self.page.plain(&text);
+        let behind = self.target.comments.close.len() + HASH_DIGITS + 1;
+        self.hash_at = (self.page.text.len() - behind) as u64;
         let lines = if self.measures.inches { frame.inch_head } else { frame.head };
         for line in lines {
             self.page.block(line.as_bytes());
@@ -47,10 +47,12 @@ impl Printer<'_> {
             }),
         };
         match modes {
+            Some("") => {}
             Some(modes) => self.page.block(modes.as_bytes()),
             None => self.lacks_machine(lathe),
         }
         self.source = name;
+        self.fixed_numbers();
         self.template(&self.settings.header);
     }
 
@@ -60,8 +62,12 @@ impl Printer<'_> {
         if self.target.comments.upper { digits.to_uppercase() } else { digits }
     }
 
-    fn program_name(&mut self) -> Option<String> {
-        let ProgramName::Number { letter, digits, most } = self.target.frame.name else { return None };
+    fn program_name(&mut self, source: &str) -> Option<String> {
+        let (letter, digits, most) = match self.target.frame.name {
+            ProgramName::None => return None,
+            ProgramName::Number { letter, digits, most } => (letter, digits, most),
+            ProgramName::Text { front, most, marks } => return Some(self.text_name(source, front, most, marks)),
+        };
         let number = self.settings.program_number;
         if number > most {
             let start = Loc { line: 1, ..Loc::default() };
@@ -70,6 +76,37 @@ impl Printer<'_> {
                 .push(Diagnostic::new(codes::O9324, start, message).help("give a smaller `[output] program_number`"));
         }
         Some(format!("{}{number:0digits$}", letter as char))
+    }
+
+    /// The line with the name of the source. The last line of a dialog repeats it, and is kept.
+    fn text_name(&mut self, source: &str, front: &str, most: usize, marks: &str) -> String {
+        let file = source.rsplit(['/', '\\']).next().unwrap_or(source);
+        let stem = file.split('.').find(|part| !part.is_empty()).unwrap_or(self.target.name);
+        let known = |c: char| c.is_ascii_alphanumeric() || marks.contains(c);
+        // What is no letter of a name becomes the first mark, or nothing.
+        let letters = stem.chars().filter_map(|c| if known(c) { Some(c) } else { marks.chars().next() });
+        let name: String = letters.map(|c| c.to_ascii_uppercase()).take(most).collect();
+        let name = if name.is_empty() { "1".to_owned() } else { name };
+        let Form::Dialog(dialog) = self.target.form else { return format!("{front}{name}") };
+        let unit = dialog.units[usize::from(self.measures.inches)];
+        self.last = Some(format!("{} {name} {unit}", dialog.end));
+        format!("{} {name} {unit}", dialog.begin)
+    }
+
+    /// Wishes of the configuration that the numbers of the target cannot keep.
+    fn fixed_numbers(&mut self) {
+        let start = Loc { line: 1, ..Loc::default() };
+        let target = self.target;
+        let (places, most) = (self.settings.places(Quantity::Length), target.numbers.most);
+        if places > most {
+            let message =
+                format!("`decimals`: the target {} reads {most} places of a length, not {places}", target.name);
+            self.diags.push(Diagnostic::new(codes::O9326, start, message).help("print fewer places"));
+        }
+        if target.line.sequence == Sequence::Blocks && self.settings.line_numbers > 0 {
+            let message = format!("`line_numbers`: the target {} numbers every block by itself", target.name);
+            self.diags.push(Diagnostic::new(codes::O9329, start, message).help("leave the key away"));
+        }
     }
 
     /// A comment of the target.
@@ -100,6 +137,6 @@ impl Printer<'_> {
     /// Longest text of a comment.
     pub(super) fn comment_room(&self) -> usize {
         let comments = &self.target.comments;
-        self.target.line.length - comments.open.len() - comments.close.len()
+        self.page.room() - comments.open.len() - comments.close.len()
     }
 }

@@ -26,11 +26,12 @@ impl Measures {
         let numbers = output.target.numbers;
         let inches = output.units == Units::Inches;
         let plain = |quantity| Places::new(output.places(quantity)).written(numbers.point, numbers.zero);
+        let of_feed = |quantity| plain(quantity).written(numbers.feed_point, numbers.zero);
         let length = |quantity| if inches { plain(quantity).of_inches() } else { plain(quantity) };
         let measures = Measures {
             angle: plain(Quantity::Angle),
-            feed: length(Quantity::Feed),
-            feed_per_revolution: length(Quantity::FeedPerRevolution),
+            feed: of_feed(Quantity::Feed).of(output.feed_unit()),
+            feed_per_revolution: length(Quantity::FeedPerRevolution).written(numbers.feed_point, numbers.zero),
             inverse_time: plain(Quantity::InverseTime),
             lead: length(Quantity::Lead),
             // A whole number has no point where the target counts whole turns.

@@ -1,12 +1,14 @@
 //! Moves: lines, threads, arcs, lines instead of arcs.
 
+use core::f64::consts::TAU;
+
 use crate::diag::codes;
 use crate::geo::{Point2, turned};
 use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::{Feed, Origin};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet};
-use crate::target::{Lead, Thread, Turns};
+use crate::target::{Form, Lead, Thread, Turns};
 
 use super::super::arc::{self, Printed};
 use super::super::modal::FeedKind;
@@ -15,14 +17,18 @@ use super::Printer;
 
 /// Most lines that replace an arc.
 const MOST_CHORDS: f64 = 1e6;
+/// Such a line turns by a right angle at most: the cosine of half of it.
+const STEEPEST: f64 = core::f64::consts::FRAC_1_SQRT_2;
+/// What a number of turns may be off a whole one.
+const WHOLE: f64 = 1e-12;
 
 /// One block of an arc, all numbers in units.
-struct ArcBlock {
-    printed: AxisSet,
-    ends: [i64; AXES],
+pub(super) struct ArcBlock {
+    pub printed: AxisSet,
+    pub ends: [i64; AXES],
     /// From the start to the centre.
-    offset: [i64; 2],
-    turns: u32,
+    pub offset: [i64; 2],
+    pub turns: u32,
 }
 
 impl Printer<'_> {
@@ -58,8 +64,13 @@ impl Printer<'_> {
             },
             _ => None,
         };
-        if (self.special || mv.machine) && !self.may_be_straight(mv, changed, origin) {
-            return;
+        if self.special || mv.machine {
+            if !self.may_be_straight(mv, changed, origin) {
+                return;
+            }
+            if let Form::Dialog(dialog) = self.target.form {
+                return self.dialog_straight(dialog, mv, (changed, &mut ends), feed, origin);
+            }
         }
         if mv.machine {
             self.page.text.word(self.target.motion.machine.unwrap_or_default());
@@ -206,12 +217,27 @@ impl Printer<'_> {
             to: [to_x, to_y],
             center: Point2::new(arc.center.x * scale, arc.center.y * scale),
             sweep: arc.sweep,
-            tolerance: words.tolerance,
+            tolerance: words.tolerance.min(self.settings.arc_mismatch() * scale),
             least_radius: words.least_radius * scale,
             most_radius: words.most_radius * scale,
             least_chord: words.least_chord * scale,
         };
-        let blocks = if request.from == request.to { words.blocks(arc.sweep) } else { words.open_blocks(arc.sweep) };
+        let blocks = match self.target.form {
+            Form::Dialog(dialog) if self.rises(arc, mv) => {
+                if !dialog.helix.planes.contains(&arc.plane) {
+                    return self.fall_back(true, arc, feed, mv, origin);
+                }
+                if !self.turns_exactly(&dialog.helix, &request) {
+                    return self.chords(arc, feed, mv, origin);
+                }
+                1
+            }
+            Form::Words | Form::Dialog(_) if !words.planes.contains(&arc.plane) => {
+                return self.fall_back(false, arc, feed, mv, origin);
+            }
+            Form::Words | Form::Dialog(_) if request.from == request.to => words.blocks(arc.sweep),
+            Form::Words | Form::Dialog(_) => words.open_blocks(arc.sweep),
+        };
         if blocks > 1 {
             return self.divided_arc(&request, blocks, arc, feed, mv, origin);
         }
@@ -266,6 +292,9 @@ impl Printer<'_> {
     }
 
     fn arc_block(&mut self, arc: &Arc, block: &ArcBlock, feed: Option<(i64, Places)>, origin: &Origin) {
+        if let Form::Dialog(dialog) = self.target.form {
+            return self.dialog_arc(dialog, arc, block, feed, origin);
+        }
         let ArcBlock { printed, mut ends, offset, turns } = *block;
         let printed = if self.settings.modal { printed } else { self.with_known(printed, &mut ends) };
         let words = &self.target.arcs;
@@ -334,7 +363,14 @@ impl Printer<'_> {
     fn part(&self, whole: &arc::Request, arc: &Arc, from: [i64; 2], block: u32, blocks: u32) -> Option<arc::Request> {
         let share = f64::from(block) / f64::from(blocks);
         let end = arc.center + turned(arc.from - arc.center, arc.sweep * share);
-        let to = if block == blocks { whole.to } else { [self.places.units(end.x)?, self.places.units(end.y)?] };
+        let turns = arc.sweep * share / TAU;
+        let to = if block == blocks {
+            whole.to
+        } else if (libm::round(turns) - turns).abs() < WHOLE {
+            whole.from
+        } else {
+            [self.places.units(end.x)?, self.places.units(end.y)?]
+        };
         Some(arc::Request { from, to, sweep: arc.sweep / f64::from(blocks), ..*whole })
     }
 
@@ -345,6 +381,22 @@ impl Printer<'_> {
             self.report(codes::O1002, origin, "an axis of this arc starts where nothing was printed for it");
         }
         known
+    }
+
+    /// Lines instead of an arc that the target cannot say, where the configuration allows them.
+    #[cold]
+    fn fall_back(&mut self, helix: bool, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
+        let Some(millionths) = self.settings.arc_fallback else { return self.lacks_arc(helix, mv, origin) };
+        if !self.knows_start(mv, origin) {
+            return;
+        }
+        let most = f64::from(millionths) * 1e-6;
+        let what = if helix { "the helix" } else { "the arc" };
+        let message = format!("{what} is printed as lines that leave it by at most {most} mm");
+        self.report(codes::O4004, origin, &message);
+        // The printed places are rounded, too.
+        let unit = 1.0 / self.places.scale();
+        self.lines(arc, feed, mv, (most - unit).max(0.5 * unit), origin);
     }
 
     /// Straight lines instead of an arc that does not fit the printed grid.
@@ -360,9 +412,14 @@ impl Printer<'_> {
             "the arc is too small for its printed numbers and is printed as lines"
         };
         self.report(codes::O4001, origin, message);
-        let unit = 1.0 / self.places.scale();
+        self.lines(arc, feed, mv, 0.5 / self.places.scale(), origin);
+    }
+
+    /// Lines that leave the arc by so much at most.
+    fn lines(&mut self, arc: &Arc, feed: Feed, mv: &Move, most: f64, origin: &Origin) {
+        let radius = crate::geo::distance(arc.from, arc.center);
         // A chord leaves the arc by r·(1 - cos(a/2)).
-        let step = 2.0 * libm::acos((1.0 - unit / (2.0 * radius)).max(0.0));
+        let step = 2.0 * libm::acos((1.0 - most / radius).max(STEEPEST));
         let count = libm::ceil(arc.sweep.abs() / step.max(1e-6)).clamp(1.0, MOST_CHORDS);
         let (x, y, _) = arc.plane.axes();
         let (x, y) = (Axis::ALL[x], Axis::ALL[y]);

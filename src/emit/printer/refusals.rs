@@ -1,6 +1,6 @@
 //! What the target has no word for: each refused with its place, and with what to do.
 
-use crate::diag::{Code, Diagnostic, codes};
+use crate::diag::{Answer, Code, Diagnostic, codes};
 use crate::ir::Origin;
 use crate::ir::motion::Move;
 use crate::machine::{Axis, AxisSet};
@@ -58,6 +58,28 @@ impl Printer<'_> {
             self.lacks(codes::O9308, origin, "radius compensation", help);
         }
         self.pretend(mv);
+    }
+
+    /// An arc that the target cannot say, and that may not become lines either.
+    #[cold]
+    pub(super) fn lacks_arc(&mut self, helix: bool, mv: &Move, origin: &Origin) {
+        let what = if helix { "a helix in this plane" } else { "an arc in this plane" };
+        let help = "set `[output] arc_fallback_tolerance` in partc.toml: how far lines may leave it, in mm";
+        let help = Answer::key("output", "arc_fallback_tolerance").help(help);
+        self.page.text.drop_line();
+        let message = format!("the target {} has no word for {what}", self.target.name);
+        self.diags.push(Diagnostic::new(codes::O9328, origin.loc, message).help(help).called(origin.call));
+        self.pretend(mv);
+    }
+
+    /// What the number of a wait counts is a setting of the receiver.
+    #[cold]
+    pub(super) fn lacks_dwell_unit(&mut self, origin: &Origin) {
+        let message =
+            format!("seconds or milliseconds: a setting of the target {} says what a wait counts", self.target.name);
+        let help = "set `[output] dwell_unit` as the receiver is set";
+        let help = Answer::key("output", "dwell_unit").one_of(&["\"seconds\"", "\"milliseconds\""]).help(help);
+        self.diags.push(Diagnostic::new(codes::O9331, origin.loc, message).help(help).called(origin.call));
     }
 
     #[cold]

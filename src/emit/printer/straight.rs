@@ -23,8 +23,9 @@ impl Printer<'_> {
         }
         if let (true, Length::Words(words)) = (mv.machine && self.length.tool > 0, self.target.tool.length)
             && self.target.motion.machine_drops_length
+            && let Some(off) = words.off
         {
-            self.page.words(words.off, origin);
+            self.page.words(off, origin);
         }
         if fed && self.measures.inches && self.turns_axes(changed) {
             self.lacks_form(mv, origin);

@@ -3,8 +3,8 @@
 use crate::machine::keys::{Key, Kind, key};
 use crate::machine::settings::{Compensation, Decimals, Settings, ToolChange, Units};
 use crate::machine::tree::{ConfigError, Node, Value};
-use crate::machine::values::{flag, is, put, table_of, text, texts, whole, wholes};
-use crate::target;
+use crate::machine::values::{flag, is, number, put, table_of, text, texts, whole, wholes};
+use crate::target::{self, DwellUnit};
 
 pub const KEYS: &[Key] = &[
     key("target", Kind::Choice(&target::NAMES), "control that runs the output", |s, v| {
@@ -68,6 +68,24 @@ pub const KEYS: &[Key] = &[
         |s, v| put(&mut s.output.tool_change, if is(v, "stop") { ToolChange::Stop } else { ToolChange::Change }),
     )
     .or(r#""change""#),
+    key(
+        "dwell_unit",
+        Kind::Choice(&["seconds", "milliseconds"]),
+        "what the number of a wait counts, where that is a setting of the receiver (mach3)",
+        |s, v| {
+            let unit = if is(v, "seconds") { DwellUnit::Seconds } else { DwellUnit::Milliseconds };
+            put(&mut s.output.dwell_unit, Some(unit))
+        },
+    ),
+    key(
+        "arc_fallback_tolerance",
+        Kind::Number,
+        "how far lines may leave an arc that the target cannot say, in mm, 0.001 to 1; without it such an arc is refused",
+        |s, v| {
+            let most = number(v).filter(|mm| (0.001..=1.0).contains(mm)).ok_or_else(|| v.fail("0.001 to 1"))?;
+            put(&mut s.output.arc_fallback, Some(libm::round(most * 1e6) as u32))
+        },
+    ),
 ];
 
 pub const LIMITS: &[Key] = &[

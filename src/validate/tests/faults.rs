@@ -5,7 +5,7 @@ use crate::ir::Function;
 use crate::ir::motion::Path;
 use crate::machine::Axis;
 
-use super::streams::{Dice, Item, Stream, stream};
+use super::streams::{Dice, Item, Stream, stream, stream_for};
 use super::{LENGTH, as_it_is, validate};
 
 /// Faults of each kind.
@@ -108,6 +108,64 @@ const FAULTS: &[(&str, Fault)] = &[
     }),
 ];
 
+/// The same in a dialog.
+const DIALOG: &[(&str, Fault)] = &[
+    ("another sign", |t, d| change(t, d, "XYZ", is_block, |v| if v == 0 { None } else { Some(-v) })),
+    ("a unit more", |t, d| change(t, d, "XYZ", |l| has(l, "L"), |v| Some(v + 1)).filter(|_| single(t))),
+    ("two units beside the centre", |t, d| change(t, d, "XYZ", |l| has(l, "CC"), |v| Some(v + 2))),
+    ("the centre lost", |t, _| less(t, "CC")),
+    ("the other way round", |t, _| exchanged(t, " DR+", " DR-")),
+    ("another angle", |t, _| t.contains(" IPA+").then(|| t.replace(" IPA+", " IPA+1"))),
+    ("another way", |t, _| t.contains(" IZ+").then(|| t.replace(" IZ+", " IZ+1"))),
+    ("increments", |t, _| (single(t) && t.contains(" L X")).then(|| t.replace(" L X", " L IX"))),
+    ("the line behind a helix lost", |t, _| t.contains(" CP ").then(|| less(t, "L")).flatten()),
+    ("rapid traverse lost", |t, _| t.contains(" FMAX").then(|| t.replace(" FMAX", ""))),
+    ("rapid traverse instead", |t, _| (single(t) && has(t, "L")).then(|| t.replace('\n', " FMAX\n"))),
+    ("another feed", |t, d| change(t, d, "F", is_block, |v| Some(v + 10))),
+    ("no feed", |t, _| (single(t) && !t.contains("FMAX")).then(|| without(t, 'F')).flatten()),
+    ("machine coordinates lost", |t, _| t.contains(" M91").then(|| t.replace(" M91", ""))),
+    ("machine coordinates instead", |t, _| (single(t) && has(t, "L")).then(|| t.replace('\n', " M91\n"))),
+    ("another tool", |t, _| t.contains("TOOL CALL 1").then(|| t.replace("TOOL CALL 1", "TOOL CALL 2"))),
+    ("the tool lost", |t, _| t.contains("TOOL CALL 1").then(|| t.replace("TOOL CALL", "TOOL DEF").replace(" Z", ""))),
+    ("another speed", |t, d| change(t, d, "S", |l| has(l, "TOOL"), |v| Some(v + 10))),
+    ("another preset", |t, _| exchanged(t, "Q339=+1", "Q339=+2")),
+    ("a wait of another time", |t, _| t.contains("DWELL 1").then(|| t.replace("DWELL 1", "DWELL 2"))),
+    ("half a wait", |t, _| t.contains("DWELL TIME").then(|| t.lines().skip(1).map(|l| format!("{l}\n")).collect())),
+    ("another unit", |t, _| exchanged(t, " MM\n", " INCH\n")),
+    ("the spindle stopped, too", |t, _| t.contains("STOP").then(|| t.replace("STOP", "M0"))),
+    ("another function", |t, _| exchanged(t, "M8", "M9")),
+    ("no end", |t, _| less(t, "END")),
+    ("another number", |t, _| t.starts_with('1').then(|| format!("1{t}"))),
+    ("a block twice", |t, _| (single(t) && t.starts_with('1')).then(|| format!("{t}{t}"))),
+    ("compensation", |t, _| t.contains(" R0").then(|| t.replace(" R0", " RL"))),
+];
+
+/// Is this a block that begins with `word`?
+fn has(line: &str, word: &str) -> bool {
+    line.split(' ').nth(1) == Some(word)
+}
+
+fn is_block(line: &str) -> bool {
+    ["L", "C", "CC", "CP"].iter().any(|word| has(line, word))
+}
+
+fn exchanged(text: &str, a: &str, b: &str) -> Option<String> {
+    text.contains(a).then(|| text.replacen(a, b, 1)).or_else(|| text.contains(b).then(|| text.replacen(b, a, 1)))
+}
+
+/// Without the last block of this kind; the numbers stay right.
+fn less(text: &str, word: &str) -> Option<String> {
+    let lines: Vec<&str> = text.lines().collect();
+    let at = lines.iter().rposition(|line| has(line, word))?;
+    let mut left = String::new();
+    for (i, line) in lines.iter().enumerate().filter(|(i, _)| *i != at) {
+        let (number, rest) = line.split_once(' ')?;
+        let number: u64 = number.parse().ok()?;
+        left += &format!("{} {rest}\n", number - u64::from(i > at));
+    }
+    Some(left)
+}
+
 fn single(text: &str) -> bool {
     text.ends_with('\n') && text.lines().count() == 1
 }
@@ -189,8 +247,15 @@ fn lost(text: &str, _: &mut Dice, all: &[&str]) -> Option<String> {
 }
 
 fn of(seed: u64) -> (Dice, Stream) {
+    for_target(seed, None)
+}
+
+fn for_target(seed: u64, target: Option<&str>) -> (Dice, Stream) {
     let mut dice = Dice(seed.wrapping_mul(0xd134_2543_de82_ef95) | 1);
-    let mut stream = stream(&mut dice, LENGTH);
+    let mut stream = match target {
+        Some(target) => stream_for(&mut dice, LENGTH, target),
+        None => stream(&mut dice, LENGTH),
+    };
     // What a unit is.
     stream.settings.output.decimals.length = Some(4);
     (dice, stream)
@@ -198,11 +263,25 @@ fn of(seed: u64) -> (Dice, Stream) {
 
 #[test]
 fn every_fault_in_the_text_is_noticed() {
+    let all = notices(FAULTS, None);
+    println!("{all} faults in the text of {} kinds, all of them noticed", FAULTS.len());
+    assert!(all >= 1_000);
+}
+
+#[test]
+fn every_fault_in_a_dialog_is_noticed() {
+    let all = notices(DIALOG, Some("heidenhain"));
+    println!("{all} faults in a dialog of {} kinds, all of them noticed", DIALOG.len());
+    assert!(all >= 700);
+}
+
+/// Puts faults of each kind into printed streams; how many were noticed, all of them.
+fn notices(faults: &[(&str, Fault)], target: Option<&str>) -> usize {
     let mut all = 0;
-    for (kind, (name, fault)) in FAULTS.iter().enumerate() {
+    for (kind, (name, fault)) in faults.iter().enumerate() {
         let mut found = 0;
         for seed in (1..).map(|n: u64| n + kind as u64 * 1_000_000).take(MOST_SEEDS as usize) {
-            let (dice, stream) = of(seed);
+            let (dice, stream) = for_target(seed, target);
             let Some(usual) = validate(&stream, None, &mut as_it_is) else { continue };
             let places: Vec<usize> =
                 (0..usual.pieces.len()).filter(|n| fault(&usual.pieces[*n], &mut dice.clone()).is_some()).collect();
@@ -227,8 +306,7 @@ fn every_fault_in_the_text_is_noticed() {
         assert!(found >= EACH.min(10), "{name}: only {found} faults");
         all += found;
     }
-    println!("{all} faults in the text of {} kinds, all of them noticed", FAULTS.len());
-    assert!(all >= 1_000);
+    all
 }
 
 /// The texts of two items change places.

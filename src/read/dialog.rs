@@ -1,0 +1,408 @@
+//! Klartext as a TNC reads it: each block begins with what it does. Positions are absolute, an arc goes around the centre
+//! that CC has stated last, a helix turns by an angle, FMAX holds for its own block.
+
+use core::f64::consts::TAU;
+
+use super::act::{Act, Arc, LETTERS, Move, Path, Plane, Speed};
+use super::number::{SCALE, decimal};
+use super::{Fault, Lack, Reader};
+
+/// Degrees of a turn in units.
+const TURN: i64 = 360 * SCALE;
+
+/// What a dialog keeps besides the modes.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Dialog {
+    /// Number of the next block.
+    number: u64,
+    /// Name and unit, as the first block has them.
+    program: Vec<u8>,
+    /// The centre of the arcs, and the plane of its axes.
+    center: Option<(Plane, [i64; 2])>,
+    speed: Option<i64>,
+    /// What the next line has to go on with.
+    open: Open,
+    /// Nothing but the last block may follow.
+    stopped: bool,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+enum Open {
+    #[default]
+    Nothing,
+    /// The second block of a wait.
+    Dwell,
+    /// The second line of a preset.
+    Preset,
+}
+
+/// The words of a block that are still to be read.
+struct Words<'a>(&'a [u8]);
+
+impl<'a> Words<'a> {
+    #[inline]
+    fn next(&mut self) -> Option<&'a [u8]> {
+        let text = self.0.trim_ascii_start();
+        let len = text.iter().position(|b| *b == b' ').unwrap_or(text.len());
+        let (word, rest) = text.split_at(len);
+        self.0 = rest;
+        (len > 0).then_some(word)
+    }
+
+    fn is(&mut self, wanted: &str) -> bool {
+        self.next() == Some(wanted.as_bytes())
+    }
+
+    /// The rest is these words.
+    fn are(&mut self, wanted: &str) -> bool {
+        wanted.split(' ').all(|word| self.is(word)) && self.next().is_none()
+    }
+}
+
+/// The words of a path block.
+#[derive(Default)]
+struct Way {
+    /// A bit for each axis, and those of them that count from where the machine stands.
+    axes: u16,
+    increments: u16,
+    numbers: [i64; 3],
+    angle: Option<i64>,
+    /// Counter-clockwise.
+    sense: Option<bool>,
+    feed: Option<i64>,
+    rapid: bool,
+    uncompensated: bool,
+    machine: bool,
+}
+
+impl Way {
+    fn read(words: &mut Words<'_>) -> Result<Way, Fault> {
+        let mut way = Way::default();
+        while let Some(word) = words.next() {
+            let new = match word {
+                [letter @ (b'X' | b'Y' | b'Z'), number @ ..] => way.axis(*letter, number, false)?,
+                [b'I', letter @ (b'X' | b'Y' | b'Z'), number @ ..] => way.axis(*letter, number, true)?,
+                b"FMAX" => !std::mem::replace(&mut way.rapid, true),
+                b"R0" => !std::mem::replace(&mut way.uncompensated, true),
+                b"M91" => !std::mem::replace(&mut way.machine, true),
+                b"DR+" | b"DR-" => way.sense.replace(word[2] == b'+').is_none(),
+                [b'F', number @ ..] => way.feed.replace(whole(number, word)?).is_none(),
+                [b'I', b'P', b'A', number @ ..] => way.angle.replace(whole(number, word)?).is_none(),
+                _ => return Err(unknown(word)),
+            };
+            if !new {
+                return Err(Fault::new(format!("two words {}", String::from_utf8_lossy(word))));
+            }
+        }
+        Ok(way)
+    }
+
+    #[inline]
+    fn axis(&mut self, letter: u8, number: &[u8], increment: bool) -> Result<bool, Fault> {
+        let axis = usize::from(letter - b'X');
+        let new = self.axes & (1 << axis) == 0;
+        self.axes |= 1 << axis;
+        self.increments |= u16::from(increment) << axis;
+        self.numbers[axis] = whole(number, number)?;
+        Ok(new)
+    }
+
+    /// Only words that this kind of block may have.
+    fn has_only(&self, arc: bool, helix: bool) -> Result<(), Fault> {
+        let strange = self.increments != 0 && !helix
+            || self.angle.is_some() != helix
+            || self.sense.is_some() != arc
+            || arc && (self.rapid || self.machine || self.uncompensated)
+            || self.rapid && self.feed.is_some();
+        if strange { Err(Fault::new("a word has nothing that it belongs to, or one is missing")) } else { Ok(()) }
+    }
+}
+
+impl Reader {
+    /// Reads a line of a dialog.
+    pub(super) fn dialog_line(&mut self, line: &[u8]) -> Result<(), Fault> {
+        if self.dialog.open == Open::Preset {
+            return self.preset(line);
+        }
+        let digits = line.iter().take_while(|b| b.is_ascii_digit()).count();
+        let number = line[..digits].iter().fold(0u64, |n, b| n.wrapping_mul(10).wrapping_add(u64::from(b - b'0')));
+        if digits == 0 || digits > 18 || number != self.dialog.number {
+            return Err(Fault::new(format!("the block should have the number {}", self.dialog.number)));
+        }
+        let first = self.dialog.number == 0;
+        self.dialog.number += 1;
+        if self.ended {
+            return Err(Fault::new("something stands behind the end of the program"));
+        }
+        let text = line[digits..].trim_ascii_start();
+        if let [b';', comment @ ..] = text {
+            let goes_on = comment.ends_with(b"~") || first;
+            return if goes_on { Err(Fault::new("a comment that goes on, or stands first")) } else { Ok(()) };
+        }
+        let mut words = Words(text);
+        let word = words.next().unwrap_or_default();
+        if first != (word == b"BEGIN") {
+            return Err(Fault::new("BEGIN PGM is the first block, and no other"));
+        }
+        if self.dialog.open == Open::Dwell {
+            return self.waits(word, &mut words);
+        }
+        if self.dialog.stopped && word != b"END" {
+            return Err(Fault::new("something stands behind the end of the program"));
+        }
+        match word {
+            b"L" => self.dialog_line_move(&mut words),
+            b"C" => self.dialog_arc(&mut words),
+            b"CP" => self.dialog_helix(&mut words),
+            b"CC" => self.dialog_center(&mut words),
+            b"BEGIN" => self.begins(&mut words),
+            b"END" if words.is("PGM") && words.0.trim_ascii() == self.dialog.program => {
+                self.ended = true;
+                Ok(())
+            }
+            b"TOOL" => self.tool_block(&mut words),
+            b"CYCL" => self.cycle(&mut words),
+            b"STOP" if words.next().is_none() => self.dialog_m(0),
+            [b'M', number @ ..] if words.next().is_none() => match (whole(number, word)?, number) {
+                (0, _) => Err(Fault::new("M0 stops the spindle and the coolant, too")),
+                (units, _) if units > 0 && units % SCALE == 0 => self.dialog_m((units / SCALE) as u32),
+                _ => Err(unknown(word)),
+            },
+            _ => Err(unknown(word)),
+        }
+    }
+
+    fn begins(&mut self, words: &mut Words<'_>) -> Result<(), Fault> {
+        let pgm = words.is("PGM");
+        self.dialog.program = words.0.trim_ascii().to_vec();
+        let named = words.next().is_some();
+        self.modes.inches = match words.next() {
+            Some(b"MM") => Some(false),
+            Some(b"INCH") => Some(true),
+            _ => None,
+        };
+        let fine = pgm && named && self.modes.inches.is_some() && words.next().is_none();
+        if fine { Ok(()) } else { Err(Fault::new("BEGIN PGM wants a name and MM or INCH")) }
+    }
+
+    fn dialog_m(&mut self, number: u32) -> Result<(), Fault> {
+        self.dialog.stopped = matches!(number, 2 | 30);
+        self.push(Act::M { number, spindle: 0, angle: None })
+    }
+
+    /// The feed of a block holds on; in inches it counts tenths.
+    fn dialog_feed(&mut self, feed: Option<i64>) -> Result<(), Fault> {
+        let Some(feed) = feed else { return Ok(()) };
+        if feed < 0 {
+            return Err(Fault::new("a feed below zero"));
+        }
+        let tenths = if self.modes.inches == Some(true) { 10 } else { 1 };
+        self.feed = Some(self.length(feed)? / tenths);
+        Ok(())
+    }
+
+    fn dialog_line_move(&mut self, words: &mut Words<'_>) -> Result<(), Fault> {
+        let way = Way::read(words)?;
+        way.has_only(false, false)?;
+        if way.axes == 0 {
+            return Err(Fault::new("a line without an axis"));
+        }
+        self.dialog_feed(way.feed)?;
+        self.goes(&way)?;
+        let path = if way.rapid { Path::Rapid } else { Path::Line };
+        if way.machine {
+            self.known &= !way.axes;
+        }
+        self.push(Act::Move(Move { path, axes: way.axes, machine: way.machine }))
+    }
+
+    /// The axes of a block go to their ends.
+    fn goes(&mut self, way: &Way) -> Result<(), Fault> {
+        for axis in 0..3 {
+            if way.axes & (1 << axis) == 0 {
+                continue;
+            }
+            let mut units = self.length(way.numbers[axis])?;
+            if way.increments & (1 << axis) != 0 {
+                let before = self.place(axis);
+                let before = before.ok_or_else(|| Fault::unsaid("a way from an unknown place", Lack::Place(axis)))?;
+                units = before.checked_add(units).ok_or_else(|| Fault::new("a place is too far away"))?;
+            }
+            self.stand(axis, units);
+        }
+        Ok(())
+    }
+
+    /// CC with two axes makes their plane that of the arcs.
+    fn dialog_center(&mut self, words: &mut Words<'_>) -> Result<(), Fault> {
+        let way = Way::read(words)?;
+        way.has_only(false, false)?;
+        let plane = match way.axes {
+            0b011 => Plane::Xy,
+            0b101 => Plane::Zx,
+            0b110 => Plane::Yz,
+            _ => return Err(Fault::new("CC wants two axes")),
+        };
+        if way.rapid || way.machine || way.uncompensated || way.feed.is_some() {
+            return Err(Fault::new("CC takes nothing but its axes"));
+        }
+        let [first, second, _] = plane.axes();
+        let center = [self.length(way.numbers[first])?, self.length(way.numbers[second])?];
+        self.dialog.center = Some((plane, center));
+        Ok(())
+    }
+
+    /// The plane of the arcs, their centre, and where the arc begins.
+    fn arc_begins(&self) -> Result<(Plane, [i64; 2], [i64; 2]), Fault> {
+        let (plane, center) = self.dialog.center.ok_or_else(|| Fault::new("an arc without a centre"))?;
+        let [first, second, _] = plane.axes();
+        let at =
+            |axis| self.place(axis).ok_or_else(|| Fault::unsaid("an arc from an unknown place", Lack::Place(axis)));
+        Ok((plane, center, [at(first)?, at(second)?]))
+    }
+
+    fn dialog_arc(&mut self, words: &mut Words<'_>) -> Result<(), Fault> {
+        let way = Way::read(words)?;
+        way.has_only(true, false)?;
+        let (plane, center, from) = self.arc_begins()?;
+        let [first, second, _] = plane.axes();
+        if way.axes != (1 << first) | (1 << second) {
+            return Err(Fault::new("C wants both axes of its plane, and no other"));
+        }
+        self.dialog_feed(way.feed)?;
+        self.goes(&way)?;
+        let to = [self.at[first], self.at[second]];
+        let turns = if way.sense == Some(true) { 1 } else { -1 };
+        let arc = Arc { plane, from, to, center, turns, by_angle: false };
+        self.push(Act::Move(Move { path: Path::Arc(arc), axes: way.axes, machine: false }))
+    }
+
+    fn dialog_helix(&mut self, words: &mut Words<'_>) -> Result<(), Fault> {
+        let way = Way::read(words)?;
+        way.has_only(true, true)?;
+        let (plane, center, from) = self.arc_begins()?;
+        let [first, second, third] = plane.axes();
+        let angle = way.angle.unwrap_or(0);
+        let sense = if way.sense == Some(true) { 1 } else { -1 };
+        if way.axes != 1 << third || way.increments != way.axes || plane != Plane::Xy {
+            return Err(Fault::new("CP wants the way along the third axis, and is read in XY alone"));
+        }
+        if angle.signum() != sense || angle.abs() > 15 * TURN {
+            return Err(Fault::new("IPA and DR contradict each other, or it turns too far"));
+        }
+        self.dialog_feed(way.feed)?;
+        self.goes(&way)?;
+        let to = if angle % TURN == 0 { from } else { turned(from, center, angle) };
+        [self.at[first], self.at[second]] = to;
+        let turns = ((angle.abs() - 1) / TURN + 1) as i32 * sense as i32;
+        let arc = Arc { plane, from, to, center, turns, by_angle: true };
+        let axes = way.axes | (1 << first) | (1 << second);
+        self.push(Act::Move(Move { path: Path::Arc(arc), axes, machine: false }))
+    }
+
+    /// TOOL DEF brings a tool forth, TOOL CALL changes it, states the speed, or both.
+    fn tool_block(&mut self, words: &mut Words<'_>) -> Result<(), Fault> {
+        let kind = words.next().unwrap_or_default();
+        let mut word = words.next();
+        let number =
+            word.filter(|word| word.iter().all(u8::is_ascii_digit)).map(|word| whole(word, word)).transpose()?;
+        let number = number.map(|units| (units / SCALE) as u32);
+        if number.is_some() {
+            word = words.next();
+        }
+        if kind == b"DEF" {
+            let tool = number.filter(|_| word.is_none()).ok_or_else(|| Fault::new("TOOL DEF wants a number"))?;
+            self.tools[0] = Some(tool);
+            return self.push(Act::Select(tool));
+        }
+        if kind != b"CALL" || word != Some(b"Z") {
+            return Err(Fault::new("TOOL CALL with another axis"));
+        }
+        let speed = match words.next() {
+            Some([b'S', speed @ ..]) => Some(whole(speed, speed)?),
+            Some(other) => return Err(unknown(other)),
+            None => None,
+        };
+        if words.next().is_some() || number.is_none() && speed.is_none() {
+            return Err(Fault::new("TOOL CALL says too much, or nothing"));
+        }
+        // Whether the feed holds on is a matter of the control.
+        self.feed = None;
+        if let Some(tool) = number {
+            self.tools = [Some(tool); 2];
+            self.modes.length = Some(tool);
+            self.push(Act::Select(tool))?;
+            self.push(Act::Change)?;
+        }
+        let Some(value) = speed else { return Ok(()) };
+        // With a tool, the speed that holds is said again.
+        if self.dialog.speed.replace(value) == Some(value) && number.is_some() {
+            return Ok(());
+        }
+        self.push(Act::Speed(Speed { spindle: 0, value, constant_cut: None }))
+    }
+
+    fn cycle(&mut self, words: &mut Words<'_>) -> Result<(), Fault> {
+        let def = words.is("DEF");
+        self.dialog.open = match words.next() {
+            Some(b"9.0") if def && words.are("DWELL TIME") => Open::Dwell,
+            Some(b"247") if def && words.are("DATUM SETTING ~") => Open::Preset,
+            _ => return Err(Fault::new("a cycle that is not read")),
+        };
+        Ok(())
+    }
+
+    fn waits(&mut self, word: &[u8], words: &mut Words<'_>) -> Result<(), Fault> {
+        self.dialog.open = Open::Nothing;
+        let begins = word == b"CYCL" && words.is("DEF") && words.is("9.1") && words.is("DWELL");
+        let number = words.next().unwrap_or_default();
+        let seconds = whole(number, number)?;
+        if !begins || words.next().is_some() || !(0..=3600 * SCALE).contains(&seconds) {
+            return Err(Fault::new("the time of a wait is meant"));
+        }
+        self.push(Act::Dwell(seconds))
+    }
+
+    fn preset(&mut self, line: &[u8]) -> Result<(), Fault> {
+        self.dialog.open = Open::Nothing;
+        let word = Words(line).next().unwrap_or_default();
+        let number = word.strip_prefix(b"Q339=").unwrap_or_default();
+        let comment = line[word.len()..].trim_ascii();
+        let units = whole(number, number)?;
+        let preset = u8::try_from(units / SCALE).ok().filter(|_| units % SCALE == 0 && units > 0);
+        match preset {
+            Some(preset) if comment.starts_with(b";") && !comment.ends_with(b"~") => {
+                self.modes.offset = preset;
+                // The same place has other coordinates now.
+                self.known = 0;
+                self.dialog.center = None;
+                self.push(Act::Offset(preset))
+            }
+            _ => Err(Fault::new("the number of a preset is meant")),
+        }
+    }
+}
+
+/// `from`, turned about `center` by an angle in units.
+fn turned(from: [i64; 2], center: [i64; 2], angle: i64) -> [i64; 2] {
+    let [x, y] = [0, 1].map(|i| (from[i] - center[i]) as f64);
+    let (sin, cos) = libm::sincos((angle % TURN) as f64 / TURN as f64 * TAU);
+    let to = [x * cos - y * sin, x * sin + y * cos];
+    [0, 1].map(|i| center[i] + libm::round(to[i]) as i64)
+}
+
+/// A number that fills its word.
+#[inline]
+fn whole(number: &[u8], word: &[u8]) -> Result<i64, Fault> {
+    match decimal(number) {
+        Some((units, len)) if len == number.len() => Ok(units),
+        _ => Err(unknown(word)),
+    }
+}
+
+#[cold]
+fn unknown(word: &[u8]) -> Fault {
+    Fault::new(format!("`{}` is no word that is read", String::from_utf8_lossy(&word[..word.len().min(20)])))
+}
+
+const _: () = assert!(LETTERS[0] == b'X' && LETTERS[1] == b'Y' && LETTERS[2] == b'Z');

@@ -1,0 +1,50 @@
+//! Okuma mills (OSP): work offsets by G15, lengths by G56, waits by F. A preview: what published post processors write.
+
+use super::{
+    Arcs, Change, Dwell, DwellUnit, FeedWords, Flow, Frame, Length, LengthNumber, LengthWords, MFunctions, Measure,
+    Motion, Numbers, ProgramName, SpindleWords, Target, ToolWords, fanuc::TARGET as FANUC,
+};
+
+pub(super) const TARGET: Target = Target {
+    name: "okuma",
+    about: "Okuma mills, OSP (preview: after published post processors)",
+    extension: "min",
+    frame: Frame {
+        name: ProgramName::Text { front: "O", most: 4, marks: "" },
+        mill: Some("G17 G40 G80"),
+        ..FANUC.frame
+    },
+    numbers: Numbers { feed_point: false, zero: true, ..FANUC.numbers },
+    motion: Motion { rapid: "G00", line: "G01", machine: None, ..FANUC.motion },
+    feed: FeedWords {
+        address: b'F',
+        per_minute: "G94",
+        per_revolution: None,
+        inverse_time: None,
+        measure: Measure::Linear,
+    },
+    arcs: Arcs { clockwise: "G02", counter_clockwise: "G03", mismatch: [0.02, 0.02], ..FANUC.arcs },
+    spindle: SpindleWords {
+        clockwise: "M03",
+        counter_clockwise: "M04",
+        stop: "M05",
+        cutting_speed: None,
+        ..FANUC.spindle
+    },
+    tool: ToolWords {
+        change: Some(Change::Word("M06")),
+        length: Length::Words(LengthWords {
+            on: "G56",
+            number: LengthNumber::Tool(b'H'),
+            off: None,
+            with_move: true,
+            usual: true,
+        }),
+        ..FANUC.tool
+    },
+    dwell: Dwell { word: "G04", address: b'F', unit: DwellUnit::Seconds, per_minute: false, ..FANUC.dwell },
+    flow: Flow { end: "M02", ..FANUC.flow },
+    offsets: &["G15 H1", "G15 H2", "G15 H3", "G15 H4", "G15 H5", "G15 H6", "G15 H7", "G15 H8", "G15 H9"],
+    m: MFunctions { own: &[], ..FANUC.m },
+    ..FANUC
+};
