@@ -4,6 +4,7 @@
 
 pub mod answer;
 pub mod codes;
+pub mod decimals;
 pub mod finding;
 pub mod render;
 pub mod report;

@@ -336,3 +336,27 @@ fn no_parameter_is_ignored() {
     }
     assert!(bad.is_empty(), "{bad:#?}");
 }
+
+/// Lengths of programs in inches are messages in mm without what arithmetic adds: every program of the books, read in inches.
+#[test]
+fn messages_of_inch_programs_have_no_lost_decimals() {
+    let mut told = 0;
+    for case in super::book::cases("klartext/machining").into_iter().chain(super::book::cases("errors/klartext")) {
+        let Some(text) = case.text() else { continue };
+        let inch: String = text
+            .lines()
+            .map(|line| match line.trim_end().strip_suffix(" MM") {
+                Some(head) if line.contains(" PGM ") => format!("{head} INCH\n"),
+                _ => format!("{line}\n"),
+            })
+            .collect();
+        for found in &case.compile_instead(&inch).findings {
+            let message = format!("{} {}", found.message, found.help.as_deref().unwrap_or_default());
+            let decimals = message.split(|c: char| !c.is_ascii_digit() && c != '.').filter_map(|n| n.split_once('.'));
+            let most = decimals.map(|(_, decimals)| decimals.len()).max().unwrap_or(0);
+            assert!(most <= 9, "{}: {message}", case.name);
+            told += 1;
+        }
+    }
+    assert!(told > 300, "{told} messages");
+}

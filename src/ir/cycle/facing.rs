@@ -41,10 +41,11 @@ pub struct Facing {
 pub enum Links {
     /// To and fro at the feed of the plane; lifted paths, and levels, at rapid traverse from the first path on.
     Usual,
-    /// To the next path at this feed; to and fro the next level begins where the one before ends.
-    At(Feed),
+    /// To the next path, and down to a level, at this feed, without one at rapid traverse; to and fro the next level begins where the
+    /// one before ends.
+    At(Option<Feed>),
     /// The same, and to and fro the tool turns inside the face, where it moves sideways at the feed of the plane.
-    Inside(Feed),
+    Inside(Option<Feed>),
 }
 
 /// How far the cutter leaves the face, mm; 0 or more.

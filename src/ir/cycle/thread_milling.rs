@@ -63,8 +63,15 @@ pub struct Ways {
     pub along: [f64; 2],
     /// The thread itself begins or ends at the depth, and the way to it or from it lies beyond.
     pub beyond: bool,
-    /// Straight to the safety distance, and from there on at the feed for the depth.
-    pub at_feed: bool,
+    /// Straight to the safety distance over the middle, or beside the stud, and from there on so.
+    pub positioning: Option<Positioning>,
+}
+
+/// How the tool goes where it does not cut.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Positioning {
+    At(Feed),
+    Rapid,
 }
 
 /// What is made in the same place beside the thread.
@@ -138,7 +145,7 @@ pub struct Helix {
 impl Ways {
     /// Half a pitch on each, none of it beyond the depth.
     pub fn of_half_a_pitch(pitch: f64, feed: Feed) -> Ways {
-        Ways { beside: None, onto: feed, along: [pitch / 2.0; 2], beyond: false, at_feed: false }
+        Ways { beside: None, onto: feed, along: [pitch / 2.0; 2], beyond: false, positioning: None }
     }
 }
 

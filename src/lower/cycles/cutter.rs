@@ -143,6 +143,22 @@ impl<'a> Cutter<'a> {
         }
     }
 
+    /// In the plane beside the material, at `feed` or at rapid traverse.
+    pub fn go(&mut self, to: Point2, feed: Option<Feed>) {
+        match feed {
+            Some(feed) => self.line(to, feed),
+            None => self.rapid(to),
+        }
+    }
+
+    /// Along the tool axis beside the material, at `feed` or at rapid traverse.
+    pub fn go_down(&mut self, height: f64, feed: Option<Feed>) {
+        match feed {
+            Some(feed) => self.sink(height, feed),
+            None => self.lift(height),
+        }
+    }
+
     /// Drills where the cutter stands.
     ///
     /// # Errors

@@ -68,26 +68,26 @@ impl Expand for Facing {
 
 impl Facing {
     /// Levels whose paths are reached at a feed of their own.
-    fn levels_at(&self, link: Feed, cutter: &mut Cutter<'_>) {
+    fn levels_at(&self, link: Option<Feed>, cutter: &mut Cutter<'_>) {
         let heights = &self.mill.heights;
         let levels = self.levels();
         for (number, level) in levels.iter().copied().enumerate() {
             let last = self.last.filter(|_| number + 1 == levels.len());
             let feed = last.unwrap_or(self.mill.feeds.plane);
-            let sideways = if matches!(self.links, Links::Inside(_)) { feed } else { link };
+            let sideways = if matches!(self.links, Links::Inside(_)) { Some(feed) } else { link };
             for (at, [from, to]) in self.paths_of(number).iter().enumerate() {
                 match (self.goes_back(), at, number) {
-                    (true, 0, _) => cutter.line(*from, link),
-                    (true, ..) => cutter.line(*from, sideways),
+                    (true, 0, _) => cutter.go(*from, link),
+                    (true, ..) => cutter.go(*from, sideways),
                     (false, 0, 0) => {}
                     (false, ..) => {
                         // The way back leads over the next path, which stands as the level before left it.
                         let ground = if number > 0 { levels[number - 1] } else { heights.reference };
                         cutter.lift(heights.above_cleared(ground));
-                        cutter.line(*from, link);
+                        cutter.go(*from, link);
                     }
                 }
-                cutter.plunge(level);
+                cutter.go_down(level, link.map(|_| self.mill.feeds.depth));
                 cutter.line(*to, feed);
             }
         }

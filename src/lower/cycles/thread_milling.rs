@@ -2,7 +2,8 @@
 
 use crate::diag::codes;
 use crate::geo::{Element, Point2, arc};
-use crate::ir::cycle::thread_milling::{Helix, Side, Sink, Stage};
+use crate::ir::Feed;
+use crate::ir::cycle::thread_milling::{Helix, Positioning, Side, Sink, Stage};
 use crate::ir::cycle::{Family, ThreadMilling};
 
 use super::cutter::Cutter;
@@ -17,7 +18,7 @@ impl Expand for ThreadMilling {
         let mut cutter = Cutter::new(&self.mill, self.place, start, out);
         let entry = self.entry();
         let home = if self.side == Side::Internal { Point2::origin() } else { entry };
-        if self.ways.at_feed {
+        if self.ways.positioning.is_some() {
             cutter.lift(self.mill.heights.safe());
             cutter.rapid(home);
         } else {
@@ -27,16 +28,18 @@ impl Expand for ThreadMilling {
         for rest in &self.rests {
             for helix in self.helices() {
                 // Free of the thread: in its middle, or beside it.
-                if self.ways.at_feed {
-                    cutter.plunge(helix.start);
-                    cutter.line(entry, self.mill.feeds.depth);
-                } else {
-                    cutter.lift(helix.start);
+                cutter.go_down(helix.start, self.positioning());
+                if self.ways.positioning.is_some() {
+                    cutter.go(entry, self.positioning());
                 }
                 self.turn(&helix, *rest, &mut cutter);
             }
         }
-        cutter.line(home, self.mill.feeds.depth);
+        if self.ways.positioning.is_some() {
+            cutter.go(home, self.positioning());
+        } else {
+            cutter.line(home, self.mill.feeds.depth);
+        }
         self.make(&self.after, start, &mut cutter)?;
         cutter.retract();
         Ok(())
@@ -44,6 +47,14 @@ impl Expand for ThreadMilling {
 }
 
 impl ThreadMilling {
+    /// `None` at rapid traverse.
+    fn positioning(&self) -> Option<Feed> {
+        match self.ways.positioning {
+            Some(Positioning::At(feed)) => Some(feed),
+            Some(Positioning::Rapid) | None => None,
+        }
+    }
+
     fn make(&self, stages: &[Stage], start: &Start, cutter: &mut Cutter<'_>) -> Result<(), Failure> {
         for stage in stages {
             match stage {
@@ -55,7 +66,10 @@ impl ThreadMilling {
     }
 
     fn sink(&self, sink: &Sink, cutter: &mut Cutter<'_>) {
-        cutter.plunge(sink.approach);
+        match self.ways.positioning {
+            Some(_) => cutter.go_down(sink.approach, self.positioning()),
+            None => cutter.plunge(sink.approach),
+        }
         cutter.sink(sink.height, sink.feed);
         if sink.radius == 0.0 {
             return;
@@ -94,7 +108,6 @@ impl ThreadMilling {
 mod tests {
     use super::*;
     use crate::geo::{Deg, Plane};
-    use crate::ir::Feed;
     use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, Place};
     use crate::ir::cycle::thread_milling::{Turns, Ways};
 

@@ -50,6 +50,15 @@ impl<'a> Build<'a> {
         self.word(addr, word.value, start, end);
     }
 
+    /// `Q206=FU Q202=5`: in a path block Q202 would be the value of FU, here it is the next parameter.
+    pub fn feed_word_in_front(&mut self, q: QRef, next: Value, value: Value, [start, middle, end]: [u32; 3]) {
+        self.word(Addr::Assign(q), Value::None, start, middle);
+        match next {
+            Value::Param { negative: false, q } => self.word(Addr::Assign(q), value, middle, end),
+            _ => self.word(Addr::Colon, Value::None, middle, end),
+        }
+    }
+
     pub fn rotary_c(&mut self, start: u32, end: u32) {
         self.word(Addr::Axis { axis: Axis::C, incremental: false }, Value::None, start, end);
     }

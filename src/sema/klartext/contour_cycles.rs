@@ -205,7 +205,11 @@ impl Run<'_> {
         let coarse = self.coarse_tool(cycle, &pocket)?;
         let (insertion, insertion_feed) = self.insertion_by_feed(cycle)?;
         if cycle.gives_q(FEED_FACTOR) && self.cycle_number(cycle, FEED_FACTOR)? != 100.0 {
-            return self.cycle_unbuilt(cycle, "a lower feed at full engagement (Q401)");
+            return self.cycle_otherwise(
+                cycle,
+                "a lower feed at full engagement (Q401)",
+                "write Q401=+100, and Q12 as the feed that the tool bears at full engagement",
+            );
         }
         self.retracts_at_rapid(cycle)?;
         let radius = self.cutter_radius(cycle)?;
@@ -218,8 +222,16 @@ impl Run<'_> {
         let tool = self.st.tool.active().map(|tool| tool.called.to_string());
         let allowance = made.allowance;
         let oversize = self.st.tool.active().map_or(0.0, |tool| tool.table_deltas[1] + tool.call_deltas[1]);
-        self.contours.roughed =
-            Some(Roughed { named: pocket.named, tool, radius, oversize, allowance, area, frame, pocket: pocket.data });
+        self.contours.roughed = Known::Given(Rc::new(Roughed {
+            named: pocket.named,
+            tool,
+            radius,
+            oversize,
+            allowance,
+            area,
+            frame,
+            pocket: pocket.data,
+        }));
         Ok(Some(Cycle::Region(made)))
     }
 
@@ -246,7 +258,7 @@ impl Run<'_> {
         let mill = Mill { heights: Heights { allowance: 0.0, ..mill.heights }, ..mill };
         let left = self.not_below_zero(cycle, LEFT)?;
         let allowance = self.kept_unsigned(&pocket.data, SIDE)?;
-        let roughed = self.contours.roughed.as_ref().filter(|roughed| {
+        let roughed = self.roughed_before()?.filter(|roughed| {
             Rc::ptr_eq(&roughed.named, &pocket.named)
                 && roughed.allowance == allowance
                 && roughed.frame == self.st.ctx.frame
@@ -290,13 +302,9 @@ impl Run<'_> {
 
     /// What a larger cutter left goes in one cut.
     fn warn_of_larger_cutter(&mut self, pocket: &Pocket, radius: f64) {
-        let larger = self.contours.roughed.as_ref().map(|roughed| roughed.radius).filter(|before| *before > radius);
-        let here = self
-            .contours
-            .roughed
-            .as_ref()
-            .is_some_and(|roughed| Rc::ptr_eq(&roughed.pocket, &pocket.data) && roughed.frame == self.st.ctx.frame);
-        if let (Some(before), true) = (larger, here) {
+        let Known::Given(roughed) = &self.contours.roughed else { return };
+        let before = roughed.radius;
+        if before > radius && Rc::ptr_eq(&roughed.pocket, &pocket.data) && roughed.frame == self.st.ctx.frame {
             let message = format!(
                 "cycle 23 with a cutter of radius {} mm behind cycle 22 with one of {} mm: what that one left is cut down to the floor in one cut",
                 rounded(radius),
@@ -309,12 +317,20 @@ impl Run<'_> {
 
     /// Was this pocket roughed here, with these data, and by no larger cutter?
     fn is_roughed(&self, pocket: &Pocket, region: &Region) -> bool {
-        self.contours.roughed.as_ref().is_some_and(|roughed| {
-            Rc::ptr_eq(&roughed.pocket, &pocket.data)
-                && (&roughed.area.outlines, &roughed.area.islands) == (&region.outlines, &region.islands)
-                && roughed.frame == self.st.ctx.frame
-                && roughed.radius <= region.mill.radius
-        })
+        let Known::Given(roughed) = &self.contours.roughed else { return false };
+        Rc::ptr_eq(&roughed.pocket, &pocket.data)
+            && (&roughed.area.outlines, &roughed.area.islands) == (&region.outlines, &region.islands)
+            && roughed.frame == self.st.ctx.frame
+            && roughed.radius <= region.mill.radius
+    }
+
+    /// The last run of cycle 22. What needs one that was refused suffers only from that.
+    fn roughed_before(&self) -> Outcome<Option<Rc<Roughed>>> {
+        match &self.contours.roughed {
+            Known::Nothing => Ok(None),
+            Known::Lost => Err(Reported),
+            Known::Given(roughed) => Ok(Some(Rc::clone(roughed))),
+        }
     }
 
     /// Q18: what the tool cleared that roughed these contours before.
@@ -324,7 +340,7 @@ impl Run<'_> {
             return Ok(None);
         }
         let radius = self.cutter_radius(cycle)?;
-        let before = self.contours.roughed.as_ref().filter(|before| {
+        let before = self.roughed_before()?.filter(|before| {
             Rc::ptr_eq(&before.pocket, &pocket.data)
                 && Rc::ptr_eq(&before.named, &pocket.named)
                 && before.tool.as_deref() == Some(&number.to_string())

@@ -24,7 +24,7 @@ pub(super) struct Contours {
     pub named: Known<NamedContours>,
     pub pocket: Known<Values>,
     pub train: Known<Values>,
-    pub roughed: Option<Roughed>,
+    pub roughed: Known<Roughed>,
 }
 
 #[derive(Debug, Default)]

@@ -12,9 +12,11 @@ use crate::machine::{AxisSet, Generation};
 use crate::parser::klartext::ast::{Addr, Block, CallKind, Stmt};
 use crate::text::Span;
 
+use super::contour_data::Known;
 use super::cycle_definition::{DottedValue, Open, What};
 use super::cycles::DefinedCycle;
 use super::cycles::call::{Call, Retract};
+use super::cycles::contours::ROUGH_OUT;
 use super::cycles::{Nature, find};
 use super::words::Admits;
 use super::{Outcome, Reported, Run};
@@ -370,6 +372,8 @@ impl Run<'_> {
             }
             Some(Defined::Refused) => {
                 self.lose_all();
+                // It may have been a cycle 22.
+                self.contours.roughed = Known::Lost;
                 Err(Reported)
             }
             Some(Defined::Program { name, .. }) => {
@@ -381,6 +385,9 @@ impl Run<'_> {
                 let result = self.run_cycle(&cycle, Call { shift: 0.0, retract: Retract::Far, placed: false });
                 if result.is_err() {
                     let drills = cycle.row().nature.drilling().is_some();
+                    if cycle.number == ROUGH_OUT {
+                        self.contours.roughed = Known::Lost;
+                    }
                     self.st.lose(if drills { AxisSet::of(self.st.axis()) } else { AxisSet::MAIN });
                     self.lost();
                 }

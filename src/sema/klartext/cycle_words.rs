@@ -286,8 +286,14 @@ fn named_value(assignment: &[u8]) -> &'static str {
         word if word.eq_ignore_ascii_case(b"AUTO") => "FAUTO",
         word if word.eq_ignore_ascii_case(b"MAX") => "FMAX",
         word if word.eq_ignore_ascii_case(b"PREDEF") => "PREDEF",
+        word if begins(word, b"FU") => "FU",
+        word if begins(word, b"FZ") => "FZ",
         _ => "a word",
     }
+}
+
+fn begins(word: &[u8], head: &[u8]) -> bool {
+    word.get(..head.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(head))
 }
 
 /// `PGM LOT31` without its keyword.

@@ -54,7 +54,7 @@ impl Run<'_> {
             size,
             along: 0,
             alternates: true,
-            links: Links::At(self.cycle_feed(cycle, STEP_FEED, None)?),
+            links: Links::At(Some(self.cycle_feed(cycle, STEP_FEED, None)?)),
             width: between / f64::from(cuts - 1),
             overrun: Overrun { ends: 0.0, side: 0.0 },
             // The paths keep inside of the sides.
@@ -143,8 +143,8 @@ impl Run<'_> {
             division: Division::Even,
             allowance: self.not_below_zero(cycle, FLOOR_ALLOWANCE)?,
         };
-        let depth = self.cycle_feed(cycle, PREPOSITION, None)?;
-        let feeds = Feeds { plane: self.cycle_feed(cycle, MILLING_FEED, None)?, depth };
+        let plane = self.cycle_feed(cycle, MILLING_FEED, None)?;
+        let feeds = Feeds { plane, depth: self.retract_feed(cycle, PREPOSITION, None)?.unwrap_or(plane) };
         Ok(Mill { plane: self.st.plane(), heights, radius, feeds })
     }
 
@@ -161,7 +161,7 @@ impl Run<'_> {
         along: usize,
     ) -> Outcome<Facing> {
         let strategy = self.choice(cycle, STRATEGY, 4)?;
-        let link = mill.feeds.depth;
+        let link = self.retract_feed(cycle, PREPOSITION, None)?;
         let links = match strategy {
             0 | 2 => Links::At(link),
             1 => {

@@ -10,6 +10,7 @@ use crate::machine::{AxisSet, ShiftAxes};
 use crate::parser::klartext::ast::{Addr, Block, Transform};
 use crate::text::Span;
 
+use super::contour_data::Known;
 use super::cycle_definition::{AxisValue, Open};
 use super::transformation::Transformation;
 use super::{Outcome, Reported, Run};
@@ -345,7 +346,7 @@ impl Run<'_> {
         }
         self.function(Function::WorkOffset(offset));
         // Another part may lie there.
-        self.contours.roughed = None;
+        self.contours.roughed = Known::Nothing;
         let mirror_last = self.st.frames.transform.mirror_last;
         self.set_transformation(Transformation::none(mirror_last))?;
         // In the new system no axis has a known position, but for those that never moved before the first preset.

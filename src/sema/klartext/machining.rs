@@ -150,10 +150,15 @@ impl Run<'_> {
     pub(super) fn cycle_number(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
         if let Some(word) = cycle.word(q) {
             let message = format!("cycle {}: {word} as the value of {q} is not supported", cycle.number);
+            let help = match word {
+                "FU" => "write it a minute: mm per revolution times the speed",
+                "FZ" => "write it a minute: mm per tooth times the teeth and the speed",
+                _ => "write a number",
+            };
             self.report(
                 Diagnostic::new(codes::K9001, self.here.origin.loc, message)
                     .also(cycle.loc, "the cycle is defined here")
-                    .help(format!("write a number: `{q}=+750`")),
+                    .help(format!("{help}: `{q}=+750`")),
             );
             return Err(Reported);
         }
@@ -231,18 +236,28 @@ impl Run<'_> {
         self.cycle_value(cycle, &format!("a feed of {value} is not above zero"))
     }
 
-    /// Refuses a value of the cycle.
+    /// Refuses a value of the cycle. Lengths are in mm, in programs in inches, too.
     pub(super) fn cycle_value<T>(&self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
+        let help = if cycle.mm == 1.0 || !what.contains(|c: char| c.is_ascii_digit()) {
+            "check the values of the definition"
+        } else {
+            "check the values of the definition; lengths are given here in mm"
+        };
         self.report(
             Diagnostic::new(codes::K2403, self.here.origin.loc, format!("cycle {}: {what}", cycle.number))
                 .also(cycle.loc, "the cycle is defined here")
-                .help("check the values of the definition"),
+                .help(help),
         );
         Err(Reported)
     }
 
     /// Refuses a variant that is not built.
     pub(super) fn cycle_unbuilt<T>(&self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
+        self.cycle_otherwise(cycle, what, "use the plain variant of the cycle, or program its moves as blocks")
+    }
+
+    /// The same, and what to do.
+    pub(super) fn cycle_otherwise<T>(&self, cycle: &DefinedCycle, what: &str, help: &'static str) -> Outcome<T> {
         self.report(
             Diagnostic::new(
                 codes::K9001,
@@ -250,7 +265,7 @@ impl Run<'_> {
                 format!("cycle {}: {what} is not supported", cycle.number),
             )
             .also(cycle.loc, "the cycle is defined here")
-            .help("use the plain variant of the cycle, or program its moves as blocks"),
+            .help(help),
         );
         Err(Reported)
     }

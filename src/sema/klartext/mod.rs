@@ -455,7 +455,7 @@ impl Run<'_> {
         }
         if !mv.end.known().without(AxisSet::MAIN).is_empty() {
             // Another side of the part may lie under the tool.
-            self.contours.roughed = None;
+            self.contours.roughed = contour_data::Known::Nothing;
         }
         self.core.send_move(mv, &self.st.ctx);
     }

@@ -34,7 +34,8 @@ impl Run<'_> {
                 "a slot of {width} mm with a tool of {} mm (where the slot lies beside the tool is not documented)",
                 2.0 * mill.radius
             );
-            return self.cycle_unbuilt(cycle, &what);
+            let help = "take a tool as wide as the slot, or program cycle 253 with its place";
+            return self.cycle_otherwise(cycle, &what, help);
         }
         let start = self.call_point(cycle)?;
         let way = (length.abs() - width) * length.signum();

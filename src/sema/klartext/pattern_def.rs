@@ -322,7 +322,11 @@ impl Run<'_> {
         }
         let cycle = self.pattern_subject("CYCL CALL PAT")?;
         if cycle.number < FIRST_PLACED {
-            return self.cycle_unbuilt(&cycle, "running it at the places of a pattern");
+            return self.cycle_otherwise(
+                &cycle,
+                "running it at the places of PATTERN DEF or of a point table",
+                "give the places by cycle 220 or 221, or move with L to each of them and call with M99",
+            );
         }
         self.has_a_surface(&cycle, "CYCL CALL PAT")?;
         if places.list.is_empty() {

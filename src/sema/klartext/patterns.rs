@@ -43,7 +43,7 @@ impl Run<'_> {
         let cycle = self.pattern_subject(&by)?;
         let Some(places) = places else { return self.cycle_unbuilt(pattern, "this pattern") };
         self.all_are_set(pattern, &by)?;
-        let old = matches!(cycle.number, 1 | 2 | 17);
+        let old = matches!(cycle.number, 1..=5 | 17);
         if cycle.number < FIRST_PLACED && !old {
             return self.cycle_unbuilt(pattern, &format!("a pattern of cycle {}", cycle.number));
         }

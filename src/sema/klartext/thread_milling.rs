@@ -7,7 +7,7 @@ use crate::geo::Deg;
 use crate::ir::Feed;
 use crate::ir::cycle::drilling::{Ahead, Breaks, Levels, Method};
 use crate::ir::cycle::milling::{Feeds, Mill, Place};
-use crate::ir::cycle::thread_milling::{Side, Sink, Stage, ThreadMilling, Turns, Ways};
+use crate::ir::cycle::thread_milling::{Positioning, Side, Sink, Stage, ThreadMilling, Turns, Ways};
 use crate::ir::cycle::{Cycle, Drilling};
 use crate::machine::Axis;
 use crate::machine::options::klartext_cycles::OutsideThread;
@@ -64,6 +64,14 @@ impl Run<'_> {
         let Some(depth) = self.height_below(cycle, TOTAL_DEPTH, &thread.mill)? else {
             return self.cycle_value(cycle, "the depth of the hole Q356 is 0");
         };
+        // The hole is as wide as the tool.
+        if thread.ways.positioning == Some(Positioning::Rapid) && thread.ways.beside.is_some() {
+            return self.cycle_otherwise(
+                cycle,
+                "going sideways through the material at rapid traverse (Q253=FMAX)",
+                "write Q253 as a number, or take a tool that is nearly as wide as the core of the thread",
+            );
+        }
         self.keep_above(cycle, &mut thread, depth)?;
         let heights = &thread.mill.heights;
         let levels =
@@ -158,7 +166,8 @@ impl Run<'_> {
     /// What all of them take; nothing where the depth is 0. As in a hole.
     fn thread(&mut self, cycle: &DefinedCycle, call: Call, turns: Turns) -> Outcome<Option<ThreadMilling>> {
         let feed = self.cycle_feed(cycle, MILLING_FEED, None)?;
-        let feeds = Feeds { plane: feed, depth: self.cycle_feed(cycle, PREPOSITION, None)? };
+        let positioning = self.retract_feed(cycle, PREPOSITION, None)?.map_or(Positioning::Rapid, Positioning::At);
+        let feeds = Feeds { plane: feed, depth: feed };
         let Some(mill) = self.round_cutter(cycle, call, feeds)? else { return Ok(None) };
         if self.st.ctx.frame.linear().determinant() < 0.0 {
             return self.cycle_unbuilt(cycle, "milling under a mirror, which would change the hand of the thread,");
@@ -184,7 +193,7 @@ impl Run<'_> {
             counter_clockwise: climbs,
             turns,
             rests: vec![0.0],
-            ways: Ways { beyond: true, at_feed: true, ..Ways::of_half_a_pitch(pitch_way, onto) },
+            ways: Ways { beyond: true, positioning: Some(positioning), ..Ways::of_half_a_pitch(pitch_way, onto) },
             before: Vec::new(),
             after: Vec::new(),
         }))

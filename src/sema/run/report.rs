@@ -1,5 +1,6 @@
 //! Findings about the block in hand.
 
+use crate::diag::decimals::rounded;
 use crate::diag::{Answer, Code, Diagnostic, Help, Raised, Severity, codes};
 use crate::parser::problem::Problem;
 use crate::sema::{Job, Outcome, Reported};
@@ -66,6 +67,7 @@ impl<L: Language> Core<'_, L> {
                 self.stop_run();
             }
         }
+        found.message = rounded(found.message);
         found.help = found.help.or_else(|| L::usual_help(found.code).map(str::to_owned));
         self.job.diags.push(found.called(self.here.origin.call));
     }

@@ -210,9 +210,11 @@ fn inside(dice: &mut Dice) -> (String, Result<(), String>) {
     }
     let signed = if t.left { -t.pitch } else { t.pitch };
     let all = format!(
-        "Q335={:.4} Q239={signed:.4} Q201={:.4} Q253=750 Q200=2 Q203=0 Q204=50 Q207=500",
+        "Q335={:.4} Q239={signed:.4} Q201={:.4} Q253={} Q200=2 Q203=0 Q204=50 Q207=500",
         2.0 * t.nominal,
-        -t.depth
+        -t.depth,
+        // The hole of cycle 264 is as wide as the tool.
+        if dice.roll(3) == 0 && cycle != 264 { "FMAX" } else { "750" }
     );
     let front = format!("Q358={:.4} Q359={circle:.4}", -sink);
     let total = format!("Q356={:.4}", -t.depth - room);

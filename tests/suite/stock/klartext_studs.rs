@@ -139,14 +139,18 @@ fn face(dice: &mut Dice) -> Case<'static> {
     let floor = if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.01, 0.4 * depth).min(step) };
     let size = [0, 1].map(|_| number(dice, 3.0, 80.0) * if dice.roll(2) == 0 { 1.0 } else { -1.0 });
     let at = [number(dice, -20.0, 20.0), number(dice, -20.0, 20.0)];
+    // The columns of the blank are wider than a tool that touches it shows.
+    let beside = number(dice, 0.0, 5.0);
+    let fast = dice.roll(2) == 0 && beside > radius / 2.0;
     let common = format!(
-        "Q389={} Q227=0 Q386={:.4} Q218={:.4} Q219={:.4} Q202={step:.4} Q369={floor:.4} Q370={} Q207={ROUGH} Q385={FINISH} Q253={LINK} Q200=2 Q357={} Q204=10",
+        "Q389={} Q227=0 Q386={:.4} Q218={:.4} Q219={:.4} Q202={step:.4} Q369={floor:.4} Q370={} Q207={ROUGH} Q385={FINISH} Q253={} Q200=2 Q357={} Q204=10",
         dice.roll(3),
         -depth,
         size[0],
         size[1],
         number(dice, 0.3, 1.999),
-        number(dice, 0.0, 5.0)
+        if fast { "FMAX".to_owned() } else { LINK.to_string() },
+        beside
     );
     let by_call = dice.roll(2) == 0;
     let asked: &[u32] = [&[0][..], &[1], &[1, 2]][if floor > 0.0 { dice.roll(3) } else { dice.roll(2) }];

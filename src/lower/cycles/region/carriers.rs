@@ -9,6 +9,8 @@ use super::walls::{Walls, point_at};
 
 /// How far a traced element may lie beside what it lies on, mm.
 const BESIDE: f64 = 1e-5;
+/// What arithmetic loses of it, mm.
+const EXACTLY: f64 = 1e-7;
 /// Lines and circles that miss each other by less touch, mm.
 const TOUCH: f64 = 1e-6;
 /// How far a traced point may lie from where it belongs, mm: where lines and circles touch it is hardly known.
@@ -39,41 +41,77 @@ pub fn settled(traced: &[Element], asked: f64, walls: &Walls) -> Option<Vec<Elem
     }
     // Elements on one carrier are one; the ring begins where two carriers meet.
     let begins = if first.0 == last.0 { parts.iter().position(|(carrier, _)| *carrier != first.0)? } else { 0 };
-    let mut runs: Vec<(Carrier, Element)> = Vec::with_capacity(parts.len());
+    let mut runs: Vec<Run> = Vec::with_capacity(parts.len());
     for (carrier, element) in parts.iter().cycle().skip(begins).take(parts.len()) {
         match runs.last_mut() {
-            Some((known, run)) if known == carrier => *run = joined(run, element),
-            _ => runs.push((*carrier, *element)),
+            Some(run) if run.on == *carrier => run.goes_on(element),
+            _ => runs.push(Run::new(*carrier, element)),
         }
     }
     let count = runs.len();
-    let meets: Vec<Point2> =
-        (0..count).map(|i| runs[i].0.meets(&runs[(i + 1) % count].0, runs[i].1.to())).collect::<Option<_>>()?;
-    (0..count).map(|i| runs[i].0.between(meets[(i + count - 1) % count], meets[i], &runs[i].1)).collect()
+    let meets: Vec<Point2> = (0..count)
+        .map(|i| {
+            let (on, next, p) = (&runs[i].on, &runs[(i + 1) % count].on, runs[i].to);
+            on.meets(next, p).or_else(|| on.passes_into(next, p, asked, walls))
+        })
+        .collect::<Option<_>>()?;
+    (0..count).map(|i| runs[i].between(meets[(i + count - 1) % count], meets[i])).collect()
 }
 
-/// Both on one carrier, one after the other.
-fn joined(first: &Element, next: &Element) -> Element {
-    match (*first, *next) {
-        (Element::Arc { from, center, sweep, .. }, Element::Arc { to, sweep: more, .. }) => {
-            Element::Arc { from, to, center, sweep: sweep + more }
+/// Traced elements on one carrier, one after the other. Each of them may have a centre of its own next to that of the carrier.
+struct Run {
+    on: Carrier,
+    from: Point2,
+    to: Point2,
+    length: f64,
+    /// Of the longest of its elements.
+    is_ccw: bool,
+    longest: f64,
+}
+
+impl Run {
+    fn new(on: Carrier, element: &Element) -> Run {
+        let mut run =
+            Run { on, from: element.from(), to: element.to(), length: 0.0, is_ccw: false, longest: f64::NEG_INFINITY };
+        run.goes_on(element);
+        run
+    }
+
+    fn goes_on(&mut self, element: &Element) {
+        let length = element.length();
+        self.to = element.to();
+        self.length += length;
+        if length > self.longest {
+            self.longest = length;
+            self.is_ccw = matches!(element, Element::Arc { sweep, .. } if *sweep > 0.0);
         }
-        _ => Element::Line { from: first.from(), to: next.to() },
+    }
+
+    /// The part of the carrier from `from` to `to`; `None` where it is not what was traced.
+    fn between(&self, from: Point2, to: Point2) -> Option<Element> {
+        let (made, turned) = match self.on {
+            Carrier::Circle { center, .. } => {
+                (Element::Arc { from, to, center, sweep: arc::sweep(from, to, center, self.is_ccw) }, false)
+            }
+            Carrier::Line { .. } => (Element::Line { from, to }, (to - from).dot(&(self.to - self.from)) <= 0.0),
+        };
+        ((made.length() - self.length).abs() <= 2.0 * NEAR && !turned).then_some(made)
     }
 }
 
 impl Carrier {
-    /// The first wall, or end of one, beside which the element lies.
+    /// The first wall, or else end of one, beside which the element lies: exactly, or nearly.
     fn of(element: &Element, asked: f64, walls: &Walls) -> Option<Carrier> {
         let points = [0.0, 0.5, 1.0].map(|part| point_at(element, part));
-        let fits = |carrier: &Carrier| points.iter().all(|p| carrier.distance(*p) <= BESIDE);
         let round = matches!(element, Element::Arc { .. });
-        let found =
-            walls.elements().iter().find_map(|wall| Carrier::beside(wall, points[1], asked, round).filter(&fits));
-        found.or_else(|| {
-            let corners = walls.elements().iter().map(|wall| Carrier::Circle { center: wall.from(), radius: asked });
-            corners.filter(|_| round).find(fits)
-        })
+        let found = |beside: f64| {
+            let fits = |carrier: &Carrier| points.iter().all(|p| carrier.distance(*p) <= beside);
+            let wall = |wall| Carrier::beside(wall, points[1], asked, round).filter(&fits);
+            let corner = |wall: &Element| Carrier::Circle { center: wall.from(), radius: asked };
+            let corners = || walls.elements().iter().map(corner).filter(|_| round).find(fits);
+            walls.elements().iter().find_map(wall).or_else(corners)
+        };
+        found(EXACTLY).or_else(|| found(BESIDE))
     }
 
     /// What lies beside a wall, on the side of `p`.
@@ -97,6 +135,23 @@ impl Carrier {
         match *self {
             Carrier::Line { at, along } => cross(along, p - at).abs(),
             Carrier::Circle { center, radius } => (distance(p, center) - radius).abs(),
+        }
+    }
+
+    /// Where both run on into each other beside a corner of the walls that hardly turns: drawings round tangential joints. Where they
+    /// meet is not known there, and of no account.
+    fn passes_into(&self, next: &Carrier, p: Point2, asked: f64, walls: &Walls) -> Option<Point2> {
+        let corners = walls.elements().iter().map(Element::from);
+        let feet =
+            corners.filter(|corner| (distance(*corner, p) - asked).abs() <= BESIDE).map(|corner| self.foot(corner));
+        feet.flatten().find(|foot| distance(*foot, p) <= NEAR && next.distance(*foot) <= TOUCH)
+    }
+
+    /// The point of it next to `p`.
+    fn foot(&self, p: Point2) -> Option<Point2> {
+        match *self {
+            Carrier::Line { at, along } => Some(at + along * (p - at).dot(&along)),
+            Carrier::Circle { center, radius } => direction(p - center, 1e-9).map(|unit| center + unit * radius),
         }
     }
 
@@ -128,21 +183,6 @@ impl Carrier {
             }
         };
         found.filter(|found| distance(*found, p) <= NEAR)
-    }
-
-    /// The part of it from `from` to `to`, in the sense of what was traced.
-    fn between(&self, from: Point2, to: Point2, traced: &Element) -> Option<Element> {
-        let made = match (*self, *traced) {
-            (Carrier::Circle { center, .. }, Element::Arc { sweep, .. }) => {
-                Element::Arc { from, to, center, sweep: arc::sweep(from, to, center, sweep > 0.0) }
-            }
-            _ => Element::Line { from, to },
-        };
-        let turned = match (made, *traced) {
-            (Element::Line { from, to }, Element::Line { from: a, to: b }) => (to - from).dot(&(b - a)) <= 0.0,
-            _ => false,
-        };
-        ((made.length() - traced.length()).abs() <= 2.0 * NEAR && !turned).then_some(made)
     }
 }
 

@@ -1,13 +1,12 @@
-//! Pilot holes: one at each place where the pocket will be entered.
+//! Pilot holes: one at each place where the cutter goes straight down into solid material.
 
 use crate::diag::codes;
-use crate::geo::Point2;
 use crate::ir::cycle::milling::Place;
 use crate::ir::cycle::{Family, PilotHoles};
 
-use super::loops::{Area, Part};
+use super::loops::Area;
 use super::walls::Walls;
-use super::{CycleItem, Expand, Failure, Start, entry_of};
+use super::{CycleItem, Expand, Failure, Start};
 use crate::lower::cycles::cutter::Cutter;
 
 impl Expand for PilotHoles {
@@ -18,26 +17,12 @@ impl Expand for PilotHoles {
         let walls = Walls::new(pocket.walls().copied().collect());
         let least = pocket.mill.radius + pocket.allowance;
         let parts = pocket.rings(&Area::new(&pocket.outlines, &pocket.islands), &walls, least)?;
-        let mut places = Vec::new();
-        for part in &parts {
-            entries(part, least, &mut places);
-        }
         let mut cutter = Cutter::new(&pocket.mill, Place::HERE, start, out);
-        for place in places {
+        for place in pocket.places(&parts, &walls, start).at {
             cutter.rise();
             cutter.rapid(place);
             cutter.drill(&self.hole, start)?;
         }
         Ok(())
-    }
-}
-
-/// In the order in which the pocket is cut.
-fn entries(part: &Part, least: f64, places: &mut Vec<Point2>) {
-    for inner in &part.inner {
-        entries(inner, least, places);
-    }
-    if part.inner.is_empty() {
-        places.push(entry_of(part, least).at);
     }
 }

@@ -114,7 +114,7 @@ pub fn roomiest(low: Point2, high: Point2, room: impl Fn(Point2) -> f64) -> Opti
     let mut squares: Vec<(Point2, f64)> = (0..CELLS)
         .flat_map(|i| (0..CELLS).map(move |j| (i, j)))
         .map(|(i, j)| Point2::new(low.x + middle(i), low.y + middle(j)))
-        .filter(|p| p.x - half <= high.x && p.y - half <= high.y)
+        .filter(|p| p.x - half <= high.x + EQUAL && p.y - half <= high.y + EQUAL)
         .map(|p| (p, room(p)))
         .collect();
     let best = |squares: &[(Point2, f64)]| squares.iter().map(|(_, room)| *room).fold(f64::MIN, f64::max);

@@ -30,6 +30,9 @@ pub(in super::super) const WAY_ANGLE: Q = Q(393);
 pub(in super::super) const WAY_LENGTH: Q = Q(394);
 pub(in super::super) const FEED_FACTOR: Q = Q(401);
 
+/// Cycle 22.
+pub(in super::super) const ROUGH_OUT: u32 = 22;
+
 const MANUAL: &str = "HEIDENHAIN iTNC 530 cycle programming; TNC 640 cycles";
 
 const Q1: Parameter = q(DEPTH, Kind::Length, "depth below the surface, with a minus sign").needed();
@@ -85,7 +88,7 @@ pub(super) const ROWS: &[Row] = &[
         &[Q10, Q11, q(ROUGHING_TOOL, Kind::Number, "number of the tool that roughs the pocket").needed()],
     ),
     cycle(
-        22,
+        ROUGH_OUT,
         "CYCL DEF 22",
         "ROUGH-OUT",
         |run, cycle, call| run.rough_out(cycle, call),
