@@ -215,3 +215,16 @@ fn expressions_of_licences_are_read() {
         assert!(!holds(bad, &allowed), "{bad}");
     }
 }
+
+/// What `ci/release` packs has the name under which `cargo binstall` looks for it.
+#[test]
+fn packed_files_are_found_by_their_name() {
+    let script = std::fs::read_to_string(root().join("ci/release")).expect("ci/release");
+    assert!(script.contains("name=\"partc-$version-$target\"") && script.contains("$name.tar.gz"));
+    let metadata = metadata();
+    let package = metadata["packages"].as_array().and_then(|all| all.iter().find(|package| package["name"] == "partc"));
+    let binstall = &package.expect("partc")["metadata"]["binstall"];
+    let url = binstall["pkg-url"].as_str().expect("an address");
+    assert!(url.ends_with("/{ name }-{ version }-{ target }.tar.gz"), "{url}");
+    assert_eq!(binstall["bin-dir"], "{ name }-{ version }-{ target }/{ bin }");
+}

@@ -29,7 +29,7 @@ pub const TITLES: &[&str] = &[
 
 /// Is this the first line of such a table?
 pub(super) fn begins(line: &str) -> bool {
-    let titles = cells(line, separator(line));
+    let Ok(titles) = cells(line, separator(line)) else { return false };
     titles.len() > 1 && titles.iter().any(|title| matches!(title.to_ascii_lowercase().as_str(), "number" | "name"))
 }
 
@@ -44,7 +44,8 @@ pub(super) fn read(text: &str) -> Result<Contents, TableError> {
     let mut lines = (1..).zip(text.trim_start_matches('\u{feff}').lines()).filter(|(_, line)| !line.trim().is_empty());
     let Some((line, head)) = lines.next() else { return Ok(contents) };
     let separator = separator(head);
-    let titles: Vec<String> = cells(head, separator).iter().map(|title| title.to_ascii_lowercase()).collect();
+    let of_line = |line: usize, text: &str| cells(text, separator).map_err(|message| TableError { line, message });
+    let titles: Vec<String> = of_line(line, head)?.iter().map(|title| title.to_ascii_lowercase()).collect();
     if let Some(title) = titles.iter().find(|title| !TITLES.contains(&title.as_str()) && *title != "diameter") {
         let message = format!("`{title}` is no column; there are {}", TITLES.join(", "));
         return Err(TableError { line, message });
@@ -53,7 +54,7 @@ pub(super) fn read(text: &str) -> Result<Contents, TableError> {
         return Err(TableError { line, message: format!("the column `{}` stands twice", twice.1) });
     }
     for (line, row) in lines {
-        let row = cells(row, separator);
+        let row = of_line(line, row)?;
         if row.len() != titles.len() {
             let message = format!("{} values where there are {} columns", row.len(), titles.len());
             return Err(TableError { line, message });
@@ -141,7 +142,7 @@ fn tool(titles: &[String], row: &[String]) -> Result<(ToolKey, Tool, Option<Unit
 }
 
 /// Values of a line; quotes may hold separators, a double quote is one.
-fn cells(line: &str, separator: char) -> Vec<String> {
+fn cells(line: &str, separator: char) -> Result<Vec<String>, String> {
     let mut cells = vec![String::new()];
     let mut quoted = false;
     let mut letters = line.chars().peekable();
@@ -157,5 +158,8 @@ fn cells(line: &str, separator: char) -> Vec<String> {
             c => cells[last].push(c),
         }
     }
-    cells.iter().map(|cell| cell.trim().to_owned()).collect()
+    if quoted {
+        return Err("a quote has no end".to_owned());
+    }
+    Ok(cells.iter().map(|cell| cell.trim().to_owned()).collect())
 }

@@ -41,7 +41,10 @@ impl DatumTable {
 impl Run<'_> {
     /// Cycle 7 with `#5`.
     pub(super) fn shift_by_row(&mut self, open: &Open) -> Outcome {
-        let row = open.values.iter().find(|labelled| labelled.label == "#");
+        let row = match open.values.as_slice() {
+            [row] if row.label == "#" => Some(row),
+            _ => None,
+        };
         if !open.axes.is_empty() {
             return self.fail_help(
                 codes::K2402,
@@ -54,7 +57,7 @@ impl Run<'_> {
             return self.fail_help(
                 codes::K2402,
                 self.block_span(),
-                "cycle 7 names no row of the datum table",
+                "cycle 7 does not name one row of the datum table",
                 "write the number of the row: `CYCL DEF 7.1 #5`",
             );
         };
