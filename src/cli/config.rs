@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
+use crate::dialect;
 use crate::machine::settings::{Compensation, Settings};
 use crate::machine::table::{self, Contents, Kind};
 use crate::machine::tree::{Node, Spot, Table, Value, overlay, parse};
@@ -139,6 +140,12 @@ pub(super) fn settings_of(tree: &Table, common: &Common) -> Result<Settings, Tro
             return Err(format!("{}: is a {}, not a datum table", path.display(), contents.kind.name()));
         }
         settings.datums.table = Some(contents);
+    }
+    for (pattern, id) in &settings.dialects {
+        if dialect::find(id).is_none() {
+            let known = dialect::ALL.iter().map(|dialect| dialect.id).collect::<Vec<_>>().join(", ");
+            return Err(format!("`[dialects]`: `{id}` of `{pattern}` is no language; there are {known}"));
+        }
     }
     if let Some(target) = &common.target {
         settings.output.target = target::find(target).ok_or_else(|| format!("no target `{target}`"))?;

@@ -76,10 +76,8 @@ fn said_dialect(identity: &str, settings: &Settings) -> Result<Option<&'static D
     if let Some(other) = said.find(|other| *other != first) {
         return Err(format!("`[dialects]` says that this is {first} and {other}"));
     }
-    match dialect::find(first) {
-        Some(dialect) => Ok(Some(dialect)),
-        None => Err(format!("`[dialects]` says `{first}`, which is no language; {}", names_of_dialects())),
-    }
+    // The configuration was refused otherwise.
+    Ok(dialect::find(first))
 }
 
 fn names_of_dialects() -> String {

@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use std::thread::sleep;
 use std::time::{Duration, SystemTime};
 
+use crate::dialect;
+
 use super::args::Watch;
 use super::config;
 use super::inputs::inputs;
@@ -14,6 +16,9 @@ use super::{Exit, Trouble, say};
 
 /// Between two looks at the files.
 const PAUSE: Duration = Duration::from_millis(400);
+
+/// Extensions of files with tools, datums, points and settings.
+const TABLES: [&str; 10] = ["t", "tbl", "d", "pr", "pnt", "ini", "toa", "ufr", "csv", "toml"];
 
 /// When each file was written last, and how large it is.
 type State = BTreeMap<PathBuf, (Option<SystemTime>, u64)>;
@@ -72,7 +77,14 @@ fn state(args: &Watch) -> Result<State, Trouble> {
     }
     for folder in folders {
         let entries = fs::read_dir(&folder).into_iter().flatten().flatten();
-        entries.for_each(|entry| look_at(&mut files, &entry.path()));
+        // Not what this or another command writes there.
+        let counts = |path: &Path| {
+            let extension =
+                path.extension().map(|name| name.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+            let of_program = dialect::ALL.iter().any(|dialect| dialect.extensions.contains(&extension.as_str()));
+            (of_program || TABLES.contains(&extension.as_str())) && args.check.output.as_deref() != Some(path)
+        };
+        entries.map(|entry| entry.path()).filter(|path| counts(path)).for_each(|path| look_at(&mut files, &path));
     }
     Ok(files)
 }

@@ -13,15 +13,30 @@ pub struct Text {
     /// Units from which a number may have more digits than the target reads.
     many: u64,
     digits: u32,
+    whole: u32,
     /// A number of the line has more digits than that.
     too_long: bool,
 }
 
 impl Text {
-    /// An empty text for numbers of at most `digits` digits; 0 for any number of them.
-    pub fn new(capacity: usize, digits: u32) -> Text {
-        let many = if digits == 0 { u64::MAX } else { 10u64.saturating_pow(digits) };
-        Text { bytes: vec![0; capacity], end: 0, line: 0, many, digits, too_long: false }
+    /// An empty text for numbers of at most `digits` digits, `whole` of them in front of the point; 0 for any number of them.
+    pub fn new(capacity: usize, [digits, whole]: [u32; 2]) -> Text {
+        let any = |count: u32| if count == 0 { u32::MAX } else { count };
+        let many = 10u64.saturating_pow(any(digits).min(any(whole)));
+        Text {
+            bytes: vec![0; capacity],
+            end: 0,
+            line: 0,
+            many,
+            digits: any(digits),
+            whole: any(whole),
+            too_long: false,
+        }
+    }
+
+    #[cold]
+    fn is_too_long(&self, units: i64, places: Places) -> bool {
+        places.digits(units) > self.digits || places.whole_digits(units) > self.whole
     }
 
     /// Has a number of the line more digits than the target reads? Asking forgets it.
@@ -113,7 +128,7 @@ impl Text {
     #[inline(always)]
     pub fn hot_number(&mut self, address: u8, units: i64, places: Places) {
         if units.unsigned_abs() >= self.many {
-            self.too_long |= places.digits(units) > self.digits;
+            self.too_long |= self.is_too_long(units, places);
         }
         // A line that begins with a number word has no blank in front.
         let blank = self.end > self.line;
@@ -128,7 +143,7 @@ impl Text {
 
     /// Appends a number without a blank in front, with its sign, whichever it is.
     pub fn signed(&mut self, units: i64, places: Places) -> &mut Text {
-        self.too_long |= units.unsigned_abs() >= self.many && places.digits(units) > self.digits;
+        self.too_long |= units.unsigned_abs() >= self.many && self.is_too_long(units, places);
         let sign = if units < 0 { b'-' } else { b'+' };
         self.end += places.write(false, sign, units.saturating_abs(), self.room());
         self

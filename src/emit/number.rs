@@ -62,6 +62,13 @@ impl Places {
         (value.abs() <= LARGEST).then_some(rounded)
     }
 
+    /// Digits of `units` in front of the point.
+    #[cold]
+    pub fn whole_digits(self, units: i64) -> u32 {
+        let whole = units.unsigned_abs() / 10u64.pow(u32::from(self.count));
+        whole.checked_ilog10().map_or(1, |log| log + 1)
+    }
+
     /// Digits of `units` as it is written.
     #[cold]
     pub fn digits(self, units: i64) -> u32 {

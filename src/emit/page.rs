@@ -61,7 +61,7 @@ impl<'a> Page<'a> {
             diags,
             out,
             map,
-            text: Text::new(CHUNK + 4096, limits.digits),
+            text: Text::new(CHUNK + 4096, [limits.digits, limits.whole]),
             limits,
             step,
             number,
@@ -225,9 +225,14 @@ impl<'a> Page<'a> {
     #[cold]
     fn too_many_digits(&mut self, origin: &Origin) {
         let line = String::from_utf8_lossy(self.text.line());
-        let message = format!("the target reads {} digits of a number, and `{line}` has more", self.limits.digits);
+        let whole = match self.limits.whole {
+            0 => String::new(),
+            whole => format!(", {whole} of them in front of the point"),
+        };
+        let message =
+            format!("the target reads {} digits of a number{whole}, and `{line}` has more", self.limits.digits);
         let found = Diagnostic::new(codes::O9314, origin.loc, message).called(origin.call);
-        self.diags.push(found.help("print fewer places with `[output] decimals`"));
+        self.diags.push(found.help("check the value, or print fewer places with `[output] decimals`"));
     }
 
     #[cold]

@@ -157,12 +157,23 @@ impl Tools {
         radii.all(|tool| radius(tool) == Some(first)).then_some(first)
     }
 
+    /// A tool that partc.toml has under this name, or the only one of the table that has it.
     fn named(&self, is_it: impl Fn(&str) -> bool) -> Option<(Option<u32>, &Tool)> {
-        self.table.iter().find_map(|(key, tool)| match key {
+        let by_key = self.table.iter().find_map(|(key, tool)| match key {
             ToolKey::Name(n) if is_it(n) => Some((tool.number, tool)),
-            ToolKey::Number(n, 0) if tool.name.as_deref().is_some_and(&is_it) => {
-                Some((Some(tool.number.unwrap_or(*n)), tool))
-            }
+            _ => None,
+        });
+        by_key.or_else(|| {
+            let mut all = self.numbers_named(is_it);
+            let (number, tool) = all.next()?;
+            all.next().is_none().then_some((Some(tool.number.unwrap_or(number)), tool))
+        })
+    }
+
+    /// Tools of the table with a name: sister tools share one.
+    fn numbers_named(&self, is_it: impl Fn(&str) -> bool) -> impl Iterator<Item = (u32, &Tool)> {
+        self.table.iter().filter_map(move |(key, tool)| match key {
+            ToolKey::Number(n, 0) if tool.name.as_deref().is_some_and(&is_it) => Some((*n, tool)),
             _ => None,
         })
     }
@@ -184,6 +195,18 @@ impl Proposed {
 
     /// What to put into the configuration for the tool `name`: each name gets a number of its own.
     pub fn help(&mut self, name: &str, tools: &Tools) -> Help {
+        let sisters: Vec<String> = tools
+            .numbers_named(|other| other.eq_ignore_ascii_case(name))
+            .map(|(number, _)| number.to_string())
+            .collect();
+        if sisters.len() > 1 {
+            let which = sisters.join(" and ");
+            let escaped = name.replace('\\', "\\\\").replace('"', "\\\"");
+            return Help::from(format!(
+                "tools {which} of the table have this name, and a control chooses by tool life: say in partc.toml which one it is, \
+                 `[tools.\"{escaped}\"]` with its `number` and its data"
+            ));
+        }
         let known = self.names.iter().find(|(known, _)| known == name).map(|(_, number)| *number);
         let number = known.unwrap_or_else(|| {
             let free = |n: &u32| {

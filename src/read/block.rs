@@ -116,6 +116,9 @@ impl Block {
             b'G' => self.g(units, rules),
             b'M' => {
                 let number = whole(letter, units)?;
+                if m_group(number).is_some_and(|group| self.m().any(|other| m_group(other) == Some(group))) {
+                    return Err(Fault::new("two M functions of one group contradict each other"));
+                }
                 let place = self.m.get_mut(self.m_count).ok_or_else(|| Fault::new("too many M functions"))?;
                 *place = number;
                 self.m_count += 1;
@@ -276,6 +279,18 @@ impl Block {
                 self.take_whole(b'D')?.ok_or_else(|| Fault::new("the D word of the compensation is missing"))?;
         }
         Ok(Some(cutter))
+    }
+}
+
+/// Groups of M functions of which a line has one, as LinuxCNC counts them.
+fn m_group(number: u32) -> Option<u8> {
+    match number {
+        0 | 1 | 2 | 30 | 60 => Some(4),
+        6 | 61 => Some(6),
+        3..=5 => Some(7),
+        7..=9 => Some(8),
+        48 | 49 => Some(9),
+        _ => None,
     }
 }
 

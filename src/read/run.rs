@@ -272,8 +272,12 @@ impl Reader {
         let Some(plane) = self.modes.plane else {
             return Err(Fault::unsaid("the plane: nobody has said it", Lack::Mode));
         };
-        let [first, second, _] = plane.axes();
+        let [first, second, third] = plane.axes();
         let known = (1 << first) | (1 << second);
+        // A helix: how far it rises nobody knows.
+        if was & (1 << third) == 0 && self.known & (1 << third) != 0 {
+            return Err(Fault::unsaid("a helix from an unknown place", Lack::Place(third)));
+        }
         if was & known != known || self.known & known != known {
             let missing = if was & self.known & (1 << first) == 0 { first } else { second };
             return Err(Fault::unsaid("an arc from an unknown place", Lack::Place(missing)));

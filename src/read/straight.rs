@@ -38,12 +38,14 @@ impl Reader {
         if !self.plain || end > text.len() || self.open.0 != self.open.1 {
             return None;
         }
-        let cuts = match *text.first_chunk::<3>()? {
-            [b'G', b'1', b' '] => true,
-            [b'G', b'0', b' '] => false,
+        let (cuts, word_len) = match *text.first_chunk::<4>()? {
+            [b'G', b'1', b' ', _] => (true, 3),
+            [b'G', b'0', b' ', _] => (false, 3),
+            [b'G', b'0', b'1', b' '] => (true, 4),
+            [b'G', b'0', b'0', b' '] => (false, 4),
             _ => return None,
         };
-        let mut rest = text.get(3..)?;
+        let mut rest = text.get(word_len..)?;
         let behind_end = text.len() - end;
         let (mut last, mut axes) = (0, 0u16);
         let feed = loop {

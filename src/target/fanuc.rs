@@ -25,7 +25,7 @@ pub(super) const TARGET: Target = Target {
         lathe_diameter: None,
     },
     comments: Comments { open: "(", close: ")", upper: true, forbidden: b"" },
-    line: Line { length: 80, digits: 8, sequence: Sequence::Address(b'N', 99_999) },
+    line: Line { length: 80, digits: 8, whole: 0, sequence: Sequence::Address(b'N', 99_999) },
     numbers: Numbers {
         // Without it a number may count thousandths, by a parameter.
         point: true,

@@ -25,7 +25,7 @@ pub(super) const TARGET: Target = Target {
     },
     // The receiver acts on these three as they arrive, inside a comment, too.
     comments: Comments { open: "(", close: ")", upper: false, forbidden: b"!?~" },
-    line: Line { length: 79, digits: 8, sequence: Sequence::Address(b'N', 99_999) },
+    line: Line { length: 79, digits: 8, whole: 0, sequence: Sequence::Address(b'N', 99_999) },
     numbers: Numbers {
         point: false,
         feed_point: false,

@@ -54,7 +54,7 @@ pub(super) const TARGET: Target = Target {
     },
     // At the end of a line, the comment would go on in the next one.
     comments: Comments { open: "; ", close: "", upper: false, forbidden: b"~" },
-    line: Line { length: 80, digits: 9, sequence: Sequence::Blocks },
+    line: Line { length: 80, digits: 9, whole: 5, sequence: Sequence::Blocks },
     numbers: Numbers {
         point: false,
         feed_point: false,

@@ -26,7 +26,7 @@ pub(super) const TARGET: Target = Target {
         lathe_diameter: Some("G18 DIAMON D0"),
     },
     comments: Comments { open: "; ", close: "", upper: false, forbidden: b"" },
-    line: Line { length: 80, digits: 0, sequence: Sequence::Address(b'N', 99_999) },
+    line: Line { length: 80, digits: 0, whole: 0, sequence: Sequence::Address(b'N', 99_999) },
     numbers: Numbers {
         point: false,
         feed_point: false,

@@ -157,6 +157,8 @@ pub struct Line {
     pub length: usize,
     /// Most digits of a number that are read; 0 for any.
     pub digits: u32,
+    /// Most digits in front of the point; 0 for any.
+    pub whole: u32,
     pub sequence: Sequence,
 }
 

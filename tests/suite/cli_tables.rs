@@ -73,6 +73,10 @@ fn forms_read_again_hold_the_same() {
 fn tables_that_cannot_be_read() {
     let folder = Folder::new("tables_wrong").with(&[
         ("other.t", "BEGIN TOOLT.TRN MM\nT    NAME\n[END]\n"),
+        ("left.t", "BEGIN TOOL.T MM\nT     NAME             L           R           R2\n5     FR10      +100        +5          +0\n[END]\n"),
+        ("bytes.t", "BEGIN TOOL.T MM\nT     NAME             L    R    R2\n5     Ø10ÄÖÜäöü +10  +5   +0\n[END]\n"),
+        ("cut.t", "BEGIN TOOL.T MM\nT     NAME             L           R\n5     FR10             +100        +1"),
+        ("twice.tbl", "T5 P5 D10 D12 Z100\n"),
         ("twice.t", "BEGIN TOOL.T MM\nT    L     R\n5    +80   +5\n5    +80   +6\n[END]\n"),
         ("a.csv", "number,raduis\n1,5\n"),
         ("e.csv", "number,name\n1,\"mill\n"),
@@ -83,6 +87,10 @@ fn tables_that_cannot_be_read() {
     for (file, says) in [
         ("other.t", "other.t:1: TOOLT.TRN is no table that partc reads"),
         ("twice.t", "twice.t:4: tool 5 stands twice"),
+        ("left.t", "left.t:3: `+100` stands under NAME like a value"),
+        ("bytes.t", "bytes.t:3: letters beyond ASCII"),
+        ("cut.t", "cut.t:3: [END] is missing"),
+        ("twice.tbl", "twice.tbl:1: D stands twice"),
         ("a.csv", "a.csv:1: `raduis` is no column"),
         ("e.csv", "e.csv:2: a quote has no end"),
         ("b.csv", "b.csv:2: 3 values where there are 2 columns"),
@@ -214,9 +222,21 @@ fn the_language_of_a_file_by_its_path() {
     let _ = std::fs::remove_file(folder.0.join("mill/B.txt"));
     folder.run(&["check", "mill/A.txt", "--dialect", "klartext"]).exits(1);
     folder.write("partc.toml", "[dialects]\n\"mill/*.txt\" = \"fanuc\"\n");
-    folder.run(&["check", "mill/A.txt"]).exits(2).says("says `fanuc`, which is no language");
+    folder.run(&["check", "mill/A.txt"]).exits(2).says("`fanuc` of");
     folder.write("partc.toml", "[dialects]\n\"mill/*.txt\" = \"mtc200\"\n\"**\" = \"sinumerik\"\n");
     folder.run(&["check", "mill/A.txt"]).exits(2).says("says that this is");
     folder.write("partc.toml", "[dialects]\n\"mill/*.txt\" = 5\n");
     folder.run(&["check", "mill/A.txt"]).exits(2).says("name of a language");
+}
+
+#[test]
+fn tools_of_one_name_are_told_apart_by_the_user() {
+    let folder = Folder::new("tables_sisters").with(&[
+        ("A.H", &RADIUS.replace("CALL 5 ", "CALL \"FR10\" ")),
+        ("TOOL.T", "BEGIN TOOL.T MM\nT     NAME    L     R\n5     FR10    +80   +5\n6     FR10    +80   +6\n[END]\n"),
+        ("own.toml", "[tools]\ntable = \"TOOL.T\"\n[tools.\"FR10\"]\nnumber = 6\nradius = 6.0\n"),
+    ]);
+    folder.run(&["compile", "A.H", "--tools", "TOOL.T"]).exits(1).says("tools 5 and 6 of the table have this name");
+    let ran = folder.run(&["compile", "A.H", "--config", "own.toml", "-o", "-"]).exits(0);
+    assert!(ran.out.contains("X56 ") && ran.out.contains("T6 M6"), "{}", ran.out);
 }

@@ -347,7 +347,8 @@ fn same(wanted: &[Found], found: &[Found], most_sweep: f64) -> Result<(), String
                         return fail(part);
                     };
                     let sweep = turned(&at, to, *p, *c, *t);
-                    let off = (c[0] - center[0]).abs().max((c[1] - center[1]).abs());
+                    // Between the same ends the centre of a short arc moves its path by far less than itself.
+                    let off = (c[0] - center[0]).abs().max((c[1] - center[1]).abs()) * whole.abs().min(1.0).powi(2);
                     if p != plane || off > 2.0 * room || !alike(how, h) || sweep.abs().to_degrees() > most_sweep + 2.0 {
                         return fail(part);
                     }

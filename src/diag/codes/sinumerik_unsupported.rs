@@ -87,6 +87,10 @@ S9020 Error "siemens-contour-cycle" "contour cycle is not supported"
 "The arguments of the cycle were read and its contour was run and checked, so what is reported about them is true. But the tracks of the cycle are \
 computed inside the control and are not published. Replace it by plain moves, or have the CAM system put them out."
 
+S9021 Error "siemens-edge-length" "edge of another length than D1"
+"The target has one length for a tool and prints the positions of the program. Of an edge whose length is another one ($TC_DP3 to $TC_DP5) they would be off by the difference. \
+Give the edge a tool number of its own."
+
 S9130 Error "siemens-left-out-position" "position that only an axis that is left out makes"
 "Under MCALL each block that moves an axis calls the program or cycle. Here the axis is left out by `[machine] axes`, so that every call would work at one \
 place. Print the axis, or end the modal call before."

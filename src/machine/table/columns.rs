@@ -92,8 +92,23 @@ impl<'t> Columns<'t> {
         Ok(self.number(row, title)?.map(|value| value * self.unit.unwrap_or_default().mm()))
     }
 
-    /// The words of a line by their columns: each stands under its name, or there are as many words as names.
+    /// The words of a line by their columns. Columns may be counted in letters or in bytes.
     fn cells<'l>(&self, line: &'l str) -> Result<Vec<Option<&'l str>>, String> {
+        let letters = self.cells_by(line, |piece| piece.chars().count());
+        if line.is_ascii() {
+            return letters;
+        }
+        match (letters, self.cells_by(line, str::len)) {
+            (Ok(letters), Ok(bytes)) if letters == bytes => Ok(letters),
+            (Ok(_), Ok(_)) => {
+                Err("letters beyond ASCII make it uncertain which value stands under which name".to_owned())
+            }
+            (letters, bytes) => letters.or(bytes),
+        }
+    }
+
+    /// Each word stands under its name, or there are as many words as names.
+    fn cells_by<'l>(&self, line: &'l str, width: impl Fn(&str) -> usize) -> Result<Vec<Option<&'l str>>, String> {
         let mut spans: Vec<Option<(usize, usize)>> = vec![None; self.titles.len()];
         let mut beside = None;
         let mut words = Vec::new();
@@ -101,13 +116,13 @@ impl<'t> Columns<'t> {
         for piece in line.split_inclusive(char::is_whitespace) {
             let word = piece.trim_end();
             let (begin, start) = (from, at);
-            from += piece.chars().count();
+            from += width(piece);
             at += piece.len();
             if word.is_empty() {
                 continue;
             }
             words.push(word);
-            let end = begin + word.chars().count();
+            let end = begin + width(word);
             let column = self.titles.iter().rposition(|title| title.from <= begin);
             let border = column.and_then(|column| self.titles.get(column + 1)).map_or(usize::MAX, |next| next.from);
             let span = column.filter(|_| end <= border).map(|column| (&mut spans[column], self.titles[column].is_text));

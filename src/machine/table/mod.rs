@@ -197,7 +197,7 @@ mod tests {
         assert_eq!(five.deltas, [0.0, -0.02, 0.0]);
         assert_eq!(five.name.as_deref(), Some("MILL D10"));
         assert_eq!(table[&ToolKey::Number(5, 2)].length, Some(70.0));
-        let inch = read("BEGIN TOOL .T INCH\nT NAME L R\n1 A    2 0.5\n").unwrap().tools;
+        let inch = read("BEGIN TOOL .T INCH\nT NAME L R\n1 A    2 0.5\n[END]\n").unwrap().tools;
         assert_eq!(inch[&ToolKey::Number(1, 0)].radius, Some(12.7));
     }
 

@@ -21,17 +21,24 @@ pub(super) fn read(text: &str) -> Result<Contents, TableError> {
         return Err(TableError { line: 1, message });
     }
     let mut contents = Contents { unit: table.unit, ..Contents::default() };
+    let mut ended = table.ended || table.name.is_empty();
     for row in &table.rows {
         let number = table.cell(row, "T").unwrap_or_default();
         // [END] of older files has no brackets.
         if number.eq_ignore_ascii_case("END") {
+            ended = true;
             break;
+        }
+        let name = table.cell(row, "NAME");
+        if let Some(value) = name.and_then(value_within) {
+            let message = format!("`{value}` stands under NAME like a value of the column behind it");
+            return Err(TableError { line: row.line, message });
         }
         let fail = || TableError { line: row.line, message: format!("`{number}` under T is no tool number") };
         let (number, index) = super::tool_number(number).ok_or_else(fail)?;
         let delta = |title| table.length(row, title).map(Option::unwrap_or_default);
         let tool = Tool {
-            name: table.cell(row, "NAME").map(|name| name.trim_matches('"').to_owned()).filter(|name| !name.is_empty()),
+            name: name.map(|name| name.trim_matches('"').to_owned()).filter(|name| !name.is_empty()),
             radius: table.length(row, "R")?,
             length: table.length(row, "L")?,
             corner_radius: table.length(row, "R2")?,
@@ -44,5 +51,23 @@ pub(super) fn read(text: &str) -> Result<Contents, TableError> {
             return Err(TableError { line: row.line, message: format!("tool {number} stands twice in the table") });
         }
     }
+    if !ended {
+        let message = "[END] is missing, so the table may be cut off".to_owned();
+        return Err(TableError { line: text.lines().count().max(1), message });
+    }
     Ok(contents)
+}
+
+/// What looks like a value in a name: a number with its sign, or one that stands apart.
+fn value_within(name: &str) -> Option<&str> {
+    let mut apart = false;
+    for (at, word) in name.split(' ').enumerate() {
+        let digits = word.strip_prefix(['+', '-']).unwrap_or(word);
+        let is_number = super::columns::signed(word).is_some();
+        if is_number && (digits.len() < word.len() || apart && at > 0) {
+            return Some(word);
+        }
+        apart = word.is_empty();
+    }
+    None
 }

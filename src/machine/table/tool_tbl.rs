@@ -13,11 +13,17 @@ pub(super) fn read(text: &str) -> Result<Contents, TableError> {
         let (words, remark) = text.split_once(';').unwrap_or((text, ""));
         let mut number = None;
         let mut tool = Tool::default();
+        let mut seen = Vec::new();
         for word in words.split_whitespace() {
             let fail = || TableError { line, message: format!("{word:?} is no word of a tool table") };
             let letter = word.chars().next().filter(char::is_ascii_alphabetic).ok_or_else(fail)?;
             let value = signed(&word[1..]).ok_or_else(fail)?;
-            match letter.to_ascii_uppercase() {
+            let letter = letter.to_ascii_uppercase();
+            if seen.contains(&letter) {
+                return Err(TableError { line, message: format!("{letter} stands twice") });
+            }
+            seen.push(letter);
+            match letter {
                 'T' if value.fract() == 0.0 && (0.0..=1e9).contains(&value) => number = Some(value as u32),
                 'T' => return Err(fail()),
                 'D' => tool.radius = Some(value / 2.0),

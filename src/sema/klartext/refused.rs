@@ -19,6 +19,7 @@ impl Run<'_> {
                 let written = Span { start: span.end, end: block.span.end }.of(text);
                 let name = self.program_name(written)?;
                 self.datum_table.select(name, self.here.origin.loc);
+                self.left_out("SEL TABLE only selects the table that datum shifts take rows of, and");
                 Ok(())
             }
             Refused::SelectTable => self.fail_help(

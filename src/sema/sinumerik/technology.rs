@@ -138,6 +138,11 @@ impl Channel<'_> {
             let message = format!("M{} and M{} stand in one block", first.number, second.number);
             return self.fail_help(codes::S2045.alarm(14760), second.span, message, "give each a block of its own");
         }
+        let mut ends = w.m.iter().filter(|m| matches!(m.number, 2 | 17 | 30));
+        if let (Some(first), Some(second)) = (ends.next(), ends.next()) {
+            let message = format!("M{} and M{} stand in one block: each ends a program", first.number, second.number);
+            return self.fail_help(codes::S2045.alarm(14760), second.span, message, "leave one of them out");
+        }
         if let Some(sixth) = w.m.get(MOST_M) {
             return self.fail_help(
                 codes::S2007.alarm(12010),

@@ -206,6 +206,24 @@ impl Channel<'_> {
         self.edge_number(d.value, d.span)
     }
 
+    /// The target has one length for a tool, so the ways of an edge with another one would be off by the difference.
+    fn refuse_other_length(&self, edge: u32, span: Span) -> Outcome {
+        let Some(number) = self.st.tool.active.filter(|_| edge > 1) else { return Ok(()) };
+        for parameter in 3..=5 {
+            let length = |edge: u32| self.st.system.number(&format!("$TC_DP{parameter}[{number},{edge}]"));
+            if let (Some(first), Some(other)) = (length(1), length(edge))
+                && first != other
+            {
+                let message = format!(
+                    "length {} of D{edge} of T{number} is {other} mm, and that of D1 is {first} mm: the target has one length for a tool",
+                    parameter - 2
+                );
+                return self.fail_help(codes::S9021, span, message, "give the edge a tool number of its own");
+            }
+        }
+        Ok(())
+    }
+
     /// Edge number `d` comes into force.
     pub(super) fn edge_number(&mut self, d: f64, span: Span) -> Outcome {
         if d.fract() != 0.0 || !(0.0..=32_000.0).contains(&d) {
@@ -228,6 +246,7 @@ impl Channel<'_> {
                 "program G40 in a block in front of it",
             );
         }
+        self.refuse_other_length(edge, span)?;
         self.st.tool.select_edge(edge);
         if edge > 1 {
             self.note_once(
