@@ -250,7 +250,7 @@ fn as_csv(contents: &Contents, lost: &mut Vec<String>) -> String {
             row.insert(1, if at == 0 { "unit" } else { "mm" }.to_owned());
         }
     }
-    for (word, _) in &contents.offsets {
+    for word in contents.offsets.keys() {
         lost.push(format!("{word} has no place in CSV"));
     }
     let cell = |cell: &String| {

@@ -61,7 +61,6 @@ pub fn named(bytes: &[u8]) -> String {
 }
 
 /// A whole text whose lines are kept.
-#[cfg(feature = "cli")]
 pub fn readable_lines(bytes: &[u8]) -> String {
     bytes.split(|b| *b == b'\n').map(|line| readable(line).into_owned() + "\n").collect()
 }
