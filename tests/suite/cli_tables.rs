@@ -88,7 +88,7 @@ fn tables_that_cannot_be_read() {
         ("c.ini", "%_N_TO_INI\n$TC_DP6[1,1]=R1\n"),
         ("d.d", "BEGIN A.D MM\nNR    X\n0     one\n[END]\n"),
     ]);
-    folder.write("wide.t", b"\xFF\xFEB\0E\0");
+    std::fs::write(folder.0.join("wide.t"), b"\xFF\xFEB\0E\0").expect("a file");
     for (file, says) in [
         ("other.t", "other.t:1: TOOLT.TRN is no table that partc reads"),
         ("twice.t", "twice.t:4: tool 5 stands twice"),
