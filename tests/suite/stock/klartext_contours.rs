@@ -211,6 +211,10 @@ impl Made {
         let floor = self.case.floor - self.case.depth;
         let drilled = self.track(&self.pilot)?;
         self.pecks(&drilled, floor).map_err(|why| format!("{why}\n{}", self.pilot))?;
+        if (floor + 2.0).abs() < EXACT {
+            // Over cleared ground the tool comes down from the surface, too.
+            return Ok(());
+        }
         // Into material the tool goes from the surface, or from the set-up clearance; from lower down it goes over cleared ground.
         let solid = |z: f64| z.abs() < EXACT || z > 2.0 - EXACT;
         let at = |cuts: &[Cut], drills: bool| -> Vec<P> {
