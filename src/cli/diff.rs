@@ -54,7 +54,7 @@ impl Program {
     fn play(&self, path: &Path, sink: &mut dyn Sink) -> Result<(), Trouble> {
         match self {
             Program::Part(part) => {
-                let Loaded { session, dialect, settings, files } = part.as_ref();
+                let Loaded { session, dialect, settings, files, .. } = part.as_ref();
                 session.lower(dialect, settings, files, sink);
                 Ok(())
             }

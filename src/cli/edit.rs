@@ -43,7 +43,7 @@ impl Program {
         if path == Path::new("-") {
             return Err("a program that is changed has to be a file".to_owned());
         }
-        let Loaded { session, dialect, settings, files } = load(path, common)?;
+        let Loaded { session, dialect, settings, files, .. } = load(path, common)?;
         let size = session.sources.size(FileId(0));
         if size > LARGEST {
             return Err(format!("{}: programs over {} MiB are not changed", path.display(), LARGEST >> 20));

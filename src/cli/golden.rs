@@ -163,7 +163,7 @@ struct Run<'a> {
 impl Run<'_> {
     /// Compiles and compares one program.
     fn one(&mut self, program: &Path) -> std::result::Result<(), Trouble> {
-        let Loaded { session, dialect, settings, files } = load(program, &self.args.common)?;
+        let Loaded { session, dialect, settings, files, .. } = load(program, &self.args.common)?;
         let golden = golden_of(program, settings.output.target);
         let shown = golden.display().to_string();
         if let Some(other) = self.taken.insert(golden.clone(), program.to_path_buf()) {

@@ -167,7 +167,7 @@ impl Trial {
         let (mut trial, mut all): (Option<Trial>, Vec<Request>) = (None, Vec::new());
         for round in 0..MOST_ROUNDS {
             let settings = tried(&base, &needs, &lists, folder, common)?;
-            let Loaded { session, dialect, settings, files } = load_with(path, common, settings)?;
+            let Loaded { session, dialect, settings, files, .. } = load_with(path, common, settings)?;
             let uses = session.uses(dialect, &settings, &files);
             let asked = requests(&session, &|file| folder.root_of(file));
             let is_new = needs.take(&name, &asked);

@@ -17,6 +17,7 @@ mod output;
 mod pending;
 mod plot;
 mod pool;
+mod progress;
 mod report;
 mod run;
 mod stats;

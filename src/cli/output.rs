@@ -1,9 +1,8 @@
 //! Writing results: when all is well, or not at all.
 
 use std::fs::{self, File};
-use std::io::{self, IsTerminal, Read, Seek, SeekFrom, Write};
+use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 
 use crate::emit::{Output, is_printed, plot};
 
@@ -15,8 +14,6 @@ const IN_MEMORY: usize = 8 << 20;
 pub(super) const MAP_MARK: &str = "{\"version\":1,\"output\":";
 /// Names tried for an older output that is set aside.
 const STALE_NAMES: u32 = 1000;
-/// Work shorter than this shows no progress.
-const QUIET: Duration = Duration::from_secs(1);
 
 /// Where a program goes.
 #[derive(Debug)]
@@ -116,6 +113,52 @@ impl Destination {
     }
 }
 
+/// Outputs that are complete. They go to the disk together, and get their names then.
+#[derive(Debug, Default)]
+pub(super) struct Group {
+    waiting: Vec<(Pending, String)>,
+    /// Outputs that have their names.
+    pub written: u32,
+    /// What went wrong.
+    pub troubles: Vec<String>,
+}
+
+impl Group {
+    /// Fewer than the files that any system lets a process have open.
+    const MOST: usize = 64;
+
+    /// Takes a complete output, named so in what is said of it.
+    pub(super) fn take(&mut self, out: Destination, name: String) {
+        match out {
+            Destination::File(file) => self.waiting.push((file, name)),
+            other => self.note(&name, other.commit().or_else(ignore_closed_pipe)),
+        }
+        if self.waiting.len() >= Group::MOST {
+            self.commit();
+        }
+    }
+
+    /// Names all that wait.
+    pub(super) fn commit(&mut self) {
+        let together = match &self.waiting[..] {
+            [(first, _), _, ..] if first.sync_with_others() => first.device(),
+            _ => None,
+        };
+        for (file, name) in std::mem::take(&mut self.waiting) {
+            // An output on another file system is not on its disk yet.
+            let is_there = together.is_some() && file.device() == together;
+            self.note(&name, if is_there { file.name() } else { file.commit() });
+        }
+    }
+
+    fn note(&mut self, name: &str, done: io::Result<()>) {
+        match done {
+            Ok(()) => self.written += 1,
+            Err(error) => self.troubles.push(format!("{name}: {error}")),
+        }
+    }
+}
+
 impl Output for Destination {
     fn append(&mut self, bytes: &[u8]) -> io::Result<()> {
         match self {
@@ -136,48 +179,6 @@ impl Output for Destination {
             Destination::Stream { held, .. } => held.patch(at, bytes),
             Destination::Nowhere => Ok(()),
         }
-    }
-}
-
-/// Shows on a terminal that long work goes on.
-#[derive(Debug)]
-pub(super) struct Progress<O> {
-    inner: O,
-    start: Instant,
-    shown: Option<Instant>,
-    bytes: u64,
-    terminal: bool,
-}
-
-impl<O> Progress<O> {
-    /// Silent where it is not `alone` at work.
-    pub(super) fn new(inner: O, alone: bool) -> Progress<O> {
-        let terminal = alone && io::stderr().is_terminal();
-        Progress { inner, start: Instant::now(), shown: None, bytes: 0, terminal }
-    }
-
-    pub(super) fn into_inner(self) -> O {
-        if self.shown.is_some() {
-            let _ = write!(io::stderr(), "\r\x1b[K");
-        }
-        self.inner
-    }
-}
-
-impl<O: Output> Output for Progress<O> {
-    fn append(&mut self, bytes: &[u8]) -> io::Result<()> {
-        self.bytes += bytes.len() as u64;
-        let now = Instant::now();
-        let due = self.shown.map_or(now - self.start > QUIET, |shown| now - shown > QUIET / 4);
-        if self.terminal && due {
-            self.shown = Some(now);
-            let _ = write!(io::stderr(), "\r{} MB written", self.bytes / 1_000_000);
-        }
-        self.inner.append(bytes)
-    }
-
-    fn patch(&mut self, at: u64, bytes: &[u8]) -> io::Result<()> {
-        self.inner.patch(at, bytes)
     }
 }
 
@@ -238,4 +239,9 @@ pub(super) fn set_aside(path: &Path, made: Made) -> io::Result<Option<PathBuf>> 
         }
     }
     Err(io::Error::other("no name is left to set the older output aside"))
+}
+
+/// A reader that has seen enough is no trouble.
+pub(super) fn ignore_closed_pipe(error: io::Error) -> io::Result<()> {
+    if error.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) }
 }

@@ -3,9 +3,11 @@
 //! Where the system has files without a name, an output is one until then, and nothing of it stays when the process is
 //! killed. Elsewhere it has a hidden name; a lock tells others that somebody still writes it.
 
+use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use super::disk::file_name;
 
@@ -32,7 +34,9 @@ impl Pending {
     pub(super) fn create(target: &Path) -> io::Result<Pending> {
         let target = behind_links(target)?;
         let folder = folder_of(&target);
-        remove_rests(folder);
+        if is_first(folder) {
+            remove_rests(folder);
+        }
         if let Some(file) = unnamed(folder) {
             return Ok(Pending { file, hidden: None, target });
         }
@@ -56,12 +60,37 @@ impl Pending {
     }
 
     /// Gives the file its name, and the rights of the file that it replaces.
-    pub(super) fn commit(mut self) -> io::Result<()> {
+    pub(super) fn commit(self) -> io::Result<()> {
+        self.file.sync_all()?;
+        self.name()
+    }
+
+    /// Has the system write down all that its file system holds, where it can.
+    pub(super) fn sync_with_others(&self) -> bool {
+        #[cfg(target_os = "linux")]
+        return rustix::fs::syncfs(&self.file).is_ok();
+        #[cfg(not(target_os = "linux"))]
+        false
+    }
+
+    /// The file system that it lies on.
+    #[cfg(unix)]
+    pub(super) fn device(&self) -> Option<u64> {
+        use std::os::unix::fs::MetadataExt as _;
+        self.file.metadata().ok().map(|meta| meta.dev())
+    }
+
+    #[cfg(not(unix))]
+    pub(super) fn device(&self) -> Option<u64> {
+        None
+    }
+
+    /// The same for a file that is on the disk already.
+    pub(super) fn name(mut self) -> io::Result<()> {
         let older = fs::metadata(&self.target).ok();
         if let Some(older) = &older {
             self.file.set_permissions(older.permissions())?;
         }
-        self.file.sync_all()?;
         if self.hidden.is_none() {
             if older.is_none() && link(&self.file, &self.target)? {
                 return Ok(());
@@ -183,6 +212,13 @@ fn is_hidden(name: &str) -> bool {
     let ids = inner.and_then(|inner| inner.rsplit_once(MARK)).and_then(|(_, ids)| ids.split_once('-'));
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
     ids.is_some_and(|(process, n)| digits(process) && digits(n))
+}
+
+/// Is this the first file that this process makes in the folder? Looking through it for each would take the square of the time.
+fn is_first(folder: &Path) -> bool {
+    static SEEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+    let mut seen = SEEN.lock().unwrap_or_else(PoisonError::into_inner);
+    !seen.contains(folder) && seen.insert(folder.to_path_buf())
 }
 
 /// Removes what processes left that were killed; nobody holds the lock of such a file.

@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 use super::args::Plot;
 use super::disk::file_name;
 use super::inputs::Input;
-use super::output::{Destination, Made, Progress, is_foreign, set_aside};
+use super::output::{Destination, Made, ignore_closed_pipe, is_foreign, set_aside};
+use super::progress::Ticker;
 use super::report::{Reporter, Stdout};
-use super::run::{Loaded, ignore_closed_pipe, load, real, same_file};
+use super::run::{Loaded, load, real, same_file};
 use super::{Exit, Trouble, say};
 
 /// Draws the path of one program. A program with errors gets no picture.
@@ -23,13 +24,14 @@ pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
     if is_foreign(&target, Made::Picture) && !args.force {
         return Err(format!("{shown}: not drawn by partc; use --force to replace it, or another name"));
     }
-    let Loaded { session, dialect, settings, files } = load(&args.input, &args.common)?;
+    let Loaded { session, dialect, settings, files, place } = load(&args.input, &args.common)?;
     let stdout = if target == Path::new("-") { Stdout::Taken } else { Stdout::Free };
     let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None);
     reporter.spares(&[Input::named(&args.input)], &BTreeSet::from([real(&target)]))?;
-    let mut out = Progress::new(Destination::open(&target).map_err(trouble)?, true);
+    let mut out = Destination::open(&target).map_err(trouble)?;
+    let ticker = Ticker::start(true, &place);
     let result = session.plot(dialect, &settings, &files, &mut out);
-    let out = out.into_inner();
+    drop(ticker);
     if reporter.look().fails(&session) {
         drop(out);
         if let Some(stale) = set_aside(&target, Made::Picture).map_err(trouble)? {

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use crate::diag::render::terminal::Style;
 use crate::diag::render::{brief, concise};
@@ -19,6 +19,7 @@ use super::args::{Color, Common, Findings, Format};
 use super::inputs::Input;
 use super::listing::print;
 use super::output::Destination;
+use super::progress::{AGAIN, CLEARED, QUIET};
 use super::run::{is_output, real, same_file};
 use super::summary::{Line, Summary, USUAL};
 use super::{Exit, Trouble, say};
@@ -27,8 +28,6 @@ use super::{Exit, Trouble, say};
 const WIDTH: usize = 100;
 /// Slower work, of many small programs, shows no speed, MB/s.
 const SLOWEST: f64 = 0.1;
-/// Work shorter than this shows neither progress nor speed.
-const QUIET: Duration = Duration::from_secs(1);
 
 /// How findings shall look: all that a thread needs to know that makes them.
 #[derive(Debug, Clone, Copy)]
@@ -272,8 +271,8 @@ impl Reporter {
     }
 
     /// A program was written.
-    pub(super) fn wrote(&mut self) {
-        self.written += 1;
+    pub(super) fn wrote(&mut self, outputs: u32) {
+        self.written += outputs;
     }
 
     pub(super) fn look(&self) -> Look {
@@ -370,7 +369,7 @@ impl Reporter {
     /// Shows on a terminal that long work goes on.
     pub(super) fn progress(&mut self, done: usize, all: usize) {
         let now = Instant::now();
-        let due = self.shown.map_or(now - self.started > QUIET, |shown| now - shown > QUIET / 4);
+        let due = self.shown.map_or(now - self.started > QUIET, |shown| now - shown > AGAIN);
         if due && done < all && io::stderr().is_terminal() {
             self.shown = Some(now);
             let _ = write!(io::stderr(), "\r{done} of {all} programs");
@@ -379,7 +378,7 @@ impl Reporter {
 
     fn clear_progress(&mut self) {
         if self.shown.is_some() {
-            let _ = write!(io::stderr(), "\r\x1b[K");
+            let _ = write!(io::stderr(), "{CLEARED}");
         }
     }
 

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use serde_json::json;
 
@@ -22,8 +23,9 @@ use super::args::{Check, Common, Compile, Trace};
 use super::disk::{IncludeRoots, file_name, open_main};
 use super::inputs::{Input, inputs};
 use super::listing::print;
-use super::output::{Destination, MAP_MARK, Made, Progress, is_foreign, set_aside};
+use super::output::{Destination, Group, MAP_MARK, Made, ignore_closed_pipe, is_foreign, set_aside};
 use super::pool::in_order;
+use super::progress::{Place, Ticker};
 use super::report::{Look, Presented, Reporter, Stdout, counted};
 use super::{Exit, Trouble, bundle, config, fix, ignores};
 
@@ -33,6 +35,8 @@ pub(super) struct Loaded {
     pub dialect: &'static Dialect,
     pub settings: Settings,
     pub files: IncludeRoots,
+    /// How far the program has been read.
+    pub place: Place,
 }
 
 /// Bytes of a program that is tried several times for what it needs.
@@ -48,7 +52,9 @@ pub(super) fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
 /// The same under given settings.
 pub(super) fn load_with(path: &Path, common: &Common, settings: Settings) -> Result<Loaded, Trouble> {
     let shown = path.display().to_string();
-    let main = open_main(path, common.stdin_filename.as_deref()).map_err(|error| format!("{shown}: {error}"))?;
+    let mut main = open_main(path, common.stdin_filename.as_deref()).map_err(|error| format!("{shown}: {error}"))?;
+    let place = Place::default();
+    main.text = place.follow(main.text);
     let (name, identity) = (main.name.clone(), main.identity.clone());
     let session = Session::new(main);
     let dialect = if common.dialect != "auto" {
@@ -59,13 +65,13 @@ pub(super) fn load_with(path: &Path, common: &Common, settings: Settings) -> Res
         let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
         dialect::guess(&name, &head).ok_or_else(|| format!("{shown}: {}", which_language(path, common, &settings)))?
     };
-    let place = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
-    let base = match place.parent() {
+    let file = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
+    let base = match file.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder.to_path_buf(),
         _ => PathBuf::from("."),
     };
     let files = IncludeRoots::new(base, settings.include.roots.clone());
-    Ok(Loaded { session, dialect, settings, files })
+    Ok(Loaded { session, dialect, settings, files, place })
 }
 
 /// The language that `[dialects]` says for a file of this path.
@@ -148,7 +154,7 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     let (look, inputs) = (reporter.look_at(found.list.len(), &args.common), found.list);
     let read = inputs.iter().filter_map(|input| fs::canonicalize(&input.path).ok()).collect();
-    let work = Work { args, look, read, alone: inputs.len() == 1 };
+    let work = Work { args, look, read, alone: inputs.len() == 1, group: Mutex::default() };
     in_order(
         args.many.jobs,
         &inputs,
@@ -162,15 +168,17 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
                     if done.is_wrong {
                         reporter.internal();
                     }
-                    if done.is_written {
-                        reporter.wrote();
-                    }
                     reporter.take(done.presented);
                 }
                 Err(trouble) => reporter.trouble(trouble),
             }
         },
     );
+    let mut group = work.group.into_inner().unwrap_or_else(PoisonError::into_inner);
+    group.commit();
+    reporter.wrote(group.written);
+    group.troubles.sort();
+    group.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     reporter.finish()
 }
 
@@ -211,6 +219,8 @@ struct Work<'a> {
     read: BTreeSet<PathBuf>,
     /// There is one input only.
     alone: bool,
+    /// The outputs of several inputs.
+    group: Mutex<Group>,
 }
 
 /// What came of one program.
@@ -220,7 +230,6 @@ struct Done {
     said: Vec<String>,
     /// The output was not what the program says; it was not written.
     is_wrong: bool,
-    is_written: bool,
 }
 
 impl Work<'_> {
@@ -239,7 +248,7 @@ impl Work<'_> {
 
     fn one(&self, input: &Input) -> Result<Done, Trouble> {
         let args = self.args;
-        let Loaded { session, dialect, mut settings, files } = load(&input.path, &args.common)?;
+        let Loaded { session, dialect, mut settings, files, place } = load(&input.path, &args.common)?;
         settings.output.validate = !args.no_verify;
         let target = output_path(input, args, settings.output.target.extension);
         let shown = target.display().to_string();
@@ -258,14 +267,15 @@ impl Work<'_> {
         if let Some(folder) = target.parent().filter(|_| args.out_dir.is_some()) {
             fs::create_dir_all(folder).map_err(trouble)?;
         }
-        let mut out = Progress::new(Destination::open(&target).map_err(trouble)?, self.alone);
+        let mut out = Destination::open(&target).map_err(trouble)?;
         let mut map = match &args.map {
             Some(path) => Some(SourceMap::create(path, &target, &session).map_err(map_trouble)?),
             None => None,
         };
         let line_map = map.as_mut().map(|map| map as &mut dyn LineMap);
+        let ticker = Ticker::start(self.alone, &place);
         let result = session.compile(dialect, &settings, &files, &mut out, line_map);
-        let out = out.into_inner();
+        drop(ticker);
         let map = map.map(SourceMap::finish);
         let mut said = Vec::new();
         let wrong = match &result {
@@ -302,14 +312,23 @@ impl Work<'_> {
             if let Some(map) = map {
                 map.and_then(Destination::commit).or_else(ignore_closed_pipe).map_err(map_trouble)?;
             }
-            out.commit().or_else(ignore_closed_pipe).map_err(trouble)?;
-            if self.alone && target != Path::new("-") && !args.common.report.quiet && io::stderr().is_terminal() {
+            let mut group = self.group.lock().unwrap_or_else(PoisonError::into_inner);
+            group.take(out, shown.clone());
+            if self.alone {
+                group.commit();
+            }
+            if group.written == 1
+                && self.alone
+                && target != Path::new("-")
+                && !args.common.report.quiet
+                && io::stderr().is_terminal()
+            {
                 let bytes = fs::metadata(&target).map_or(0, |meta| meta.len());
                 said.push(format!("{} → {shown}, {bytes} bytes{}", input.path.display(), notes(&session)));
             }
         }
         let presented = present(self.look, session, &input.path, &args.common, self.alone)?;
-        Ok(Done { presented, said, is_wrong, is_written })
+        Ok(Done { presented, said, is_wrong })
     }
 }
 
@@ -328,11 +347,6 @@ fn notes(session: &Session) -> String {
     let counts = Counts::of(&session.diags);
     let said = |n: u32, one, many| if n == 0 { String::new() } else { format!(", {}", counted(n, one, many)) };
     said(counts.warnings, "warning", "warnings") + &said(counts.notes, "note", "notes")
-}
-
-/// A reader that has seen enough is no trouble.
-pub(super) fn ignore_closed_pipe(error: io::Error) -> io::Result<()> {
-    if error.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) }
 }
 
 fn output_path(input: &Input, args: &Compile, extension: &str) -> PathBuf {
@@ -387,10 +401,13 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
             Err(trouble) => reporter.trouble(trouble),
         }
     }
+    let alone = inputs.len() == 1;
     let work = |input: &Input| {
-        let Loaded { session, dialect, settings, files } = load(&input.path, &args.common)?;
+        let Loaded { session, dialect, settings, files, place } = load(&input.path, &args.common)?;
+        let ticker = Ticker::start(alone, &place);
         session.check(dialect, &settings, &files);
-        present(look, session, &input.path, &args.common, inputs.len() == 1)
+        drop(ticker);
+        present(look, session, &input.path, &args.common, alone)
     };
     in_order(args.many.jobs, &inputs, work, |done, result: Result<Presented, Trouble>| {
         reporter.progress(done, inputs.len());
@@ -409,7 +426,7 @@ fn show_fixes(args: &Check, inputs: &[Input], mut reporter: Reporter) -> Result<
         match fix::fix(&input.path, &args.common, fix::Mode::Show, args.unsafe_fixes) {
             Ok(fixed) if fixed.refused => {
                 refused = true;
-                let Loaded { session, dialect, settings, files } = load(&input.path, &args.common)?;
+                let Loaded { session, dialect, settings, files, .. } = load(&input.path, &args.common)?;
                 session.check(dialect, &settings, &files);
                 reporter.take(look.present(session));
             }
@@ -472,7 +489,7 @@ pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
     if args.common.report.format.is_some_and(|format| format.kind().is_some()) {
         return Err("the moves and the findings cannot both go to standard output".to_owned());
     }
-    let Loaded { session, dialect, settings, files } = load(&args.input, &args.common)?;
+    let Loaded { session, dialect, settings, files, .. } = load(&args.input, &args.common)?;
     let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Taken, None);
     reporter.spares(&[Input::named(&args.input)], &BTreeSet::new())?;
     // Moves of a program with errors are not shown: they end where nobody knows.

@@ -10,6 +10,7 @@ use crate::text::decode::{escaped_json, harmless_lines};
 use super::args::{Stats as Args, StatsFormat};
 use super::inputs::inputs;
 use super::listing::print;
+use super::progress::Ticker;
 use super::report::{Reporter, Stdout};
 use super::run::{Loaded, is_output, is_program, load};
 use super::{Exit, Trouble};
@@ -25,8 +26,10 @@ pub(super) fn stats(args: &Args) -> Result<Exit, Trouble> {
     for (done, input) in found.list.iter().enumerate() {
         reporter.progress(done, found.list.len());
         match load(&input.path, &args.common) {
-            Ok(Loaded { session, dialect, settings, files }) => {
+            Ok(Loaded { session, dialect, settings, files, place }) => {
+                let ticker = Ticker::start(found.list.len() == 1, &place);
                 let stats = session.stats(dialect, &settings, &files, model);
+                drop(ticker);
                 // Of a program with errors nobody knows what it does.
                 if !look.fails(&session) {
                     programs.push((input.path.display().to_string(), stats));
