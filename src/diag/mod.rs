@@ -297,6 +297,13 @@ impl Diags {
         !inner.list.iter().any(|found| found.code == code && found.message == text)
     }
 
+    /// Was the same found of the same places that explain it, from another block?
+    pub fn is_known(&self, found: &Diagnostic) -> bool {
+        let same =
+            |other: &Diagnostic| other.code == found.code && other.message == found.message && other.more == found.more;
+        self.inner.borrow().list.iter().any(same)
+    }
+
     /// True the first time it is asked about `code`.
     pub fn first_time(&self, code: &'static Code) -> bool {
         let inner = &mut *self.inner.borrow_mut();

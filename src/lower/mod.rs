@@ -32,6 +32,7 @@ use capture::{Recording, SavedPasses};
 use carrier::{Carrier, Out};
 use compensation::Compensator;
 use corner::{Corners, Event};
+use cycles::no_path::NoPath;
 use step::{Checked, Step};
 use transformation::Transformer;
 
@@ -63,6 +64,8 @@ pub struct Lower<'a> {
     moves: u64,
     /// The last cycle that made no path, which was reported: a modal one comes again at each place.
     refused: Option<Box<Cycle>>,
+    /// The last area in which a cutter found no path, which was reported.
+    no_path: Option<Box<NoPath>>,
 }
 
 impl std::fmt::Debug for Lower<'_> {
@@ -89,6 +92,7 @@ impl<'a> Lower<'a> {
             start: Pos::UNKNOWN,
             moves: 0,
             refused: None,
+            no_path: None,
         }
     }
 
@@ -313,6 +317,15 @@ impl<'a> Lower<'a> {
         cycles::expand(cycle, start, ctx, origin, self)
     }
 
+    /// A refusal, unless one in front of it says the same of the same area.
+    fn unless_explained(&mut self, cycle: &Cycle, found: Box<Diagnostic>) -> Option<Box<Diagnostic>> {
+        if self.no_path.as_mut().is_some_and(|known| known.explains(cycle, &found)) {
+            return None;
+        }
+        self.no_path = NoPath::of(cycle, &found).map(Box::new);
+        Some(found)
+    }
+
     fn cuts_nothing(&self, origin: &Origin) {
         let message = "the cycle cuts nothing: it only travels there and back".to_owned();
         if self.diags.first_text(codes::G3304, &message) {
@@ -378,7 +391,7 @@ impl Sink for Lower<'_> {
             false => match self.expand(cycle, &start, ctx, origin) {
                 Ok(true) => return,
                 Ok(false) => return self.cuts_nothing(origin),
-                Err(found) => Some(found),
+                Err(found) => self.unless_explained(cycle, found),
             },
         };
         // What was not made is work as well.

@@ -14,6 +14,7 @@ pub mod grooving;
 pub mod infeed;
 pub mod layers;
 pub mod long_hole;
+pub mod no_path;
 pub mod path_milling;
 pub mod pocket;
 pub mod recess;

@@ -9,7 +9,7 @@ use super::cutter::Cutter;
 use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 
-/// Where the tool goes down nearer to its circuit than this, it needs no way to it, mm.
+/// Where the tool goes down nearer to its circuit than this, it goes straight to it, mm.
 const LEAST_APPROACH: f64 = 2e-3;
 
 impl Expand for Spigot {
@@ -60,13 +60,13 @@ impl Spigot {
                 let beside = Point2::new((entry.x + circuit.start.x) / 2.0, 0.0);
                 let has_room = entry.x - circuit.start.x > LEAST_APPROACH;
                 // The semicircle meets the circuit in its own direction.
-                if has_room {
-                    cutter.arc(circuit.start, beside, !self.counter_clockwise, feed);
-                }
+                let between = |cutter: &mut Cutter<'_>, to: Point2| match has_room {
+                    true => cutter.arc(to, beside, !self.counter_clockwise, feed),
+                    false => cutter.line(to, feed),
+                };
+                between(cutter, circuit.start);
                 cutter.follow(&circuit.elements, feed);
-                if has_room {
-                    cutter.arc(entry, beside, !self.counter_clockwise, feed);
-                }
+                between(cutter, entry);
             }
         }
     }

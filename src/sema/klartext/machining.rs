@@ -243,7 +243,7 @@ impl Run<'_> {
         } else {
             "check the values of the definition; lengths are given here in mm"
         };
-        self.report(
+        self.report_cause(
             Diagnostic::new(codes::K2403, self.here.origin.loc, format!("cycle {}: {what}", cycle.number))
                 .also(cycle.loc, "the cycle is defined here")
                 .help(help),
@@ -258,7 +258,7 @@ impl Run<'_> {
 
     /// The same, and what to do.
     pub(super) fn cycle_otherwise<T>(&self, cycle: &DefinedCycle, what: &str, help: &'static str) -> Outcome<T> {
-        self.report(
+        self.report_cause(
             Diagnostic::new(
                 codes::K9001,
                 self.here.origin.loc,

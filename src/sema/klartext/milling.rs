@@ -426,7 +426,7 @@ impl Run<'_> {
 
     /// The tool is larger than what it shall mill.
     pub(super) fn tool_too_large<T>(&mut self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
-        self.report(
+        self.report_cause(
             Diagnostic::new(
                 codes::K2901,
                 self.here.origin.loc,

@@ -6,17 +6,20 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Point2, Vec2};
-use crate::ir::Pos;
 use crate::ir::contour::Path;
+use crate::ir::{Feed, Pos};
 use crate::lexer::klartext::{QKind, QRef};
 use crate::parser::klartext::ast::Block;
 use crate::text::{Loc, Span, number::decimal};
 
-use super::cycles::SURFACE;
 use super::cycles::call::{Call, Retract};
+use super::cycles::{DefinedCycle, SURFACE};
 use super::patterns::{FIRST_PLACED, PLACES_A_STEP};
 use super::words::Admits;
 use super::{Outcome, Reported, Run};
+
+/// Heights that differ by less are one, mm.
+const SAME_HEIGHT: f64 = 1e-6;
 
 /// Most places of a definition.
 const MOST: usize = 99_999;
@@ -321,14 +324,13 @@ impl Run<'_> {
             return self.run_program_pattern(w, places, &name);
         }
         let cycle = self.pattern_subject("CYCL CALL PAT")?;
-        if cycle.number < FIRST_PLACED {
-            return self.cycle_otherwise(
-                &cycle,
-                "running it at the places of PATTERN DEF or of a point table",
-                "give the places by cycle 220 or 221, or move with L to each of them and call with M99",
-            );
+        let old = matches!(cycle.number, 1..=5 | 17);
+        if cycle.number < FIRST_PLACED && !old {
+            return self.cycle_unbuilt(&cycle, "running it at the places of PATTERN DEF or of a point table");
         }
-        self.has_a_surface(&cycle, "CYCL CALL PAT")?;
+        if !old {
+            self.has_a_surface(&cycle, "CYCL CALL PAT")?;
+        }
         if places.list.is_empty() {
             self.report(
                 Diagnostic::new(
@@ -340,7 +342,7 @@ impl Run<'_> {
                 .help("add places to the table, or take FADE out of those that shall be machined"),
             );
         }
-        let own = self.cycle_length(&cycle, SURFACE)?;
+        let own = if old { 0.0 } else { self.cycle_length(&cycle, SURFACE)? };
         if own != 0.0 && places.list.iter().any(|place| place.surface != 0.0) {
             self.report(
                 Diagnostic::new(
@@ -358,6 +360,10 @@ impl Run<'_> {
         self.m_at_start(w, true)?;
         let feed = self.pattern_feed(w, "CYCL CALL PAT")?;
         let height = self.position_of(self.st.axis(), self.block_span(), "CYCL CALL PAT")?;
+        if old {
+            self.old_cycle_starts(&cycle, places, height)?;
+            return self.run_old_pattern(w, &cycle, places, feed);
+        }
         for (i, place) in places.list.iter().enumerate() {
             self.goes_on()?;
             let clear = self.heights(&cycle, place.surface)?;
@@ -376,6 +382,54 @@ impl Run<'_> {
             let next = places.list.get(i + 1).and_then(|next| next.clearance);
             let height = [place.clearance, next].into_iter().flatten().fold(height, f64::max);
             self.run_cycle(&cycle, Call { shift: place.surface, retract: Retract::To(height), placed: true })?;
+        }
+        self.m_at_end(w)
+    }
+
+    /// The old cycles start where the tool stands, at their set-up clearance. Whether they come to it above the Z of a
+    /// place is open, so the tool has to stand there.
+    fn old_cycle_starts(&mut self, cycle: &DefinedCycle, places: &Places, height: f64) -> Outcome {
+        let clearance = cycle.part(1).unwrap_or(0.0).abs() * cycle.mm;
+        let wrong = places.list.iter().find_map(|place| {
+            let start = place.surface + clearance;
+            let lifts = place.clearance.filter(|high| *high > height + SAME_HEIGHT);
+            match lifts {
+                Some(high) => Some(format!(
+                    "cycle {} at a place of CLEARANCE {high} mm: how it comes down from there to its set-up clearance is open",
+                    cycle.number
+                )),
+                None if (height - start).abs() > SAME_HEIGHT => Some(format!(
+                    "cycle {} starts where the tool stands, at {height} mm, and the set-up clearance {clearance} mm above the Z of the place is {start} mm: which of the two counts is open",
+                    cycle.number
+                )),
+                None => None,
+            }
+        });
+        let Some(message) = wrong else { return Ok(()) };
+        self.report(
+            Diagnostic::new(codes::K9001, self.here.origin.loc, message)
+                .also(places.loc, "the pattern")
+                .also(cycle.loc, "the cycle")
+                .help("move to the set-up clearance above the places in front of CYCL CALL PAT, or give the places by cycle 220 or 221"),
+        );
+        Err(Reported)
+    }
+
+    /// From place to place at the set-up clearance, to which an old cycle comes back.
+    fn run_old_pattern(
+        &mut self,
+        w: &super::words::Words,
+        cycle: &DefinedCycle,
+        places: &Places,
+        feed: Option<Feed>,
+    ) -> Outcome {
+        for place in &places.list {
+            self.goes_on()?;
+            let mut end = Pos::UNKNOWN;
+            end.set_in_plane(self.st.plane(), place.at);
+            self.st.polar.forget_last();
+            self.send(&end, Path::straight(feed));
+            self.run_cycle(cycle, Call { shift: 0.0, retract: Retract::Far, placed: true })?;
         }
         self.m_at_end(w)
     }

@@ -56,7 +56,16 @@ impl<L: Language> Core<'_, L> {
         Span { start: span.start.saturating_sub(self.here.at), end: span.end.saturating_sub(self.here.at) }
     }
 
-    pub fn report(&self, mut found: Diagnostic) {
+    pub fn report(&self, found: Diagnostic) {
+        self.take(found, false);
+    }
+
+    /// Reports what is wrong at the places that explain it: once, however many blocks suffer from it.
+    pub fn report_cause(&self, found: Diagnostic) {
+        self.take(found, true);
+    }
+
+    fn take(&self, mut found: Diagnostic, once: bool) {
         if self.in_doubt && found.code.severity == Severity::Error && !holds_in_doubt(&found) {
             return;
         }
@@ -69,6 +78,9 @@ impl<L: Language> Core<'_, L> {
         }
         found.message = rounded(found.message);
         found.help = found.help.or_else(|| L::usual_help(found.code).map(str::to_owned));
+        if once && self.job.diags.is_known(&found) {
+            return;
+        }
         self.job.diags.push(found.called(self.here.origin.call));
     }
 

@@ -5,8 +5,9 @@ use std::fmt::Write as _;
 use partc::Settings;
 
 use super::super::damage::Dice;
+use super::klartext_frames::Seen;
 use super::klartext_pockets::{ANGLE, settings};
-use super::milling::{EXACT, many, track_of};
+use super::milling::{Cut, EXACT, many, track_of};
 use super::pockets::{FINISH, PLUNGE, ROUGH, number};
 use super::regions::{COARSE, Case, Land, P, Ring, star};
 
@@ -78,6 +79,33 @@ struct Made {
     first: String,
 }
 
+/// A block or two that call the cycle, once or twice over.
+fn call(dice: &mut Dice, again: bool) -> &'static str {
+    match dice.roll(if again { 4 } else { 3 }) {
+        0 => "L X+7 Y+3 R0 FMAX\nCYCL CALL\n",
+        1 => "CYCL CALL\n",
+        2 => "L X+7 Y+3 R0 FMAX M99\n",
+        _ => "L X-9 Y+3 R0 FMAX M89\nL X+7 Y+3 R0 FMAX M99\n",
+    }
+}
+
+/// A cycle 22: infeed, feed, coarse tool, and the feed of strokes to and fro.
+struct Rough {
+    step: f64,
+    feed: f64,
+    before: u32,
+    swaying: f64,
+}
+
+impl Rough {
+    fn text(&self, dice: &mut Dice) -> String {
+        let Rough { step, feed, before, swaying } = self;
+        // The second call would ask for a coarse tool directly in front of it.
+        let call = call(dice, *before == 0);
+        format!("CYCL DEF 22 ROUGH Q10={step} Q11={PLUNGE} Q12={feed} Q18={before} Q19={swaying}\n{call}")
+    }
+}
+
 fn random(dice: &mut Dice) -> Made {
     let radius = number(dice, 1.5, 5.0);
     let depth = number(dice, 1.0, 8.0);
@@ -96,45 +124,62 @@ fn random(dice: &mut Dice) -> Made {
     let named: String = order.iter().map(|at| format!(" /{}", at + 1)).collect();
     let overlap = number(dice, 0.4, 1.999);
     let climb = if dice.roll(2) == 0 { "+1" } else { "-1" };
-    let coarse = (dice.roll(3) == 0).then(|| ((radius + number(dice, 0.05, 0.8 * radius)) * 1000.0).round() / 1000.0);
+    let round = |v: f64| (v * 1000.0).round() / 1000.0;
+    let larger = |dice: &mut Dice, than: f64| round(than + number(dice, 0.05, 0.8 * radius));
+    // One or two cutters before, each smaller than the one before it.
+    let coarse: Vec<f64> = match dice.roll(6) {
+        0 | 1 => vec![larger(dice, radius)],
+        2 => {
+            let second = larger(dice, radius);
+            vec![larger(dice, second), second]
+        }
+        _ => Vec::new(),
+    };
     let reciprocating = if dice.roll(4) == 0 { PLUNGE } else { 0.0 };
-    let head = format!(
-        "BEGIN PGM P MM\nTOOL DEF 1 L+0 R+{radius}\nTOOL DEF 2 L+0 R+{}\nTOOL CALL 1 Z S3000\nL X+7 Y+3 Z+50 R0 FMAX M3\n\
-         CYCL DEF 14.0 CONTOUR GEOMETRY\nCYCL DEF 14.1 CONTOUR LABEL{named}\n\
+    let seen = Seen::random(dice);
+    let (unit, system) = (seen.word(), seen.text());
+    let tools: String = coarse.iter().enumerate().map(|(at, by)| format!("TOOL DEF {} L+0 R+{by}\n", at + 2)).collect();
+    let data = format!(
+        "CYCL DEF 14.0 CONTOUR GEOMETRY\nCYCL DEF 14.1 CONTOUR LABEL{named}\n\
          CYCL DEF 20 DATA Q1={} Q2={overlap} Q3={wall} Q4={floor} Q5=+0 Q6=+2 Q7=+10 Q8={corners} Q9={climb}\n",
-        coarse.unwrap_or(9.0),
         -depth
+    );
+    // The system counts where a cycle runs.
+    let data = if dice.roll(2) == 0 { data + &system } else { system + &data };
+    let head = format!(
+        "BEGIN PGM P {unit}\nTOOL DEF 1 L+0 R+{radius}\n{tools}TOOL CALL 1 Z S3000\n\
+         L X+7 Y+3 Z+50 R0 FMAX M3\n{data}"
     );
     let labels: String =
         land.rings.iter().enumerate().map(|(at, ring)| label(at + 1, ring, at < land.pockets)).collect();
-    let tail = format!("M30\n{labels}END PGM P MM\n");
-    let rough = |step: f64, feed: f64, before: u32, swaying: f64| {
-        format!(
-            "CYCL DEF 22 ROUGH Q10={step} Q11={PLUNGE} Q12={feed} Q18={before} Q19={swaying}\n\
-             L X+7 Y+3 R0 FMAX\nCYCL CALL\n"
-        )
-    };
+    let tail = format!("M30\n{labels}END PGM P {unit}\n");
     let mut text = head.clone();
-    if coarse.is_some() {
-        let with_it = rough(step, COARSE, 0, 0.0);
-        let _ = write!(text, "TOOL CALL 2 Z S3000\nM3\n{with_it}L Z+50 R0 FMAX\nTOOL CALL 1 Z S3000\nM3\n");
+    let mut before = 0;
+    for (at, feed) in (0..coarse.len()).zip(COARSE) {
+        let number = at as u32 + 2;
+        let with_it = Rough { step, feed, before, swaying: 0.0 }.text(dice);
+        let _ = write!(text, "TOOL CALL {number} Z S3000\nM3\n{with_it}L Z+50 R0 FMAX\n");
+        before = number;
     }
-    text += &rough(step, ROUGH, if coarse.is_some() { 2 } else { 0 }, reciprocating);
+    if before > 0 {
+        text += "TOOL CALL 1 Z S3000\nM3\n";
+    }
+    text += &Rough { step, feed: ROUGH, before, swaying: reciprocating }.text(dice);
     let left = if wall > 0.02 && dice.roll(2) == 0 { number(dice, 0.0, 0.8 * wall) } else { 0.0 };
     let finish = [wall > left && dice.roll(2) == 0, dice.roll(2) == 0];
     if finish[1] {
-        let _ = writeln!(text, "CYCL DEF 23 FLOOR Q11={PLUNGE} Q12={FINISH}\nCYCL CALL");
+        let _ = write!(text, "CYCL DEF 23 FLOOR Q11={PLUNGE} Q12={FINISH}\n{}", call(dice, true));
     }
     if finish[0] {
         let infeed = number(dice, depth / 3.0, depth * 1.2);
         let climb = if dice.roll(2) == 0 { "+1" } else { "-1" };
-        let _ =
-            writeln!(text, "CYCL DEF 24 SIDE Q9={climb} Q10={infeed} Q11={PLUNGE} Q12={FINISH} Q14={left}\nCYCL CALL");
+        let call = call(dice, true);
+        let _ = write!(text, "CYCL DEF 24 SIDE Q9={climb} Q10={infeed} Q11={PLUNGE} Q12={FINISH} Q14={left}\n{call}");
     }
     text += &tail;
-    let drill = format!("CYCL DEF 21 PILOT Q10={step} Q11={PLUNGE} Q13=1\nCYCL CALL\n");
-    let pilot = format!("{head}{drill}{tail}");
-    let first = format!("{head}{}{tail}", rough(2.0 * depth, ROUGH, 0, 0.0));
+    let pilot = format!("{head}CYCL DEF 21 PILOT Q10={step} Q11={PLUNGE} Q13=1\n{}{tail}", call(dice, false));
+    let whole = Rough { step: 2.0 * depth, feed: ROUGH, before: 0, swaying: 0.0 }.text(dice);
+    let first = format!("{head}{whole}{tail}");
     let case = Case {
         language: "klartext",
         text,
@@ -150,32 +195,84 @@ fn random(dice: &mut Dice) -> Made {
         coarse,
         angle: (reciprocating > 0.0).then_some(ANGLE),
         settings: settings(),
+        seen,
     };
     Made { case, pilot, first }
 }
 
 impl Made {
+    fn track(&self, text: &str) -> Result<Vec<Cut>, String> {
+        let cuts = track_of("klartext", text, &Settings::default());
+        cuts.map(|cuts| self.case.seen.programmed(cuts)).map_err(|codes| format!("refused: {codes:?}\n{text}"))
+    }
+
     /// The pilot holes are where the tool goes down.
     fn pilots(&self) -> Result<(), String> {
-        let settings = Settings::default();
-        let track =
-            |text: &str| track_of("klartext", text, &settings).map_err(|codes| format!("refused: {codes:?}\n{text}"));
-        let floor = -self.case.depth + self.case.floor;
+        let floor = self.case.floor - self.case.depth;
+        let drilled = self.track(&self.pilot)?;
+        self.pecks(&drilled, floor).map_err(|why| format!("{why}\n{}", self.pilot))?;
+        if (floor + 2.0).abs() < EXACT {
+            // Over cleared ground the tool comes down from the surface, too.
+            return Ok(());
+        }
         // Into material the tool goes from the surface, or from the set-up clearance; from lower down it goes over cleared ground.
         let solid = |z: f64| z.abs() < EXACT || z > 2.0 - EXACT;
-        let at = |text: &str, drills: bool| -> Result<Vec<P>, String> {
-            let cuts = track(text)?;
+        let at = |cuts: &[Cut], drills: bool| -> Vec<P> {
             let down = cuts.iter().filter(|cut| {
                 let arrives = (cut.to[2] - floor).abs() < EXACT && cut.from[2] > floor + EXACT;
                 cut.is_vertical() && !cut.is_rapid() && arrives && (drills || solid(cut.from[2]))
             });
-            Ok(down.map(|cut| [cut.to[0], cut.to[1]]).collect())
+            down.map(|cut| [cut.to[0], cut.to[1]]).collect()
         };
-        let (holes, plunges) = (at(&self.pilot, true)?, at(&self.first, false)?);
-        if holes.is_empty() || holes != plunges {
+        let milled = self.track(&self.first)?;
+        let (holes, mut plunges) = (at(&drilled, true), at(&milled, false));
+        // A second call mills air, and goes down at the same places.
+        plunges.truncate(if plunges.len() == 2 * holes.len() { holes.len() } else { plunges.len() });
+        let same = |(p, q): (&P, &P)| (p[0] - q[0]).abs() < EXACT && (p[1] - q[1]).abs() < EXACT;
+        if holes.is_empty() || holes.len() != plunges.len() || !holes.iter().zip(&plunges).all(same) {
             return Err(format!("holes at {holes:?}, down at {plunges:?}\n{}", self.pilot));
         }
         Ok(())
+    }
+
+    /// Steps, stop distances and ends of the pilot holes, and their distance from the walls.
+    fn pecks(&self, cuts: &[Cut], floor: f64) -> Result<(), String> {
+        let case = &self.case;
+        let deep = -floor * case.seen.unit;
+        let ahead = if deep > 30.0 { (deep / 50.0).min(7.0) } else { 0.6 } / case.seen.unit;
+        let mut bottom: Option<f64> = None;
+        for cut in cuts {
+            let lowest = cut.from[2].min(cut.to[2]);
+            if !cut.is_vertical() {
+                if lowest < 2.0 - EXACT || !cut.is_rapid() {
+                    return Err(format!("between the holes: {cut:?}"));
+                }
+                if bottom.is_some_and(|bottom| bottom > floor + EXACT) {
+                    return Err(format!("a hole ends at {bottom:?}, not at {floor}"));
+                }
+                bottom = None;
+            } else if let Some(feed) = cut.feed {
+                let from = bottom.map_or(2.0, |bottom| (bottom + ahead).min(2.0));
+                let step = bottom.unwrap_or(0.0) - cut.to[2];
+                let right = feed == PLUNGE && (cut.from[2] - from).abs() < EXACT && cut.to[2] > floor - EXACT;
+                if !right || step < EXACT || step > case.step + EXACT {
+                    return Err(format!("a step of {step} from {from}: {cut:?}"));
+                }
+                bottom = Some(cut.to[2]);
+                let room = case.room([cut.to[0], cut.to[1]]);
+                if room < case.radius + case.wall - EXACT {
+                    return Err(format!("a hole {room} beside the wall: {cut:?}"));
+                }
+            } else if bottom.is_some_and(|bottom| lowest < bottom + ahead.min(2.0 - bottom) - EXACT)
+                && cut.to[2] < cut.from[2]
+            {
+                return Err(format!("rapid traverse too deep: {cut:?}"));
+            }
+        }
+        match cuts.last() {
+            Some(last) if last.to[2] == 10.0 && bottom.is_some_and(|bottom| (bottom - floor).abs() < EXACT) => Ok(()),
+            last => Err(format!("ends at {last:?} behind {bottom:?}")),
+        }
     }
 }
 

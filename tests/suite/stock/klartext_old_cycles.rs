@@ -1,4 +1,4 @@
-//! Cycles 3 to 5, 210 to 212, 214 and 231 with sizes at random: the properties of docs/cycles.md, column by column.
+//! Cycles 3 to 5, 210 to 212, 214 and 231, called in all ways, with sizes at random: the properties of docs/cycles.md, column by column.
 
 use std::fmt::Write as _;
 
@@ -6,17 +6,64 @@ use partc::internals::machine::Settings;
 
 use super::super::common::settings;
 use super::super::damage::Dice;
+use super::klartext_frames::Seen;
 use super::klartext_pockets::judge_many;
 use super::milling::{EXACT, many, track_of};
 use super::pockets::{Case, FINISH, Outline, PLUNGE, ROUGH, Sizes, bow, number, sizes};
+use super::regions::P;
 
 /// The start of a program whose tool stands over a place, at its height.
-fn begun(c: &Sizes, height: u32) -> String {
+fn begun(c: &Sizes, height: u32, seen: &Seen) -> String {
     let [x, y] = c.at;
     format!(
-        "BEGIN PGM P MM\nTOOL DEF 1 L+0 R+{}\nTOOL CALL 1 Z S3000\nL X{x:+} Y{y:+} Z+{height} R0 FMAX M3\n",
-        c.radius
+        "BEGIN PGM P {}\nTOOL DEF 1 L+0 R+{}\nTOOL CALL 1 Z S3000\n{}L X{x:+} Y{y:+} Z+{height} R0 FMAX M3\n",
+        seen.word(),
+        c.radius,
+        seen.text()
     )
+}
+
+/// Calls of an old cycle where the tool stands, and at places beside each other: by M99, M89, or CYCL CALL PAT.
+fn calls(dice: &mut Dice, at: P, apart: f64) -> (String, Vec<P>) {
+    let row = |count: usize| -> Vec<P> { (0..count).map(|i| [at[0] + apart * i as f64, at[1]]).collect() };
+    let (kind, count) = (dice.roll(4), 1 + dice.roll(3));
+    match kind {
+        0 => ("CYCL CALL\n".to_owned(), row(1)),
+        1 => {
+            let places = row(count);
+            (places.iter().map(|[x, y]| format!("L X{x:+.4} Y{y:+.4} FMAX M99\n")).collect(), places)
+        }
+        2 => {
+            let places = row(1 + count);
+            let last = places.len() - 1;
+            let m = |i: usize| {
+                if i == 0 {
+                    " M89"
+                } else if i == last {
+                    " M99"
+                } else {
+                    ""
+                }
+            };
+            let text = places.iter().enumerate().map(|(i, [x, y])| format!("L X{x:+.4} Y{y:+.4} FMAX{}\n", m(i)));
+            (text.collect(), places)
+        }
+        _ => {
+            let places = row(count);
+            let list: String =
+                places.iter().enumerate().map(|(i, [x, y])| format!(" POS{} (X{x:+.4} Y{y:+.4} Z+0)", i + 1)).collect();
+            (format!("PATTERN DEF{list}\nCYCL CALL PAT FMAX\n"), places)
+        }
+    }
+}
+
+/// Calls of a cycle that has a place of its own, wherever the tool is.
+fn calls_of_own(dice: &mut Dice) -> &'static str {
+    match dice.roll(3) {
+        0 => "CYCL CALL\n",
+        1 => "L X+3 Y-8 FMAX M99\n",
+        _ => "L X-7 Y+8 FMAX M89\nL X+3 Y-8 FMAX M99\n",
+    }
 }
 
 /// Cycles 3 to 5; the surface lies a set-up clearance of 10 mm below the tool.
@@ -29,8 +76,9 @@ fn old_pocket(dice: &mut Dice) -> Case {
     let corner = if dice.roll(3) == 0 { 0.0 } else { number(dice, 0.0, half[0].min(half[1])) };
     let upright = dice.roll(2);
     let axes = if upright == 1 { ['Y', 'X'] } else { ['X', 'Y'] };
-    let mut text = begun(&c, 10);
-    let (outline, place, own) = match number_of {
+    let seen = Seen::random(dice);
+    let mut text = begun(&c, 10, &seen);
+    let (outline, (_, angle), own) = match number_of {
         3 => {
             let way = number(dice, 0.5, 40.0);
             let sign = if dice.roll(2) == 0 { '+' } else { '-' };
@@ -64,8 +112,17 @@ fn old_pocket(dice: &mut Dice) -> Case {
     for (part, own) in own.iter().enumerate() {
         let _ = writeln!(text, "CYCL DEF {number_of}.{} {own}", part + 4);
     }
-    text.push_str("CYCL CALL\nM30\nEND PGM P MM\n");
-    Case { home: Some(at), ..Case::of("klartext", text, outline, vec![place], &c) }
+    let size = match outline {
+        Outline::Slot { to, half, .. } => to + 2.0 * half,
+        Outline::Rectangle { half, .. } => 2.0 * half[0].max(half[1]),
+        Outline::Circle { radius } => 2.0 * radius,
+        Outline::Bow { .. } => 0.0,
+    };
+    let (calls, places) = calls(dice, at, size + 1.0);
+    let _ = write!(text, "{calls}M30\nEND PGM P {}\n", seen.word());
+    let home = places.last().copied();
+    let places = places.into_iter().map(|at| (at, angle)).collect();
+    Case { home, seen, ..Case::of("klartext", text, outline, places, &c) }
 }
 
 /// Cycles 210 and 211. A slot that is finished has no other wall than the finished one.
@@ -89,19 +146,21 @@ fn strokes(dice: &mut Dice) -> Case {
         let own = format!("Q244={:.4} Q219={:.4} Q245={start} Q248={sweep}", 2.0 * about, 2.0 * half);
         (Outline::Bow { radius: about, sweep: sweep.to_radians(), half }, (at, start), own)
     };
-    let mut text = begun(&c, 50);
+    let seen = Seen::random(dice);
+    let mut text = begun(&c, 50, &seen);
     let cycle = if matches!(outline, Outline::Slot { .. }) { 210 } else { 211 };
     for q215 in asked {
         let _ = writeln!(
             text,
-            "CYCL DEF {cycle} NAME Q200=2 Q201={:.4} Q207={ROUGH} Q202={step:.4} Q215={q215} Q203=0 Q204=10 Q216={} Q217={} {own} Q338={q338:.4} Q206={PLUNGE}\nCYCL CALL",
+            "CYCL DEF {cycle} NAME Q200=2 Q201={:.4} Q207={ROUGH} Q202={step:.4} Q215={q215} Q203=0 Q204=10 Q216={} Q217={} {own} Q338={q338:.4} Q206={PLUNGE}",
             -depth, at[0], at[1]
         );
+        text += calls_of_own(dice);
     }
-    text.push_str("M30\nEND PGM P MM\n");
+    let _ = write!(text, "M30\nEND PGM P {}\n", seen.word());
     let step = if finishes { depth.max(step) } else { step };
     let c = Sizes { wall: if finishes { 0.0 } else { wall }, step, ..c };
-    Case { plunges: &[PLUNGE, ROUGH], ..Case::of("klartext", text, outline, vec![place], &c) }
+    Case { plunges: &[PLUNGE, ROUGH], seen, ..Case::of("klartext", text, outline, vec![place], &c) }
 }
 
 /// Cycles 212 and 214: the pocket is there, but for what stands on its wall.
@@ -120,14 +179,19 @@ fn finished_wall(dice: &mut Dice) -> Case {
         let own = format!("214 NAME Q222={:.4} Q223={:.4}", 2.0 * (half[0] - more), 2.0 * half[0]);
         (Outline::Circle { radius: half[0] }, Outline::Circle { radius: half[0] - more }, own)
     };
-    let mut text = begun(&c, 50);
-    let _ = writeln!(
+    let seen = Seen::random(dice);
+    let mut text = begun(&c, 50, &seen);
+    let calls = calls_of_own(dice);
+    let _ = write!(
         text,
-        "CYCL DEF {own} Q200=2 Q201={:.4} Q206={PLUNGE} Q202={step:.4} Q207={FINISH} Q203=0 Q204=10 Q216={} Q217={}\nCYCL CALL\nM30\nEND PGM P MM",
-        -depth, at[0], at[1]
+        "CYCL DEF {own} Q200=2 Q201={:.4} Q206={PLUNGE} Q202={step:.4} Q207={FINISH} Q203=0 Q204=10 Q216={} Q217={}\n{calls}M30\nEND PGM P {}\n",
+        -depth,
+        at[0],
+        at[1],
+        seen.word()
     );
     let case = Case::of("klartext", text, outline, vec![(at, 0.0)], &c);
-    Case { home: Some(at), finish: [true, false], cleared: Some((before, depth)), ..case }
+    Case { home: Some(at), finish: [true, false], cleared: Some((before, depth)), seen, ..case }
 }
 
 /// Cycle 231: the corners of its rows, in order.

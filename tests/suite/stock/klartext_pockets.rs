@@ -47,12 +47,19 @@ fn program(dice: &mut Dice, c: &Common, cycle: u32, own: &str) -> (String, [bool
     let _ = writeln!(text, "L X{:+} Y{:+} Z+50 R0 FMAX M3", c.at[0], c.at[1]);
     let asked: &[u32] = [&[0][..], &[1], &[1, 2]][dice.roll(3)];
     for q215 in asked {
+        // Z of CYCL CALL POS lifts Q203 back to 0; slots have a place beside that of the call.
+        let by_place = cycle <= 252 && dice.roll(3) == 0;
+        let by = if by_place { dice.roll(41) as f64 / 4.0 - 5.0 } else { 0.0 };
         let _ = writeln!(
             text,
-            "CYCL DEF {cycle} NAME Q215={q215} {own} Q368={:.4} Q207={ROUGH} Q351={} Q201={:.4} Q202={:.4} Q369={:.4} Q206={PLUNGE} Q338={:.4} Q200=2 Q203=0 Q204=10 Q366={} Q385={FINISH}",
-            c.wall, c.climb, -c.depth, c.step, c.floor, c.infeed, c.plunging
+            "CYCL DEF {cycle} NAME Q215={q215} {own} Q368={:.4} Q207={ROUGH} Q351={} Q201={:.4} Q202={:.4} Q369={:.4} Q206={PLUNGE} Q338={:.4} Q200=2 Q203={} Q204=10 Q366={} Q385={FINISH}",
+            c.wall, c.climb, -c.depth, c.step, c.floor, c.infeed, -by, c.plunging
         );
-        let _ = writeln!(text, "L X{:+} Y{:+} R0 FMAX M99", c.at[0], c.at[1]);
+        let [x, y] = c.at;
+        let _ = match by_place {
+            true => writeln!(text, "CYCL CALL POS X{x:+} Y{y:+} Z{by:+} FMAX"),
+            false => writeln!(text, "L X{x:+} Y{y:+} R0 FMAX M99"),
+        };
     }
     text.push_str("M30\nEND PGM P MM\n");
     let finishes = asked != [1];

@@ -6,6 +6,7 @@ mod faces;
 mod grooves;
 mod klartext_bores;
 mod klartext_contours;
+mod klartext_frames;
 mod klartext_old_cycles;
 mod klartext_pockets;
 mod klartext_studs;

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use partc::Settings;
 
 use super::super::damage::Dice;
+use super::klartext_frames::Seen;
 use super::milling::{Cut, EXACT, Stock, beside, many, track_of, turned};
 
 /// Feeds by which the cuts are told apart.
@@ -43,6 +44,8 @@ pub struct Case {
     pub cleared: Option<(Outline, f64)>,
     /// Feeds at which it goes down.
     pub plunges: &'static [f64],
+    /// The system in which the program runs.
+    pub seen: Seen,
 }
 
 /// Distance of `p` from the wall, above 0 inside.
@@ -115,6 +118,7 @@ impl Case {
     /// Cuts the blank and says what is wrong.
     pub fn judge(&self, settings: &Settings, shift: f64) -> Result<(), String> {
         let cuts = track_of(self.language, &self.text, settings).map_err(|codes| format!("refused: {codes:?}"))?;
+        let cuts = self.seen.programmed(cuts);
         let (low, high) = self.extent();
         let cell = self.radius / 5.0;
         let mut stock = Stock::of(low.map(|v| v - shift * cell), high, cell, |p| match &self.cleared {
@@ -276,6 +280,7 @@ impl Case {
             home,
             cleared,
             plunges,
+            seen: Seen::default(),
         }
     }
 }

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use partc::Settings;
 
 use super::super::damage::Dice;
+use super::klartext_frames::Seen;
 use super::milling::{Cut, EXACT, Stock, many, track_of};
 use super::pockets::{FINISH, PLUNGE, ROUGH, finishing, number};
 
@@ -48,15 +49,17 @@ pub struct Case {
     pub left: f64,
     /// Radius of the path in inside corners.
     pub corners: f64,
-    /// Radius of the cutter that roughs before this one, with the feed [`COARSE`].
-    pub coarse: Option<f64>,
+    /// Radii of the cutters that rough before this one, in turn, with the feeds [`COARSE`].
+    pub coarse: Vec<f64>,
     /// Steepest way into the material in degrees, where the cutter cannot go straight down.
     pub angle: Option<f64>,
     pub settings: Settings,
+    /// The system in which the program runs.
+    pub seen: Seen,
 }
 
-/// Feed of a cutter before the one of the case.
-pub const COARSE: f64 = 900.0;
+/// Feeds of the cutters before the one of the case.
+pub const COARSE: [f64; 2] = [900.0, 800.0];
 
 fn on_segment(p: P, a: P, b: P) -> P {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
@@ -246,6 +249,11 @@ impl Land {
 }
 
 impl Case {
+    /// Distance of a point from the nearest wall.
+    pub fn room(&self, p: P) -> f64 {
+        self.land.room(p)
+    }
+
     fn least(&self, cut: &Cut) -> f64 {
         let count = if cut.is_vertical() { 1 } else { 24 };
         let points = (0..=count).map(|i| cut.at(f64::from(i) / f64::from(count)));
@@ -255,7 +263,7 @@ impl Case {
     /// Cuts the blank and says what is wrong; false where the cutter was said to have no path.
     pub fn judge(&self, shift: f64) -> Result<bool, String> {
         let cuts = match track_of(self.language, &self.text, &self.settings) {
-            Ok(cuts) => cuts,
+            Ok(cuts) => self.seen.programmed(cuts),
             Err(codes)
                 if codes.iter().all(|code| {
                     let known =
@@ -271,9 +279,12 @@ impl Case {
         let cell = self.radius / 4.0;
         let mut stock = Stock::new([-size - shift * cell; 2], [size; 2], cell);
         let (floor, rough_floor) = (-self.depth, -self.depth + self.floor);
-        let coarse = cuts.iter().rposition(|cut| cut.feed == Some(COARSE)).map_or(0, |last| last + 1);
+        // Behind its last cut comes the next cutter.
+        let end = |feed: f64| cuts.iter().rposition(|cut| cut.feed == Some(feed)).map_or(0, |last| last + 1);
+        let before: Vec<(usize, f64)> = self.coarse.iter().zip(COARSE).map(|(by, feed)| (end(feed), *by)).collect();
+        let coarse = before.iter().map(|(end, _)| *end).max().unwrap_or(0);
         for (at, (cut, finishing)) in cuts.iter().zip(finishing(&cuts)).enumerate() {
-            let radius = self.coarse.filter(|_| at < coarse).unwrap_or(self.radius);
+            let radius = before.iter().find(|(end, _)| at < *end).map_or(self.radius, |(_, by)| *by);
             let lowest = cut.from[2].min(cut.to[2]);
             if lowest < 0.0 {
                 let wall = if finishing && self.finish[0] { self.left } else { self.wall };
@@ -413,8 +424,24 @@ fn random(dice: &mut Dice) -> Case {
     // The floor is finished up to the allowance on the wall, the wall down to that on the floor.
     let (left, corners, language) = (0.0, 0.0, "sinumerik");
     let land = Land::new(rings, 1);
-    let (coarse, angle, settings) = (None, None, Settings::default());
-    Case { language, text, land, radius, depth, step, wall, floor, finish, left, corners, coarse, angle, settings }
+    let (coarse, angle, settings, seen) = (Vec::new(), None, Settings::default(), Seen::default());
+    Case {
+        language,
+        text,
+        land,
+        radius,
+        depth,
+        step,
+        wall,
+        floor,
+        finish,
+        left,
+        corners,
+        coarse,
+        angle,
+        settings,
+        seen,
+    }
 }
 
 #[test]
