@@ -171,9 +171,6 @@ fn commands(text: &str) -> Result<String, String> {
         }
         out += &words.join(" ");
         out.push('\n');
-        if command == "G17" && !out.contains("G94") {
-            out += "G94 G40 G80\n";
-        }
     }
     Ok(out + "M30\n")
 }
@@ -280,7 +277,11 @@ fn rewritten(text: &str, judged: &Judged) -> Result<String, String> {
         out.push('\n');
         // Modes that the receiver has without a word.
         if out.matches('\n').count() == 2 {
-            out += if judged.lathe { "G90 G91.1 G49 G80\nG18 G7\n" } else { "G91.1 G49\n" };
+            out += match (judged.lathe, judged.commands) {
+                (true, _) => "G90 G91.1 G49 G80\nG18 G7\n",
+                (_, true) => "G91.1 G49 G94 G40 G80\n",
+                _ => "G91.1 G49\n",
+            };
         }
     }
     Ok(out + "%\n")

@@ -82,7 +82,12 @@ pub fn stream_for(dice: &mut Dice, length: usize, target: &str) -> Stream {
         settings.output.diameter = both.then(|| dice.one_in(2)).or(frame.lathe.map(|_| false));
     }
     settings.output.tool_length = Some(linuxcnc && dice.one_in(4));
-    if dice.one_in(4) {
+    let listed = settings.output.target.m.listed;
+    if listed {
+        settings.output.pass_m = vec![0, 1, 3, 4, 5, 7, 8, 9];
+        settings.output.rapid_feed = Some(3000);
+    }
+    if listed || dice.one_in(4) {
         settings.output.tool_change = ToolChange::Stop;
     }
     let plane = if settings.machine.kind == MachineKind::Lathe { Plane::Zx } else { Plane::Xy };

@@ -9,6 +9,7 @@ mod tool;
 mod walls;
 
 use crate::diag::codes;
+use crate::geo::wall::quarters;
 use crate::geo::{Deg, Point2, distance};
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
 use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
@@ -256,7 +257,8 @@ impl Region {
 
 /// The point of a part that is farthest from the walls, and how far it is.
 fn entry(part: &Part, walls: &Walls) -> Option<Entry> {
-    let points = part.outer.elements.iter().flat_map(|element| [element.from(), element.middle()]);
+    // A circle reaches farther than its ends.
+    let points = part.outer.elements.iter().flat_map(quarters).map(|piece| piece.from());
     let (mut low, mut high) = (Point2::new(f64::MAX, f64::MAX), Point2::new(f64::MIN, f64::MIN));
     for p in points {
         low = Point2::new(low.x.min(p.x), low.y.min(p.y));
