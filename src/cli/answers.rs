@@ -359,6 +359,7 @@ fn tried(answer: &Answer) -> &'static str {
         ("tools", _) => "1.0",
         ("machine", "diameter_axis") => "\"X\"",
         ("control", "feed" | "rapid_feed") => "1000.0",
+        ("output", "rapid_feed") => "1000",
         ("control", "retract_max") | ("start" | "machine", _) => "0.0",
         ("datums", _) => "\"G54\"",
         ("include", _) => "\".\"",

@@ -118,6 +118,10 @@ pub(super) fn read_settings(path: &Path) -> io::Result<Vec<u8>> {
     if bytes.len() as u64 > LARGEST_SETTINGS {
         return Err(io::Error::other(format!("is over {} MiB, which no table is", LARGEST_SETTINGS >> 20)));
     }
+    // The byte-order mark of UTF-16, of either order.
+    if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
+        return Err(io::Error::other("is a UTF-16 file; save it as UTF-8"));
+    }
     Ok(bytes)
 }
 

@@ -113,15 +113,17 @@ impl Text {
         if self.end > self.line {
             self.raw(b" ");
         }
+        let len = word.len();
+        let room = self.room();
         match *word.as_bytes() {
-            [first, second] => {
-                let room = self.room();
-                [room[0], room[1]] = [first, second];
-                self.end += 2;
-                self
-            }
-            _ => self.raw(word.as_bytes()),
+            [a] => room[0] = a,
+            [a, b] => [room[0], room[1]] = [a, b],
+            [a, b, c] => [room[0], room[1], room[2]] = [a, b, c],
+            [a, b, c, d] => [room[0], room[1], room[2], room[3]] = [a, b, c, d],
+            _ => return self.raw(word.as_bytes()),
         }
+        self.end += len;
+        self
     }
 
     /// Appends an address with a number in units of `places`.
@@ -145,7 +147,7 @@ impl Text {
     pub fn signed(&mut self, units: i64, places: Places) -> &mut Text {
         self.too_long |= units.unsigned_abs() >= self.many && self.is_too_long(units, places);
         let sign = if units < 0 { b'-' } else { b'+' };
-        self.end += places.write(false, sign, units.saturating_abs(), self.room());
+        self.end += places.signed(false).write(false, sign, units.saturating_abs(), self.room());
         self
     }
 
@@ -182,7 +184,8 @@ impl Text {
         room[len] = b' ';
         let number = &room[usize::from(address.is_none())..=len];
         let (line, end) = (self.line, self.end);
-        self.raw(number);
+        self.room();
+        self.end += number.len();
         self.bytes.copy_within(line..end, line + number.len());
         self.bytes[line..line + number.len()].copy_from_slice(number);
     }

@@ -16,6 +16,8 @@ pub struct Places {
     point: bool,
     /// The zero in front of a point is written.
     zero: bool,
+    /// What is not negative has a sign, too.
+    plus: bool,
     /// Units per millimetre.
     scale: f64,
     /// What rounding adds to a number of units.
@@ -28,7 +30,7 @@ impl Places {
         const SCALES: [f64; 7] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
         let count = count.min(6);
         let scale = SCALES[usize::from(count)];
-        Places { count, point: false, zero: true, scale, half: 0.5 + TIE * scale }
+        Places { count, point: false, zero: true, plus: false, scale, half: 0.5 + TIE * scale }
     }
 
     /// The same places of a length in inches.
@@ -45,6 +47,11 @@ impl Places {
     /// The same places, with the point and the zero in front of it as the target wants them.
     pub fn written(self, point: bool, zero: bool) -> Places {
         Places { point, zero, ..self }
+    }
+
+    /// The same places, with a sign in front of every number or of negative ones alone.
+    pub fn signed(self, plus: bool) -> Places {
+        Places { plus, ..self }
     }
 
     /// Units per millimetre.
@@ -85,6 +92,8 @@ impl Places {
         let mut digits = Digits::begin(blank, address, room);
         if units < 0 {
             digits.put(b'-');
+        } else if self.plus {
+            digits.put(b'+');
         }
         let units = units.unsigned_abs();
         let form = (self.point, self.zero);

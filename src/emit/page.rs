@@ -52,7 +52,11 @@ impl<'a> Page<'a> {
         out: &'a mut dyn Output,
         map: Option<&'a mut dyn LineMap>,
     ) -> Page<'a> {
-        let step = if limits.sequence == Sequence::Blocks { 1 } else { step };
+        let step = match limits.sequence {
+            Sequence::Address(..) => step,
+            Sequence::Blocks => 1,
+            Sequence::None => 0,
+        };
         if step > 0 {
             limits.length -= NUMBER;
         }
@@ -200,7 +204,7 @@ impl<'a> Page<'a> {
         let step = u64::from(self.step);
         let (address, most) = match self.limits.sequence {
             Sequence::Address(address, most) => (Some(address), u64::from(most)),
-            Sequence::Blocks => (None, u64::MAX),
+            Sequence::Blocks | Sequence::None => (None, u64::MAX),
         };
         self.text.begin_with(address, self.number);
         self.number = if self.number > most - step { step } else { self.number + step };

@@ -15,7 +15,7 @@ use std::io;
 
 use crate::diag::{Code, Diagnostic, Diags};
 use crate::geo::Plane;
-use crate::ir::function::CutterData;
+use crate::ir::function::{CutterData, Turn};
 use crate::ir::motion::{Move, Path, Sink};
 use crate::ir::{Function, Origin, Pos, Side};
 use crate::machine::axis::AXES;
@@ -51,7 +51,7 @@ pub struct Printer<'a> {
     length: ToolLength,
     /// Where the last thread ended, and behind how many lines.
     thread: Option<([i64; AXES], u64)>,
-    /// A straight move needs a closer look: inches, or all words in each block.
+    /// A straight move needs a closer look: inches, all words in each block, another form.
     special: bool,
     /// Name of the main program as comments have it.
     source: String,
@@ -60,6 +60,8 @@ pub struct Printer<'a> {
     ended: bool,
     /// That work offsets are not confirmed was said.
     doubted: bool,
+    /// What the spindle and the coolant do, where a speed stands with the start, and no word ends both with the program.
+    running: Running,
 }
 
 /// The spindle, as far as a tool change by hand stops it.
@@ -70,6 +72,14 @@ enum HandChange {
     Turns,
     /// It turned until this change.
     Stopped(Loc),
+}
+
+/// What was said of spindle and coolant.
+#[derive(Debug, Clone, Copy, Default)]
+struct Running {
+    speed: Option<i64>,
+    turn: Option<Turn>,
+    coolant: bool,
 }
 
 /// The length of the tool, where the target takes it with a move along Z.
@@ -117,12 +127,16 @@ impl<'a> Printer<'a> {
             compensation: Compensation::default(),
             spindle: HandChange::Stands,
             length: ToolLength::default(),
-            special: !settings.output.modal || measures.inches || matches!(target.form, Form::Dialog(_)),
+            special: !settings.output.modal
+                || measures.inches
+                || target.motion.rapid_at_feed
+                || matches!(target.form, Form::Dialog(_)),
             thread: None,
             source: String::new(),
             last: target.frame.last.map(str::to_owned),
             ended: false,
             doubted: false,
+            running: Running::default(),
         };
         printer.head(source, lathe);
         #[cfg(test)]
@@ -153,7 +167,10 @@ impl<'a> Printer<'a> {
     pub fn close(&mut self) {
         if !std::mem::replace(&mut self.ended, true) {
             self.template(&self.settings.footer);
-            self.page.block(self.target.flow.end.as_bytes());
+            match self.target.flow.end {
+                Some(end) => self.page.block(end.as_bytes()),
+                None => self.end(None, &Origin::default()),
+            }
         }
         if let Some(last) = self.last.take() {
             self.page.plain(last.as_bytes());
@@ -174,8 +191,6 @@ impl<'a> Printer<'a> {
     fn report(&self, code: &'static Code, origin: &Origin, message: &str) {
         self.diags.push(Diagnostic::new(code, origin.loc, message).called(origin.call));
     }
-
-    // Moves.
 
     #[inline(always)]
     fn print_move(&mut self, mv: &Move, origin: &Origin) {

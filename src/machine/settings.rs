@@ -248,6 +248,8 @@ pub struct OutputSettings {
     pub tool_change: ToolChange,
     /// What the number of a wait counts, where the target leaves it to a setting of the receiver.
     pub dwell_unit: Option<DwellUnit>,
+    /// Feed of rapid traverse in mm/min, where that goes at the last F.
+    pub rapid_feed: Option<u32>,
     /// How far lines may leave an arc that the target cannot say, in millionths of a mm; `None`: it is refused.
     pub arc_fallback: Option<u32>,
     /// What is printed is read back and compared with what was meant.
@@ -272,6 +274,7 @@ impl Default for OutputSettings {
             tool_length: None,
             tool_change: ToolChange::Change,
             dwell_unit: None,
+            rapid_feed: None,
             arc_fallback: None,
             validate: true,
         }
@@ -295,7 +298,7 @@ impl OutputSettings {
             Quantity::Lead => own(numbers.lead).unwrap_or(lengths),
             Quantity::Speed => self.decimals.speed.or(numbers.speed).unwrap_or(lengths),
             Quantity::Time if self.dwell_unit() == Some(DwellUnit::Milliseconds) => 3,
-            Quantity::Time => self.decimals.time.unwrap_or(lengths),
+            Quantity::Time => self.decimals.time.or(numbers.time).unwrap_or(lengths),
         }
     }
 
@@ -333,11 +336,25 @@ impl OutputSettings {
 
     /// The target adds the length of a tool after a change.
     pub fn prints_tool_length(&self) -> bool {
-        self.tool_length.unwrap_or(match self.target.tool.length {
-            Length::None => false,
+        match self.target.tool.length {
+            Length::None => self.tool_length.unwrap_or(false),
+            // Nothing calls the tool without it.
             Length::WithTool => true,
-            Length::Words(words) => words.usual,
-        })
+            Length::Words(words) => self.tool_length.unwrap_or(words.usual),
+        }
+    }
+
+    /// What adds the length of the tool to Z, and what to do where it acts along another axis.
+    pub fn length_along_z(&self) -> [&'static str; 2] {
+        match self.target.tool.length {
+            Length::WithTool => [
+                "the tool call of the target",
+                "take a target whose program can leave the length out, with `[output] tool_length = \"off\"`",
+            ],
+            Length::None | Length::Words(_) => {
+                ["the G43 of the target", "leave `[output] tool_length` at \"off\" and set the length on the target"]
+            }
+        }
     }
 
     /// The length of a tool is stated by the first move along Z behind its change.

@@ -34,8 +34,8 @@ pub(super) struct Block {
     /// G43, or G49.
     pub length: Option<bool>,
     pub offset: Option<u8>,
-    /// H is the number of the work offset.
-    pub offset_by_number: bool,
+    /// This letter has the number of the work offset, counted on from so many.
+    pub offset_by_number: Option<(u8, u8)>,
     pub path_control: bool,
     m: [u32; MOST_M],
     m_count: usize,
@@ -61,7 +61,7 @@ impl Block {
             match letter.to_ascii_uppercase() {
                 b' ' | b'\t' => rest = &rest[1..],
                 b';' => break,
-                b'(' if rules.words != Words::Siemens => rest = comment(rest)?,
+                b'(' if !matches!(rules.words, Words::Siemens | Words::Command) => rest = comment(rest)?,
                 _ if rules.words == Words::Siemens && rest.get(1).is_some_and(u8::is_ascii_alphabetic) => {
                     rest = block.name(rest)?;
                 }
@@ -107,11 +107,17 @@ impl Block {
             && self.groups == 0
             && self.m_count == 0
             && !self.speed_limit
-            && !self.offset_by_number
+            && self.offset_by_number.is_none()
             && self.diameter.is_none()
     }
 
     fn word(&mut self, letter: u8, units: i64, rules: &Rules) -> Result<(), Fault> {
+        if rules.words == Words::Command {
+            let first = self.groups == 0 && self.m_count == 0;
+            if first != matches!(letter, b'G' | b'M') {
+                return Err(Fault::new("a line is one command and its parameters"));
+            }
+        }
         match letter {
             b'G' => self.g(units, rules),
             b'M' => {
@@ -175,11 +181,11 @@ impl Block {
         }
         let tenths = match rules.function(tenths).ok_or_else(unknown)? {
             G::Rs274(tenths) => tenths,
-            G::OffsetByNumber if !self.offset_by_number => {
-                self.offset_by_number = true;
+            G::OffsetByNumber(letter, from) if self.offset_by_number.is_none() => {
+                self.offset_by_number = Some((letter, from));
                 return Ok(());
             }
-            G::OffsetByNumber => return Err(Fault::new("two work offsets")),
+            G::OffsetByNumber(..) => return Err(Fault::new("two work offsets")),
             G::SpeedLimit => {
                 self.speed_limit = true;
                 return Ok(());

@@ -119,8 +119,28 @@ impl Way {
 }
 
 impl Reader {
-    /// Reads a line of a dialog.
+    /// Number of the next block.
+    #[inline]
+    pub(super) fn dialog_number(&self) -> i64 {
+        self.dialog.number as i64
+    }
+
+    /// The next block has the next number.
+    #[inline]
+    pub(super) fn dialog_counts(&mut self) {
+        self.dialog.number += 1;
+    }
+
+    /// Reads a line of a dialog. Behind it, a straight move may be read in place.
     pub(super) fn dialog_line(&mut self, line: &[u8]) -> Result<(), Fault> {
+        self.dialog_block(line)?;
+        let Dialog { number, open, stopped, .. } = self.dialog;
+        let goes_on = number > 0 && open == Open::Nothing && !stopped && !self.ended;
+        self.plain = goes_on && self.modes.inches == Some(false);
+        Ok(())
+    }
+
+    fn dialog_block(&mut self, line: &[u8]) -> Result<(), Fault> {
         if self.dialog.open == Open::Preset {
             return self.preset(line);
         }

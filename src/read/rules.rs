@@ -21,6 +21,8 @@ pub struct Rules {
     pub turret: Option<u32>,
     /// G43 stands in a move along Z only: alone it would move by the length.
     pub length_moves: bool,
+    /// Rapid traverse goes at the last F, so that each such move has to have this one; negative where nobody said which.
+    pub rapid_feed: Option<i64>,
 }
 
 /// Families of G functions.
@@ -44,6 +46,8 @@ pub enum Words {
     Okuma,
     /// HEIDENHAIN Klartext: blocks that begin with what they do.
     Dialog,
+    /// Klipper and Marlin: a line is one command and its parameters.
+    Command,
 }
 
 pub(super) const RS274: Rules = Rules {
@@ -55,6 +59,7 @@ pub(super) const RS274: Rules = Rules {
     diameters: false,
     turret: None,
     length_moves: false,
+    rapid_feed: None,
 };
 
 /// Parts of a second that a wait may count.
@@ -69,6 +74,7 @@ const FANUC: Rules = Rules {
     diameters: false,
     turret: None,
     length_moves: true,
+    rapid_feed: None,
 };
 
 const LATHE: Rules = Rules { words: Words::LatheA, diameters: true, turret: Some(2), length_moves: false, ..FANUC };
@@ -78,6 +84,9 @@ const MACH: Rules = Rules { words: Words::Mach, turns: false, ..RS274 };
 const OKUMA: Rules = Rules { words: Words::Okuma, dwell: (b'F', 1), ..FANUC };
 
 const DIALOG: Rules = Rules { words: Words::Dialog, turns: false, ..RS274 };
+
+const COMMAND: Rules =
+    Rules { words: Words::Command, dwell: (b'P', THOUSANDTHS), turns: false, rapid_feed: Some(-1), ..RS274 };
 
 const SIEMENS: Rules = Rules { words: Words::Siemens, dwell: (b'F', 1), turns: false, ..RS274 };
 
@@ -95,6 +104,7 @@ impl Rules {
             "mach3" => MACH,
             "uccnc" => Rules { dwell: (b'P', THOUSANDTHS), ..MACH },
             "okuma" => OKUMA,
+            "klipper" | "marlin" => COMMAND,
             _ => RS274,
         }
     }
@@ -103,6 +113,17 @@ impl Rules {
     pub fn in_milliseconds(self, milliseconds: bool) -> Rules {
         let (letter, parts) = self.dwell;
         Rules { dwell: (letter, if milliseconds { THOUSANDTHS } else { parts }), ..self }
+    }
+
+    /// The same with the feed in mm/min at which rapid traverse goes.
+    pub fn at_rapid(self, feed: Option<u32>) -> Rules {
+        let feed = feed.map(|feed| i64::from(feed) * SCALE);
+        Rules { rapid_feed: self.rapid_feed.and(feed).or(self.rapid_feed), ..self }
+    }
+
+    /// The end of the text is the end of the program.
+    pub fn ends_with_text(&self) -> bool {
+        self.words == Words::Command
     }
 
     /// A G function, in tenths, as RS274 numbers what it does.
@@ -134,9 +155,13 @@ impl Rules {
         match self.words {
             Words::Rs274 => g(tenths),
             Words::Dialog => None,
+            Words::Command => match tenths {
+                0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 210 | 900 | 910 => g(tenths),
+                _ => None,
+            },
             Words::Mach | Words::Okuma if matches!(tenths, 530 | 960 | 970) => None,
             Words::Okuma => match tenths {
-                150 => Some(G::OffsetByNumber),
+                150 => Some(G::OffsetByNumber(b'H', 0)),
                 560 => g(430),
                 0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 200 | 210 | 400 | 800 | 900 | 940 => g(tenths),
                 _ => None,
@@ -145,6 +170,9 @@ impl Rules {
                 0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 330 | 400 | 540 | 550 | 560 | 570 | 900 | 910 | 940 | 950 => {
                     g(tenths)
                 }
+                5050 => g(580),
+                5060 => g(590),
+                5070..=5090 if tenths % 10 == 0 => g(591 + (tenths - 5070) / 10),
                 7000 => g(200),
                 7100 => g(210),
                 _ => None,
@@ -157,6 +185,8 @@ impl Rules {
             Words::FanucMill => match tenths {
                 200 | 210 | 430 | 490 | 610 | 640 | 900 | 910 | 940 | 950 => g(tenths),
                 920 => Some(G::SpeedLimit),
+                // Haas has G154 for it.
+                541 | 1540 => Some(G::OffsetByNumber(b'P', 6)),
                 _ => None,
             },
             Words::LatheA => match tenths {
@@ -181,16 +211,17 @@ impl Rules {
     pub(super) fn fixes(&self) -> Fixed {
         let lathe = matches!(self.words, Words::LatheA | Words::LatheB | Words::LatheC);
         let dialog = self.words == Words::Dialog;
+        let command = self.words == Words::Command;
         Fixed {
             centers: !matches!(self.words, Words::Rs274 | Words::Mach),
             absolute: self.words == Words::LatheA || dialog,
             // A turret brings the length with the tool.
-            no_length: lathe || dialog || self.words == Words::Okuma,
+            no_length: lathe || dialog || command || self.words == Words::Okuma,
             // SINUMERIK has no G80: cycles are calls.
-            no_cycles: lathe || self.words == Words::Siemens || dialog,
+            no_cycles: lathe || self.words == Words::Siemens || dialog || command,
             // What a TNC selects anew begins so.
-            per_minute: dialog,
-            no_cutter: dialog,
+            per_minute: dialog || command,
+            no_cutter: dialog || command,
         }
     }
 
@@ -209,8 +240,8 @@ pub(super) enum G {
     Rs274(i64),
     /// S is the largest speed.
     SpeedLimit,
-    /// H is the number of a work offset.
-    OffsetByNumber,
+    /// This letter has the number of a work offset, counted on from so many.
+    OffsetByNumber(u8, u8),
 }
 
 /// Modes that no word states.

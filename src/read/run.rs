@@ -183,9 +183,10 @@ impl Reader {
             modes.motion = None;
             modes.cycles_are_off = true;
         }
-        if block.offset_by_number {
-            let number = block.take_whole(b'H')?.and_then(|number| u8::try_from(number).ok()).filter(|n| *n > 0);
-            block.offset = Some(number.ok_or_else(|| Fault::new("G15 wants H"))?);
+        if let Some((letter, from)) = block.offset_by_number {
+            let number = block.take_whole(letter)?.filter(|number| (1..=99).contains(number));
+            let number = number.ok_or_else(|| Fault::new("a work offset without its number"))?;
+            block.offset = Some(from + number as u8);
         }
         if let Some(offset) = block.offset {
             modes.offset = offset;
@@ -218,7 +219,14 @@ impl Reader {
         let (from, was) = (self.at, self.known);
         let axes = self.ends(block)?;
         let path = match motion {
-            0 => Path::Rapid,
+            0 => {
+                if let Some(rapid) = self.rules.rapid_feed
+                    && (!new_feed || self.feed.take() != Some(rapid))
+                {
+                    return Err(Fault::new("rapid traverse at another feed, for it goes at the last F"));
+                }
+                Path::Rapid
+            }
             1 if block.machine && !matches!(self.rules.words, Words::Rs274 | Words::Siemens) => {
                 return Err(Fault::new("a feed in machine coordinates"));
             }

@@ -2,7 +2,8 @@
 
 use super::Reader;
 use super::act::{AXES, LETTERS};
-use super::number::{decimal, short};
+use super::number::{SCALE, decimal, short};
+use super::rules::Words;
 
 /// The place of each letter in the order in which such a line names them: the axes, from 1, and [`FEED`]. 0 for what is
 /// neither.
@@ -37,6 +38,9 @@ impl Reader {
     pub fn straight(&mut self, text: &[u8], end: usize) -> Option<Straight> {
         if !self.plain || end > text.len() || self.open.0 != self.open.1 {
             return None;
+        }
+        if self.rules.words == Words::Dialog {
+            return self.dialog_straight(text, end);
         }
         let (cuts, word_len) = match *text.first_chunk::<4>()? {
             [b'G', b'1', b' ', _] => (true, 3),
@@ -79,7 +83,12 @@ impl Reader {
         if axes == 0 {
             return None;
         }
-        if feed.is_some() {
+        if let (false, Some(rapid)) = (cuts, self.rules.rapid_feed) {
+            if feed != Some(rapid) {
+                return None;
+            }
+            self.feed = None;
+        } else if feed.is_some() {
             self.feed = feed;
         }
         self.known |= axes;
@@ -87,6 +96,85 @@ impl Reader {
         self.lines += 1;
         Some(Straight { cuts, axes, len: text.len() - rest.len() })
     }
+}
+
+impl Reader {
+    /// The same of a dialog: the number of the block, `L`, axes with their signs, and how fast.
+    fn dialog_straight(&mut self, text: &[u8], end: usize) -> Option<Straight> {
+        let (units, len) = short(*text.first_chunk()?, false)?;
+        if units != self.dialog_number().checked_mul(SCALE)? {
+            return None;
+        }
+        let mut rest = text.get(len..)?.strip_prefix(b" L ")?;
+        let behind_end = text.len() - end;
+        let (mut last, mut axes, mut cuts, mut feed) = (0, 0u16, true, None);
+        loop {
+            let len = match *rest.first_chunk()? {
+                [b'X'..=b'Z', b'+' | b'-'] => {
+                    let (letter, units, len) = signed_word(rest)?;
+                    let order = letter - b'X' + 1;
+                    if order <= last {
+                        return None;
+                    }
+                    last = order;
+                    self.at[usize::from(order) - 1] = units;
+                    axes |= 1 << (order - 1);
+                    len
+                }
+                [b'R', b'0'] => 2,
+                [b'F', b'M'] if rest.starts_with(b"FMAX\n") => {
+                    cuts = false;
+                    4
+                }
+                [b'F', b'0'..=b'9'] => {
+                    let (units, len) = decimal(&rest[1..])?;
+                    feed = Some(units);
+                    1 + len
+                }
+                _ => return None,
+            };
+            let behind = *rest.get(len)?;
+            let word = rest[0];
+            rest = &rest[len + 1..];
+            // What stands behind the text changes nothing.
+            if rest.len() < behind_end {
+                return None;
+            }
+            match behind {
+                // R0 once, and nothing behind the feed.
+                b' ' if word != b'F' && !(word == b'R' && rest.first() == Some(&b'R')) => {
+                    if word == b'R' {
+                        last = FEED;
+                    }
+                }
+                b'\n' => break,
+                _ => return None,
+            }
+        }
+        if axes == 0 {
+            return None;
+        }
+        if feed.is_some() {
+            self.feed = feed;
+        }
+        self.known |= axes;
+        self.lines += 1;
+        self.dialog_counts();
+        Some(Straight { cuts, axes, len: text.len() - rest.len() })
+    }
+}
+
+/// [`word`] with a sign in front of its number.
+#[inline(always)]
+fn signed_word(text: &[u8]) -> Option<(u8, i64, usize)> {
+    if let Some(word) = text.first_chunk::<10>()
+        && let Some(number) = word[2..].first_chunk()
+        && let Some((units, len)) = short(*number, word[1] == b'-')
+    {
+        return Some((word[0], units, 2 + len));
+    }
+    let (units, len) = decimal(text.get(1..)?)?;
+    Some((text[0], units, 1 + len))
 }
 
 /// The letter in front, the number behind it, and how many bytes both take.

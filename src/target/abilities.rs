@@ -37,6 +37,7 @@ impl Target {
         let sequence = match self.line.sequence {
             Sequence::Address(address, most) => format!("{} to {most}", address as char),
             Sequence::Blocks => "always".to_owned(),
+            Sequence::None => "-".to_owned(),
         };
         let name = match self.frame.name {
             ProgramName::None => "-".to_owned(),
@@ -68,7 +69,9 @@ impl Target {
             ("longest line", self.line.length.to_string()),
             ("point in all numbers", if self.numbers.point { "yes" } else { "-" }.to_owned()),
             ("digits of a number", digits),
+            ("inches", if self.frame.inch_head.is_some() { "yes" } else { "-" }.to_owned()),
             ("axes", self.axes.to_owned()),
+            ("rapid traverse", if self.motion.rapid_at_feed { "F by `rapid_feed`" } else { "yes" }.to_owned()),
             ("feed per minute", self.feed.per_minute.to_owned()),
             ("feed per revolution", text(self.feed.per_revolution)),
             ("feed by time", text(self.feed.inverse_time)),
@@ -93,6 +96,7 @@ impl Target {
             ("dwell", dwell),
             ("mist", text(self.coolant.mist)),
             ("optional stop", stop.to_owned()),
+            ("spindle, coolant, stops", if self.m.listed { "as in pass_m" } else { "yes" }.to_owned()),
             ("other M functions", if self.m.open { "as in pass_m" } else { "-" }.to_owned()),
         ]
     }

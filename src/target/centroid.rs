@@ -1,8 +1,8 @@
 //! Centroid mills: much as Fanuc, waits in seconds. A preview: what published post processors write.
 
 use super::{
-    Dwell, DwellUnit, FeedWords, Frame, MFunctions, Measure, Motion, Numbers, ProgramName, SpindleWords, Target,
-    fanuc::OWN, fanuc::TARGET as FANUC,
+    Dwell, DwellUnit, FeedWords, Frame, Motion, Numbers, ProgramName, SpindleWords, Target, base::BASE,
+    fanuc::TARGET as FANUC,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -12,15 +12,9 @@ pub(super) const TARGET: Target = Target {
     numbers: Numbers { zero: true, ..FANUC.numbers },
     // Neither G53 nor a feed per revolution is confirmed.
     motion: Motion { machine: None, ..FANUC.motion },
-    feed: FeedWords {
-        address: b'F',
-        per_minute: "G94",
-        per_revolution: None,
-        inverse_time: None,
-        measure: Measure::Linear,
-    },
+    feed: FeedWords { per_revolution: None, ..FANUC.feed },
     spindle: SpindleWords { cutting_speed: None, ..FANUC.spindle },
+    offsets: BASE.offsets,
     dwell: Dwell { unit: DwellUnit::Seconds, per_minute: false, ..FANUC.dwell },
-    m: MFunctions { own: OWN, ..FANUC.m },
     ..FANUC
 };

@@ -4,8 +4,8 @@
 use core::f64::consts::PI;
 
 use super::{
-    Arcs, Change, CuttingSpeed, FeedWords, Frame, Lead, Length, Limit, Measure, Motion, SpindleWords, Target, Thread,
-    ToolWords, fanuc::TARGET as FANUC,
+    Arcs, Change, CuttingSpeed, FeedWords, Frame, Lead, Length, Limit, Motion, SpindleWords, Target, Thread, ToolWords,
+    base::BASE, fanuc::TARGET as FANUC,
 };
 
 /// G-code system A.
@@ -14,7 +14,7 @@ pub(super) const A: Target = Target {
     about: "Fanuc lathes, G-code system A",
     frame: Frame {
         head: &["G21 G40 G98"],
-        inch_head: &["G20 G40 G98"],
+        inch_head: Some(&["G20 G40 G98"]),
         mill: None,
         lathe_diameter: Some("G18"),
         ..FANUC.frame
@@ -25,13 +25,7 @@ pub(super) const A: Target = Target {
         thread: Some(Thread { word: "G32", lead: Lead::OneAxis(b'F'), stops: false }),
         ..FANUC.motion
     },
-    feed: FeedWords {
-        address: b'F',
-        per_minute: "G98",
-        per_revolution: Some("G99"),
-        inverse_time: None,
-        measure: Measure::Linear,
-    },
+    feed: FeedWords { per_minute: "G98", per_revolution: Some("G99"), ..FANUC.feed },
     arcs: Arcs { most_sweep: PI * 2.0 / 3.0, ..FANUC.arcs },
     spindle: SpindleWords {
         cutting_speed: Some(CuttingSpeed { on: "G96", off: "G97", limit: Limit::Block("G50") }),
@@ -44,6 +38,7 @@ pub(super) const A: Target = Target {
         prepares: false,
         length: Length::WithTool,
     },
+    offsets: BASE.offsets,
     ..FANUC
 };
 
@@ -51,7 +46,7 @@ pub(super) const A: Target = Target {
 pub(super) const B: Target = Target {
     name: "fanuc-lathe-b",
     about: "Fanuc lathes, G-code system B",
-    frame: Frame { head: &["G90 G21 G40 G94"], inch_head: &["G90 G20 G40 G94"], ..A.frame },
+    frame: Frame { head: &["G90 G21 G40 G94"], inch_head: Some(&["G90 G20 G40 G94"]), ..A.frame },
     motion: Motion { thread: Some(Thread { word: "G33", lead: Lead::OneAxis(b'F'), stops: false }), ..A.motion },
     feed: FeedWords { per_minute: "G94", per_revolution: Some("G95"), ..A.feed },
     spindle: SpindleWords {
@@ -65,6 +60,6 @@ pub(super) const B: Target = Target {
 pub(super) const C: Target = Target {
     name: "fanuc-lathe-c",
     about: "Fanuc lathes, G-code system C",
-    frame: Frame { head: &["G90 G71 G40 G94"], inch_head: &["G90 G70 G40 G94"], ..A.frame },
+    frame: Frame { head: &["G90 G71 G40 G94"], inch_head: Some(&["G90 G70 G40 G94"]), ..A.frame },
     ..B
 };

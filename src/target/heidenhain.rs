@@ -6,11 +6,11 @@ use core::f64::consts::{PI, TAU};
 use crate::geo::Plane;
 
 use super::{
-    Arcs, Change, Comments, CoolantWords, Dialog, Dwell, DwellUnit, EVERY_PLANE, FeedWords, Flow, Form, Frame,
-    HelixWords, Length, Line, MFunctions, Measure, Motion, Numbers, ProgramName, Sequence, SpindleWords, Target,
-    ToolWords,
+    Arcs, Change, Comments, Dialog, Dwell, FeedWords, Flow, Form, Frame, HelixWords, Length, Line, MFunctions, Motion,
+    Numbers, ProgramName, Sequence, Target, ToolWords, base::BASE,
 };
 
+// What F counts where a rotary axis goes along is not confirmed, and what M136 counts differs by generation: neither is said.
 pub(super) const TARGET: Target = Target {
     name: "heidenhain",
     about: "HEIDENHAIN Klartext (iTNC 530, TNC 320 to 640, TNC7): plain moves",
@@ -42,96 +42,39 @@ pub(super) const TARGET: Target = Target {
         offset: ["CYCL DEF 247 DATUM SETTING ~", ";DATUM NUMBER"],
     }),
     frame: Frame {
-        first: None,
-        last: None,
         name: ProgramName::Text { front: "", most: 16, marks: "_-" },
         // Positions are absolute where no I stands in front of them, and what is selected anew compensates nothing.
-        head: &[],
-        inch_head: &[],
+        inch_head: Some(&[]),
         mill: Some(""),
-        lathe: None,
-        lathe_diameter: None,
+        ..BASE.frame
     },
     // At the end of a line, the comment would go on in the next one.
-    comments: Comments { open: "; ", close: "", upper: false, forbidden: b"~" },
-    line: Line { length: 80, digits: 9, whole: 5, sequence: Sequence::Blocks },
-    numbers: Numbers {
-        point: false,
-        feed_point: false,
-        zero: true,
-        length: [4, 4],
-        most: 4,
-        feed: Some([3, 3]),
-        feed_per_revolution: None,
-        lead: None,
-        speed: Some(3),
-    },
-    // What F counts where a rotary axis goes along is not confirmed.
-    axes: "XYZ",
-    motion: Motion {
-        rapid: "L",
-        line: "L",
-        machine: Some("M91"),
-        machine_feed: true,
-        machine_drops_length: false,
-        thread: None,
-        planes: None,
-    },
-    feed: FeedWords {
-        address: b'F',
-        per_minute: "F",
-        // What M136 counts differs by generation.
-        per_revolution: None,
-        inverse_time: None,
-        measure: Measure::Linear,
-    },
+    comments: Comments { open: "; ", close: "", forbidden: b"~", ..BASE.comments },
+    line: Line { digits: 9, whole: 5, sequence: Sequence::Blocks, ..BASE.line },
+    numbers: Numbers { length: [4, 4], most: 4, feed: Some([3, 3]), speed: Some(3), time: Some(3), ..BASE.numbers },
+    motion: Motion { rapid: "L", line: "L", machine: Some("M91"), machine_feed: true, planes: None, ..BASE.motion },
+    feed: FeedWords { per_minute: "F", ..BASE.feed },
     arcs: Arcs {
         clockwise: "DR-",
         counter_clockwise: "DR+",
         center: *b"XYZ",
-        planes: EVERY_PLANE,
-        turns: None,
         most_sweep: TAU,
         // The control moves a centre that does not quite fit, and far where start and end lie close together.
         most_open_sweep: PI * 1.5,
-        tolerance: 1.5,
         mismatch: [0.016, 0.016],
-        least_radius: 0.01,
         // Nine digits.
         most_radius: 50_000.0,
         // Where both nearly meet, rounding within the control would decide between nothing and a full circle.
         least_chord: 0.001,
+        ..BASE.arcs
     },
-    spindle: SpindleWords {
-        clockwise: "M3",
-        counter_clockwise: "M4",
-        stop: "M5",
-        speed: b'S',
-        cutting_speed: None,
-        orient: None,
-        other: None,
-    },
-    coolant: CoolantWords { mist: None, flood: "M8", off: "M9" },
-    tool: ToolWords {
-        address: b'T',
-        most: 32_767,
-        change: Some(Change::Call),
-        prepares: true,
-        length: Length::WithTool,
-    },
-    dwell: Dwell {
-        word: "CYCL DEF 9.1 DWELL",
-        address: b' ',
-        unit: DwellUnit::Seconds,
-        most: 3600.0,
-        per_minute: false,
-    },
+    tool: ToolWords { most: 32_767, change: Some(Change::Call), length: Length::WithTool, ..BASE.tool },
+    dwell: Dwell { word: "CYCL DEF 9.1 DWELL", address: b' ', most: 3600.0, ..BASE.dwell },
     // M0 would stop the spindle, too.
-    flow: Flow { stop: "STOP", optional_stop: "M1", optional_stop_is_idle: false, end: "M2", rewind: "M30" },
+    flow: Flow { stop: "STOP", ..BASE.flow },
     offsets: &["Q339=+1", "Q339=+2", "Q339=+3", "Q339=+4", "Q339=+5", "Q339=+6", "Q339=+7", "Q339=+8", "Q339=+9"],
-    offsets_confirmed: true,
-    compensation: None,
-    m: MFunctions { address: b'M', own: OWN, open: true },
+    m: MFunctions { own: OWN, ..BASE.m },
+    ..BASE
 };
 
 const OWN: &[(u32, &str)] = &[

@@ -3,86 +3,48 @@
 use crate::geo::Plane;
 
 use super::{
-    Arcs, Change, Comments, CompensationWords, CoolantWords, CuttingSpeed, Dwell, DwellUnit, EVERY_PLANE, FeedWords,
-    Flow, Form, Frame, Lead, Length, LengthNumber, LengthWords, Limit, Line, MFunctions, Measure, Motion, Numbers,
-    ProgramName, Sequence, SpindleWords, Target, Thread, ToolWords, Turns,
+    Arcs, CompensationWords, CoolantWords, CuttingSpeed, FeedWords, Frame, Lead, Length, LengthNumber, LengthWords,
+    Limit, MFunctions, Motion, SpindleWords, Target, Thread, ToolWords, Turns, base::BASE,
 };
 
 pub(super) const TARGET: Target = Target {
     name: "linuxcnc",
     about: "LinuxCNC (RS274/NGC)",
     extension: "ngc",
-    form: Form::Words,
     frame: Frame {
         first: Some("%"),
         last: Some("%"),
-        name: ProgramName::None,
         head: &["G90 G21 G91.1 G94"],
-        inch_head: &["G90 G20 G91.1 G94"],
+        inch_head: Some(&["G90 G20 G91.1 G94"]),
         mill: Some("G17 G40 G49 G80"),
         lathe: Some("G18 G8 G40 G49 G80"),
         lathe_diameter: Some("G18 G7 G40 G49 G80"),
-    },
-    comments: Comments { open: "(", close: ")", upper: false, forbidden: b"" },
-    line: Line { length: 80, digits: 0, whole: 0, sequence: Sequence::Address(b'N', 99_999) },
-    numbers: Numbers {
-        point: false,
-        feed_point: false,
-        zero: true,
-        length: [4, 5],
-        most: 6,
-        feed: None,
-        feed_per_revolution: None,
-        lead: None,
-        speed: None,
+        ..BASE.frame
     },
     axes: "XYZABCUVW",
     motion: Motion {
-        rapid: "G0",
-        line: "G1",
         machine: Some("G53"),
         machine_feed: true,
-        machine_drops_length: false,
         thread: Some(Thread { word: "G33", lead: Lead::Way(b'K'), stops: true }),
-        planes: Some(["G17", "G18", "G19"]),
+        ..BASE.motion
     },
-    feed: FeedWords {
-        address: b'F',
-        per_minute: "G94",
-        per_revolution: Some("G95"),
-        inverse_time: Some("G93"),
-        measure: Measure::Linear,
-    },
+    feed: FeedWords { per_revolution: Some("G95"), inverse_time: Some("G93"), ..BASE.feed },
     arcs: Arcs {
-        clockwise: "G2",
-        counter_clockwise: "G3",
-        center: *b"IJK",
-        planes: EVERY_PLANE,
         turns: Some(Turns::All(b'P')),
         most_sweep: f64::INFINITY,
-        most_open_sweep: f64::INFINITY,
-        tolerance: 1.5,
-        mismatch: [f64::INFINITY; 2],
         // Below its tolerance of 0.00127 mm the interpreter calls the radius zero.
         least_radius: 0.0013,
         most_radius: f64::INFINITY,
-        least_chord: 0.0,
+        ..BASE.arcs
     },
     spindle: SpindleWords {
-        clockwise: "M3",
-        counter_clockwise: "M4",
-        stop: "M5",
-        speed: b'S',
         cutting_speed: Some(CuttingSpeed { on: "G96", off: "G97", limit: Limit::Word("D") }),
         orient: Some(("M19", b'R')),
         other: Some(b'$'),
+        ..BASE.spindle
     },
-    coolant: CoolantWords { mist: Some("M7"), flood: "M8", off: "M9" },
+    coolant: CoolantWords { mist: Some("M7"), ..BASE.coolant },
     tool: ToolWords {
-        address: b'T',
-        most: u32::MAX,
-        change: Some(Change::Word("M6")),
-        prepares: true,
         length: Length::Words(LengthWords {
             on: "G43",
             number: LengthNumber::Tool(b'H'),
@@ -90,11 +52,9 @@ pub(super) const TARGET: Target = Target {
             with_move: false,
             usual: false,
         }),
+        ..BASE.tool
     },
-    dwell: Dwell { word: "G4", address: b'P', unit: DwellUnit::Seconds, most: f64::INFINITY, per_minute: false },
-    flow: Flow { stop: "M0", optional_stop: "M1", optional_stop_is_idle: false, end: "M2", rewind: "M30" },
     offsets: &["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"],
-    offsets_confirmed: true,
     compensation: Some(CompensationWords {
         left: "G41",
         right: "G42",
@@ -105,7 +65,6 @@ pub(super) const TARGET: Target = Target {
         planes: &[Plane::Xy, Plane::Zx],
     }),
     m: MFunctions {
-        address: b'M',
         own: &[
             (48, "switches the overrides on"),
             (49, "switches the overrides off"),
@@ -129,6 +88,7 @@ pub(super) const TARGET: Target = Target {
             (98, "calls a subprogram"),
             (99, "returns, or starts the program again"),
         ],
-        open: true,
+        ..BASE.m
     },
+    ..BASE
 };

@@ -5,8 +5,8 @@ use core::f64::consts::PI;
 use crate::geo::Plane;
 
 use super::{
-    Arcs, Comments, Dwell, DwellUnit, FeedWords, Frame, Length, LengthNumber, LengthWords, Line, MFunctions, Measure,
-    Motion, Numbers, ProgramName, SpindleWords, Target, ToolWords, fanuc::OWN, fanuc::TARGET as FANUC,
+    Arcs, Comments, Dwell, DwellUnit, FeedWords, Frame, Length, LengthNumber, LengthWords, Line, Motion, Numbers,
+    ProgramName, SpindleWords, Target, ToolWords, base::BASE, fanuc::TARGET as FANUC,
 };
 
 pub(super) const MACH3: Target = Target {
@@ -18,19 +18,13 @@ pub(super) const MACH3: Target = Target {
         name: ProgramName::None,
         // Centres count as a setting says, unless the program does.
         head: &["G90 G21 G91.1 G94"],
-        inch_head: &["G90 G20 G91.1 G94"],
+        inch_head: Some(&["G90 G20 G91.1 G94"]),
         ..FANUC.frame
     },
     line: Line { digits: 0, ..FANUC.line },
     numbers: Numbers { zero: true, length: [4, 4], ..FANUC.numbers },
     motion: Motion { machine: None, ..FANUC.motion },
-    feed: FeedWords {
-        address: b'F',
-        per_minute: "G94",
-        per_revolution: None,
-        inverse_time: None,
-        measure: Measure::Linear,
-    },
+    feed: FeedWords { per_revolution: None, ..FANUC.feed },
     // Its check of arcs.
     arcs: Arcs { mismatch: [0.002, 0.00508], ..FANUC.arcs },
     spindle: SpindleWords { cutting_speed: None, ..FANUC.spindle },
@@ -47,8 +41,8 @@ pub(super) const MACH3: Target = Target {
     },
     // Wrong by a thousand on half of the machines, either way.
     dwell: Dwell { unit: DwellUnit::Setting, per_minute: false, ..FANUC.dwell },
+    offsets: BASE.offsets,
     offsets_confirmed: false,
-    m: MFunctions { own: OWN, ..FANUC.m },
     ..FANUC
 };
 
@@ -60,6 +54,5 @@ pub(super) const UCCNC: Target = Target {
     // Post processors write quarters in XY.
     arcs: Arcs { planes: &[Plane::Xy], most_sweep: PI / 2.0, ..MACH3.arcs },
     dwell: Dwell { unit: DwellUnit::Milliseconds, per_minute: false, ..FANUC.dwell },
-    m: MFunctions { own: OWN, ..FANUC.m },
     ..MACH3
 };

@@ -3,6 +3,7 @@
 //! Nothing here runs: `emit` prints with the table, `machine` and the command line offer the names.
 
 mod abilities;
+mod base;
 mod centroid;
 mod fanuc;
 mod fanuc_lathe;
@@ -14,6 +15,7 @@ mod linuxcnc;
 mod mach;
 mod mazak;
 mod okuma;
+mod printers;
 mod siemens;
 mod words;
 
@@ -36,6 +38,8 @@ pub const ALL: &[&Target] = &[
     &mach::MACH3,
     &mach::UCCNC,
     &okuma::TARGET,
+    &printers::KLIPPER,
+    &printers::MARLIN,
 ];
 
 /// Their names, in the same order.

@@ -1,8 +1,8 @@
 //! Okuma mills (OSP): work offsets by G15, lengths by G56, waits by F. A preview: what published post processors write.
 
 use super::{
-    Arcs, Change, Dwell, DwellUnit, FeedWords, Flow, Frame, Length, LengthNumber, LengthWords, MFunctions, Measure,
-    Motion, Numbers, ProgramName, SpindleWords, Target, ToolWords, fanuc::TARGET as FANUC,
+    Arcs, Change, Dwell, DwellUnit, FeedWords, Flow, Frame, Length, LengthNumber, LengthWords, MFunctions, Motion,
+    Numbers, ProgramName, SpindleWords, Target, ToolWords, fanuc::TARGET as FANUC,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -16,13 +16,7 @@ pub(super) const TARGET: Target = Target {
     },
     numbers: Numbers { feed_point: false, zero: true, ..FANUC.numbers },
     motion: Motion { rapid: "G00", line: "G01", machine: None, ..FANUC.motion },
-    feed: FeedWords {
-        address: b'F',
-        per_minute: "G94",
-        per_revolution: None,
-        inverse_time: None,
-        measure: Measure::Linear,
-    },
+    feed: FeedWords { per_revolution: None, ..FANUC.feed },
     arcs: Arcs { clockwise: "G02", counter_clockwise: "G03", mismatch: [0.02, 0.02], ..FANUC.arcs },
     spindle: SpindleWords {
         clockwise: "M03",
@@ -43,8 +37,9 @@ pub(super) const TARGET: Target = Target {
         ..FANUC.tool
     },
     dwell: Dwell { word: "G04", address: b'F', unit: DwellUnit::Seconds, per_minute: false, ..FANUC.dwell },
-    flow: Flow { end: "M02", ..FANUC.flow },
+    flow: Flow { end: Some("M02"), ..FANUC.flow },
     offsets: &["G15 H1", "G15 H2", "G15 H3", "G15 H4", "G15 H5", "G15 H6", "G15 H7", "G15 H8", "G15 H9"],
+    offsets_named: u8::MAX,
     m: MFunctions { own: &[], ..FANUC.m },
     ..FANUC
 };

@@ -32,6 +32,8 @@ pub struct Target {
     pub flow: Flow,
     /// Work offsets in order, from G54 on.
     pub offsets: &'static [&'static str],
+    /// Those behind so many are others than the program names, counted on: which one is printed is told.
+    pub offsets_named: u8,
     /// That the receiver knows them is confirmed.
     pub offsets_confirmed: bool,
     pub compensation: Option<CompensationWords>,
@@ -111,9 +113,9 @@ pub struct Frame {
     pub last: Option<&'static str>,
     /// By what the receiver knows a program, behind the first line.
     pub name: ProgramName,
-    /// Modes that hold on every machine, in millimetres and in inches.
+    /// Modes that hold on every machine, in millimetres and in inches; `None` where the target knows no inches.
     pub head: &'static [&'static str],
-    pub inch_head: &'static [&'static str],
+    pub inch_head: Option<&'static [&'static str]>,
     pub mill: Option<&'static str>,
     /// On a lathe, with X as a radius.
     pub lathe: Option<&'static str>,
@@ -169,6 +171,8 @@ pub enum Sequence {
     Address(u8, u32),
     /// Every line that begins a block has its number, counted from 0.
     Blocks,
+    /// A number would mean something else.
+    None,
 }
 
 /// How numbers are written. Places come in pairs: in millimetres, in inches.
@@ -188,6 +192,8 @@ pub struct Numbers {
     pub feed_per_revolution: Option<[u8; 2]>,
     pub lead: Option<[u8; 2]>,
     pub speed: Option<u8>,
+    /// Most places of a wait that are read, too.
+    pub time: Option<u8>,
 }
 
 /// Straight moves, planes, coordinates of the machine.
@@ -195,6 +201,8 @@ pub struct Numbers {
 pub struct Motion {
     pub rapid: &'static str,
     pub line: &'static str,
+    /// Rapid traverse goes at the F that was read last: the configuration says which one.
+    pub rapid_at_feed: bool,
     /// In front of a move in machine coordinates, in a dialog behind it.
     pub machine: Option<&'static str>,
     /// Such a move may have a feed.
@@ -266,6 +274,8 @@ pub struct Arcs {
     pub center: [u8; 3],
     /// Planes in which the receiver goes round.
     pub planes: &'static [Plane],
+    /// A third axis goes along with an arc, in every build of the receiver.
+    pub helices: bool,
     /// Number of turns in one block; `None`: an arc is divided at `most_sweep`.
     pub turns: Option<Turns>,
     /// Largest sweep of a block in rad where it cannot count turns.
@@ -322,6 +332,8 @@ pub struct SpindleWords {
     pub counter_clockwise: &'static str,
     pub stop: &'static str,
     pub speed: u8,
+    /// A speed is a part of the block that starts the spindle.
+    pub speed_with_start: bool,
     pub cutting_speed: Option<CuttingSpeed>,
     /// Stop at an angle, and the address of the angle.
     pub orient: Option<(&'static str, u8)>,
@@ -435,8 +447,9 @@ pub struct Flow {
     pub optional_stop: &'static str,
     /// The receiver reads the optional stop and never stops there.
     pub optional_stop_is_idle: bool,
-    pub end: &'static str,
-    pub rewind: &'static str,
+    /// `None` where the end of the text is the end of the program.
+    pub end: Option<&'static str>,
+    pub rewind: Option<&'static str>,
 }
 
 /// Radius compensation by the target.
@@ -462,4 +475,6 @@ pub struct MFunctions {
     pub own: &'static [(u32, &'static str)],
     /// The machine builder may add M functions to those of the target.
     pub open: bool,
+    /// Those of spindle, coolant and stops are matters of the machine, too: they are printed where `pass_m` lists them.
+    pub listed: bool,
 }

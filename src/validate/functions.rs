@@ -4,7 +4,7 @@ use crate::ir::Function;
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::read::{Act, Speed};
 
-use super::{MAIN, Text, Validator, Why, is_rounding, plane};
+use super::{MAIN, Running, Text, Validator, Why, is_rounding, plane};
 
 /// Acts of a function, but for a dwell.
 const MOST: usize = 3;
@@ -42,9 +42,15 @@ impl Validator {
             }
             Function::Spindle(spindle) => self.is_spindle(*spindle, None, acts),
             Function::SpindleOf { number, spindle } => self.is_spindle(*spindle, Some(*number), acts),
-            Function::Coolant(Coolant::Mist) => *acts == [m(7)],
-            Function::Coolant(Coolant::Flood) => *acts == [m(8)],
-            Function::Coolant(Coolant::Off) => *acts == [m(9)],
+            Function::Coolant(coolant) => {
+                self.running.coolant = !matches!(coolant, Coolant::Off);
+                let number = match coolant {
+                    Coolant::Mist => 7,
+                    Coolant::Flood => 8,
+                    Coolant::Off => 9,
+                };
+                *acts == [m(number)]
+            }
             Function::Stop => self.stops(0, acts),
             Function::OptionalStop => self.stops(1, acts),
             Function::Aux(number) => match acts {
@@ -68,6 +74,7 @@ impl Validator {
     fn is_change(&mut self, number: u32, acts: &[Act], text: Text<'_>) -> bool {
         self.stated &= !MAIN;
         let changed = if self.by_hand {
+            self.running.turn = None;
             let text = &text.bytes[..text.end];
             let what = if number == 0 { "take the tool out".to_owned() } else { format!("change to tool {number}") };
             let (open, close) = self.brackets;
@@ -84,7 +91,37 @@ impl Validator {
         changed && (!self.tool_length || self.reader.modes().length == Some(number))
     }
 
-    fn is_spindle(&self, spindle: Spindle, number: Option<u8>, acts: &[Act]) -> bool {
+    /// A speed with the start that it belongs to, or a start with the last speed.
+    fn starts(&mut self, spindle: Spindle, acts: &[Act]) -> bool {
+        match spindle {
+            Spindle::Start(Turn::Clockwise) => self.running.turn = Some(3),
+            Spindle::Start(Turn::CounterClockwise) => self.running.turn = Some(4),
+            Spindle::Stop => {
+                self.running.turn = None;
+                return *acts == [m(5)];
+            }
+            Spindle::Speed(speed) => {
+                self.running.speed = Some(speed);
+                if self.running.turn.is_none() {
+                    return acts.is_empty();
+                }
+            }
+            Spindle::CuttingSpeed { .. } | Spindle::Orient(_) => return false,
+        }
+        let Running { speed, turn, .. } = self.running;
+        match (acts, speed, turn) {
+            ([Act::Speed(Speed { spindle: 0, value, constant_cut: None }), start], Some(speed), Some(turn)) => {
+                *start == m(turn) && self.is_speed(*value, speed)
+            }
+            ([start], None, Some(turn)) => *start == m(turn),
+            _ => false,
+        }
+    }
+
+    fn is_spindle(&mut self, spindle: Spindle, number: Option<u8>, acts: &[Act]) -> bool {
+        if self.with_start && number.is_none() {
+            return self.starts(spindle, acts);
+        }
         let own = number.map_or(0, |number| number.saturating_sub(1));
         let turns = |m: u32| *acts == [Act::M { number: m, spindle: own, angle: None }];
         match spindle {
@@ -145,10 +182,27 @@ impl Validator {
     /// The end of the program.
     pub(super) fn ends(&mut self, rewind: bool, text: Text<'_>) -> Result<(), Why> {
         let Text { bytes: mut rest, mut end } = text;
-        let act = self.reader.next(&mut rest, &mut end)?;
         self.ended = true;
+        if self.ends_with_text {
+            return self.runs_out(text);
+        }
+        let act = self.reader.next(&mut rest, &mut end)?;
         if act != Some(m(if rewind { 30 } else { 2 })) {
             return Err(Why::new("the end of the program is meant"));
+        }
+        self.no_act(Text { bytes: rest, end })
+    }
+}
+
+impl Validator {
+    /// An end without a word: what runs is stopped, and nothing else happens.
+    fn runs_out(&mut self, text: Text<'_>) -> Result<(), Why> {
+        let Text { bytes: mut rest, mut end } = text;
+        let Running { turn, coolant, .. } = self.running;
+        for number in [turn.map(|_| 5), coolant.then_some(9)].into_iter().flatten() {
+            if self.reader.next(&mut rest, &mut end)? != Some(m(number)) {
+                return Err(Why::new("spindle or coolant go on behind the end"));
+            }
         }
         self.no_act(Text { bytes: rest, end })
     }

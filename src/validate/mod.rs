@@ -53,6 +53,15 @@ impl fmt::Display for Mismatch {
     }
 }
 
+/// What was meant for spindle and coolant.
+#[derive(Debug, Clone, Copy, Default)]
+struct Running {
+    speed: Option<f64>,
+    /// The M function that started the spindle.
+    turn: Option<u32>,
+    coolant: bool,
+}
+
 /// Why an item and its text do not go together.
 #[derive(Debug)]
 struct Why(String);
@@ -111,6 +120,11 @@ pub struct Validator {
     by_hand: bool,
     /// What stands around a comment.
     brackets: (&'static str, &'static str),
+    /// The speed stands in the block that starts the spindle.
+    with_start: bool,
+    /// No word ends the program: spindle and coolant have to be stopped in front of its end.
+    ends_with_text: bool,
+    running: Running,
     ended: bool,
     /// Nothing is compared any more: there was a difference, or the output is of no use anyway.
     done: bool,
@@ -124,7 +138,11 @@ impl Validator {
         let grain = Grain::of(output);
         let unit = grain.length;
         Validator {
-            reader: Reader::with(Rules::of(output.target.name).in_milliseconds(output.waits_in_milliseconds())),
+            reader: Reader::with(
+                Rules::of(output.target.name)
+                    .in_milliseconds(output.waits_in_milliseconds())
+                    .at_rapid(output.rapid_feed),
+            ),
             unit,
             half: unit / 2.0,
             most_off: (arcs::MOST_OFF * unit).min(output.arc_mismatch() * SCALE as f64),
@@ -142,6 +160,9 @@ impl Validator {
             length: None,
             brackets: (output.target.comments.open, output.target.comments.close),
             by_hand: output.tool_change == ToolChange::Stop,
+            with_start: output.target.spindle.speed_with_start,
+            ends_with_text: output.target.flow.end.is_none(),
+            running: Running::default(),
             ended: false,
             done: false,
             mismatch: None,
@@ -221,8 +242,9 @@ impl Validator {
         }
         let text = Text { bytes, end };
         let result = if self.ended { self.no_act(text) } else { self.ends(false, text) };
-        let result =
-            result.and_then(|()| if self.reader.ended() { Ok(()) } else { Err(Why::new("the program does not end")) });
+        let result = result.and_then(|()| {
+            if self.ends_with_text || self.reader.ended() { Ok(()) } else { Err(Why::new("the program does not end")) }
+        });
         self.judge(result, &"the end", &Origin::default(), text);
     }
 

@@ -64,6 +64,9 @@ fn forms_read_again_hold_the_same() {
         "{}",
         ran.err
     );
+    folder.write("CUT.T", "BEGIN TOOL .T MM\nT   L     CUT.  LTOL\n1   3.1   4\n2   5     4\n[END]\n");
+    let ran = folder.run(&["tools", "CUT.T"]).exits(0);
+    assert_eq!(ran.err, "CUT.T:3: note: column CUT. is left out: partc has no use for it\n");
     // In inches nothing is 25.400000000000002.
     folder.write("INCH.T", "BEGIN TOOL .T INCH\nT   L      R\n1   3.1    0.1\n[END]\n");
     assert!(shown(&folder, &["INCH.T"]).contains("1       2.54    78.74"), "{}", shown(&folder, &["INCH.T"]));
@@ -81,9 +84,11 @@ fn tables_that_cannot_be_read() {
         ("a.csv", "number,raduis\n1,5\n"),
         ("e.csv", "number,name\n1,\"mill\n"),
         ("b.csv", "number,radius\n1,5,6\n"),
+        ("f.csv", "number,radius\n1,\"1,500\"\n"),
         ("c.ini", "%_N_TO_INI\n$TC_DP6[1,1]=R1\n"),
         ("d.d", "BEGIN A.D MM\nNR    X\n0     one\n[END]\n"),
     ]);
+    std::fs::write(folder.0.join("wide.t"), b"\xFF\xFEB\0E\0").expect("a file");
     for (file, says) in [
         ("other.t", "other.t:1: TOOLT.TRN is no table that partc reads"),
         ("twice.t", "twice.t:4: tool 5 stands twice"),
@@ -94,6 +99,8 @@ fn tables_that_cannot_be_read() {
         ("a.csv", "a.csv:1: `raduis` is no column"),
         ("e.csv", "e.csv:2: a quote has no end"),
         ("b.csv", "b.csv:2: 3 values where there are 2 columns"),
+        ("f.csv", "f.csv:2: `1,500` under radius holds a comma"),
+        ("wide.t", "wide.t: is a UTF-16 file"),
         ("c.ini", "c.ini:2: `$TC_DP6[1,1]=R1` is no value"),
         ("d.d", "d.d:3: `one` under X is no number"),
         ("gone.t", "gone.t: "),

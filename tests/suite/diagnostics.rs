@@ -130,6 +130,11 @@ const BUILT: &[Built] = &[
         silent: || on_grbl("T1 M6\nM5\nG1 X5 F100", BY_HAND),
     },
     Built { code: "O4003", fires: || on("heidenhain", "G55", ""), silent: || on("sinumerik", "G55", "") },
+    Built {
+        code: "O4003",
+        fires: || on("fanuc", "G507", "[output]\ntool_length = \"off\""),
+        silent: || on("sinumerik", "G507", ""),
+    },
     Built { code: "O9326", fires: || on("heidenhain", "M8", SIX), silent: || on("linuxcnc", "M8", SIX) },
     Built { code: "O9327", fires: || on("heidenhain", "T2", BY_HAND_T), silent: || on("grbl", "T2", BY_HAND_T) },
     Built {
@@ -144,6 +149,17 @@ const BUILT: &[Built] = &[
     },
     Built { code: "O2002", fires: || on("mach3", "G55", ""), silent: || on("fanuc", "G55", "") },
     Built { code: "O9331", fires: || on("mach3", "G4 F1", ""), silent: || on("mach3", "G4 F1", SECONDS) },
+    Built {
+        code: "O9332",
+        fires: || on("klipper", "G1 X5 F100", &format!("{MACROS}\nunits = \"inch\"")),
+        silent: || on("klipper", "G1 X5 F100", MACROS),
+    },
+    Built {
+        code: "O9333",
+        fires: || on("marlin", "G0 X5", "[output]\npass_m = [3, 5]"),
+        silent: || on("marlin", "G0 X5", MACROS),
+    },
+    Built { code: "O9334", fires: || on("klipper", "M8", MACROS), silent: || on("klipper", "M3", MACROS) },
     Built { code: "O9329", fires: || on("heidenhain", "M8", NUMBERS), silent: || on("sinumerik", "M8", NUMBERS) },
     Built { code: "O9317", fires: || on("fanuc", "M8", LATHE), silent: || on("fanuc-lathe", "M8", LATHE) },
     Built {
@@ -193,6 +209,7 @@ const BY_HAND: &str = "[output]\ntool_change = \"stop\"";
 const CONTROL: &str = "[output]\ncompensation = \"control\"\ntool_change = \"stop\"\n[tools.1]\nradius = 2.0";
 const LINES: &str = "[output]\narc_fallback_tolerance = 0.01";
 const SECONDS: &str = "[output]\ndwell_unit = \"seconds\"";
+const MACROS: &str = "[output]\nrapid_feed = 6000\npass_m = [3, 5]";
 const SIX: &str = "[output]\ndecimals = 6";
 const NUMBERS: &str = "[output]\nline_numbers = 10";
 const EIGHTH: &str = "[datums]\nG505 = \"G59.2\"";

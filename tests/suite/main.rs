@@ -61,8 +61,10 @@ mod props;
 #[path = "../quality/mod.rs"]
 mod quality;
 mod quality_bar;
+mod read_again;
 mod reader;
 mod receivers;
+mod reference_part;
 mod rewritten;
 mod rs274;
 mod same_part;

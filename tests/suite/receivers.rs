@@ -72,6 +72,26 @@ fn a_tool_is_changed_by_hand_where_nothing_else_changes_it() {
     assert_eq!(body("grblhal", "", program), "T3 M6\nG0 X0 Y0 Z5\nT0 M6\nM30");
 }
 
+/// What is not confirmed of a receiver is refused with its block and with what to do.
+#[test]
+fn what_a_receiver_may_not_have_is_refused() {
+    let offsets = |name: &str| target::find(name).expect("a target").offsets.len();
+    for name in ["fanuc", "haas", "mazak", "centroid", "mach3", "uccnc", "okuma", "klipper", "marlin"] {
+        let mut wanted = vec![("G1 A90 F100", "", "O9309"), ("T1 D1\nM6\nG41 G1 X9 Y9 F100", CONTROL, "O9308")];
+        wanted.extend((offsets(name) < 9).then_some(("G509", "", "O9310")));
+        for (block, configuration, code) in wanted {
+            let mut settings = settings(configuration);
+            settings.output.target = target::find(name).expect("a target");
+            let text = format!("G0 X0 Y0 Z5\n{block}\nM30\n").into_bytes();
+            let compiled = compile_bytes("PART.MPF", text, "sinumerik", &settings, &NoFiles);
+            let found = compiled.findings.iter().find(|found| found.code.id == code);
+            assert!(found.is_some_and(|found| found.help.is_some()), "{name}, {block}: {:#?}", compiled.rendered);
+        }
+    }
+}
+
+const CONTROL: &str = "[control]\ntool_change = \"m6\"\n[output]\ncompensation = \"control\"";
+
 /// A receiver acts on some characters as they arrive.
 #[test]
 fn comments_do_nothing_to_a_receiver() {

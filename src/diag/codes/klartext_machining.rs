@@ -53,6 +53,9 @@ K8110 Warning "contours-that-cross" "contours of cycle 14 cross"
 "partc takes all pockets together and leaves out all islands, and cuts crossing contours at their crossings. No manual at hand says it in full: look at a picture (`partc plot`), \
 or draw one contour around the area. Said once for a program."
 
+K8111 Warning "countersink-over-the-face" "circle of a countersink lies over the face"
+"Q359 of cycles 263, 264 and 267 is the distance from the middle of the thread to the middle of the cutter while it countersinks at the front. Here the cutter is led over the face beside the thread, a pitch and more from its edge, and takes the face away down to Q358. A chamfer is made from the other side of the edge: from inside a hole, from outside a stud."
+
 K9030 Error "milling-frame" "milling cycle under a scaling or a mirrored tool axis"
 "A scaling would change the sizes of the cycle and not the cutter, and a tool axis that is mirrored or tilted would lead the tool from the far side. Shifts, rotations and \
 mirrors in the plane are computed. End the transformation in front of the call."

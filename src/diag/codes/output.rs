@@ -32,9 +32,9 @@ O4002 Note "arc-rounded-away" "arc is shorter than the last printed digit"
 "Start and end of the arc print as the same numbers. A control would take that for a full circle, so the arc is left out; \
 the path differs by less than the last printed digit."
 
-O4003 Note "work-offset-as-preset" "work offset is printed as a preset"
+O4003 Note "work-offset-as-preset" "work offset is printed as a preset, or as another one"
 "A TNC has a preset table instead of work offsets. G54 to G59.3 are printed as cycle 247 with the presets 1 to 9, as partc reads them. Set the part up in that line of the \
-preset table."
+preset table. The seventh to ninth offsets are G54.1 P1 to P3 on a Fanuc and G154 P1 to P3 on a Haas."
 
 O4004 Note "arc-as-lines-within-tolerance" "arc that the target cannot say is printed as lines"
 "`[output] arc_fallback_tolerance` allows lines for arcs that the selected target cannot say, and says how far they may leave the arc. The ends are exact."
@@ -149,7 +149,7 @@ O9325 Error "thread-behind-stopped-spindle" "the target cannot turn the spindle 
 between them (SINUMERIK alarm 10600). Tap by a cycle of the target, or with a floating holder at a feed in mm/min."
 
 O9326 Error "places-not-read" "the target reads fewer places"
-"`[output] decimals` asks for more places of a length than the selected target reads. Print fewer."
+"`[output] decimals` asks for more places of a length, or of a wait, than the selected target reads. Print fewer."
 
 O9327 Error "change-by-hand-unknown-to-target" "a change by hand would bring no length"
 "With `[output] tool_change = \"stop\"` a change is a spindle stop, a comment and a program stop. On the selected target the block that calls a tool brings its length and \
@@ -159,12 +159,25 @@ O9328 Error "arc-plane-unknown-to-target" "the target goes round in other planes
 "The selected target takes arcs in XY alone, or helices (heidenhain), as far as is confirmed. With `[output] arc_fallback_tolerance = 0.005` such an arc is printed as lines \
 that leave it by at most so many millimetres; or choose another target."
 
-O9329 Warning "block-numbers-of-target" "the target numbers its blocks by itself"
-"On the selected target every block has a number, counted from 0 by 1, so `[output] line_numbers` and `--numbers` change nothing. Leave them away."
+O9329 Warning "block-numbers-of-target" "the target numbers its blocks by itself, or not at all"
+"On the selected target every block has a number, counted from 0 by 1 (heidenhain), or a number would want a checksum (klipper, marlin), so `[output] line_numbers` and \
+`--numbers` change nothing. Leave them away."
 
 O9331 Error "dwell-unit-is-a-setting" "what a wait counts is a setting of the receiver"
 "A setting of the receiver says whether the number behind G4 P counts seconds or milliseconds. Look there, and set `[output] dwell_unit`: a wait of half a second would take eight minutes, or \
 none, otherwise."
+
+O9332 Error "inches-unknown-to-target" "the target counts millimetres only"
+"`[output] units = \"inch\"` prints lengths in inches, and the selected target refuses G20, or does not know it in every build. Leave the key away: a program in inches is printed in \
+millimetres."
+
+O9333 Error "rapid-feed-is-missing" "rapid traverse has no feed of its own on the target"
+"Klipper and Marlin carry out G0 at the last F, so after a cut a rapid move would creep, and after a fast one the next cut would race. Every rapid move is printed with the F of \
+`[output] rapid_feed` in mm/min, and every cut behind it with its own. Set the key to what the machine can do."
+
+O9334 Error "m-function-is-a-macro" "the target has this M function as a macro only"
+"Klipper knows no M3, M5, M8 or M0 unless its configuration has a macro of that name; Marlin has them as options of its build. A receiver that does not know the function says so and goes on, \
+with a spindle that stands. Where the machine has the function, list it in `[output] pass_m`; the S of M3 and M4 must count rev/min there (Marlin: CUTTER_POWER_UNIT RPM)."
 
 O9330 Error "line-longer-than-read" "line has more characters than the target reads"
 "The selected target takes lines of a certain length and refuses or cuts longer ones. A line that is a little too long gives its F to a line in front of it; under G93, \
@@ -173,7 +186,7 @@ where F is the time of its own block, it cannot. Print fewer places with `[outpu
 O9190 Error "tool-length-not-along-z" "tool length does not act along Z"
 "`[output] tool_length = \"G43\"` has the target add the length of the tool, and G43 adds it to Z with an ordinary tool table. Under G18 and G19, and with \
 another tool axis in a TOOL CALL, the control counts it along another axis, so the tool would stand wrong by its length in both. Leave the key at \"off\" and set the \
-length up on the target."
+length up on the target. Where the call of a tool brings its length (heidenhain), nothing leaves it out: take another target, or program under G17."
 
 O9100 Error "compensation-way-too-short" "move to or from the compensated contour is shorter than the tool radius"
 "With `compensation = \"control\"` the target compensates the radius of the tool, and it takes the way to the contour only if that is longer \

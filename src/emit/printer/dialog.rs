@@ -56,9 +56,12 @@ impl Printer<'_> {
     /// Words of axes, each with `front` in front of its letter.
     fn signed_axes(&mut self, axes: AxisSet, ends: &[i64; AXES], front: &str) {
         for axis in axes.iter() {
-            let places = self.places_of(axis);
-            let text = self.page.text.word(front).raw(&[axis.letter() as u8]);
-            text.signed(ends[axis.index()], places);
+            let (units, places) = (ends[axis.index()], self.places_of(axis));
+            if front.is_empty() {
+                self.page.text.number(axis.letter() as u8, units, places);
+            } else {
+                self.page.text.word(front).raw(&[axis.letter() as u8]).signed(units, places);
+            }
         }
     }
 

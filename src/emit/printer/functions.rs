@@ -38,10 +38,12 @@ impl Printer<'_> {
             Function::FeedSpindle(_) | Function::Transformation(_) => {}
             Function::Coolant(coolant) => self.coolant(*coolant, origin),
             Function::Dwell(seconds) => self.dwell(*seconds, origin),
+            Function::Stop if !self.has_m(0, origin) => {}
             Function::Stop => {
                 self.page.words(flow.stop, origin);
                 self.modal.may_have_moved();
             }
+            Function::OptionalStop if !self.has_m(1, origin) => {}
             Function::OptionalStop => {
                 if flow.optional_stop_is_idle {
                     self.optional_stop_is_idle(origin);
@@ -58,9 +60,22 @@ impl Printer<'_> {
                     self.end_compensation(origin);
                 }
                 self.template(&self.settings.footer);
-                self.page.words(if *rewind { flow.rewind } else { flow.end }, origin);
+                self.end(if *rewind { flow.rewind } else { flow.end }, origin);
                 self.ended = true;
             }
+        }
+    }
+
+    /// The end of the program. Where the end of the text is all there is, nothing else stops spindle and coolant.
+    pub(super) fn end(&mut self, word: Option<&str>, origin: &Origin) {
+        if let Some(word) = word {
+            return self.page.words(word, origin);
+        }
+        if self.running.turn.is_some() {
+            self.spindle(Spindle::Stop, None, origin);
+        }
+        if self.running.coolant {
+            self.coolant(Coolant::Off, origin);
         }
     }
 
@@ -162,7 +177,11 @@ impl Printer<'_> {
 
     /// The spindle stops, as under a change by the machine, and the program waits.
     fn change_by_hand(&mut self, number: u32, origin: &Origin) {
+        if !self.has_m(5, origin) || !self.has_m(0, origin) {
+            return;
+        }
         self.page.words(self.target.spindle.stop, origin);
+        self.running.turn = None;
         if self.spindle == HandChange::Turns {
             self.spindle = HandChange::Stopped(origin.loc);
         }
@@ -184,11 +203,15 @@ impl Printer<'_> {
 
     fn coolant(&mut self, coolant: Coolant, origin: &Origin) {
         let words = &self.target.coolant;
-        let word = match coolant {
-            Coolant::Mist => words.mist,
-            Coolant::Flood => Some(words.flood),
-            Coolant::Off => Some(words.off),
+        let (word, m) = match coolant {
+            Coolant::Mist => (words.mist, 7),
+            Coolant::Flood => (Some(words.flood), 8),
+            Coolant::Off => (Some(words.off), 9),
         };
+        self.running.coolant = !matches!(coolant, Coolant::Off);
+        if word.is_some() && !self.has_m(m, origin) {
+            return;
+        }
         match word {
             Some(word) => self.page.words(word, origin),
             None => {
@@ -263,11 +286,21 @@ impl Printer<'_> {
         }
         match self.target.offsets.get(usize::from(number.clamp(1, 9)) - 1) {
             Some(word) => match self.target.form {
-                Form::Words => self.page.words(word, origin),
+                Form::Words => {
+                    if number > self.target.offsets_named {
+                        let message = format!("work offset {number} is printed as {word}");
+                        self.report(codes::O4003, origin, &message);
+                    }
+                    self.page.words(word, origin);
+                }
                 Form::Dialog(dialog) => self.dialog_offset(dialog, number, word, origin),
             },
             None => {
-                let help = "set the part up in one of the first work offsets, G54 to G59";
+                let help = if self.target.offsets.is_empty() {
+                    "take the word out: positions count from where the part is set up on the machine"
+                } else {
+                    "set the part up in one of the first work offsets, G54 to G59"
+                };
                 self.lacks(codes::O9310, origin, &format!("work offset {number}"), help);
             }
         }
@@ -278,6 +311,9 @@ impl Printer<'_> {
     fn spindle(&mut self, spindle: Spindle, number: Option<u8>, origin: &Origin) {
         let words = &self.target.spindle;
         if number.is_none() {
+            if words.speed_with_start && !self.with_start(spindle, origin) {
+                return;
+            }
             match spindle {
                 Spindle::Start(_) => self.spindle = HandChange::Turns,
                 Spindle::Stop | Spindle::Orient(_) => self.spindle = HandChange::Stands,
@@ -286,8 +322,13 @@ impl Printer<'_> {
         }
         let text = &mut self.page.text;
         match spindle {
-            Spindle::Start(Turn::Clockwise) => text.word(words.clockwise),
-            Spindle::Start(Turn::CounterClockwise) => text.word(words.counter_clockwise),
+            Spindle::Start(turn) => {
+                text.word(if turn == Turn::Clockwise { words.clockwise } else { words.counter_clockwise });
+                match self.running.speed {
+                    Some(speed) => text.number(words.speed, speed, self.measures.speed),
+                    None => text,
+                }
+            }
             Spindle::Stop => text.word(words.stop),
             Spindle::Speed(speed) => {
                 let Some(units) = self.measures.speed.units(speed) else { return self.unprintable(origin) };
@@ -348,6 +389,31 @@ impl Printer<'_> {
             self.page.text.whole(address, u64::from(number.saturating_sub(1)));
         }
         self.page.end_line(origin);
+    }
+
+    /// Looks at a function of a spindle whose speed is a part of its start; false where nothing is left to print.
+    fn with_start(&mut self, spindle: Spindle, origin: &Origin) -> bool {
+        let turn = match spindle {
+            Spindle::Start(turn) => turn,
+            Spindle::Stop => {
+                self.running.turn = None;
+                return self.has_m(5, origin);
+            }
+            Spindle::Speed(speed) => {
+                self.running.speed = self.measures.speed.units(speed);
+                if self.running.speed.is_none() {
+                    self.unprintable(origin);
+                }
+                // The turning spindle is started again, at its new speed.
+                if let (Some(turn), Some(_)) = (self.running.turn, self.running.speed) {
+                    self.spindle(Spindle::Start(turn), None, origin);
+                }
+                return false;
+            }
+            Spindle::CuttingSpeed { .. } | Spindle::Orient(_) => return true,
+        };
+        self.running.turn = Some(turn);
+        self.has_m(if turn == Turn::Clockwise { 3 } else { 4 }, origin)
     }
 
     #[cold]

@@ -32,7 +32,14 @@ impl Printer<'_> {
         self.page.plain(&text);
         let behind = self.target.comments.close.len() + HASH_DIGITS + 1;
         self.hash_at = (self.page.text.len() - behind) as u64;
-        let lines = if self.measures.inches { frame.inch_head } else { frame.head };
+        let lines = match frame.inch_head {
+            Some(lines) if self.measures.inches => lines,
+            None if self.measures.inches => {
+                self.lacks_inches();
+                frame.head
+            }
+            _ => frame.head,
+        };
         for line in lines {
             self.page.block(line.as_bytes());
         }
@@ -103,8 +110,20 @@ impl Printer<'_> {
                 format!("`decimals`: the target {} reads {most} places of a length, not {places}", target.name);
             self.diags.push(Diagnostic::new(codes::O9326, start, message).help("print fewer places"));
         }
-        if target.line.sequence == Sequence::Blocks && self.settings.line_numbers > 0 {
-            let message = format!("`line_numbers`: the target {} numbers every block by itself", target.name);
+        let (time, most) = (self.settings.places(Quantity::Time), target.numbers.time.unwrap_or(u8::MAX));
+        if time > most {
+            let message = format!("`decimals`: the target {} reads {most} places of a wait, not {time}", target.name);
+            self.diags.push(Diagnostic::new(codes::O9326, start, message).help("print fewer places"));
+        }
+        let why = match target.line.sequence {
+            Sequence::Address(..) => None,
+            Sequence::Blocks => Some("numbers every block by itself"),
+            Sequence::None => Some("takes no numbers of blocks"),
+        };
+        if let Some(why) = why
+            && self.settings.line_numbers > 0
+        {
+            let message = format!("`line_numbers`: the target {} {why}", target.name);
             self.diags.push(Diagnostic::new(codes::O9329, start, message).help("leave the key away"));
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::machine::settings::{Quantity, Units};
 use crate::machine::{Axis, OutputSettings};
+use crate::target::Form;
 
 use super::super::modal::FeedKind;
 use super::super::number::Places;
@@ -39,7 +40,8 @@ impl Measures {
             time: plain(Quantity::Time),
             inches,
         };
-        (length(Quantity::Length), measures)
+        let signs = matches!(output.target.form, Form::Dialog(_));
+        (length(Quantity::Length).signed(signs), measures)
     }
 }
 

@@ -62,6 +62,10 @@ impl Printer<'_> {
                 Ok(units) => units.map(|units| (units, self.feed_places(FeedKind::of(feed)))),
                 Err(()) => return,
             },
+            None if self.special && self.target.motion.rapid_at_feed => match self.rapid_feed(origin) {
+                Some(feed) => Some(feed),
+                None => return self.pretend(mv),
+            },
             _ => None,
         };
         if self.special || mv.machine {
@@ -232,6 +236,7 @@ impl Printer<'_> {
                 }
                 1
             }
+            Form::Words if !words.helices && self.rises(arc, mv) => return self.fall_back(true, arc, feed, mv, origin),
             Form::Words | Form::Dialog(_) if !words.planes.contains(&arc.plane) => {
                 return self.fall_back(false, arc, feed, mv, origin);
             }

@@ -72,6 +72,36 @@ impl Printer<'_> {
         self.pretend(mv);
     }
 
+    /// Inches are a wish of the configuration.
+    #[cold]
+    pub(super) fn lacks_inches(&mut self) {
+        let start = Loc { line: 1, ..Loc::default() };
+        let help = "set `[output] units = \"mm\"`, or leave the key away";
+        self.lacks(codes::O9332, &Origin { loc: start, ..Origin::default() }, "inches", help);
+    }
+
+    /// Rapid traverse goes at the last F, and nobody said at which.
+    #[cold]
+    pub(super) fn lacks_rapid_feed(&mut self, origin: &Origin) {
+        let message =
+            format!("on the target {} rapid traverse goes at the last F, and none is configured", self.target.name);
+        let help = "set `[output] rapid_feed` in mm/min, such as 3000";
+        let help = Answer::key("output", "rapid_feed").help(help);
+        self.diags.push(Diagnostic::new(codes::O9333, origin.loc, message).help(help).called(origin.call));
+    }
+
+    /// May this M function of spindle, coolant or stops be printed? Some receivers have them as macros alone.
+    pub(super) fn has_m(&mut self, number: u32, origin: &Origin) -> bool {
+        let there = !self.target.m.listed || self.settings.pass_m.contains(&number);
+        if !there {
+            let message = format!("the target {} has M{number} as a macro, or as an option, only", self.target.name);
+            let help = Answer::pass_m(number)
+                .help(format!("where the machine has it, list it: `[output] pass_m = [{number}]`"));
+            self.diags.push(Diagnostic::new(codes::O9334, origin.loc, message).help(help).called(origin.call));
+        }
+        there
+    }
+
     /// What the number of a wait counts is a setting of the receiver.
     #[cold]
     pub(super) fn lacks_dwell_unit(&mut self, origin: &Origin) {

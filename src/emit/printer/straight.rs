@@ -7,6 +7,8 @@ use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet};
 use crate::target::{Length, LengthNumber, LengthWords};
 
+use super::super::modal::FeedKind;
+use super::super::number::Places;
 use super::Printer;
 
 impl Printer<'_> {
@@ -32,6 +34,22 @@ impl Printer<'_> {
             return false;
         }
         true
+    }
+
+    /// The feed of rapid traverse, where that goes at the last one. Whether it holds on is a matter of the build.
+    #[cold]
+    pub(super) fn rapid_feed(&mut self, origin: &Origin) -> Option<(i64, Places)> {
+        let Some(feed) = self.settings.rapid_feed else {
+            self.lacks_rapid_feed(origin);
+            return None;
+        };
+        self.modal.forget_feed();
+        let places = self.feed_places(FeedKind::PerMinute);
+        let units = places.units(f64::from(feed));
+        if units.is_none() {
+            self.unprintable(origin);
+        }
+        units.map(|units| (units, places))
     }
 
     pub(super) fn turns_axes(&self, changed: AxisSet) -> bool {

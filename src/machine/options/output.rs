@@ -78,6 +78,15 @@ pub const KEYS: &[Key] = &[
         },
     ),
     key(
+        "rapid_feed",
+        Kind::Whole,
+        "feed of rapid traverse in mm/min, where that goes at the last F (klipper, marlin)",
+        |s, v| {
+            let feed = u32::try_from(whole(v)).ok().filter(|feed| (1..=1_000_000).contains(feed));
+            put(&mut s.output.rapid_feed, Some(feed.ok_or_else(|| v.fail("1 to 1000000"))?))
+        },
+    ),
+    key(
         "arc_fallback_tolerance",
         Kind::Number,
         "how far lines may leave an arc that the target cannot say, in mm, 0.001 to 1; without it such an arc is refused",

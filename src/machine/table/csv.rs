@@ -59,7 +59,7 @@ pub(super) fn read(text: &str) -> Result<Contents, TableError> {
             let message = format!("{} values where there are {} columns", row.len(), titles.len());
             return Err(TableError { line, message });
         }
-        let (key, tool, unit) = tool(&titles, &row).map_err(|message| TableError { line, message })?;
+        let (key, tool, unit) = tool(&titles, &row, separator).map_err(|message| TableError { line, message })?;
         if contents.unit.is_some_and(|before| Some(before) != unit)
             || !contents.tools.is_empty() && contents.unit != unit
         {
@@ -73,7 +73,7 @@ pub(super) fn read(text: &str) -> Result<Contents, TableError> {
     Ok(contents)
 }
 
-fn tool(titles: &[String], row: &[String]) -> Result<(ToolKey, Tool, Option<Unit>), String> {
+fn tool(titles: &[String], row: &[String], separator: char) -> Result<(ToolKey, Tool, Option<Unit>), String> {
     let cell = |title: &str| {
         let at = titles.iter().position(|known| known == title)?;
         Some(row[at].as_str()).filter(|text| !text.is_empty())
@@ -86,6 +86,10 @@ fn tool(titles: &[String], row: &[String]) -> Result<(ToolKey, Tool, Option<Unit
     };
     let number = |title: &str| match cell(title) {
         None => Ok(None),
+        // Thousands or a decimal place: 1,500 may be either.
+        Some(text) if separator == ',' && text.contains(',') => {
+            Err(format!("`{text}` under {title} holds a comma, which separates columns here; write a decimal point"))
+        }
         Some(text) => signed(text).map(Some).ok_or_else(|| format!("`{text}` under {title} is no number")),
     };
     let length = |title: &str| Ok::<_, String>(number(title)?.map(|value| value * unit.unwrap_or_default().mm()));

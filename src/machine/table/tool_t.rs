@@ -5,6 +5,8 @@ use crate::machine::{Tool, ToolKey};
 use super::columns::Columns;
 use super::{Contents, TableError};
 
+/// Columns that become fields of a tool.
+const READ: &[&str] = &["T", "NAME", "L", "R", "R2", "DL", "DR", "DR2", "ANGLE", "T-ANGLE"];
 /// Columns that hold numbers or nothing; all others are text or belong to the machine.
 const NUMBERS: &[&str] = &["T", "L", "R", "R2", "DL", "DR", "DR2", "ANGLE", "T-ANGLE", "LCUTS", "RT"];
 
@@ -51,6 +53,12 @@ pub(super) fn read(text: &str) -> Result<Contents, TableError> {
             return Err(TableError { line: row.line, message: format!("tool {number} stands twice in the table") });
         }
     }
+    let others = table.titles().filter(|title| !READ.contains(title));
+    let with_values = others.filter_map(|title| {
+        let first = table.rows.iter().find(|row| table.cell(row, title).is_some())?;
+        Some((first.line, format!("column {title}")))
+    });
+    contents.left_out.extend(with_values);
     if !ended {
         let message = "[END] is missing, so the table may be cut off".to_owned();
         return Err(TableError { line: text.lines().count().max(1), message });

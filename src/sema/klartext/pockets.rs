@@ -201,7 +201,8 @@ impl Run<'_> {
         (place, width): (Place, f64),
     ) -> Outcome<Pocket> {
         let room = self.fits(cycle, &shape, mill.radius)?;
-        if asked.rough && room - asked.allowance < -1e-9 {
+        // Finishing enters through what roughing has cleared, too.
+        if (asked.rough || asked.wall) && room - asked.allowance < -1e-9 {
             let what = format!("the allowance Q368 = {} mm leaves the cutter no room", shown(asked.allowance));
             return self.tool_too_large(cycle, &what);
         }

@@ -264,8 +264,29 @@ impl Run<'_> {
     fn front(&mut self, cycle: &DefinedCycle, thread: &ThreadMilling, feed: Feed) -> Outcome<Option<Stage>> {
         let radius = self.cycle_open_length(cycle, FRONT_OFFSET)?;
         let Some(height) = self.height_below(cycle, FRONT_DEPTH, &thread.mill)? else { return Ok(None) };
-        let counter_clockwise = thread.side == Side::Internal;
+        let internal = thread.side == Side::Internal;
+        let nominal = self.above_zero(cycle, NOMINAL)? / 2.0;
+        let beyond = if internal { radius - nominal } else { nominal - radius };
+        if radius != 0.0 && beyond > thread.pitch {
+            self.says_sink_in_the_face(cycle, radius, 2.0 * nominal);
+        }
+        let counter_clockwise = internal;
         Ok(Some(Stage::Sink(Sink { approach: height, height, radius, counter_clockwise, feed })))
+    }
+
+    /// The middle of the cutter goes over the face: a chamfer needs it on the other side of the edge.
+    fn says_sink_in_the_face(&mut self, cycle: &DefinedCycle, radius: f64, diameter: f64) {
+        let text = format!(
+            "cycle {}: the circle of the countersink, {FRONT_OFFSET} = {radius} mm from the middle, goes over the face beside the thread of {diameter} mm",
+            cycle.number
+        );
+        if self.job.diags.first_text(codes::K8111, &text) {
+            self.report(
+                Diagnostic::new(codes::K8111, self.here.origin.loc, text)
+                    .also(cycle.loc, "the cycle is defined here")
+                    .help("the offset counts from the middle of the thread to that of the cutter; check it in a picture (`partc plot`)"),
+            );
+        }
     }
 
     fn thread_cycle(&mut self, cycle: &DefinedCycle, thread: ThreadMilling) -> Outcome<Option<Cycle>> {

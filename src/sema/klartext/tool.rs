@@ -201,15 +201,12 @@ impl Run<'_> {
         if axis == Axis::Z || none || !self.job.settings.output.prints_tool_length() {
             return Ok(());
         }
-        self.fail_help(
-            codes::O9190,
-            span,
-            format!(
-                "with the tool axis {} the length of the tool acts along it, and the G43 of the target adds it to Z",
-                axis.letter()
-            ),
-            "leave `[output] tool_length` at \"off\" and set the length on the target",
-        )
+        let [who, help] = self.job.settings.output.length_along_z();
+        let message = format!(
+            "with the tool axis {} the length of the tool acts along it, and {who} adds it to Z",
+            axis.letter()
+        );
+        self.fail_help(codes::O9190, span, message, help)
     }
 
     fn set_tool_axis(&mut self, axis: Axis) {

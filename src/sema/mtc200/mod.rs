@@ -427,12 +427,9 @@ impl Run<'_> {
         {
             return Ok(());
         }
-        self.fail_help(
-            codes::O9190,
-            span,
-            "outside G17 the length of the tool does not act along Z, to which the G43 of the target adds it",
-            "leave `[output] tool_length` at \"off\" and set the length on the target, or program the block under G17",
-        )
+        let [who, help] = settings.output.length_along_z();
+        let message = format!("outside G17 the length of the tool does not act along Z, to which {who} adds it");
+        self.fail_help(codes::O9190, span, message, format!("{help}, or program the block under G17"))
     }
 
     fn set_plane(&mut self, plane: Plane, span: Span) -> Outcome {

@@ -98,12 +98,10 @@ impl Channel<'_> {
             return;
         }
         let plane = if third == Axis::Y { "G18" } else { "G19" };
-        let message = format!(
-            "under {plane} the length of the tool acts along {}, and the G43 of the target adds it to Z",
-            third.letter()
-        );
-        let help =
-            "leave `[output] tool_length` at \"off\" and set the length on the target, or program the block under G17";
+        let [who, help] = output.length_along_z();
+        let message =
+            format!("under {plane} the length of the tool acts along {}, and {who} adds it to Z", third.letter());
+        let help = format!("{help}, or program the block under G17");
         self.report(Diagnostic::new(codes::O9190, self.loc(Where::Block), message).help(help));
     }
 

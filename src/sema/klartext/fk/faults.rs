@@ -155,6 +155,9 @@ impl Run<'_> {
             ends.push("further ones".to_owned());
         }
         let chosen = match item.select {
+            Some(number) if number as usize > candidates.len() => {
+                format!("; FSELECT {number} asks for more solutions than there are")
+            }
             Some(number) => format!("; which of them FSELECT {number} means is not documented"),
             None => String::new(),
         };
