@@ -338,8 +338,7 @@ impl OutputSettings {
     pub fn prints_tool_length(&self) -> bool {
         match self.target.tool.length {
             Length::None => self.tool_length.unwrap_or(false),
-            // Nothing calls the tool without it.
-            Length::WithTool => true,
+            Length::WithTool => self.tool_length.unwrap_or(true),
             Length::Words(words) => self.tool_length.unwrap_or(words.usual),
         }
     }
@@ -349,7 +348,7 @@ impl OutputSettings {
         match self.target.tool.length {
             Length::WithTool => [
                 "the tool call of the target",
-                "take a target whose program can leave the length out, with `[output] tool_length = \"off\"`",
+                "take another target, or set `[output] tool_length = \"off\"` where the length is zero in its table",
             ],
             Length::None | Length::Words(_) => {
                 ["the G43 of the target", "leave `[output] tool_length` at \"off\" and set the length on the target"]

@@ -186,7 +186,8 @@ where F is the time of its own block, it cannot. Print fewer places with `[outpu
 O9190 Error "tool-length-not-along-z" "tool length does not act along Z"
 "`[output] tool_length = \"G43\"` has the target add the length of the tool, and G43 adds it to Z with an ordinary tool table. Under G18 and G19, and with \
 another tool axis in a TOOL CALL, the control counts it along another axis, so the tool would stand wrong by its length in both. Leave the key at \"off\" and set the \
-length up on the target. Where the call of a tool brings its length (heidenhain), nothing leaves it out: take another target, or program under G17."
+length up on the target. The call of a tool brings its length on some targets (heidenhain): \"off\" fits there only where \
+the length is zero in its table."
 
 O9100 Error "compensation-way-too-short" "move to or from the compensated contour is shorter than the tool radius"
 "With `compensation = \"control\"` the target compensates the radius of the tool, and it takes the way to the contour only if that is longer \
