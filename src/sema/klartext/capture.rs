@@ -11,6 +11,7 @@ use crate::parser::klartext::ast::{Block, Stmt};
 use crate::sema::run::step;
 use crate::text::{Loc, Span};
 
+use super::contour_data::Known;
 use super::labels::Label;
 use super::words::{Comp, FeedWord, Words};
 use super::{Outcome, Reported, Run};
@@ -156,8 +157,11 @@ impl Run<'_> {
     }
 
     pub(super) fn contour_fault<T>(&mut self, label: &Label, what: &str, help: &str) -> Outcome<T> {
-        let found = Diagnostic::new(codes::K2951, self.here.origin.loc, format!("the contour {label}: {what}"));
-        self.report(found.help(help));
+        let mut found = Diagnostic::new(codes::K2951, self.here.origin.loc, format!("the contour {label}: {what}"));
+        if let Known::Given(named) = &self.contours.named {
+            found = found.also(named.loc, "the contours are named here");
+        }
+        self.report_cause(found.help(help));
         Err(Reported)
     }
 

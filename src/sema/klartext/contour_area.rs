@@ -107,7 +107,13 @@ impl Run<'_> {
         Ok(Closed { label, is_pocket, elements })
     }
 
+    /// Reported for the first of the cycles that take these contours.
     fn no_area<T>(&mut self, cycle: &DefinedCycle, pocket: &Pocket, what: &str, help: &str) -> Outcome<T> {
+        let why = (pocket.named.loc, what.to_owned());
+        if self.contours.no_area.as_ref() == Some(&why) {
+            return Err(Reported);
+        }
+        self.contours.no_area = Some(why);
         let message = format!("cycle {}: {what}", cycle.number);
         let found = Diagnostic::new(codes::K2955, self.here.origin.loc, message);
         self.report(found.also(pocket.named.loc, "the contours are named here").help(help));

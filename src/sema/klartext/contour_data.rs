@@ -25,6 +25,8 @@ pub(super) struct Contours {
     pub pocket: Known<Values>,
     pub train: Known<Values>,
     pub roughed: Known<Roughed>,
+    /// Why the contours that a cycle 14 here names make no area, which was reported.
+    pub no_area: Option<(Loc, String)>,
 }
 
 #[derive(Debug, Default)]
