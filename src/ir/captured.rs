@@ -1,5 +1,6 @@
 //! A contour that a program describes and does not travel: what the cycles that work along a contour take.
 
+use crate::geo::wall::quarters;
 use crate::geo::{Element, Plane, Point2, distance};
 
 use super::{Origin, Side};
@@ -64,9 +65,12 @@ impl Captured {
 
     /// Smallest and largest coordinates of its points, arcs counted by their ends.
     pub fn extent(&self) -> (Point2, Point2) {
-        self.pieces.iter().map(|piece| piece.element.to()).fold((self.start, self.start), |(low, high), p| {
-            (Point2::new(low.x.min(p.x), low.y.min(p.y)), Point2::new(high.x.max(p.x), high.y.max(p.y)))
-        })
+        self.pieces.iter().flat_map(|piece| quarters(&piece.element)).map(|piece| piece.to()).fold(
+            (self.start, self.start),
+            |(low, high), p| {
+                (Point2::new(low.x.min(p.x), low.y.min(p.y)), Point2::new(high.x.max(p.x), high.y.max(p.y)))
+            },
+        )
     }
 
     /// The first two elements that cross, by their places. Neighbours meet in their common end, also with next to

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::geo::wall::quarters;
 use crate::geo::{Element, Point2};
 use crate::ir::{Feed, Pos};
 
@@ -100,7 +101,7 @@ impl Region {
 
     /// The larger side of what the outlines take up.
     fn size(&self) -> f64 {
-        let points = self.outlines.iter().flatten().flat_map(|element| [element.from(), element.middle()]);
+        let points = self.outlines.iter().flatten().flat_map(quarters).map(|piece| piece.from());
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for p in points {
             low = [low[0].min(p.x), low[1].min(p.y)];

@@ -1,6 +1,7 @@
 //! What cycles of stock removal share that begin at a corner of the stock, and the nose of their tools.
 
 use crate::geo::profile::{Grown, Profile};
+use crate::geo::wall::quarters;
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::{Feed, Pos};
 
@@ -31,7 +32,8 @@ pub struct Corner {
 
 /// Sense of the cutting axis from a tool at `begin` to the contour; `None` where it stands above it.
 pub fn sense_of_cuts(contour: &[Element], into: Towards, begin: Point2) -> Option<f64> {
-    let ends = contour.iter().flat_map(|e| [e.from(), e.to()]).map(|p| into.cutting_coordinate(p));
+    let pieces = contour.iter().flat_map(quarters);
+    let ends = pieces.flat_map(|e| [e.from(), e.to()]).map(|p| into.cutting_coordinate(p));
     let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
     let begin = into.cutting_coordinate(begin);
     // An upright contour has no side of its own; a tool at its end stands beside it.

@@ -5,6 +5,7 @@
 use std::rc::Rc;
 
 use crate::diag::codes;
+use crate::geo::wall::quarters;
 use crate::geo::{Element, Point2, distance};
 use crate::ir::cycle::turning::Towards;
 use crate::ir::cycle::{Cycle, Layers};
@@ -116,7 +117,8 @@ impl Run<'_> {
 
     /// Height of the stock over a contour after the roughing so far, where that is known to have passed all of it.
     pub(super) fn left_by_roughing(&self, contour: &[Element], into: Towards) -> Option<f64> {
-        let along = contour.iter().flat_map(|e| [e.from(), e.to()]).map(|p| into.cutting_coordinate(p));
+        let pieces = contour.iter().flat_map(quarters);
+        let along = pieces.flat_map(|e| [e.from(), e.to()]).map(|p| into.cutting_coordinate(p));
         let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
         let out = -(into.unit().x + into.unit().y);
         let same = |at: &&(Rc<Layers>, f64)| at.0.into == into && at.1 == self.st.shift.total();
