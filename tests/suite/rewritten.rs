@@ -400,7 +400,8 @@ fn print(case: &Case, target: &str, lathe: bool) -> Compiled {
     settings.output.dwell_unit = Some(DwellUnit::Seconds);
     settings.output.rapid_feed = Some(RAPID);
     if settings.output.target.m.listed {
-        settings.output.pass_m = (0..1000).collect();
+        // The others that are passed through are left out of the plain program, with a note.
+        settings.output.pass_m = vec![0, 1, 3, 4, 5, 7, 8, 9];
     }
     compiled("PART", case.program.clone(), &case.dialect, &settings, case)
 }
