@@ -401,7 +401,7 @@ fn print(case: &Case, target: &str, lathe: bool) -> Compiled {
     settings.output.rapid_feed = Some(RAPID);
     if settings.output.target.m.listed {
         // The others that are passed through are left out of the plain program, with a note.
-        settings.output.pass_m = vec![0, 1, 3, 4, 5, 7, 8, 9];
+        settings.output.pass_m.extend([0, 1, 3, 4, 5, 7, 8, 9]);
     }
     compiled("PART", case.program.clone(), &case.dialect, &settings, case)
 }
