@@ -148,9 +148,12 @@ impl Run<'_> {
 
     #[inline]
     pub(super) fn m_at_end(&mut self, w: &Words) -> Outcome {
-        for &(number, span) in w.m() {
-            if when(number) == Some(When::End) {
-                self.act(number, span)?;
+        // Behind the end of the program nothing is done any more, wherever its word stands in the block.
+        for last in [false, true] {
+            for &(number, span) in w.m() {
+                if when(number) == Some(When::End) && matches!(number, 2 | 30) == last {
+                    self.act(number, span)?;
+                }
             }
         }
         Ok(())

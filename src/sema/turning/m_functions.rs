@@ -75,14 +75,21 @@ impl Run<'_> {
 
     /// What acts after the move.
     pub(super) fn m_at_end(&mut self, w: &Words) -> Outcome {
-        for m in w.m() {
-            match self.what(*m)? {
-                What::Spindle(None) => self.turn_spindle(None),
-                What::Coolant(Coolant::Off) => self.function(Function::Coolant(Coolant::Off)),
-                What::Stop => self.function(Function::Stop),
-                What::OptionalStop => self.function(Function::OptionalStop),
-                What::End => self.end_of_job(true)?,
-                _ => {}
+        // The end of the job comes last, wherever it stands in the block.
+        for last in [false, true] {
+            for m in w.m() {
+                let what = self.what(*m)?;
+                if matches!(what, What::End) != last {
+                    continue;
+                }
+                match what {
+                    What::Spindle(None) => self.turn_spindle(None),
+                    What::Coolant(Coolant::Off) => self.function(Function::Coolant(Coolant::Off)),
+                    What::Stop => self.function(Function::Stop),
+                    What::OptionalStop => self.function(Function::OptionalStop),
+                    What::End => self.end_of_job(true)?,
+                    _ => {}
+                }
             }
         }
         Ok(())
