@@ -377,36 +377,4 @@ impl Sink for Counter {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_way_from_rest_to_rest_takes_its_time() {
-        // 1 m/s² up to 100 mm/s takes 0.1 s and 5 mm each; 90 mm at 100 mm/s take 0.9 s.
-        assert!((time_of(100.0, 0.0, 100.0, 0.0, 1000.0) - 1.1).abs() < 1e-12);
-        // Too short to reach it: 2 * sqrt(d / a).
-        assert!((time_of(2.5, 0.0, 100.0, 0.0, 1000.0) - 0.1).abs() < 1e-12);
-        // At one speed all along.
-        assert!((time_of(50.0, 100.0, 100.0, 100.0, 1000.0) - 0.5).abs() < 1e-12);
-    }
-
-    #[test]
-    fn a_half_circle_reaches_beside_its_ends() {
-        let arc = Arc {
-            plane: Plane::Xy,
-            from: crate::geo::Point2::new(10.0, 0.0),
-            center: crate::geo::Point2::new(0.0, 0.0),
-            sweep: core::f64::consts::PI,
-        };
-        let mut most = 0.0_f64;
-        farthest(&arc, |axis, value| {
-            if axis == 1 {
-                most = most.max(value);
-            }
-        });
-        assert!((most - 10.0).abs() < 1e-9);
-        let (length, enters, leaves) = along_arc(&arc, [0.0; 3]);
-        assert!((length - 10.0 * core::f64::consts::PI).abs() < 1e-9);
-        assert!((enters[1] - 1.0).abs() < 1e-9 && (leaves[1] + 1.0).abs() < 1e-9);
-    }
-}
+mod tests;
