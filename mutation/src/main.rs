@@ -52,8 +52,9 @@ fn step(args: &[String]) -> Result<()> {
         ["again"] => list::again(&places),
         ["build"] => compile::build(&places),
         ["reach"] => reach::reach(&places),
-        ["try"] => trial::try_all(&places),
+        ["try"] => trial::try_all(&places, false),
+        ["try", "long"] => trial::try_all(&places, true),
         ["report"] => report::report(&places),
-        _ => Err("partc-mutation sample SEED COUNT | again | build | reach | try | report".into()),
+        _ => Err("partc-mutation sample SEED COUNT | again | build | reach | try [long] | report".into()),
     }
 }

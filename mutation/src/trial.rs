@@ -15,10 +15,41 @@ const QUICK: Duration = Duration::from_millis(150);
 /// So many at a time, so that the first failure is near.
 const TOGETHER: usize = 40;
 
-/// Tries every change that has no verdict yet, in the order of the sample.
-pub fn try_all(places: &Places) -> Result<()> {
+/// Longer tests judge only what all others passed, when that is asked for.
+const LONG: Duration = Duration::from_secs(1);
+/// Tests that take longer than this do not judge, as they add what dozens of others do to a change that nobody notices.
+const TOO_LONG: Duration = Duration::from_secs(5);
+/// Modules of the suite that judge no numbers: the command line but for its figures, hostile input, texts and files.
+const ASIDE: [&str; 21] = [
+    "cli",
+    "cli_ci",
+    "cli_config",
+    "cli_diff",
+    "cli_files",
+    "cli_findings",
+    "cli_init",
+    "cli_lint",
+    "cli_output",
+    "cli_reports",
+    "cli_tables",
+    "diagnostics",
+    "documents",
+    "endless",
+    "explained",
+    "hostile",
+    "hostile_fk",
+    "hostile_turning",
+    "layering",
+    "quality_bar",
+    "supply",
+];
+
+/// Tries every change that has no verdict yet, in the order of the sample; `long`: those that nobody noticed, against the
+/// long tests.
+pub fn try_all(places: &Places, long: bool) -> Result<()> {
     let programs = compile::programs(places)?;
-    let tests = reach::tests(places)?;
+    let mut tests = reach::tests(places)?;
+    tests.retain(|test| judges(test) && (test.takes > LONG) == long);
     let by_mutant = reach::by_mutant(&tests);
     let path = places.work.join("verdicts.tsv");
     let known = verdicts(places);
@@ -26,17 +57,25 @@ pub fn try_all(places: &Places) -> Result<()> {
     let mut log = fs::OpenOptions::new().create(true).append(true).open(&path)?;
     for mutant in list::read(places)? {
         let number = mutant.number;
-        if known.contains_key(&number) || left_out.contains_key(&number) {
+        let verdict = known.get(&number).map(String::as_str);
+        let is_due = if long { verdict.is_some_and(|verdict| !is_caught(verdict)) } else { verdict.is_none() };
+        if !is_due || left_out.contains_key(&number) {
             continue;
         }
         let start = Instant::now();
         let (verdict, by) = match by_mutant.get(&number) {
+            None if long => ("alive", String::new()),
             None => ("unreached", String::new()),
             Some(tests) => tried(places, &programs, number, tests)?,
         };
         writeln!(log, "{number}\t{verdict}\t{by}\t{}\t{}", start.elapsed().as_millis(), mutant.name)?;
     }
     Ok(())
+}
+
+fn judges(test: &Test) -> bool {
+    let module = test.name.split("::").next().unwrap_or_default();
+    test.takes <= TOO_LONG && (test.program != "suite" || !ASIDE.contains(&module))
 }
 
 /// What was found out: caught, timeout, alive, unreached; and by which test.
@@ -86,4 +125,8 @@ fn runs<'a>(programs: &'a BTreeMap<String, PathBuf>, tests: &[&'a Test]) -> Vec<
 /// Others may work on the machine.
 fn patience(takes: Duration) -> Duration {
     Duration::from_secs(20) + 10 * takes
+}
+
+fn is_caught(verdict: &str) -> bool {
+    verdict.starts_with("caught") || verdict.starts_with("timeout")
 }

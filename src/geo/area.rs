@@ -169,4 +169,28 @@ pub(super) mod tests {
         assert_eq!(to(&circle(7.0, 4.0, 2.0, 1.0)), Relation::Crossing);
         assert_eq!(to(&circle(30.0, 4.0, 2.0, 1.0)), Relation::Apart);
     }
+
+    #[test]
+    fn a_point_between_an_arc_and_its_chord_lies_on_the_side_of_the_arc() {
+        // A square of 10 with a hollow or a bulge of radius 5 in its right side; the arc reaches x = 5 or 15.
+        let (low, high, center) = (Point2::new(10.0, 0.0), Point2::new(10.0, 10.0), Point2::new(10.0, 5.0));
+        let around = polygon(&[(10.0, 10.0), (0.0, 10.0), (0.0, 0.0), (10.0, 0.0)]);
+        let with = |sweep: f64| {
+            let mut chain = around[..3].to_vec();
+            chain.push(Element::Arc { from: low, to: high, center, sweep });
+            chain
+        };
+        for (chain, sense) in [(with(-PI), -1.0), (with(PI), 1.0)] {
+            // A third of the half circle has its chord at 4.33 from the centre.
+            for angle in [90.0, 110.0, 60.0, 150.0, 25.0] {
+                let out = turned(super::super::Vec2::new(0.0, -1.0), sense * f64::to_radians(angle));
+                let (inner, outer) = (center + out * 4.9, center + out * 5.1);
+                assert_eq!(surrounds(&chain, inner), sense > 0.0, "{angle} {sense}");
+                assert_eq!(surrounds(&chain, outer), sense < 0.0, "{angle} {sense}");
+                let back = reversed(&chain);
+                assert_eq!(surrounds(&back, inner), sense > 0.0, "{angle} {sense}");
+                assert_eq!(surrounds(&back, outer), sense < 0.0, "{angle} {sense}");
+            }
+        }
+    }
 }

@@ -431,4 +431,28 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn the_largest_part_of_a_corner_at_an_arc_just_fits() {
+        // The quarter circle of above and the line across it: at most a circle of radius r fits between them.
+        let arc = Element::Arc {
+            from: Point2::origin(),
+            to: Point2::new(10.0, 10.0),
+            center: Point2::new(0.0, 10.0),
+            sweep: core::f64::consts::FRAC_PI_2,
+        };
+        let after = line((10.0, 10.0), (-10.0, 10.0));
+        let made = |size: Size, part: f64| match size {
+            Size::Radius(radius) => rounding(&arc, &after, radius * part, 1e-9),
+            Size::Side(side) => chamfer_at_arc(&arc, &after, Size::Side(side * part), 1e-9),
+            Size::Length(length) => chamfer_at_arc(&arc, &after, Size::Length(length * part), 1e-9),
+        };
+        for size in [Size::Radius(60.0), Size::Side(40.0), Size::Length(50.0)] {
+            let part = largest(&arc, &after, size, 1e-9);
+            assert!(part > 0.05 && part < 1.0, "{part}");
+            assert!(made(size, part).is_ok() && made(size, part * (1.0 + 1e-6)).is_err(), "{part}");
+        }
+        // A circle in the quarter that touches the line touches the arc at its start: (10 - r)² = r² + x², x = 0.
+        assert!((60.0 * largest(&arc, &after, Size::Radius(60.0), 1e-9) - 5.0).abs() < 1e-3);
+    }
 }

@@ -100,3 +100,23 @@ impl Element {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_way_along_an_arc_begins_at_its_start() {
+        for sweep in [3.0, -3.0] {
+            let center = Point2::new(2.0, 1.0);
+            let at = |angle: f64| center + turned(Vec2::new(10.0, 0.0), angle);
+            let arc = Element::Arc { from: at(0.0), to: at(sweep), center, sweep };
+            for share in [0.25, 0.5, 1.0] {
+                assert!((arc.way_to(at(share * sweep)) - 30.0 * share).abs() < 1e-9, "{share} {sweep}");
+            }
+            // Its start is not a turn away, nor is what rounding puts in front of it.
+            assert_eq!(arc.way_to(arc.from()).abs(), 0.0);
+            assert_eq!(arc.way_to(at(-1e-11 * sweep)).abs(), 0.0);
+        }
+    }
+}

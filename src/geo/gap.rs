@@ -170,4 +170,11 @@ mod tests {
         };
         assert!((between(&half, &small) - 2.0).abs() < 1e-12);
     }
+
+    #[test]
+    fn a_line_of_no_length_crosses_where_it_is() {
+        let (point, way) = (line((3.0, 0.0), (3.0, 0.0)), line((0.0, 0.0), (10.0, 0.0)));
+        assert_eq!(crossings(&point, &way, 0.0), [Some(Point2::new(3.0, 0.0)), None]);
+        assert_eq!(crossings(&way, &point, 0.0), [Some(Point2::new(3.0, 0.0)), None]);
+    }
 }

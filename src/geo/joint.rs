@@ -451,4 +451,25 @@ mod tests {
         let nearly = line((-20.0, 0.01), (5.0, 0.0));
         assert!(matches!(made(&nearly, &hollow, 5.0), Joint::Inside(p) if at(p, 5.0, 5.0)));
     }
+
+    #[test]
+    fn ways_along_an_arc_count_from_both_ends() {
+        for sweep in [3.0, -3.0] {
+            let center = Point2::new(2.0, 1.0);
+            let on = |angle: f64| center + super::super::turned(Vec2::new(10.0, 0.0), angle);
+            let arc = Element::Arc { from: on(0.0), to: on(sweep), center, sweep };
+            // Up to half of what is left of the turn it lies behind the end, then in front of the start.
+            for (part, from_start, to_end) in [
+                (0.0, 0.0, 30.0),
+                (1.0 / 3.0, 10.0, 20.0),
+                (2.0 / 3.0, 20.0, 10.0),
+                (1.0, 30.0, 0.0),
+                (-0.1, -3.0, 33.0),
+            ] {
+                let p = on(sweep * part);
+                assert!((way_from_start(&arc, p) - from_start).abs() < 1e-9, "{part} {sweep}");
+                assert!((way_to_end(&arc, p) - to_end).abs() < 1e-9, "{part} {sweep}");
+            }
+        }
+    }
 }

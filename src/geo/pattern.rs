@@ -247,4 +247,12 @@ mod tests {
         assert_eq!(Grid { rows: 0, ..grid }.positions().err(), Some(Fault::None));
         assert_eq!(Grid { rows: 1000, columns: 1000, ..grid }.positions().err(), Some(Fault::TooMany));
     }
+
+    #[test]
+    fn a_row_with_one_end_out_of_reach_is_none() {
+        let row = Row { reference: Point2::origin(), direction: Deg(0.0), first: 1e200, spacing: -1e200, count: 2 };
+        assert_eq!(row.positions().err(), Some(Fault::Value));
+        let back = Row { first: 0.0, spacing: 1e200, ..row };
+        assert_eq!(back.positions().err(), Some(Fault::Value));
+    }
 }

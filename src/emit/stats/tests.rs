@@ -183,9 +183,11 @@ fn tools_have_the_ways_that_they_go() {
         counter.movement(&to(&[(Axis::X, x)], path), &origin);
     }
     counter.function(&Function::Dwell(1.5), &origin);
+    // One that never moves is in the list, too.
+    counter.function(&change(9), &origin);
     let stats = counter.finish();
     let numbers: Vec<_> = stats.tools.iter().map(|tool| (tool.number, tool.changes, tool.figures.moves)).collect();
-    assert_eq!(numbers, [(Some(5), 2, 2), (Some(7), 1, 1)]);
+    assert_eq!(numbers, [(Some(5), 2, 2), (Some(7), 1, 1), (Some(9), 1, 0)]);
     let (five, seven) = (stats.tools[0].figures, stats.tools[1].figures);
     assert!(is_near(five.rapid, 100.0) && is_near(five.rapid_time, 1.0), "{five:?}");
     assert!(is_near(five.cutting, 30.0) && is_near(five.cutting_time, 6.0), "{five:?}");
@@ -193,8 +195,8 @@ fn tools_have_the_ways_that_they_go() {
     let all = stats.total();
     assert!(is_near(all.cutting, 60.0) && is_near(all.rapid, 100.0) && all.moves == 3, "{all:?}");
     assert!(is_near(all.cutting_time, 9.0) && is_near(all.rapid_time, 1.0), "{all:?}");
-    // 1 s and 9 s of ways, three changes of 4 s, a dwell.
-    assert!(is_near(stats.time(), 23.5));
+    // 1 s and 9 s of ways, four changes of 4 s, a dwell.
+    assert!(is_near(stats.time(), 27.5));
 }
 
 #[test]

@@ -397,3 +397,69 @@ proptest! {
         prop_assert_eq!(turned, plain.elements);
     }
 }
+
+#[test]
+fn numbers_out_of_range_are_told_apart() {
+    let wedge =
+        |depth, radius, opening, axis| Shape::Wedge { depth, radius, opening: Deg(opening), axis: Deg(axis) }.check();
+    assert_eq!(wedge(1.0, 1.0, 30.0, 45.0), Ok(()));
+    for (depth, radius) in [(0.0, 0.0), (1.0, -0.1), (1.0, 1.1), (f64::INFINITY, 0.5), (1.0, f64::NAN)] {
+        assert_eq!(wedge(depth, radius, 30.0, 45.0), Err(Fault::Dimension), "{depth} {radius}");
+    }
+    // Each flank lies half the opening beside the axis: one would point out of the corner.
+    for (opening, axis) in [(0.0, 45.0), (30.0, 15.0), (30.0, 10.0), (30.0, 75.0), (30.0, 80.0)] {
+        assert_eq!(wedge(1.0, 0.5, opening, axis), Err(Fault::Angle), "{opening} {axis}");
+    }
+    let slope = |length, entry, radius| Shape::Slope { length, entry: Deg(entry), radius }.check();
+    assert_eq!(slope(2.0, 89.9, 0.0), Ok(()));
+    assert_eq!(slope(2.0, 90.0, 0.0), Err(Fault::Angle));
+    assert_eq!(slope(2.0, 0.0, 0.0), Err(Fault::Angle));
+    assert_eq!(slope(2.0, 30.0, f64::INFINITY), Err(Fault::Dimension));
+    assert_eq!(slope(f64::INFINITY, 30.0, 0.0), Err(Fault::Dimension));
+    let square =
+        |entry| Shape::Square { length: 2.5, depth: 0.3, entry: Deg(entry), entry_radius: 0.6, corner_radius: 0.6 };
+    assert_eq!(square(90.0).check(), Ok(()));
+    assert_eq!(square(90.1).check(), Err(Fault::Angle));
+    let groove = |radius, edge| Shape::Groove { width: 2.0, depth: 1.0, edge, radius }.check();
+    assert_eq!(groove(0.0, Edge::Chamfer(0.0)), Ok(()));
+    assert_eq!(groove(f64::INFINITY, Edge::Sharp), Err(Fault::Dimension));
+    assert_eq!(groove(0.0, Edge::Round(-0.1)), Err(Fault::Dimension));
+    let Shape::Recessed { length, depth, entry, entry_radius, corner_radius, face_depth, .. } = F else { panic!() };
+    for face_angle in [Deg(0.0), Deg(90.0)] {
+        let shape = Shape::Recessed { length, depth, entry, entry_radius, corner_radius, face_depth, face_angle };
+        assert_eq!(shape.check(), Err(Fault::Angle));
+    }
+}
+
+#[test]
+fn every_length_is_scaled_and_no_angle() {
+    let twice = |shape: Shape| shape.scaled(2.0);
+    assert_eq!(
+        twice(E),
+        Shape::Square { length: 5.0, depth: 0.6, entry: Deg(15.0), entry_radius: 1.2, corner_radius: 1.2 }
+    );
+    let (entry, face_angle) = (Deg(15.0), Deg(8.0));
+    let grown = Shape::Recessed {
+        length: 5.0,
+        depth: 0.6,
+        entry,
+        entry_radius: 1.2,
+        corner_radius: 1.2,
+        face_depth: 0.4,
+        face_angle,
+    };
+    assert_eq!(twice(F), grown);
+    for (edge, grown) in
+        [(Edge::Sharp, Edge::Sharp), (Edge::Round(0.2), Edge::Round(0.4)), (Edge::Chamfer(0.3), Edge::Chamfer(0.6))]
+    {
+        assert_eq!(
+            twice(Shape::Groove { width: 2.0, depth: 1.0, edge, radius: 0.25 }),
+            Shape::Groove { width: 4.0, depth: 2.0, edge: grown, radius: 0.5 }
+        );
+    }
+    let slope = Shape::Slope { length: 2.0, entry, radius: 0.75 };
+    assert_eq!(twice(slope), Shape::Slope { length: 4.0, entry, radius: 1.5 });
+    let (opening, axis) = (Deg(30.0), Deg(45.0));
+    let wedge = Shape::Wedge { depth: 1.5, radius: 0.25, opening, axis };
+    assert_eq!(twice(wedge), Shape::Wedge { depth: 3.0, radius: 0.5, opening, axis });
+}

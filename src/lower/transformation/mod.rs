@@ -371,4 +371,18 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn an_arc_passes_the_directions_between_its_ends() {
+        let direction = |degrees: f64| turned(crate::geo::Vec2::new(3.0, 0.0), f64::to_radians(degrees));
+        for (start, sweep) in [(20.0, 200.0), (20.0, -100.0), (-170.0, 60.0), (95.0, -300.0)] {
+            let center = Point2::new(7.0, -3.0);
+            let arc = Arc { plane: Plane::Xy, from: center + direction(start), center, sweep: f64::to_radians(sweep) };
+            for at in 0..36 {
+                let degrees = 10.0 * f64::from(at) + 4.0;
+                let way = (if sweep > 0.0 { degrees - start } else { start - degrees }).rem_euclid(360.0);
+                assert_eq!(passes(&arc, direction(degrees)), way <= sweep.abs(), "{start} {sweep} {degrees}");
+            }
+        }
+    }
 }
