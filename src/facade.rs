@@ -127,3 +127,44 @@ fn findings(session: Session) -> Vec<Finding> {
     let Session { sources, diags, trail } = session;
     diags.into_sorted().iter().map(|found| Finding::new(found, &sources, &trail)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::config::from_toml;
+    use crate::text::files::NoFiles;
+
+    fn lines(program: &str, configuration: &str) -> Vec<String> {
+        let settings = from_toml(configuration, "partc.toml").expect("a configuration");
+        let program = Program::new("dir/A.H", program.as_bytes()).expect("a language");
+        let outcome = compile(&program, &settings, &NoFiles).expect("an output");
+        let text = outcome.text.unwrap_or_else(|| panic!("{:?}", outcome.findings));
+        text.lines().map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn comments_of_the_configuration_have_their_fields_filled_in() {
+        let program = "0 BEGIN PGM A MM\n1 L X+10 R0 F200\n2 END PGM A MM\n";
+        for (units, word) in [("mm", "mm"), ("inch", "inch")] {
+            let output = format!(
+                "[output]\nunits = \"{units}\"\nprogram_number = 12\n\
+                 header = [\"{{source}} {{target}} {{number}} {{units}}\"]\nfooter = [\"made by {{version}}\"]\n"
+            );
+            let lines = lines(program, &output);
+            assert!(lines.contains(&format!("(A.H linuxcnc 12 {word})")), "{lines:?}");
+            assert!(lines.contains(&concat!("(made by ", env!("CARGO_PKG_VERSION"), ")").to_owned()), "{lines:?}");
+        }
+    }
+
+    #[test]
+    fn coolant_stops_where_the_end_of_the_text_is_the_end_of_the_program() {
+        let output = "[output]\ntarget = \"marlin\"\npass_m = [8, 9]\nrapid_feed = 3000\n";
+        let coolant = |program: &str| {
+            let lines = lines(program, output);
+            lines.into_iter().filter(|line| ["M8", "M9"].contains(&line.as_str())).collect::<Vec<_>>()
+        };
+        let begin = "0 BEGIN PGM A MM\n1 L X+0 Y+0 R0 FMAX M8\n2 L IX+10 F200\n";
+        assert_eq!(coolant(&format!("{begin}3 M30\n4 END PGM A MM\n")), ["M8", "M9"]);
+        assert_eq!(coolant(&format!("{begin}3 M9\n4 L IX+1\n5 M30\n6 END PGM A MM\n")), ["M8", "M9"]);
+    }
+}

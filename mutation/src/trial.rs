@@ -124,7 +124,7 @@ fn runs<'a>(programs: &'a BTreeMap<String, PathBuf>, tests: &[&'a Test]) -> Vec<
 
 /// Others may work on the machine.
 fn patience(takes: Duration) -> Duration {
-    Duration::from_secs(20) + 10 * takes
+    Duration::from_secs(60) + 30 * takes
 }
 
 fn is_caught(verdict: &str) -> bool {

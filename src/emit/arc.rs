@@ -169,4 +169,44 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn the_nearest_centre_on_the_grid_that_fits_is_taken() {
+        let mut moved = [false; 2];
+        let mut state = 14u64;
+        let mut random = |below: f64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1u64 << 53) as f64 * below
+        };
+        for _ in 0..20_000 {
+            let tight = request(20.0 + random(200.0), random(TAU), 0.3 + random(5.0), random(50.0), random(50.0));
+            let tight = Request { tolerance: 0.4, ..tight };
+            let naive = [rounded(tight.center.x) - tight.from[0], rounded(tight.center.y) - tight.from[1]];
+            let off = |[x, y]: [i64; 2]| {
+                let p = Point2::new((tight.from[0] + x) as f64, (tight.from[1] + y) as f64);
+                (p - tight.center).norm_squared()
+            };
+            let near = (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| [naive[0] + dx, naive[1] + dy]));
+            let fitting = near.filter(|offset| mismatch(tight.from, tight.to, *offset) <= tight.tolerance);
+            let least = fitting.map(off).min_by(f64::total_cmp);
+            let found = best_offset(&tight);
+            if mismatch(tight.from, tight.to, naive) <= tight.tolerance {
+                assert_eq!(found, Some(naive));
+            } else {
+                assert_eq!(found.map(off), least, "{tight:?}");
+                if let Some(offset) = found {
+                    moved = [moved[0] || offset[0] != naive[0], moved[1] || offset[1] != naive[1]];
+                }
+            }
+        }
+        assert_eq!(moved, [true; 2]);
+    }
+
+    #[test]
+    fn a_chord_of_the_least_length_is_an_arc_and_a_shorter_one_is_not() {
+        // A half circle of radius 50 units.
+        let half = request(50.0, 0.0, TAU / 2.0, 0.0, 0.0);
+        assert!(matches!(fit(&Request { least_chord: 100.0, ..half }), Printed::Arc { turns: 1, .. }));
+        assert_eq!(fit(&Request { least_chord: 100.5, ..half }), Printed::Lines);
+    }
 }

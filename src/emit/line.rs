@@ -201,3 +201,30 @@ impl Text {
         self
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_is_too_long_by_its_digits_or_those_in_front_of_the_point() {
+        let places = Places::new(3);
+        let is_too_long = |limits: [u32; 2], value: f64| {
+            let units = places.units(value).expect("a number");
+            Text::new(16, limits).is_too_long(units, places)
+        };
+        for (limits, value, wanted) in [
+            ([7, 0], 1234.567, false),
+            ([7, 0], 12345.678, true),
+            // Nobody writes the zeros behind the point.
+            ([7, 0], 1_234_567.0, false),
+            ([7, 0], 123_456_789.0, true),
+            ([0, 4], 9999.999, false),
+            ([0, 4], -10000.0, true),
+            ([8, 4], 1234.567, false),
+            ([0, 0], 123_456_789.0, false),
+        ] {
+            assert_eq!(is_too_long(limits, value), wanted, "{limits:?} {value}");
+        }
+    }
+}

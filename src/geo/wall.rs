@@ -281,4 +281,26 @@ mod tests {
         assert_eq!(parts.len(), 2);
         assert!(near(parts[0].to(), (2.0, -2.0)) && near(parts[1].to(), (4.0, 0.0)));
     }
+
+    #[test]
+    fn a_circle_is_cut_at_its_poles() {
+        let center = Point2::new(2.0, 1.0);
+        let at = |degrees: f64| center + super::super::turned(Vec2::new(10.0, 0.0), f64::to_radians(degrees));
+        for (start, sweep, cuts) in
+            [(30.0, 290.0, vec![90.0, 180.0, 270.0]), (30.0, -140.0, vec![0.0, -90.0]), (100.0, 60.0, vec![])]
+        {
+            let arc = Element::Arc { from: at(start), to: at(start + sweep), center, sweep: f64::to_radians(sweep) };
+            let pieces = quarters(&arc);
+            let mut wanted = cuts;
+            wanted.push(start + sweep);
+            assert_eq!(pieces.len(), wanted.len());
+            let mut begin = start;
+            for (piece, end) in pieces.iter().zip(wanted) {
+                let Element::Arc { from, to, sweep, .. } = *piece else { panic!("{piece:?}") };
+                assert!((from - at(begin)).norm() < 1e-9 && (to - at(end)).norm() < 1e-9, "{piece:?}");
+                assert!((sweep.to_degrees() - (end - begin)).abs() < 1e-9, "{piece:?}");
+                begin = end;
+            }
+        }
+    }
 }

@@ -154,3 +154,27 @@ pub fn plane_axes(plane: Plane) -> AxisSet {
     let (_, _, third) = plane.axes();
     AxisSet::MAIN.without(AxisSet::of(Axis::ALL[third]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geo::Point2;
+    use crate::ir::Feed;
+    use crate::ir::motion::Arc;
+
+    #[test]
+    fn an_arc_is_an_element_of_its_own_plane_only() {
+        let start = Pos::of_main([10.0, 20.0, 0.0], AxisSet::MAIN);
+        let end = Pos::of_main([0.0, 20.0, 10.0], AxisSet::MAIN);
+        // A quarter about the origin of ZX.
+        let sweep = -core::f64::consts::FRAC_PI_2;
+        let arc = Arc { plane: Plane::Zx, from: Point2::new(0.0, 10.0), center: Point2::origin(), sweep };
+        let path = Path::Arc(arc, Feed::PerMinute(100.0));
+        let step = Step { start, mv: Move { end, axes: AxisSet::MAIN, path, ..Move::default() }, ..Step::default() };
+        assert!(matches!(step.element(Plane::Zx), Some(Element::Arc { .. })));
+        assert_eq!(step.element(Plane::Xy), None);
+        assert_eq!(step.element(Plane::Yz), None);
+        let straight = Step { mv: Move { path: Path::Rapid, ..step.mv }, ..step };
+        assert!(matches!(straight.element(Plane::Xy), Some(Element::Line { .. })));
+    }
+}

@@ -153,6 +153,8 @@ fn what_a_picture_shows() {
     // Both turns of the helix lie on the circle; each is two half circles.
     assert_eq!(svg.matches("A10 10 0 0 1 ").count(), 2, "{svg}");
     assert_eq!(svg.matches("A10 10 0 0 0 ").count(), 2, "{svg}");
+    let halves = ["A10 10 0 0 1 -10 0", "A10 10 0 0 1 10 0", "A10 10 0 0 0 -10 0", "A10 10 0 0 0 10 0"];
+    assert!(halves.iter().all(|half| svg.contains(half)), "{svg}");
     assert!(svg.contains("class=\"d t1\" d=\"M") && svg.contains(">T3<") && svg.contains(">T4<"));
     assert!(svg.contains("1 moves in machine coordinates not drawn"));
     for (open, close) in [("<g ", "</g>"), ("<svg ", "</svg>"), ("<style>", "</style>")] {

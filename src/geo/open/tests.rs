@@ -226,3 +226,47 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_radius_says_which_centre_beside_a_coordinate_is_meant() {
+    // A quarter of radius 10 about the zero point; centres with x = 0 by its end (0 10) lie at y = 0 and y = 20.
+    let w = whole(0.0, 0.0, 10.0, 0.0, 90.0);
+    let data =
+        Data { center: Center { x: Some(0.0), y: None, absolute: true }, radius: Some(10.0), ..ending(w.open(), w.to) };
+    let found = solve(&start(w.from), &data, [None; 2], &RULES).expect("a solution");
+    let single = found.single().expect("only one lies at the radius from the start");
+    assert!(distance(single.solved.arc.expect("an arc").0, w.center) <= NEAR);
+    // Where a coordinate of a centre alone says nothing, it is one number too many.
+    assert_eq!(solve(&start(w.from), &data, [None; 2], &STRICT), Err(TOO_MUCH));
+}
+
+#[test]
+fn a_radius_that_contradicts_the_centre_is_noticed() {
+    let w = whole(3.0, -2.0, 10.0, 20.0, 90.0);
+    let about = |radius: f64| Data { radius: Some(radius), ..ending(w.about_center(), w.to) };
+    for radius in [10.0, -10.0, 10.004] {
+        let found = solve(&start(w.from), &about(radius), [None; 2], &RULES);
+        assert!(has(&found, w.to, Some(w.center)), "{radius}");
+    }
+    for radius in [9.9, 10.1, -9.9] {
+        assert_eq!(solve(&start(w.from), &about(radius), [None; 2], &RULES), Err(RADIUS_DIFFERS), "{radius}");
+    }
+    // A language that compares afterwards takes it.
+    let later = Rules { agrees: f64::INFINITY, ..RULES };
+    assert!(solve(&start(w.from), &about(9.9), [None; 2], &later).is_ok());
+}
+
+#[test]
+fn a_line_is_known_without_its_start_where_its_coordinate_stands_still() {
+    let near = Point2::new(50.0, 60.0);
+    let upright = Data { x: Coord::At(7.0), ..line(90.0) };
+    let (on, u) = upright.fixed_line(near, None).expect("x holds all along");
+    assert!(on == Point2::new(7.0, 60.0) && (u - Vec2::new(0.0, 1.0)).norm() < 1e-12);
+    let level = Data { y: Coord::At(7.0), ..line(0.0) };
+    assert_eq!(level.fixed_line(near, None).expect("y holds all along").0, Point2::new(50.0, 7.0));
+    // A slanting one goes through many points.
+    assert_eq!(Data { x: Coord::At(7.0), ..line(30.0) }.fixed_line(near, None), None);
+    assert_eq!(Data { y: Coord::At(7.0), ..line(30.0) }.fixed_line(near, None), None);
+    let through = ending(line(30.0), Point2::new(1.0, 2.0));
+    assert_eq!(through.fixed_line(near, None).expect("a point of it").0, Point2::new(1.0, 2.0));
+}

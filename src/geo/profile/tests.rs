@@ -72,3 +72,21 @@ fn what_leans_over_is_in_its_own_shadow() {
     let outline = Profile::new(&lines(&leaning), Grown::default());
     assert_eq!((outline.first_above(0.5, 0.0), outline.height(6.2)), (Some(6.0), 5.0));
 }
+
+#[test]
+fn a_dip_ends_where_its_wall_reaches_the_rim() {
+    // Down 10 at half a right angle, and up 20 again: the rim of 0 is reached half the way up.
+    let valley = Profile::new(&lines(&[(0.0, 0.0), (10.0, -10.0), (30.0, 10.0), (40.0, 10.0)]), Grown::default());
+    let dips = |top: f64, least: f64| {
+        let dips = valley.dips(Point2::new(0.0, 0.0), top, least);
+        dips.iter().map(|dip| (dip.left, dip.right, dip.rim)).collect::<Vec<_>>()
+    };
+    assert_eq!(dips(20.0, 1.0), [(0.0, 20.0, 0.0)]);
+    // Under a lower top it is narrower, and it is none where it shall be deeper than it is.
+    assert_eq!(dips(-4.0, 1.0), [(4.0, 16.0, -4.0)]);
+    assert_eq!(dips(20.0, 10.5), []);
+    // Behind a wall it ends at the wall.
+    let walled = Profile::new(&lines(&[(0.0, 0.0), (0.0, -5.0), (8.0, -5.0), (8.0, 3.0)]), Grown::default());
+    let found = walled.dips(Point2::new(-1.0, 0.0), 20.0, 1.0);
+    assert!(found.iter().all(|dip| (dip.right - 8.0).abs() < 1e-9 && dip.rim == 0.0), "{found:?}");
+}

@@ -296,4 +296,23 @@ mod tests {
         assert!(lines_are_near(p(-50.0, 0.0), p(50.0, 0.0), p(54.0, -50.0), p(54.0, 50.0), 5.0));
         assert!(!lines_are_near(p(0.0, 0.0), p(50.0, 0.0), p(0.0, 5.0), p(50.0, 5.0), 5.0));
     }
+
+    #[test]
+    fn a_box_holds_all_of_its_arc() {
+        use crate::geo::{Point2, turned};
+        let center = Point2::new(7.0, -3.0);
+        for radius in [0.5, 10.0, 80.0] {
+            for start in 0..12 {
+                for sweep in [0.3, 1.4, 1.6, 3.0, 6.2, core::f64::consts::TAU] {
+                    let on = |angle: f64| center + turned(Vec2::new(radius, 0.0), 0.5 * f64::from(start) + angle);
+                    let bounds = Bounds::of(&Element::Arc { from: on(0.0), to: on(sweep), center, sweep });
+                    for part in 0..=20 {
+                        let p = on(sweep * f64::from(part) / 20.0).coords;
+                        let holds = (0..2).all(|i| p[i] > bounds.least[i] - 1e-9 && p[i] < bounds.most[i] + 1e-9);
+                        assert!(holds, "radius {radius}, {sweep} from {start}, part {part}");
+                    }
+                }
+            }
+        }
+    }
 }

@@ -78,3 +78,18 @@ fn along(p: Point2, center: Point2, u: Vec2) -> f64 {
     let foot = center + normal * normal.dot(&(p - center));
     (p - foot).dot(&u)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_point_is_placed_along_a_direction_from_the_foot_of_the_centre() {
+        // Along (3 4)/5: the foot of (10 5) lies level with it, whatever the line.
+        let (center, u) = (Point2::new(10.0, 5.0), Vec2::new(0.6, 0.8));
+        for (way, aside) in [(7.0, 0.0), (7.0, 3.0), (-4.0, -2.5)] {
+            let p = center + u * way + left(u) * aside;
+            assert!((along(p, center, u) - way).abs() < 1e-12, "{way} {aside}");
+        }
+    }
+}
