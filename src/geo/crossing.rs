@@ -110,4 +110,19 @@ mod tests {
         };
         assert!(!meet(&arc, &below, &[]));
     }
+
+    #[test]
+    fn arcs_of_one_circle_meet_where_one_ends_on_the_other() {
+        let center = Point2::new(2.0, 1.0);
+        let on =
+            |degrees: f64| center + super::super::turned(super::super::Vec2::new(5.0, 0.0), f64::to_radians(degrees));
+        let arc =
+            |from: f64, to: f64| Element::Arc { from: on(from), to: on(to), center, sweep: f64::to_radians(to - from) };
+        for other in [arc(90.0, 200.0), arc(60.0, 30.0), arc(100.0, 80.0), arc(-30.0, 120.0)] {
+            assert!(meet(&arc(0.0, 90.0), &other, &[]), "{other:?}");
+        }
+        for other in [arc(100.0, 350.0), arc(-10.0, -170.0)] {
+            assert!(!meet(&arc(0.0, 90.0), &other, &[]), "{other:?}");
+        }
+    }
 }

@@ -152,3 +152,22 @@ impl FeedSpindle {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_feed_in_turns_of_another_spindle_needs_its_speed() {
+        let path = Path::Line(Feed::PerRevolution(0.2));
+        let of = |number: Option<u8>, speeds: &[(u8, f64)]| {
+            let spindle = FeedSpindle { number, speeds: speeds.iter().copied().collect() };
+            spindle.per_minute(&path, &Origin::default()).map_err(|found| found.code.id)
+        };
+        assert_eq!(of(None, &[]), Ok(path));
+        assert_eq!(of(Some(2), &[(2, 1500.0)]), Ok(Path::Line(Feed::PerMinute(300.0))));
+        for speeds in [&[][..], &[(3, 1500.0)], &[(2, 0.0)]] {
+            assert_eq!(of(Some(2), speeds), Err("G3336"), "{speeds:?}");
+        }
+    }
+}

@@ -404,6 +404,22 @@ mod tests {
         assert_eq!(code(Thread { flank: Flank::Behind { angle: Deg(89.99) }, ..m20() }), "G3042");
     }
 
+    #[test]
+    fn a_cut_may_end_early_by_the_run_out_and_the_last_part() {
+        // The first cut is 0.3 mm deep: 0.62 mm above the bottom, behind by 0.62 * tan(angle). The run-out is 1 mm.
+        let cut = |parts: &[ThreadPart], angle: f64| {
+            let thread = Thread { parts: parts.to_vec(), flank: Flank::Behind { angle: Deg(angle) }, ..m20() };
+            expand(&thread, thread.park, &mut |_| ()).map_err(|failure| failure.code.id)
+        };
+        let part = |z: f64| ThreadPart { end: Point2::new(z, 10.0), lead: 1.5 };
+        // 25 mm and 1 mm: 23.7 mm go, 27.3 mm do not.
+        assert_eq!(cut(&[part(-20.0)], 88.5), Ok(()));
+        assert_eq!(cut(&[part(-20.0)], 88.7), Err("G3042"));
+        // The last part is 5 mm long: 5.9 mm go, 6.1 mm do not.
+        assert_eq!(cut(&[part(-15.0), part(-20.0)], 84.0), Ok(()));
+        assert_eq!(cut(&[part(-15.0), part(-20.0)], 84.2), Err("G3042"));
+    }
+
     fn thread() -> impl Strategy<Value = Thread> {
         let infeed = prop_oneof![
             (0.05f64..1.0).prop_map(|first| Infeed::ConstantArea { first }),

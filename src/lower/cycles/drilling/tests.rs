@@ -73,6 +73,8 @@ fn series(total: f64, first: f64, degression: Degression) -> Vec<String> {
 fn other_series_as_computed_by_hand() {
     assert_eq!(series(100.0, 30.0, Degression::Amount(5.0)), ["-30", "-55", "-75", "-90", "-100"]);
     assert_eq!(series(50.0, 20.0, Degression::Amount(5.0)), ["-20", "-35", "-45", "-50"]);
+    // What is left is the step that is due: 9 - 2.
+    assert_eq!(series(16.0, 9.0, Degression::Amount(2.0)), ["-9", "-16"]);
     assert_eq!(series(100.0, 30.0, Degression::constant(30.0)), ["-30", "-60", "-80", "-100"]);
     assert_eq!(
         series(100.0, 20.0, Degression::Factor { factor: 0.8, least: 5.0 }),
