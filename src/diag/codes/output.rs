@@ -15,6 +15,10 @@ O1003 Error "thread-lead-not-positive" "thread without a lead or a length"
 "A thread is cut by moving the tool by its lead with every turn of the spindle. Here the lead or the whole way is zero, or too small \
 or too large to print. Look where the lead is programmed."
 
+O1004 Error "speed-prints-as-zero" "spindle speed prints as zero"
+"The target reads whole numbers behind S, or as many places as `[output] decimals` says, and the speed is below half of the last of them. The spindle would stand \
+while the tool cuts. Look at the S of the program; cutting speeds and limits of the speed count, too."
+
 O2001 Warning "m-function-of-target" "M function that means something on the target"
 "`[output] pass_m` lets M functions through as they stand. The target has this one, too, and does with it what the text says, which is hardly \
 what the machine of the program did. Take it out of `pass_m` and leave it out of the program, or make the target's machine do what is meant by another number."

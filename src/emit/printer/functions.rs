@@ -320,18 +320,19 @@ impl Printer<'_> {
                 Spindle::Speed(_) | Spindle::CuttingSpeed { .. } => {}
             }
         }
-        let text = &mut self.page.text;
         match spindle {
             Spindle::Start(turn) => {
+                let text = &mut self.page.text;
                 text.word(if turn == Turn::Clockwise { words.clockwise } else { words.counter_clockwise });
                 match self.running.speed {
                     Some(speed) => text.number(words.speed, speed, self.measures.speed),
                     None => text,
                 }
             }
-            Spindle::Stop => text.word(words.stop),
+            Spindle::Stop => self.page.text.word(words.stop),
             Spindle::Speed(speed) => {
-                let Some(units) = self.measures.speed.units(speed) else { return self.unprintable(origin) };
+                let Some(units) = self.speed_units(speed, origin) else { return };
+                let text = &mut self.page.text;
                 if let Some(cutting) = &words.cutting_speed
                     && number.is_none()
                     && std::mem::take(&mut self.modal.cutting_speed)
@@ -356,8 +357,16 @@ impl Printer<'_> {
                 }
                 self.modal.cutting_speed = true;
                 let places = self.measures.speed;
-                let Some(units) = places.units(speed) else { return self.unprintable(origin) };
-                match (cutting.limit, limit.and_then(|limit| places.units(limit))) {
+                let Some(units) = self.speed_units(speed, origin) else { return };
+                let limit = match limit {
+                    Some(limit) => match self.speed_units(limit, origin) {
+                        Some(limit) => Some(limit),
+                        None => return,
+                    },
+                    None => None,
+                };
+                let text = &mut self.page.text;
+                match (cutting.limit, limit) {
                     (Limit::Word(word), Some(limit)) => {
                         text.word(cutting.on).valued(word, limit, places);
                     }
@@ -378,7 +387,7 @@ impl Printer<'_> {
                 };
                 let places = self.measures.angle;
                 let Some(units) = places.units(angle) else { return self.unprintable(origin) };
-                text.word(word).number(address, units, places)
+                self.page.text.word(word).number(address, units, places)
             }
         };
         if let Some(number) = number {
@@ -391,6 +400,22 @@ impl Printer<'_> {
         self.page.end_line(origin);
     }
 
+    /// A speed in printed units; reported where there is none. One that prints as zero would let the spindle stand.
+    fn speed_units(&mut self, speed: f64, origin: &Origin) -> Option<i64> {
+        let Some(units) = self.measures.speed.units(speed) else {
+            self.unprintable(origin);
+            return None;
+        };
+        if units == 0 && speed != 0.0 {
+            let message = format!("the speed {speed} prints as zero, and the spindle would stand");
+            let help =
+                "program a higher speed, or give `[output] decimals.speed` where the target reads parts of a turn";
+            self.diags.push(Diagnostic::new(codes::O1004, origin.loc, message).help(help).called(origin.call));
+            return None;
+        }
+        Some(units)
+    }
+
     /// Looks at a function of a spindle whose speed is a part of its start; false where nothing is left to print.
     fn with_start(&mut self, spindle: Spindle, origin: &Origin) -> bool {
         let turn = match spindle {
@@ -400,10 +425,7 @@ impl Printer<'_> {
                 return self.has_m(5, origin);
             }
             Spindle::Speed(speed) => {
-                self.running.speed = self.measures.speed.units(speed);
-                if self.running.speed.is_none() {
-                    self.unprintable(origin);
-                }
+                self.running.speed = self.speed_units(speed, origin);
                 // The turning spindle is started again, at its new speed.
                 if let (Some(turn), Some(_)) = (self.running.turn, self.running.speed) {
                     self.spindle(Spindle::Start(turn), None, origin);
