@@ -147,7 +147,7 @@ impl Language for Sinumerik {
         if self.has_macros() {
             return None;
         }
-        straight::of_line(text, line_end).map(|line| line.len)
+        straight::line_len(text, line_end)
     }
 
     #[inline]
