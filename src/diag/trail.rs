@@ -1,6 +1,6 @@
 //! Call paths: how the program came to a block, kept once per distinct path.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use rustc_hash::FxHashMap;
 
@@ -17,6 +17,8 @@ const MOST_PATHS: usize = 1 << 18;
 #[derive(Debug, Default)]
 pub struct Trail {
     inner: RefCell<Inner>,
+    /// Blocks that ran.
+    steps: Cell<u64>,
 }
 
 #[derive(Debug, Default)]
@@ -31,6 +33,17 @@ impl CallPath {
 }
 
 impl Trail {
+    /// A block runs.
+    #[inline]
+    pub fn step(&self) {
+        self.steps.set(self.steps.get() + 1);
+    }
+
+    /// How many blocks have run, the last one included.
+    pub fn steps(&self) -> u64 {
+        self.steps.get()
+    }
+
     /// The path that follows `from` through the call at `site`.
     pub fn enter(&self, from: CallPath, site: Loc) -> CallPath {
         let inner = &mut *self.inner.borrow_mut();
