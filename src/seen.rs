@@ -41,8 +41,9 @@ pub struct Stop {
     pub tool: Option<u32>,
     /// It moves in machine coordinates.
     pub machine: bool,
-    /// How often the block ran.
+    /// How often the block ran, and the number of its first run.
     pub passes: u32,
+    pub step: u64,
 }
 
 /// How a block moves.
@@ -125,7 +126,7 @@ impl Seen {
         self.last = (step, self.stops.len());
         self.by_block.insert(key, self.stops.len());
         let (file, span, tool) = (origin.loc.file, origin.loc.span, self.tool);
-        self.stops.push(Stop { file, span, end: *end, path, feed, side, tool, machine, passes: 1 });
+        self.stops.push(Stop { file, span, end: *end, path, feed, side, tool, machine, passes: 1, step });
     }
 }
 

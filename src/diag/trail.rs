@@ -19,6 +19,23 @@ pub struct Trail {
     inner: RefCell<Inner>,
     /// Blocks that ran.
     steps: Cell<u64>,
+    /// Does anybody want to know the values of variables?
+    watched: Cell<bool>,
+    assigned: RefCell<Vec<Assigned>>,
+}
+
+/// Most assignments that are remembered.
+const MOST_ASSIGNED: usize = 1 << 18;
+
+/// A variable got a number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Assigned {
+    /// The number of the block that ran, as [`Trail::steps`] counts.
+    pub step: u64,
+    /// The block that assigns.
+    pub loc: Loc,
+    pub name: String,
+    pub value: f64,
 }
 
 #[derive(Debug, Default)]
@@ -42,6 +59,27 @@ impl Trail {
     /// How many blocks have run, the last one included.
     pub fn steps(&self) -> u64 {
         self.steps.get()
+    }
+
+    /// From here on values of variables are remembered.
+    pub fn watch_values(&self) {
+        self.watched.set(true);
+    }
+
+    /// A variable gets a number.
+    #[inline]
+    pub fn assigns(&self, loc: Loc, name: impl FnOnce() -> String, value: f64) {
+        if self.watched.get() {
+            let mut assigned = self.assigned.borrow_mut();
+            if assigned.len() < MOST_ASSIGNED {
+                assigned.push(Assigned { step: self.steps.get(), loc, name: name(), value });
+            }
+        }
+    }
+
+    /// What was assigned since [`Trail::watch_values`], in order.
+    pub fn take_values(&self) -> Vec<Assigned> {
+        self.assigned.take()
     }
 
     /// The path that follows `from` through the call at `site`.

@@ -4,6 +4,7 @@ use core::fmt::Write;
 
 use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind, Position};
 
+use crate::diag::trail::Assigned;
 use crate::ir::{Feed, Side};
 use crate::seen::Stop;
 use crate::sema::cycle_table::{Name as ParameterName, Parameter, Signature};
@@ -12,6 +13,7 @@ use crate::text::{FileId, Span};
 use super::hints::{coordinates, number};
 use super::names;
 use super::server::Document;
+use super::study::Study;
 use super::words::meaning;
 
 /// The text for a place.
@@ -34,6 +36,9 @@ pub fn hover(document: &Document, position: Position) -> Option<Hover> {
     }
     if let Some(name) = names::at(document, study, position) {
         parts.push(used(document, &name));
+        if !name.is_label {
+            parts.extend(value(study, name.name, block.words));
+        }
     }
     if let Some(stop) = study.seen.stop(FileId(0), block.words.start) {
         parts.push(leads_to(stop));
@@ -88,6 +93,28 @@ fn leads_to(stop: &Stop) -> String {
     text
 }
 
+/// What a variable holds in a block: what the block assigns, or what it got last before the first run of the block.
+fn value(study: &Study, name: &str, words: Span) -> Option<String> {
+    let all = || study.values.iter().filter(|assigned| assigned.name.eq_ignore_ascii_case(name));
+    let here = |assigned: &&Assigned| assigned.loc.file == FileId(0) && assigned.loc.span.start == words.start;
+    if let (Some(first), Some(last)) = (all().find(here), all().rfind(here)) {
+        let times = all().filter(here).count();
+        let more =
+            if times > 1 { format!(" first, {} last of {times} times", exact(last.value)) } else { String::new() };
+        return Some(format!("= {}{more}", exact(first.value)));
+    }
+    let stop = study.seen.stop(FileId(0), words.start)?;
+    let last = all().take_while(|assigned| assigned.step <= stop.step).last()?;
+    Some(format!("= {}", exact(last.value)))
+}
+
+/// Six places, without zeros at the end.
+fn exact(value: f64) -> String {
+    let text = format!("{value:.6}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
 fn used(document: &Document, name: &names::Name<'_>) -> String {
     let lines = |spans: &[Span]| {
         let mut lines: Vec<String> =
@@ -103,6 +130,7 @@ fn used(document: &Document, name: &names::Name<'_>) -> String {
     let (set, used) = (lines(&name.uses.set), lines(&name.uses.used));
     let mut text = format!("`{}`", name.name);
     match (name.is_label, set.is_empty()) {
+        (true, true) if name.name.starts_with('N') => text.push_str(" is a block number"),
         (_, true) => text.push_str(" is set nowhere in this program"),
         (true, false) => _ = write!(text, ", label in line {set}"),
         (false, false) => _ = write!(text, ", set in line {set}"),

@@ -8,6 +8,7 @@ use crate::text::Span;
 
 use super::server::{Document, World};
 use super::study::{Study, Uses};
+use super::words::meaning;
 
 /// A name under the cursor.
 pub struct Name<'s> {
@@ -151,7 +152,8 @@ pub fn rename(document: &Document, position: Position, new: &str) -> Result<Work
     let (_, bare) = parts(name.name);
     // `Q5` may become `Q6` or `QL6`, a label of digits another number, a name another name.
     let fits = if name.is_label { digits(new) == digits(bare) } else { alike(bare, new) };
-    if !word(new) || !fits {
+    let taken = document.dialect.is_some_and(|dialect| meaning(dialect.id, new).is_some());
+    if !word(new) || !fits || taken {
         return Err(format!("`{new}` is no other name for `{bare}`"));
     }
     let names = if name.is_label { &study.survey.labels } else { &study.survey.variables };

@@ -10,6 +10,7 @@ use serde_json::Value;
 
 use crate::diag::Severity;
 use crate::dialect::Dialect;
+use crate::driver::Session;
 use crate::machine::Settings;
 use crate::text::{FileError, FileId, Files, Memory, Opened, Request as FileRequest, Span};
 
@@ -233,11 +234,8 @@ impl<W: World> Server<W> {
         let document = self.documents.get(uri)?;
         if document.study.is_none() {
             let made = self.world.setting(uri, &document.language, document.text.as_str()).map(|setting| {
-                let others = self.documents.values().filter(|other| other.identity != document.identity);
-                let open = others.map(|other| (other.identity.as_str(), other.text.as_str())).collect();
-                let files = WithOpen { files: setting.files.as_ref(), open };
-                let mut settings = setting.settings;
-                settings.limits.steps = settings.limits.steps.min(MOST_STEPS);
+                let files = WithOpen { files: setting.files.as_ref(), open: self.open_beside(document) };
+                let settings = bounded(setting.settings);
                 let (name, text) = (setting.name.as_str(), document.text.as_str());
                 let made = study(name, &setting.identity, text, setting.dialect, &settings, &files);
                 (made, setting.dialect)
@@ -272,7 +270,7 @@ impl<W: World> Server<W> {
     }
 
     fn result(&mut self, method: &str, params: Value) -> Option<Result<Value, String>> {
-        use lsp::{CodeActionParams, CompletionParams, HoverParams, InlayHintParams, RenameParams};
+        use lsp::{CodeActionParams, CompletionParams, HoverParams, InlayHintParams};
         use lsp::{DocumentHighlightParams, DocumentSymbolParams, FoldingRangeParams, GotoDefinitionParams};
         use lsp::{ReferenceParams, SemanticTokensParams, SemanticTokensRangeParams, TextDocumentPositionParams};
         Some(match method {
@@ -313,11 +311,7 @@ impl<W: World> Server<W> {
                 |p: &TextDocumentPositionParams| &p.text_document,
                 |doc, p| Ok(names::can_rename(doc, p.position)),
             ),
-            "textDocument/rename" => self.with(
-                params,
-                |p: &RenameParams| &p.text_document_position.text_document,
-                |doc, p| names::rename(doc, p.text_document_position.position, &p.new_name),
-            ),
+            "textDocument/rename" => self.rename(params),
             "textDocument/codeAction" => {
                 self.with(params, |p: &CodeActionParams| &p.text_document, |doc, p| Ok(actions::actions(doc, p.range)))
             }
@@ -336,6 +330,48 @@ impl<W: World> Server<W> {
             ),
             _ => return None,
         })
+    }
+
+    /// Another name, if the program does the same with it.
+    fn rename(&mut self, params: Value) -> Result<Value, String> {
+        let params: lsp::RenameParams = serde_json::from_value(params).map_err(|error| error.to_string())?;
+        let place = params.text_document_position;
+        let uri = place.text_document.uri.as_str();
+        self.study(uri);
+        let document = self.documents.get(uri).ok_or_else(|| format!("{uri} is not open"))?;
+        let edit = names::rename(document, place.position, &params.new_name)?;
+        let mut changed = document.text.clone();
+        let edits = edit.changes.iter().flat_map(|changes| changes.values().flatten());
+        let mut edits: Vec<&lsp::TextEdit> = edits.collect();
+        edits.sort_by_key(|edit| std::cmp::Reverse((edit.range.start.line, edit.range.start.character)));
+        for edit in edits {
+            changed.change(Some(edit.range), &edit.new_text);
+        }
+        let [before, after] = [document.text.as_str(), changed.as_str()].map(|text| self.imprint(document, text));
+        if before? != after? {
+            return Err(format!("with `{}` the program would do something else", params.new_name));
+        }
+        serde_json::to_value(edit).map_err(|error| error.to_string())
+    }
+
+    /// What the document would do with this text, as one number, and how many errors it would have.
+    fn imprint(&self, document: &Document, text: &str) -> Result<(u128, u32), String> {
+        let setting = self.world.setting(document.uri.as_str(), &document.language, text)?;
+        let main = Opened {
+            name: setting.name.clone(),
+            identity: setting.identity.clone(),
+            text: Box::new(Memory::new(text.as_bytes())),
+        };
+        let session = Session::new(main);
+        let files = WithOpen { files: setting.files.as_ref(), open: self.open_beside(document) };
+        let number = session.imprint(setting.dialect, &bounded(setting.settings.clone()), &files);
+        Ok((number, session.diags.errors()))
+    }
+
+    /// The texts of the other documents, by what tells their files apart.
+    fn open_beside(&self, document: &Document) -> BTreeMap<&str, &str> {
+        let others = self.documents.values().filter(|other| other.identity != document.identity);
+        others.map(|other| (other.identity.as_str(), other.text.as_str())).collect()
     }
 
     fn with<P: DeserializeOwned, R: Serialize>(
@@ -361,6 +397,12 @@ impl<W: World> Server<W> {
         let document = self.documents.get(uri).ok_or_else(String::new)?;
         serde_json::to_value(answer(document, &params, &self.world)?).map_err(|error| error.to_string())
     }
+}
+
+/// An editor does not wait for a program without an end.
+fn bounded(mut settings: Settings) -> Settings {
+    settings.limits.steps = settings.limits.steps.min(MOST_STEPS);
+    settings
 }
 
 fn read<P: DeserializeOwned>(params: Value) -> Option<P> {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::diag::trail::Assigned;
 use crate::diag::{Code, Finding, Severity};
 use crate::dialect::Dialect;
 use crate::driver::Session;
@@ -20,6 +21,8 @@ pub struct Study {
     pub fixes: Vec<Fix>,
     pub seen: Seen,
     pub survey: Survey,
+    /// What variables got, in order.
+    pub values: Vec<Assigned>,
     /// Files of the run by their numbers: name, and what tells them apart.
     pub files: Vec<(String, String)>,
 }
@@ -78,10 +81,12 @@ pub fn study(
     let main =
         Opened { name: name.to_owned(), identity: identity.to_owned(), text: Box::new(Memory::new(text.as_bytes())) };
     let session = Session::new(main);
+    session.trail.watch_values();
     let mut study = Study::default();
     study.fixes = session.check_seen(dialect, settings, files, Some(&mut study.seen));
     lead(&session.sources, FileId(0), dialect.survey, &mut study.survey);
     let Session { sources, diags, trail } = session;
+    study.values = trail.take_values();
     study.files =
         (0..sources.len()).map(|at| FileId(at as u16)).map(|id| (sources.name(id), sources.identity(id))).collect();
     for found in diags.into_sorted() {
