@@ -6,6 +6,7 @@ mod dialog;
 pub mod disturb;
 mod functions;
 mod head;
+mod keys;
 mod measures;
 mod moves;
 mod refusals;

@@ -170,9 +170,7 @@ impl Rules {
                 0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 330 | 400 | 540 | 550 | 560 | 570 | 900 | 910 | 940 | 950 => {
                     g(tenths)
                 }
-                5050 => g(580),
-                5060 => g(590),
-                5070..=5090 if tenths % 10 == 0 => g(591 + (tenths - 5070) / 10),
+                5050..=5990 if tenths % 10 == 0 => Some(G::Offset((tenths / 10 - 500) as u8)),
                 7000 => g(200),
                 7100 => g(210),
                 _ => None,
@@ -240,6 +238,8 @@ pub(super) enum G {
     Rs274(i64),
     /// S is the largest speed.
     SpeedLimit,
+    /// Selects the work offset of this number.
+    Offset(u8),
     /// This letter has the number of a work offset, counted on from so many.
     OffsetByNumber(u8, u8),
 }

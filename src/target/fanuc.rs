@@ -3,7 +3,7 @@
 
 use super::{
     Arcs, Comments, CuttingSpeed, Dwell, DwellUnit, FeedWords, Frame, Length, LengthNumber, LengthWords, Limit, Line,
-    MFunctions, Motion, Numbers, ProgramName, SpindleWords, Target, ToolWords, base::BASE,
+    MFunctions, MoreOffsets, Motion, Numbers, ProgramName, SpindleWords, Target, ToolWords, base::BASE,
 };
 
 // Rotary axes (what F counts is a matter of parameters), feeds by time and G33 on a mill are options of the machine, M7 is
@@ -55,7 +55,8 @@ pub(super) const TARGET: Target = Target {
     },
     dwell: Dwell { unit: DwellUnit::Milliseconds, most: 99_999.999, per_minute: true, ..BASE.dwell },
     // Where they are no option of the machine, the control knows nothing of G54.1 and stops.
-    offsets: &["G54", "G55", "G56", "G57", "G58", "G59", "G54.1 P1", "G54.1 P2", "G54.1 P3"],
+    offsets: BASE.offsets,
+    more_offsets: Some(MoreOffsets { word: "G54.1 P", less: 6, most: 54 }),
     offsets_named: 6,
     m: MFunctions { own: OWN, ..BASE.m },
     ..BASE

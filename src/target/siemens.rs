@@ -3,8 +3,8 @@
 use core::f64::consts::PI;
 
 use super::{
-    Arcs, Comments, CoolantWords, Dwell, FeedWords, Frame, Lead, Length, LengthNumber, LengthWords, MFunctions, Motion,
-    Target, Thread, ToolWords, Turns, base::BASE,
+    Arcs, Comments, CoolantWords, Dwell, FeedWords, Frame, Lead, Length, LengthNumber, LengthWords, MFunctions,
+    MoreOffsets, Motion, Target, Thread, ToolWords, Turns, base::BASE,
 };
 
 // Which axes F counts is a matter of the machine (FGROUP): no rotary ones. G96 would take the feed per revolution with it.
@@ -54,6 +54,8 @@ pub(super) const TARGET: Target = Target {
     dwell: Dwell { address: b'F', ..BASE.dwell },
     // G58 and G59 shift by what stands in their block.
     offsets: &["G54", "G55", "G56", "G57", "G505", "G506", "G507", "G508", "G509"],
+    more_offsets: Some(MoreOffsets { word: "G5", less: 0, most: 99 }),
+    offsets_named: 4,
     m: MFunctions { own: OWN, ..BASE.m },
     ..BASE
 };

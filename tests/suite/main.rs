@@ -54,8 +54,10 @@ mod modal;
 mod mtc200;
 mod mtc200_words;
 mod oracle;
+mod output_keys;
 mod peer;
 mod pictures;
+mod printed_arcs;
 mod props;
 #[allow(dead_code, reason = "the measurement of a release uses more of it")]
 #[path = "../quality/mod.rs"]
