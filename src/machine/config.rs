@@ -54,7 +54,7 @@ impl Reader {
             let result = match section.keys().find(|key| key.name == name) {
                 Some(key) => {
                     if section.name == "output" {
-                        self.settings.output.stated.push((key.name, node.spot.clone()));
+                        self.settings.output.stated.0.push((key.name, node.spot.clone()));
                     }
                     fits(key, node).and_then(|()| (key.set)(&mut self.settings, node))
                 }

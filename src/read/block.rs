@@ -277,12 +277,15 @@ impl Block {
     }
 
     /// The compensation that the block asks for.
-    pub fn cutter(&mut self) -> Result<Option<Cutter>, Fault> {
+    pub fn cutter(&mut self, rules: &Rules) -> Result<Option<Cutter>, Fault> {
         let Some((side, by_diameter)) = self.side else { return Ok(None) };
         if side == 0 {
             return Ok(Some(Cutter::default()));
         }
         let mut cutter = Cutter { side, tool: 0, diameter: None };
+        if rules.words == Words::Siemens {
+            return Ok(Some(cutter));
+        }
         if by_diameter {
             cutter.diameter = Some(self.take(b'D').ok_or_else(|| Fault::new("a diameter is missing"))?);
         } else {

@@ -1,9 +1,12 @@
 //! Fanuc mills (0i, 30i) and what reads as they do. A point in every number, one block for each half of a circle, dwells in
 //! whole milliseconds, the tool length in a move along Z.
 
+use crate::geo::Plane;
+
 use super::{
-    Arcs, Comments, CuttingSpeed, Dwell, DwellUnit, FeedWords, Frame, Length, LengthNumber, LengthWords, Limit, Line,
-    MFunctions, MoreOffsets, Motion, Numbers, ProgramName, SpindleWords, Target, ToolWords, base::BASE,
+    Arcs, Comments, CompensationWords, CuttingSpeed, Dwell, DwellUnit, FeedWords, Frame, Length, LengthNumber,
+    LengthWords, Limit, Line, MFunctions, MoreOffsets, Motion, Numbers, ProgramName, SpindleWords, Target, ToolWords,
+    base::BASE,
 };
 
 // Rotary axes (what F counts is a matter of parameters), feeds by time and G33 on a mill are options of the machine, M7 is
@@ -58,6 +61,15 @@ pub(super) const TARGET: Target = Target {
     offsets: BASE.offsets,
     more_offsets: Some(MoreOffsets { word: "G54.1 P", less: 6, most: 54 }),
     offsets_named: 6,
+    compensation: Some(CompensationWords {
+        left: "G41",
+        right: "G42",
+        by_diameter: None,
+        off: "G40",
+        tool: Some(b'D'),
+        with_move: true,
+        planes: &[Plane::Xy],
+    }),
     m: MFunctions { own: OWN, ..BASE.m },
     ..BASE
 };

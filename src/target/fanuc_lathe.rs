@@ -39,6 +39,8 @@ pub(super) const A: Target = Target {
         length: Length::WithTool,
     },
     more_offsets: None,
+    // That of the nose of a tool is not confirmed.
+    compensation: None,
     ..FANUC
 };
 

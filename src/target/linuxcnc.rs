@@ -60,10 +60,10 @@ pub(super) const TARGET: Target = Target {
     compensation: Some(CompensationWords {
         left: "G41",
         right: "G42",
-        left_by_diameter: "G41.1",
-        right_by_diameter: "G42.1",
+        by_diameter: Some(["G41.1", "G42.1"]),
         off: "G40",
-        tool: b'D',
+        tool: Some(b'D'),
+        with_move: false,
         planes: &[Plane::Xy, Plane::Zx],
     }),
     m: MFunctions {

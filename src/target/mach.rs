@@ -54,5 +54,7 @@ pub(super) const UCCNC: Target = Target {
     // Post processors write quarters in XY.
     arcs: Arcs { planes: &[Plane::Xy], most_sweep: PI / 2.0, ..MACH3.arcs },
     dwell: Dwell { unit: DwellUnit::Milliseconds, per_minute: false, ..FANUC.dwell },
+    // Post processors avoid it.
+    compensation: None,
     ..MACH3
 };

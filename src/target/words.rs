@@ -481,12 +481,14 @@ pub struct Flow {
 pub struct CompensationWords {
     pub left: &'static str,
     pub right: &'static str,
-    /// With the diameter given in the block.
-    pub left_by_diameter: &'static str,
-    pub right_by_diameter: &'static str,
+    /// Left and right with the diameter given in the block, where the target takes one.
+    pub by_diameter: Option<[&'static str; 2]>,
     pub off: &'static str,
-    /// Address of the tool number or the diameter.
-    pub tool: u8,
+    /// Address of the tool number or the diameter; `None` where the radius comes with the length of the tool.
+    pub tool: Option<u8>,
+    /// The words stand in the straight move to the contour or from it, and one block at most between two moves of the contour
+    /// moves nothing in its plane.
+    pub with_move: bool,
     /// Working planes in which the target compensates.
     pub planes: &'static [Plane],
 }

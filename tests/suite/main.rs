@@ -21,6 +21,7 @@ mod cli_tables;
 mod common;
 mod compensation_entry;
 mod compensation_props;
+mod compensation_targets;
 mod corners;
 mod cycle_cases;
 mod cycle_digits;

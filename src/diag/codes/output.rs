@@ -57,7 +57,7 @@ O9002 Error "spindle-speed-negative" "spindle speed is negative"
 O9003 Error "compensation-by-target" "not possible under the target's radius compensation"
 "With `[output] compensation = \"control\"` the target offsets the contour between G41 or G42 and G40. Meanwhile it takes no block in \
 machine coordinates, no change of plane or side, no arc outside the working plane, and no contour that goes on behind a tool change or \
-work offset; and it compensates in some planes only. The target would stop there with an alarm, so nothing is written. End the compensation before the block, \
+work offset; and it compensates in some planes only. Most targets end it in a straight move alone, and look ahead over one block that moves nothing in the plane, not over two. The target would stop there with an alarm, so nothing is written. End the compensation before the block, \
 or let partc compute the tool path with `compensation = \"resolve\"`."
 
 O9300 Error "thread-unknown-to-target" "the target cuts no threads"
@@ -90,11 +90,12 @@ O9307 Error "tool-length-unknown-to-target" "the target has no table of tool len
 length on the target, for instance by touching the part off with every tool."
 
 O9308 Error "compensation-unknown-to-target" "the target does not compensate the tool radius"
-"With `[output] compensation = \"control\"` the target offsets the contour by the radius of the tool (G41, G42), and the selected target cannot. Program the path of the \
+"With `[output] compensation = \"control\"` the target offsets the contour by the radius of the tool (G41, G42), and the selected target cannot, or not by this radius: an oversize of the program is not in its table. Program the path of the \
 tool centre, or choose a target that compensates."
 
 O9309 Error "axis-unknown-to-target" "the target does not have this axis"
-"The selected target moves X, Y and Z. A rotary or a parallel axis has no letter there, and leaving it out would cut on the wrong side of the part. Split the program \
+"The selected target moves X, Y and Z. A rotary or a parallel axis has no letter there, or it is a matter of the machine which way it turns and what F counts; leaving it out would cut on \
+the wrong side of the part. Split the program \
 where the axis turns and turn it by hand, or choose another target."
 
 O9310 Error "work-offset-unknown-to-target" "the target does not have this work offset"

@@ -22,7 +22,7 @@ impl Printer<'_> {
             let message = format!("`line_numbers`: the target {name} {why}");
             self.diags.push(Diagnostic::new(codes::O9329, start, message).help("leave the key away"));
         }
-        for (key, spot) in &self.settings.stated {
+        for (key, spot) in &self.settings.stated.0 {
             let Some(why) = self.unused(key, lathe) else { continue };
             let message = format!("`{key}` changes nothing: the target {name} {why}");
             let mut help = "leave the key away".to_owned();

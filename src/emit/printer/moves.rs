@@ -86,6 +86,9 @@ impl Printer<'_> {
             self.page.text.word(self.target.motion.machine.unwrap_or_default());
         }
         self.page.text.word(word);
+        if self.compensation.waits {
+            self.side_words();
+        }
         let length = if self.length.waits { self.length_word(mv, changed) } else { None };
         let changed = if self.special { self.spelled_out(mv, changed, &mut ends) } else { changed };
         for axis in changed.iter() {

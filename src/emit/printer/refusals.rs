@@ -1,8 +1,8 @@
 //! What the target has no word for: each refused with its place, and with what to do.
 
 use crate::diag::{Answer, Code, Diagnostic, codes};
-use crate::ir::Origin;
 use crate::ir::motion::Move;
+use crate::ir::{Origin, Side};
 use crate::machine::settings::Quantity;
 use crate::machine::{Axis, AxisSet};
 use crate::text::Loc;
@@ -59,6 +59,38 @@ impl Printer<'_> {
             self.lacks(codes::O9308, origin, "radius compensation", help);
         }
         self.pretend(mv);
+    }
+
+    /// A radius that the table of the target does not have, or that nothing has selected there.
+    #[cold]
+    pub(super) fn lacks_radius(&mut self, oversize: bool, of_length: bool, mv: &Move, origin: &Origin) {
+        if self.compensation.refuse_contour() {
+            let (what, help) = match (oversize, of_length) {
+                (true, _) => (
+                    "a tool radius with an oversize of the program",
+                    "put the oversize into the tool table of the target, or set `[output] compensation = \"resolve\"`",
+                ),
+                (false, true) => (
+                    "the radius of a tool whose D it does not print",
+                    "call the tool in the program, and leave `[output] tool_length` away: D1 brings the radius, too",
+                ),
+                (false, false) => ("the radius of tool 0", "call a tool in front of the contour"),
+            };
+            self.lacks(codes::O9308, origin, what, help);
+        }
+        self.pretend(mv);
+    }
+
+    /// The compensation would end in a block without a move.
+    #[cold]
+    pub(super) fn lacks_end_of_compensation(&mut self, origin: &Origin) {
+        self.compensation.switched(Side::None);
+        if self.compensation.refuse_contour() {
+            let message =
+                "radius compensation is on at a block that ends it, and the target ends it in a straight move only";
+            let help = "move away from the contour without compensation in front of this block";
+            self.diags.push(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call));
+        }
     }
 
     /// An arc that the target cannot say, and that may not become lines either.
