@@ -96,8 +96,16 @@ impl Printer<'_> {
         // The change may have moved any axis.
         self.modal.may_have_moved();
         if self.settings.tool_change == ToolChange::Stop {
-            if matches!(self.target.form, Form::Dialog(_)) {
-                let help = "leave `[output] tool_change` away: the control itself stops where no changer changes";
+            // D1 is a length of the tool that T has named.
+            let of_call = match self.target.tool.length {
+                Length::WithTool => true,
+                Length::Words(words) => {
+                    matches!(words.number, LengthNumber::None) && self.settings.prints_tool_length()
+                }
+                Length::None => false,
+            };
+            if of_call {
+                let help = "leave `[output] tool_change` away: the target calls the tool itself";
                 return self.lacks(
                     codes::O9327,
                     origin,
@@ -228,6 +236,9 @@ impl Printer<'_> {
         if self.settings.dwell_unit().is_none() {
             return self.lacks_dwell_unit(origin);
         }
+        if units == 0 && seconds > 0.0 {
+            return self.wait_is_lost(seconds, origin);
+        }
         if words.per_minute && self.modal.feed_kind_changes(FeedKind::PerMinute) {
             self.page.words(self.target.feed.per_minute, origin);
             self.modal.forget_feed();
@@ -284,16 +295,16 @@ impl Printer<'_> {
             let help = "look in the air whether the part lies where it should";
             self.diags.push(Diagnostic::new(codes::O2002, origin.loc, message).help(help).called(origin.call));
         }
-        match self.target.offsets.get(usize::from(number.clamp(1, 9)) - 1) {
+        match self.target.offset(number) {
             Some(word) => match self.target.form {
                 Form::Words => {
                     if number > self.target.offsets_named {
                         let message = format!("work offset {number} is printed as {word}");
                         self.report(codes::O4003, origin, &message);
                     }
-                    self.page.words(word, origin);
+                    self.page.words(&word, origin);
                 }
-                Form::Dialog(dialog) => self.dialog_offset(dialog, number, word, origin),
+                Form::Dialog(dialog) => self.dialog_offset(dialog, number, &word, origin),
             },
             None => {
                 let help = if self.target.offsets.is_empty() {
