@@ -288,14 +288,11 @@ impl<W: World> Server<W> {
             "textDocument/foldingRange" => {
                 self.with(params, |p: &FoldingRangeParams| &p.text_document, |doc, _| Ok(symbols::folds(doc)))
             }
-            "textDocument/definition" => {
-                let found = self.with_world(
-                    params,
-                    |p: &GotoDefinitionParams| &p.text_document_position_params.text_document,
-                    |doc, p, world| Ok(names::definition(doc, p.text_document_position_params.position, world)),
-                );
-                found
-            }
+            "textDocument/definition" => self.with_world(
+                params,
+                |p: &GotoDefinitionParams| &p.text_document_position_params.text_document,
+                |doc, p, world| Ok(names::definition(doc, p.text_document_position_params.position, world)),
+            ),
             "textDocument/references" => self.with(
                 params,
                 |p: &ReferenceParams| &p.text_document_position.text_document,

@@ -307,7 +307,7 @@ fn symbols_folds_tokens_and_completion() {
     );
     let tokens = client.whole("textDocument/semanticTokens/full", &uri);
     let data = tokens["data"].as_array().unwrap();
-    assert!(data.len() % 5 == 0 && data.len() > 50, "{}", data.len());
+    assert!(data.len().is_multiple_of(5) && data.len() > 50, "{}", data.len());
     let list = client.at("textDocument/completion", &uri, 3, 4, json!({}));
     let items = list["result"].as_array().unwrap();
     let drilling = items.iter().find(|item| item["label"] == json!("CYCL DEF 200")).expect("the cycle");
