@@ -13,7 +13,7 @@ use crate::text::Loc;
 #[derive(Debug, Clone, Default)]
 pub struct Uses {
     pub tools: BTreeMap<u32, ToolUse>,
-    /// Work offsets, 1 (G54) to 9 (G59.3).
+    /// Work offsets, 1 (G54) to 9 (G59.3), and on.
     pub offsets: BTreeMap<u8, Loc>,
     /// Constant cutting speed, which only lathes have.
     pub cutting_speed: Option<Loc>,

@@ -425,10 +425,11 @@ fn more(programs: u32) -> String {
     }
 }
 
-/// The word of a work offset, 1 (G54) to 9 (G59.3).
+/// The word of a work offset, 1 (G54) to 9 (G59.3), and on.
 fn offset(number: u8) -> String {
     match number {
         1..=6 => format!("G{}", 53 + number),
+        10.. => format!("G54.1 P{}", number - 6),
         n => format!("G59.{}", n.saturating_sub(6)),
     }
 }

@@ -39,12 +39,12 @@ pub(super) fn manual(all: clap::Command, command: Option<&str>, folder: Option<&
     print(&page)
 }
 
-/// The key of a configuration: `control.feed`, or `feed` alone.
-fn key(name: &str) -> Option<(&'static Section, &'static Key)> {
+/// The keys of a configuration: `control.feed`, or `feed` alone, which several tables may have.
+fn keys(name: &str) -> Vec<(&'static Section, &'static Key)> {
     let (section, key) = name.trim_matches(['[', ']']).rsplit_once('.').map_or((None, name), |(s, k)| (Some(s), k));
     let sections = SECTIONS.iter().filter(|found| section.is_none_or(|wanted| wanted == found.name));
-    let mut keys = sections.flat_map(|section| section.keys().chain(section.entry).map(move |key| (section, key)));
-    keys.find(|(_, found)| found.name == key)
+    let keys = sections.flat_map(|section| section.keys().chain(section.entry).map(move |key| (section, key)));
+    keys.filter(|(_, found)| found.name == key).collect()
 }
 
 /// What a key means, as text.
@@ -62,18 +62,24 @@ fn explained_key(section: &Section, key: &Key) -> String {
     text
 }
 
+fn key_object(section: &Section, key: &Key) -> serde_json::Value {
+    let values = if let Kind::Choice(values) = key.kind { values } else { &[] };
+    let (name, default) = (key.name, key.default);
+    json!({ "table": section.name, "key": name, "doc": key.doc, "values": values, "default": default })
+}
+
 /// `partc explain CODE`
 pub(super) fn explain(code: &str, format: ListFormat) -> Result<Exit, Trouble> {
     let Some(found) = codes::find(code) else {
-        if let Some((section, key)) = key(code) {
+        let keys = keys(code);
+        if !keys.is_empty() {
             let text = if format == ListFormat::Json {
-                let values = if let Kind::Choice(values) = key.kind { values } else { &[] };
-                let (name, default) = (key.name, key.default);
-                let object =
-                    json!({ "table": section.name, "key": name, "doc": key.doc, "values": values, "default": default });
-                format!("{object}\n")
+                let objects: Vec<serde_json::Value> =
+                    keys.iter().map(|(section, key)| key_object(section, key)).collect();
+                // A single key is no list.
+                if let [object] = &objects[..] { format!("{object}\n") } else { format!("{}\n", json!(objects)) }
             } else {
-                explained_key(section, key)
+                keys.iter().map(|(section, key)| explained_key(section, key)).collect::<Vec<_>>().join("\n")
             };
             return print(text.as_bytes());
         }

@@ -14,8 +14,12 @@ pub struct Request {
     pub center: Point2,
     /// Exact sweep in rad, counter-clockwise positive.
     pub sweep: f64,
+    /// Exact radius in units.
+    pub radius: f64,
     /// Largest difference of the radii at start and end, in units.
     pub tolerance: f64,
+    /// How far the printed arc may leave the exact one, in units.
+    pub most_off: f64,
     /// Smallest and largest radius that the target takes for an arc, in units.
     pub least_radius: f64,
     pub most_radius: f64,
@@ -30,8 +34,10 @@ pub enum Printed {
     Arc { offset: [i64; 2], turns: u32 },
     /// Start and end print alike and the arc is short: nothing is left of it.
     Nothing,
-    /// No centre fits: print lines.
+    /// The target takes no such arc: print lines.
     Lines,
+    /// The printed arc would miss its end, or leave the exact one, by so many units.
+    Off(f64),
 }
 
 /// Fits the arc to the printed grid.
@@ -43,18 +49,25 @@ pub fn fit(request: &Request) -> Printed {
         }
         let offset = [rounded(center.x) - from[0], rounded(center.y) - from[1]];
         let turns = libm::round(sweep.abs() / TAU).max(1.0);
-        return if offset == [0, 0] || !takes_radius(offset, request) {
-            Printed::Lines
-        } else {
-            Printed::Arc { offset, turns: turns as u32 }
-        };
+        if offset == [0, 0] || !takes_radius(offset, request) {
+            return Printed::Lines;
+        }
+        let off = leaves(offset, request);
+        return if off > request.most_off { Printed::Off(off) } else { Printed::Arc { offset, turns: turns as u32 } };
     }
     if length([to[0] - from[0], to[1] - from[1]]) < request.least_chord {
         return Printed::Lines;
     }
-    let Some(offset) = best_offset(request).filter(|offset| takes_radius(*offset, request)) else {
-        return Printed::Lines;
+    let offset = match best_offset(request) {
+        Ok(offset) if takes_radius(offset, request) => offset,
+        Ok(_) => return Printed::Lines,
+        Err(off) if off.is_finite() => return Printed::Off(off),
+        Err(_) => return Printed::Lines,
     };
+    let off = leaves(offset, request);
+    if off > request.most_off {
+        return Printed::Off(off);
+    }
     // Rounding may carry the end over the start: the printed sweep plus whole turns is the sweep meant.
     let at = |p: [i64; 2]| Point2::new(p[0] as f64, p[1] as f64);
     let printed_center = at([from[0] + offset[0], from[1] + offset[1]]);
@@ -79,12 +92,45 @@ fn rounded(v: f64) -> i64 {
     libm::round(v) as i64
 }
 
-/// The rounded centre, or the neighbour on the grid that lies nearest to the exact one and fits.
-fn best_offset(request: &Request) -> Option<[i64; 2]> {
+/// How far the arc around the printed centre leaves the exact one between their ends, in units, or a bound of it that is
+/// within what is allowed.
+///
+/// A place of the exact arc is `shift + radius·u` from the printed centre, which is longest and shortest where `u` points
+/// along the shift. The ends themselves are off by their rounding, and by what their radii differ.
+fn leaves(offset: [i64; 2], request: &Request) -> f64 {
+    let Request { from, to, center, sweep, radius, .. } = *request;
+    let at = |p: [i64; 2]| Point2::new(p[0] as f64, p[1] as f64);
+    let printed = at([from[0] + offset[0], from[1] + offset[1]]);
+    let shift = center - printed;
+    let radii = [from, to].map(|end| (at(end) - printed).norm());
+    let off = |distance: f64| (distance - radii[0]).abs().max((distance - radii[1]).abs());
+    let bound = off(radius) + shift.norm();
+    if bound <= request.most_off {
+        return bound;
+    }
+    let start = at(from) - center;
+    let first = libm::atan2(start.y, start.x);
+    let mut most: f64 = 0.0;
+    for (angle, distance) in [
+        (libm::atan2(shift.y, shift.x), radius + shift.norm()),
+        (libm::atan2(-shift.y, -shift.x), radius - shift.norm()),
+    ] {
+        let turned = ((angle - first) * sweep.signum()).rem_euclid(TAU);
+        if turned <= sweep.abs() {
+            most = most.max(off(distance));
+        }
+    }
+    most
+}
+
+/// The rounded centre, or the neighbour on the grid that lies nearest to the exact one and fits; else what the radii of
+/// the rounded one differ by.
+fn best_offset(request: &Request) -> Result<[i64; 2], f64> {
     let Request { from, to, center, tolerance, .. } = *request;
     let naive = [rounded(center.x) - from[0], rounded(center.y) - from[1]];
-    if mismatch(from, to, naive) <= tolerance {
-        return Some(naive);
+    let off = mismatch(from, to, naive);
+    if off <= tolerance {
+        return Ok(naive);
     }
     let mut best: Option<(f64, [i64; 2])> = None;
     for dx in -1..=1 {
@@ -100,7 +146,7 @@ fn best_offset(request: &Request) -> Option<[i64; 2]> {
             }
         }
     }
-    best.map(|(_, offset)| offset)
+    best.map(|(_, offset)| offset).ok_or(off)
 }
 
 /// Difference of the distances of start and end from the centre; infinite where the centre is an end.
@@ -128,7 +174,9 @@ mod tests {
             to: point(start + sweep),
             center,
             sweep,
+            radius: r,
             tolerance: 1.5,
+            most_off: 5.7,
             least_radius: 13.0,
             most_radius: f64::INFINITY,
             least_chord: 0.0,
@@ -165,7 +213,7 @@ mod tests {
                     prop_assert!((total - sweep.abs()).abs() < 4.0 / r, "{total} {sweep}");
                 }
                 Printed::Nothing => prop_assert!(sweep.abs() * r < 2.0),
-                Printed::Lines => prop_assert!(r < 60.0 || sweep.abs() * r < 40.0, "r {r} sweep {sweep}"),
+                Printed::Lines | Printed::Off(_) => prop_assert!(r < 60.0 || sweep.abs() * r < 40.0, "r {r} sweep {sweep}"),
             }
         }
     }

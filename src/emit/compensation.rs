@@ -32,6 +32,8 @@ pub(super) struct Way {
 
 /// How a length may miss the radius by the rounding of what was printed, in mm.
 const SAME_LENGTH: f64 = 1e-9;
+/// Blocks without a move in the plane over which every target looks ahead.
+const MOST_IDLE: u64 = 1;
 /// What rounding takes from a way that is as long as the radius, such as that of DEP CT, in mm.
 const ROUNDED: f64 = 0.001;
 
@@ -47,6 +49,10 @@ pub(super) struct Compensation {
     leaving: bool,
     /// Something on this contour was refused.
     refused: bool,
+    /// The word of the side stands in the move that comes.
+    pub waits: bool,
+    /// Blocks since the last one that moved in the plane.
+    idle: u64,
 }
 
 impl Compensation {
@@ -161,6 +167,23 @@ impl Compensation {
             }
             Path::Rapid | Path::Line(_) | Path::Arc(..) | Path::Carried { .. } => None,
         }
+    }
+
+    /// Blocks that move nothing in the plane, between two moves of the contour: the target looks ahead over one.
+    /// What to report, once for a contour.
+    pub fn stands(&mut self, blocks: u64, origin: &Origin) -> Option<Diagnostic> {
+        self.idle += blocks;
+        if self.idle <= MOST_IDLE || std::mem::replace(&mut self.refused, true) {
+            return None;
+        }
+        let message = "a second block that moves nothing in the working plane stands in the compensated contour";
+        let help = "put it in front of the contour or behind it; comments count (`[output] comments = false`)";
+        Some(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call))
+    }
+
+    /// A move in the plane is printed.
+    pub fn moves(&mut self) {
+        self.idle = 0;
     }
 
     /// The contour that begins is refused; true unless that was said.

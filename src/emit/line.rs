@@ -10,8 +10,11 @@ pub struct Text {
     end: usize,
     /// Start of the line under construction.
     line: usize,
-    /// Units from which a number may have more digits than the target reads.
+    /// Units from which a number may have more digits than the target reads, whatever its places.
     many: u64,
+    /// Units, and whole ones, from which it has more digits unless they are zeros at its end.
+    many_digits: u64,
+    many_whole: u64,
     digits: u32,
     whole: u32,
     /// A number of the line has more digits than that.
@@ -22,21 +25,23 @@ impl Text {
     /// An empty text for numbers of at most `digits` digits, `whole` of them in front of the point; 0 for any number of them.
     pub fn new(capacity: usize, [digits, whole]: [u32; 2]) -> Text {
         let any = |count: u32| if count == 0 { u32::MAX } else { count };
-        let many = 10u64.saturating_pow(any(digits).min(any(whole)));
+        let [many_digits, many_whole] = [digits, whole].map(|count| 10u64.saturating_pow(any(count)));
         Text {
             bytes: vec![0; capacity],
             end: 0,
             line: 0,
-            many,
+            many: many_digits.min(many_whole),
+            many_digits,
+            many_whole,
             digits: any(digits),
             whole: any(whole),
             too_long: false,
         }
     }
 
-    #[cold]
     fn is_too_long(&self, units: i64, places: Places) -> bool {
-        places.digits(units) > self.digits || places.whole_digits(units) > self.whole
+        let few = units.unsigned_abs() < self.many_digits.min(places.power().saturating_mul(self.many_whole));
+        !few && (places.digits(units) > self.digits || places.whole_digits(units) > self.whole)
     }
 
     /// Has a number of the line more digits than the target reads? Asking forgets it.

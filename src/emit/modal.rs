@@ -113,6 +113,11 @@ impl Modal {
         std::mem::replace(&mut self.feed_kind, kind) != kind
     }
 
+    /// Is a feed of this kind in force?
+    pub fn has_feed_kind(&self, kind: FeedKind) -> bool {
+        self.feed_kind == kind
+    }
+
     /// True if the feed has to be printed.
     pub fn feed_changes(&mut self, feed: Feed, units: i64) -> bool {
         let kind = FeedKind::of(feed);

@@ -60,6 +60,12 @@ impl Places {
         self.scale
     }
 
+    /// Units of a whole number, in whatever they count.
+    #[inline]
+    pub fn power(self) -> u64 {
+        10u64.pow(u32::from(self.count))
+    }
+
     /// `value` in units of the last place, ties away from zero. `None` for what cannot be printed.
     #[inline(always)]
     pub fn units(self, value: f64) -> Option<i64> {
@@ -72,7 +78,7 @@ impl Places {
     /// Digits of `units` in front of the point.
     #[cold]
     pub fn whole_digits(self, units: i64) -> u32 {
-        let whole = units.unsigned_abs() / 10u64.pow(u32::from(self.count));
+        let whole = units.unsigned_abs() / self.power();
         whole.checked_ilog10().map_or(1, |log| log + 1)
     }
 

@@ -6,6 +6,7 @@ mod dialog;
 pub mod disturb;
 mod functions;
 mod head;
+mod keys;
 mod measures;
 mod moves;
 mod refusals;
@@ -13,18 +14,18 @@ mod straight;
 
 use std::io;
 
-use crate::diag::{Code, Diagnostic, Diags};
+use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::Plane;
 use crate::ir::function::{CutterData, Turn};
 use crate::ir::motion::{Move, Path, Sink};
 use crate::ir::{Function, Origin, Pos, Side};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet, MachineKind, OutputSettings, Settings, Tools};
-use crate::target::{Form, Target};
+use crate::target::{CompensationWords, Form, Target};
 use crate::text::Loc;
 
 use super::compensation::{Compensation, Preparation, Way};
-use super::modal::Modal;
+use super::modal::{FeedKind, Modal};
 use super::number::Places;
 use super::page::Page;
 use super::{LineMap, Output};
@@ -221,7 +222,21 @@ impl<'a> Printer<'a> {
             return false;
         };
         match self.compensation.before(mv, origin, self.modal.plane, words.planes, way) {
+            Preparation::Nothing if words.with_move && mv.side != Side::None => {
+                // Another kind of feed is a block in front of the move.
+                let kind = mv.path.feed().map(FeedKind::of);
+                let blocks =
+                    u64::from(!way.in_plane) + u64::from(kind.is_some_and(|kind| !self.modal.has_feed_kind(kind)));
+                if let Some(found) = self.compensation.stands(blocks, origin) {
+                    self.diags.push(found);
+                    return false;
+                }
+                if way.in_plane {
+                    self.compensation.moves();
+                }
+            }
             Preparation::Nothing => {}
+            Preparation::Switch if words.with_move => return self.switches_in_move(words, mv, origin),
             Preparation::Switch => self.switch_side(mv, origin),
             Preparation::Refuse(found) => {
                 if let Some(found) = found {
@@ -271,27 +286,67 @@ impl<'a> Printer<'a> {
         let Some(words) = &self.target.compensation else { return };
         self.select_plane(mv.plane, origin);
         let cutter = self.compensation.cutter;
-        let word = match (mv.side, cutter.radius) {
-            (Side::Left, None) => words.left,
-            (Side::Left, Some(_)) => words.left_by_diameter,
-            (_, None) => words.right,
-            (_, Some(_)) => words.right_by_diameter,
-        };
-        self.page.text.word(word);
-        match cutter.radius {
-            None => {
-                self.page.text.whole(words.tool, u64::from(cutter.number));
-            }
-            Some(radius) => {
+        match (words.by_diameter, words.tool, cutter.radius) {
+            (Some([left, right]), Some(address), Some(radius)) => {
                 let units = self.places.units(2.0 * radius).unwrap_or(0);
-                self.page.text.number(words.tool, units, self.places);
+                let word = if mv.side == Side::Left { left } else { right };
+                self.page.text.word(word).number(address, units, self.places);
+            }
+            _ => {
+                self.compensation.side = mv.side;
+                self.side_words();
             }
         }
         self.page.end_line(origin);
         self.compensation.switched(mv.side);
     }
 
+    /// The words of the side, and of the tool whose radius counts.
+    pub(super) fn side_words(&mut self) {
+        self.compensation.waits = false;
+        let Some(words) = &self.target.compensation else { return };
+        let (word, number) = match self.compensation.side {
+            Side::None => (words.off, None),
+            Side::Left => (words.left, words.tool),
+            Side::Right => (words.right, words.tool),
+        };
+        self.page.text.word(word);
+        if let Some(address) = number {
+            self.page.text.whole(address, u64::from(self.compensation.cutter.number));
+        }
+    }
+
+    /// The side changes in this straight move; false if the target cannot say so.
+    #[cold]
+    fn switches_in_move(&mut self, words: &CompensationWords, mv: &Move, origin: &Origin) -> bool {
+        let CutterData { number, radius, .. } = self.compensation.cutter;
+        let begins = mv.side != Side::None;
+        let of_length = words.tool.is_none() && self.length.tool != number;
+        if matches!(mv.path, Path::Carried { .. }) {
+            let help = "set `[output] compensation = \"resolve\"`";
+            self.lacks(codes::O9003, origin, "radius compensation that begins or ends in a transformed move", help);
+            self.pretend(mv);
+            return false;
+        }
+        if begins && (radius.is_some() || number == 0 || of_length) {
+            self.lacks_radius(radius.is_some(), of_length, mv, origin);
+            return false;
+        }
+        if self.length.waits && mv.axes.contains(Axis::Z) {
+            self.lacks_form(mv, origin);
+            return false;
+        }
+        self.select_plane(mv.plane, origin);
+        self.compensation.moves();
+        self.compensation.switched(mv.side);
+        self.compensation.waits = true;
+        true
+    }
+
     fn end_compensation(&mut self, origin: &Origin) {
+        if self.target.compensation.as_ref().is_some_and(|words| words.with_move) {
+            return self.lacks_end_of_compensation(origin);
+        }
         if let Some(words) = &self.target.compensation {
             self.page.words(words.off, origin);
         }
@@ -316,8 +371,18 @@ impl Sink for Printer<'_> {
     }
 
     fn function(&mut self, function: &Function, origin: &Origin) {
-        if !self.page.full() {
-            self.print_function(function, origin);
+        if self.page.full() {
+            return;
+        }
+        let before = self.page.lines();
+        self.print_function(function, origin);
+        if self.compensation.side != Side::None
+            && self.target.compensation.as_ref().is_some_and(|words| words.with_move)
+        {
+            let blocks = self.page.lines() - before;
+            if let Some(found) = self.compensation.stands(blocks, origin) {
+                self.diags.push(found);
+            }
         }
     }
 

@@ -63,7 +63,7 @@ impl Captured {
         self.pieces.last().is_some_and(|last| distance(last.element.to(), self.start) <= CLOSED)
     }
 
-    /// Smallest and largest coordinates of its points, arcs counted by their ends.
+    /// Smallest and largest coordinates of its points, arcs counted by their whole way.
     pub fn extent(&self) -> (Point2, Point2) {
         self.pieces.iter().flat_map(|piece| quarters(&piece.element)).map(|piece| piece.to()).fold(
             (self.start, self.start),
@@ -97,5 +97,23 @@ impl Captured {
             }
         }
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::TAU;
+
+    use super::*;
+
+    #[test]
+    fn an_arc_counts_by_its_whole_way() {
+        let at = Point2::new(3.0, 0.0);
+        let element = Element::Arc { from: at, to: at, center: Point2::origin(), sweep: TAU };
+        let piece = CapturedElement { element, kind: CapturedKind::Cut, origin: Origin::default() };
+        let circle = Captured { start: at, pieces: vec![piece], ..Captured::default() };
+        let (low, high) = circle.extent();
+        let near = |p: Point2, x: f64, y: f64| distance(p, Point2::new(x, y)) < 1e-12;
+        assert!(near(low, -3.0, -3.0) && near(high, 3.0, 3.0), "{low} {high}");
     }
 }

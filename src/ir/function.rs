@@ -75,7 +75,7 @@ pub enum Function {
     OptionalStop,
     /// M function that is printed as it stands.
     Aux(u32),
-    /// Work offset, 1 (G54) to 9 (G59.3).
+    /// Work offset, 1 (G54) to 9 (G59.3), and on.
     WorkOffset(u8),
     /// Working plane, stated by the program.
     Plane(Plane),

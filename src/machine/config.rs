@@ -52,7 +52,12 @@ impl Reader {
         for (name, node) in table {
             let free = section.keys.is_empty() || (!section.entry.is_empty() && matches!(node.value, Value::Table(_)));
             let result = match section.keys().find(|key| key.name == name) {
-                Some(key) => fits(key, node).and_then(|()| (key.set)(&mut self.settings, node)),
+                Some(key) => {
+                    if section.name == "output" {
+                        self.settings.output.stated.0.push((key.name, node.spot.clone()));
+                    }
+                    fits(key, node).and_then(|()| (key.set)(&mut self.settings, node))
+                }
                 None if free => self.set_named(section.name, name, node),
                 None => {
                     self.unknown(name, node, section.keys().map(|key| key.name));
@@ -191,16 +196,14 @@ fn set_datum(datums: &mut Datums, name: &str, node: &Node) -> Result<(), ConfigE
     if name == "preset" {
         for (number, node) in table_of(node) {
             let n = number.parse().map_err(|_| node.fail("a preset is a number"))?;
-            let offset = work_offset(text(node)).ok_or_else(|| {
-                node.fail("a preset becomes one of G54, G55, G56, G57, G58, G59, G59.1, G59.2, G59.3")
-            })?;
+            let offset =
+                work_offset(text(node)).ok_or_else(|| node.fail(format!("a preset becomes one of {OFFSETS}")))?;
             datums.presets.insert(n, offset);
         }
         return Ok(());
     }
     if matches!(node.value, Value::Text(_)) {
-        let offset = work_offset(text(node))
-            .ok_or_else(|| node.fail("an offset becomes one of G54, G55, G56, G57, G58, G59, G59.1, G59.2, G59.3"))?;
+        let offset = work_offset(text(node)).ok_or_else(|| node.fail(format!("an offset becomes one of {OFFSETS}")))?;
         datums.words.insert(name.to_ascii_uppercase(), offset);
         return Ok(());
     }

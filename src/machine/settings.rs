@@ -16,6 +16,7 @@ use super::options::sinumerik::Sinumerik;
 use super::options::turning::Turning;
 use super::table::Contents;
 use super::tools::Tools;
+use super::tree::Spot;
 use super::undercut::Undercuts;
 
 /// Everything the user can say about a run.
@@ -188,9 +189,9 @@ pub struct Datums {
     pub basic: Option<BTreeMap<Axis, f64>>,
     /// Work offset values the program may read, by name (`G54`).
     pub offsets: BTreeMap<String, BTreeMap<Axis, f64>>,
-    /// Work offset that is printed for a word of the program (`G500`), 1 (G54) to 9 (G59.3).
+    /// Work offset that is printed for a word of the program (`G500`), 1 (G54) to 9 (G59.3), and on.
     pub words: BTreeMap<String, u8>,
-    /// Work offset word of a preset number, 1 (G54) to 9 (G59.3).
+    /// Work offset word of a preset number, 1 (G54) to 9 (G59.3), and on.
     pub presets: BTreeMap<u32, u8>,
     /// The datum table that is selected on a HEIDENHAIN control.
     pub table: Option<Contents>,
@@ -254,7 +255,21 @@ pub struct OutputSettings {
     pub arc_fallback: Option<u32>,
     /// What is printed is read back and compared with what was meant.
     pub validate: bool,
+    /// Keys that the configuration states, and where.
+    pub stated: Stated,
 }
+
+/// Keys with their places, which are no part of what the settings say: those of two files may be alike.
+#[derive(Debug, Clone, Default)]
+pub struct Stated(pub Vec<(&'static str, Spot)>);
+
+impl PartialEq for Stated {
+    fn eq(&self, _: &Stated) -> bool {
+        true
+    }
+}
+
+impl Eq for Stated {}
 
 impl Default for OutputSettings {
     fn default() -> OutputSettings {
@@ -277,6 +292,7 @@ impl Default for OutputSettings {
             rapid_feed: None,
             arc_fallback: None,
             validate: true,
+            stated: Stated::default(),
         }
     }
 }
@@ -344,16 +360,19 @@ impl OutputSettings {
     }
 
     /// What adds the length of the tool to Z, and what to do where it acts along another axis.
-    pub fn length_along_z(&self) -> [&'static str; 2] {
-        match self.target.tool.length {
+    pub fn length_along_z(&self) -> [String; 2] {
+        let texts = match self.target.tool.length {
             Length::WithTool => [
                 "the tool call of the target",
                 "take another target, or set `[output] tool_length = \"off\"` where the length is zero in its table",
             ],
-            Length::None | Length::Words(_) => {
-                ["the G43 of the target", "leave `[output] tool_length` at \"off\" and set the length on the target"]
+            Length::Words(words) => {
+                let help = "set `[output] tool_length = \"off\"` and the length on the target";
+                return [format!("the {} of the target", words.on), help.to_owned()];
             }
-        }
+            Length::None => ["the target", "leave `[output] tool_length` at \"off\" and set the length on the target"],
+        };
+        texts.map(str::to_owned)
     }
 
     /// The length of a tool is stated by the first move along Z behind its change.

@@ -265,5 +265,24 @@ pub(super) fn tool_key(name: &str, node: &Node) -> Result<ToolKey, ConfigError> 
 /// 1 for `G54` … 9 for `G59.3`.
 pub(super) fn work_offset(word: &str) -> Option<u8> {
     const WORDS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
-    WORDS.iter().position(|known| known.eq_ignore_ascii_case(word)).map(|i| i as u8 + 1)
+    let word = word.to_ascii_uppercase();
+    let named = WORDS.iter().position(|known| *known == word).map(|i| i as u8 + 1);
+    named.or_else(|| further_offset(&word))
 }
+
+/// 7 for `G54.1 P1` and `G154 P1`, 10 for `G510`.
+fn further_offset(word: &str) -> Option<u8> {
+    let number = |digits: &str| digits.parse::<u8>().ok().filter(|_| digits.bytes().all(|b| b.is_ascii_digit()));
+    if let Some(digits) = word.strip_prefix("G5").filter(|digits| digits.len() == 2) {
+        return number(digits).filter(|n| *n >= 5);
+    }
+    let (digits, most) = match word.strip_prefix("G54.1") {
+        Some(rest) => (rest, 48),
+        None => (word.strip_prefix("G154")?, 99),
+    };
+    let number = number(digits.trim_start().strip_prefix('P')?)?;
+    (1..=most).contains(&number).then_some(number + 6)
+}
+
+/// What a work offset of the configuration may be.
+pub(super) const OFFSETS: &str = "G54 to G59, G59.1 to G59.3, G54.1 P1 to P48, G154 P1 to P99, G505 to G599";

@@ -21,7 +21,7 @@ pub enum Act {
         angle: Option<i64>,
     },
     Dwell(i64),
-    /// Another work offset, 1 (G54) to 9 (G59.3).
+    /// Another work offset, 1 (G54) to 9 (G59.3), and on.
     Offset(u8),
 }
 

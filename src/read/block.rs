@@ -181,11 +181,16 @@ impl Block {
         }
         let tenths = match rules.function(tenths).ok_or_else(unknown)? {
             G::Rs274(tenths) => tenths,
+            G::Offset(number) if self.groups & (1 << OFFSETS) == 0 => {
+                self.groups |= 1 << OFFSETS;
+                self.offset = Some(number);
+                return Ok(());
+            }
             G::OffsetByNumber(letter, from) if self.offset_by_number.is_none() => {
                 self.offset_by_number = Some((letter, from));
                 return Ok(());
             }
-            G::OffsetByNumber(..) => return Err(Fault::new("two work offsets")),
+            G::Offset(_) | G::OffsetByNumber(..) => return Err(Fault::new("two work offsets")),
             G::SpeedLimit => {
                 self.speed_limit = true;
                 return Ok(());
@@ -238,7 +243,7 @@ impl Block {
             }
             540 | 550 | 560 | 570 | 580 | 590..=593 => {
                 self.offset = Some((tenths / 10 - 53 + tenths % 10) as u8);
-                8
+                OFFSETS
             }
             // Exact stop and blending leave the path where it is programmed, within a tolerance of the machine.
             610 | 640 => {
@@ -272,12 +277,15 @@ impl Block {
     }
 
     /// The compensation that the block asks for.
-    pub fn cutter(&mut self) -> Result<Option<Cutter>, Fault> {
+    pub fn cutter(&mut self, rules: &Rules) -> Result<Option<Cutter>, Fault> {
         let Some((side, by_diameter)) = self.side else { return Ok(None) };
         if side == 0 {
             return Ok(Some(Cutter::default()));
         }
         let mut cutter = Cutter { side, tool: 0, diameter: None };
+        if rules.words == Words::Siemens {
+            return Ok(Some(cutter));
+        }
         if by_diameter {
             cutter.diameter = Some(self.take(b'D').ok_or_else(|| Fault::new("a diameter is missing"))?);
         } else {
@@ -287,6 +295,9 @@ impl Block {
         Ok(Some(cutter))
     }
 }
+
+/// The group of work offsets.
+const OFFSETS: u8 = 8;
 
 /// Groups of M functions of which a line has one, as LinuxCNC counts them.
 fn m_group(number: u32) -> Option<u8> {

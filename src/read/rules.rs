@@ -19,6 +19,8 @@ pub struct Rules {
     pub diameters: bool,
     /// T0101 changes the tool: this many digits each for the tool and its offset.
     pub turret: Option<u32>,
+    /// G40, G41 and G42 change the side in a straight move in the plane only.
+    pub side_moves: bool,
     /// G43 stands in a move along Z only: alone it would move by the length.
     pub length_moves: bool,
     /// Rapid traverse goes at the last F, so that each such move has to have this one; negative where nobody said which.
@@ -58,6 +60,7 @@ pub(super) const RS274: Rules = Rules {
     lead: b'K',
     diameters: false,
     turret: None,
+    side_moves: false,
     length_moves: false,
     rapid_feed: None,
 };
@@ -73,13 +76,14 @@ const FANUC: Rules = Rules {
     lead: b'F',
     diameters: false,
     turret: None,
+    side_moves: true,
     length_moves: true,
     rapid_feed: None,
 };
 
 const LATHE: Rules = Rules { words: Words::LatheA, diameters: true, turret: Some(2), length_moves: false, ..FANUC };
 
-const MACH: Rules = Rules { words: Words::Mach, turns: false, ..RS274 };
+const MACH: Rules = Rules { words: Words::Mach, turns: false, side_moves: true, ..RS274 };
 
 const OKUMA: Rules = Rules { words: Words::Okuma, dwell: (b'F', 1), ..FANUC };
 
@@ -88,7 +92,7 @@ const DIALOG: Rules = Rules { words: Words::Dialog, turns: false, ..RS274 };
 const COMMAND: Rules =
     Rules { words: Words::Command, dwell: (b'P', THOUSANDTHS), turns: false, rapid_feed: Some(-1), ..RS274 };
 
-const SIEMENS: Rules = Rules { words: Words::Siemens, dwell: (b'F', 1), turns: false, ..RS274 };
+const SIEMENS: Rules = Rules { words: Words::Siemens, dwell: (b'F', 1), turns: false, side_moves: true, ..RS274 };
 
 impl Rules {
     /// Those of a receiver by its name.
@@ -163,16 +167,13 @@ impl Rules {
             Words::Okuma => match tenths {
                 150 => Some(G::OffsetByNumber(b'H', 0)),
                 560 => g(430),
-                0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 200 | 210 | 400 | 800 | 900 | 940 => g(tenths),
+                0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 200 | 210 | 400 | 410 | 420 | 800 | 900 | 940 => g(tenths),
                 _ => None,
             },
             Words::Siemens => match tenths {
-                0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 330 | 400 | 540 | 550 | 560 | 570 | 900 | 910 | 940 | 950 => {
-                    g(tenths)
-                }
-                5050 => g(580),
-                5060 => g(590),
-                5070..=5090 if tenths % 10 == 0 => g(591 + (tenths - 5070) / 10),
+                0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 330 | 400 | 410 | 420 | 540 | 550 | 560 | 570 | 900 | 910
+                | 940 | 950 => g(tenths),
+                5050..=5990 if tenths % 10 == 0 => Some(G::Offset((tenths / 10 - 500) as u8)),
                 7000 => g(200),
                 7100 => g(210),
                 _ => None,
@@ -240,6 +241,8 @@ pub(super) enum G {
     Rs274(i64),
     /// S is the largest speed.
     SpeedLimit,
+    /// Selects the work offset of this number.
+    Offset(u8),
     /// This letter has the number of a work offset, counted on from so many.
     OffsetByNumber(u8, u8),
 }

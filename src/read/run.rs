@@ -1,7 +1,7 @@
 //! What the words of a line do, in the order of the RS274 manual: modes of the feed, F, S, T, change, spindle, coolant,
 //! other functions, dwell, plane, units, compensation, length, offset, distances, motion, stop.
 
-use super::act::{AXES, Act, Arc, Cutter, FeedKind, LETTERS, Move, Path, Speed};
+use super::act::{AXES, Act, Arc, Cutter, FeedKind, LETTERS, Move, Path, Plane, Speed};
 use super::block::Block;
 use super::number::SCALE;
 use super::rules::Words;
@@ -150,14 +150,13 @@ impl Reader {
 
     /// Modes that hold from this line on.
     fn mode_words(&mut self, block: &mut Block) -> Result<(), Fault> {
-        let mut cutter = block.cutter()?;
+        let mut cutter = block.cutter(&self.rules)?;
         if let Some(Cutter { diameter: Some(diameter), .. }) = &mut cutter {
             *diameter = self.length(*diameter)?;
         }
         let modes = &mut self.modes;
         modes.plane = block.plane.or(modes.plane);
         modes.diameter = block.diameter.or(modes.diameter);
-        modes.cutter = cutter.or(modes.cutter);
         match block.length {
             Some(true) => {
                 let number = block.take_whole(b'H')?.ok_or_else(|| Fault::new("G43 wants H"))?;
@@ -176,6 +175,10 @@ impl Reader {
             let tool = self.tools[1].ok_or_else(|| Fault::new("D without a tool"));
             modes.length = Some(if edge == 0 { 0 } else { tool? });
         }
+        if let Some(cutter) = cutter {
+            self.side(cutter, block)?;
+        }
+        let modes = &mut self.modes;
         modes.incremental = block.incremental.or(modes.incremental);
         modes.absolute_centers = block.absolute_centers.or(modes.absolute_centers);
         modes.path_control |= block.path_control;
@@ -194,6 +197,25 @@ impl Reader {
             self.known = 0;
             self.push(Act::Offset(offset))?;
         }
+        Ok(())
+    }
+
+    /// Another side, or another tool whose radius counts.
+    fn side(&mut self, mut cutter: Cutter, block: &Block) -> Result<(), Fault> {
+        let modes = &mut self.modes;
+        if self.rules.words == Words::Siemens && cutter.side != 0 {
+            // The radius belongs to the D that is in force.
+            let tool = modes.length.filter(|tool| *tool != 0);
+            cutter.tool = tool.ok_or_else(|| Fault::new("G41 or G42 without the D of a tool"))?;
+        }
+        let [first, second, _] = modes.plane.unwrap_or(Plane::Xy).axes();
+        let straight = matches!(block.motion.or(modes.motion), Some(0 | 1)) && !block.machine;
+        let moves = straight && (block.has(LETTERS[first]) || block.has(LETTERS[second]));
+        let changes = modes.cutter.map_or(0, |cutter| cutter.side) != cutter.side;
+        if self.rules.side_moves && changes && !moves {
+            return Err(Fault::new("radius compensation begins or ends without a straight move in the plane"));
+        }
+        modes.cutter = Some(cutter);
         Ok(())
     }
 

@@ -10,7 +10,11 @@ impl Target {
             Form::Words => None,
             Form::Dialog(dialog) => Some(dialog),
         };
-        let offsets = [self.offsets.first(), self.offsets.last()].map(|word| word.copied().unwrap_or("-"));
+        let last = self.more_offsets.map_or(self.offsets.len() as u8, |more| more.most);
+        let offsets = match (self.offset(1), self.offset(last)) {
+            (Some(first), Some(last)) => format!("{first} to {last}"),
+            _ => "-".to_owned(),
+        };
         let turns = self.arcs.turns.map(|turns| match turns {
             Turns::All(address) => format!("{} turns in a block", address as char),
             Turns::More(word) => format!("{word} turns in a block"),
@@ -84,7 +88,7 @@ impl Target {
                     .unwrap_or_else(|| most(self.arcs.most_sweep)),
             ),
             ("machine coordinates", text(self.motion.machine)),
-            ("work offsets", offsets.join(" to ")),
+            ("work offsets", offsets),
             ("X as a diameter", diameter.to_owned()),
             ("radius compensation", text(self.compensation.as_ref().map(|words| words.left))),
             ("tool numbers", tools),

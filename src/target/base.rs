@@ -64,7 +64,8 @@ pub(super) const BASE: Target = Target {
         most_sweep: PI,
         most_open_sweep: f64::INFINITY,
         tolerance: 1.5,
-        mismatch: [f64::INFINITY; 2],
+        // What post processors for Haas and Mazak allow, and GRBL for any radius.
+        mismatch: [0.005; 2],
         least_radius: 0.01,
         most_radius: 100_000.0,
         least_chord: 0.0,
@@ -90,6 +91,7 @@ pub(super) const BASE: Target = Target {
     dwell: Dwell { word: "G4", address: b'P', unit: DwellUnit::Seconds, most: f64::INFINITY, per_minute: false },
     flow: Flow { stop: "M0", optional_stop: "M1", optional_stop_is_idle: false, end: Some("M2"), rewind: Some("M30") },
     offsets: &["G54", "G55", "G56", "G57", "G58", "G59"],
+    more_offsets: None,
     offsets_named: u8::MAX,
     offsets_confirmed: true,
     compensation: None,

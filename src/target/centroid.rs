@@ -1,8 +1,7 @@
 //! Centroid mills: much as Fanuc, waits in seconds. A preview: what published post processors write.
 
 use super::{
-    Dwell, DwellUnit, FeedWords, Frame, Motion, Numbers, ProgramName, SpindleWords, Target, base::BASE,
-    fanuc::TARGET as FANUC,
+    Dwell, DwellUnit, FeedWords, Frame, Motion, Numbers, ProgramName, SpindleWords, Target, fanuc::TARGET as FANUC,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -14,7 +13,7 @@ pub(super) const TARGET: Target = Target {
     motion: Motion { machine: None, ..FANUC.motion },
     feed: FeedWords { per_revolution: None, ..FANUC.feed },
     spindle: SpindleWords { cutting_speed: None, ..FANUC.spindle },
-    offsets: BASE.offsets,
+    more_offsets: None,
     dwell: Dwell { unit: DwellUnit::Seconds, per_minute: false, ..FANUC.dwell },
     ..FANUC
 };

@@ -1,9 +1,12 @@
 //! Fanuc mills (0i, 30i) and what reads as they do. A point in every number, one block for each half of a circle, dwells in
 //! whole milliseconds, the tool length in a move along Z.
 
+use crate::geo::Plane;
+
 use super::{
-    Arcs, Comments, CuttingSpeed, Dwell, DwellUnit, FeedWords, Frame, Length, LengthNumber, LengthWords, Limit, Line,
-    MFunctions, Motion, Numbers, ProgramName, SpindleWords, Target, ToolWords, base::BASE,
+    Arcs, Comments, CompensationWords, CuttingSpeed, Dwell, DwellUnit, FeedWords, Frame, Length, LengthNumber,
+    LengthWords, Limit, Line, MFunctions, MoreOffsets, Motion, Numbers, ProgramName, SpindleWords, Target, ToolWords,
+    base::BASE,
 };
 
 // Rotary axes (what F counts is a matter of parameters), feeds by time and G33 on a mill are options of the machine, M7 is
@@ -55,8 +58,18 @@ pub(super) const TARGET: Target = Target {
     },
     dwell: Dwell { unit: DwellUnit::Milliseconds, most: 99_999.999, per_minute: true, ..BASE.dwell },
     // Where they are no option of the machine, the control knows nothing of G54.1 and stops.
-    offsets: &["G54", "G55", "G56", "G57", "G58", "G59", "G54.1 P1", "G54.1 P2", "G54.1 P3"],
+    offsets: BASE.offsets,
+    more_offsets: Some(MoreOffsets { word: "G54.1 P", less: 6, most: 54 }),
     offsets_named: 6,
+    compensation: Some(CompensationWords {
+        left: "G41",
+        right: "G42",
+        by_diameter: None,
+        off: "G40",
+        tool: Some(b'D'),
+        with_move: true,
+        planes: &[Plane::Xy],
+    }),
     m: MFunctions { own: OWN, ..BASE.m },
     ..BASE
 };

@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 
 use super::{
     Arcs, Change, CuttingSpeed, FeedWords, Frame, Lead, Length, Limit, Motion, SpindleWords, Target, Thread, ToolWords,
-    base::BASE, fanuc::TARGET as FANUC,
+    fanuc::TARGET as FANUC,
 };
 
 /// G-code system A.
@@ -38,7 +38,9 @@ pub(super) const A: Target = Target {
         prepares: false,
         length: Length::WithTool,
     },
-    offsets: BASE.offsets,
+    more_offsets: None,
+    // That of the nose of a tool is not confirmed.
+    compensation: None,
     ..FANUC
 };
 

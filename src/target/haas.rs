@@ -1,6 +1,6 @@
 //! Haas mills: Fanuc with program numbers of five digits and comments in any case.
 
-use super::{Comments, Frame, ProgramName, SpindleWords, Target, fanuc::TARGET as FANUC};
+use super::{Comments, Frame, MoreOffsets, ProgramName, SpindleWords, Target, fanuc::TARGET as FANUC};
 
 pub(super) const TARGET: Target = Target {
     name: "haas",
@@ -8,7 +8,7 @@ pub(super) const TARGET: Target = Target {
     frame: Frame { name: ProgramName::Number { letter: b'O', digits: 5, most: 99_999 }, ..FANUC.frame },
     comments: Comments { upper: false, ..FANUC.comments },
     // How the largest speed is said on a mill is not confirmed.
-    offsets: &["G54", "G55", "G56", "G57", "G58", "G59", "G154 P1", "G154 P2", "G154 P3"],
+    more_offsets: Some(MoreOffsets { word: "G154 P", less: 6, most: 105 }),
     spindle: SpindleWords { cutting_speed: None, ..FANUC.spindle },
     ..FANUC
 };

@@ -32,6 +32,8 @@ pub(super) const TARGET: Target = Target {
     arcs: Arcs {
         turns: Some(Turns::All(b'P')),
         most_sweep: f64::INFINITY,
+        // Its tolerance without a key in its INI file.
+        mismatch: [0.0282, 0.0718],
         // Below its tolerance of 0.00127 mm the interpreter calls the radius zero.
         least_radius: 0.0013,
         most_radius: f64::INFINITY,
@@ -58,10 +60,10 @@ pub(super) const TARGET: Target = Target {
     compensation: Some(CompensationWords {
         left: "G41",
         right: "G42",
-        left_by_diameter: "G41.1",
-        right_by_diameter: "G42.1",
+        by_diameter: Some(["G41.1", "G42.1"]),
         off: "G40",
-        tool: b'D',
+        tool: Some(b'D'),
+        with_move: false,
         planes: &[Plane::Xy, Plane::Zx],
     }),
     m: MFunctions {

@@ -6,7 +6,7 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Comments, Dwell, DwellUnit, FeedWords, Frame, Length, LengthNumber, LengthWords, Line, Motion, Numbers,
-    ProgramName, SpindleWords, Target, ToolWords, base::BASE, fanuc::TARGET as FANUC,
+    ProgramName, SpindleWords, Target, ToolWords, fanuc::TARGET as FANUC,
 };
 
 pub(super) const MACH3: Target = Target {
@@ -41,7 +41,7 @@ pub(super) const MACH3: Target = Target {
     },
     // Wrong by a thousand on half of the machines, either way.
     dwell: Dwell { unit: DwellUnit::Setting, per_minute: false, ..FANUC.dwell },
-    offsets: BASE.offsets,
+    more_offsets: None,
     offsets_confirmed: false,
     ..FANUC
 };
@@ -54,5 +54,7 @@ pub(super) const UCCNC: Target = Target {
     // Post processors write quarters in XY.
     arcs: Arcs { planes: &[Plane::Xy], most_sweep: PI / 2.0, ..MACH3.arcs },
     dwell: Dwell { unit: DwellUnit::Milliseconds, per_minute: false, ..FANUC.dwell },
+    // Post processors avoid it.
+    compensation: None,
     ..MACH3
 };

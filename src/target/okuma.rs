@@ -39,7 +39,8 @@ pub(super) const TARGET: Target = Target {
     dwell: Dwell { word: "G04", address: b'F', unit: DwellUnit::Seconds, per_minute: false, ..FANUC.dwell },
     flow: Flow { end: Some("M02"), ..FANUC.flow },
     offsets: &["G15 H1", "G15 H2", "G15 H3", "G15 H4", "G15 H5", "G15 H6", "G15 H7", "G15 H8", "G15 H9"],
-    offsets_named: u8::MAX,
+    more_offsets: None,
+    offsets_named: 0,
     m: MFunctions { own: &[], ..FANUC.m },
     ..FANUC
 };

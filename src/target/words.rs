@@ -3,6 +3,7 @@
 //! `None` stands where the target has no word: what needs it is refused, never said in another way that is not exact.
 
 use core::f64::consts::TAU;
+use std::borrow::Cow;
 
 use crate::geo::Plane;
 
@@ -32,6 +33,8 @@ pub struct Target {
     pub flow: Flow,
     /// Work offsets in order, from G54 on.
     pub offsets: &'static [&'static str],
+    /// Those behind them.
+    pub more_offsets: Option<MoreOffsets>,
     /// Those behind so many are others than the program names, counted on: which one is printed is told.
     pub offsets_named: u8,
     /// That the receiver knows them is confirmed.
@@ -47,6 +50,27 @@ impl PartialEq for Target {
 }
 
 impl Eq for Target {}
+
+impl Target {
+    /// The word of a work offset, counted from 1.
+    pub fn offset(&self, number: u8) -> Option<Cow<'static, str>> {
+        let named = self.offsets.get(usize::from(number).checked_sub(1)?);
+        named.map(|word| Cow::Borrowed(*word)).or_else(|| {
+            let more = self.more_offsets.filter(|more| number > more.less && number <= more.most)?;
+            Some(Cow::Owned(format!("{}{}", more.word, number - more.less)))
+        })
+    }
+}
+
+/// Work offsets by a number behind a word.
+#[derive(Debug, Clone, Copy)]
+pub struct MoreOffsets {
+    pub word: &'static str,
+    /// What the number is less than that of the offset.
+    pub less: u8,
+    /// The last one, as we count.
+    pub most: u8,
+}
 
 /// How blocks are made.
 #[derive(Debug, Clone, Copy)]
@@ -457,12 +481,14 @@ pub struct Flow {
 pub struct CompensationWords {
     pub left: &'static str,
     pub right: &'static str,
-    /// With the diameter given in the block.
-    pub left_by_diameter: &'static str,
-    pub right_by_diameter: &'static str,
+    /// Left and right with the diameter given in the block, where the target takes one.
+    pub by_diameter: Option<[&'static str; 2]>,
     pub off: &'static str,
-    /// Address of the tool number or the diameter.
-    pub tool: u8,
+    /// Address of the tool number or the diameter; `None` where the radius comes with the length of the tool.
+    pub tool: Option<u8>,
+    /// The words stand in the straight move to the contour or from it, and one block at most between two moves of the contour
+    /// moves nothing in its plane.
+    pub with_move: bool,
     /// Working planes in which the target compensates.
     pub planes: &'static [Plane],
 }

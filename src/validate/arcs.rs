@@ -17,6 +17,10 @@ pub(super) const MOST_OFF: f64 = 1.5;
 const TURNED: f64 = 6.0;
 /// How far from the circle a rounded place may be: half a unit on each axis.
 const ROUNDED: f64 = 0.7072;
+/// How far a printed arc may be from the circle on its way, besides, in mm.
+const LEAVES: f64 = 0.005;
+/// Places at which that is looked at.
+const LOOKS: u32 = 96;
 /// How far from the circle the middle of a line may be that stands for a part of it.
 pub(super) const CHORD: f64 = 1.3;
 /// What an angle in degrees of four places may be off, in rad,
@@ -148,7 +152,32 @@ impl Validator {
         if found.from == found.to {
             part = TAU;
         }
+        if self.leaves(course, found, sense * part) {
+            return Err(Why::new("the arc leaves the one that is meant"));
+        }
         Ok(sense * (part + TAU * f64::from(found.turns.abs() - 1)))
+    }
+
+    /// Is a place of the printed arc, which turns so far, away from the circle?
+    fn leaves(&self, course: &Course, found: &read::Arc, turned: f64) -> bool {
+        let most = ROUNDED * self.unit + LEAVES * SCALE as f64 + 2.0 + course.radius * 1e-14;
+        let center = found.center.map(|c| c as f64);
+        let about = |p: [i64; 2]| [p[0] as f64 - center[0], p[1] as f64 - center[1]];
+        let (start, end) = (about(found.from), about(found.to));
+        let [first, last] = [start, end].map(|[x, y]| libm::hypot(x, y));
+        let shift = libm::hypot(center[0] - course.center[0], center[1] - course.center[1]);
+        if (first - course.radius).abs().max((last - course.radius).abs()) + shift <= most {
+            return false;
+        }
+        let from = libm::atan2(start[1], start[0]);
+        (1..LOOKS).any(|look| {
+            let share = f64::from(look) / f64::from(LOOKS);
+            let (sin, cos) = libm::sincos(from + turned * share);
+            let radius = first + (last - first) * share;
+            let [x, y] = [radius * cos, radius * sin];
+            let off = libm::hypot(center[0] + x - course.center[0], center[1] + y - course.center[1]) - course.radius;
+            off.abs() > most
+        })
     }
 
     /// Does the arc close around its exact centre as it is rounded?

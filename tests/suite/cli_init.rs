@@ -174,6 +174,10 @@ fn keys_are_explained_and_commands_have_pages() {
     let folder = Folder::new("explained");
     let text = folder.run(&["explain", "control.cp_sign"]).exits(0).out;
     assert!(text.starts_with("[control] cp_sign\n") && text.contains("values: "), "{text}");
+    let both = folder.run(&["explain", "rapid_feed"]).exits(0).out;
+    assert!(both.starts_with("[control] rapid_feed\n") && both.contains("\n\n[output] rapid_feed\n"), "{both}");
+    let one = folder.run(&["explain", "output.rapid_feed"]).exits(0).out;
+    assert!(one.starts_with("[output] rapid_feed\n") && !one.contains("[control]"), "{one}");
     assert!(folder.run(&["explain", "pole-missing"]).exits(0).out.starts_with("K2101"));
     let page = folder.run(&["man", "compile"]).exits(0).out;
     assert!(page.contains(".TH partc-compile"), "{}", &page[..200]);

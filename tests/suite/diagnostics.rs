@@ -133,7 +133,7 @@ const BUILT: &[Built] = &[
     Built {
         code: "O4003",
         fires: || on("fanuc", "G507", "[output]\ntool_length = \"off\""),
-        silent: || on("sinumerik", "G507", ""),
+        silent: || on("linuxcnc", "G507", ""),
     },
     Built { code: "O9326", fires: || on("heidenhain", "M8", SIX), silent: || on("linuxcnc", "M8", SIX) },
     Built { code: "O9327", fires: || on("heidenhain", "T2", BY_HAND_T), silent: || on("grbl", "T2", BY_HAND_T) },
@@ -161,6 +161,9 @@ const BUILT: &[Built] = &[
     },
     Built { code: "O9334", fires: || on("klipper", "M8", MACROS), silent: || on("klipper", "M3", MACROS) },
     Built { code: "O9329", fires: || on("heidenhain", "M8", NUMBERS), silent: || on("sinumerik", "M8", NUMBERS) },
+    Built { code: "O1005", fires: || on("fanuc", "G4 F0.0004", ""), silent: || on("linuxcnc", "G4 F0.0004", "") },
+    Built { code: "O9336", fires: || on("fanuc", "M8", RAPID), silent: || on("marlin", "G0 X5", MACROS) },
+    Built { code: "O9335", fires: || on("haas", ARC, THREE), silent: || on("haas", ARC, INCHES) },
     Built { code: "O9317", fires: || on("fanuc", "M8", LATHE), silent: || on("fanuc-lathe", "M8", LATHE) },
     Built {
         code: "O9319",
@@ -215,6 +218,9 @@ const NUMBERS: &str = "[output]\nline_numbers = 10";
 const EIGHTH: &str = "[datums]\nG505 = \"G59.2\"";
 
 const INCHES: &str = "[output]\nunits = \"inch\"";
+const THREE: &str = "[output]\nunits = \"inch\"\ndecimals = 3";
+const RAPID: &str = "[output]\nrapid_feed = 3000";
+const ARC: &str = "G2 X10 Y5 I2.5 J7.5 F100";
 const TURRET: &str = "[machine]\nkind = \"lathe\"\n[control]\ntool_change = \"m6\"";
 
 /// A SINUMERIK block on a target that says little.

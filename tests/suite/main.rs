@@ -21,6 +21,7 @@ mod cli_tables;
 mod common;
 mod compensation_entry;
 mod compensation_props;
+mod compensation_targets;
 mod corners;
 mod cycle_cases;
 mod cycle_digits;
@@ -48,14 +49,17 @@ mod layering;
 mod line_ends;
 mod listing;
 mod long_blocks;
+mod lsp;
 mod matrix;
 mod meant;
 mod modal;
 mod mtc200;
 mod mtc200_words;
 mod oracle;
+mod output_keys;
 mod peer;
 mod pictures;
+mod printed_arcs;
 mod props;
 #[allow(dead_code, reason = "the measurement of a release uses more of it")]
 #[path = "../quality/mod.rs"]

@@ -75,10 +75,12 @@ fn a_tool_is_changed_by_hand_where_nothing_else_changes_it() {
 /// What is not confirmed of a receiver is refused with its block and with what to do.
 #[test]
 fn what_a_receiver_may_not_have_is_refused() {
-    let offsets = |name: &str| target::find(name).expect("a target").offsets.len();
+    let ninth = |name: &str| target::find(name).expect("a target").offset(9);
     for name in ["fanuc", "haas", "mazak", "centroid", "mach3", "uccnc", "okuma", "klipper", "marlin"] {
-        let mut wanted = vec![("G1 A90 F100", "", "O9309"), ("T1 D1\nM6\nG41 G1 X9 Y9 F100", CONTROL, "O9308")];
-        wanted.extend((offsets(name) < 9).then_some(("G509", "", "O9310")));
+        let mut wanted = vec![("G1 A90 F100", "", "O9309")];
+        let compensates = target::find(name).expect("a target").compensation.is_some();
+        wanted.extend((!compensates).then_some(("T1 D1\nM6\nG41 G1 X9 Y9 F100", CONTROL, "O9308")));
+        wanted.extend(ninth(name).is_none().then_some(("G509", "", "O9310")));
         for (block, configuration, code) in wanted {
             let mut settings = settings(configuration);
             settings.output.target = target::find(name).expect("a target");
@@ -87,6 +89,49 @@ fn what_a_receiver_may_not_have_is_refused() {
             let found = compiled.findings.iter().find(|found| found.code.id == code);
             assert!(found.is_some_and(|found| found.help.is_some()), "{name}, {block}: {:#?}", compiled.rendered);
         }
+    }
+}
+
+/// Work offsets behind the ninth are those that the target has.
+#[test]
+fn work_offsets_are_those_of_the_target() {
+    let print = |name: &str, configuration: &str, word: &str| {
+        let mut settings = settings(configuration);
+        settings.output.target = target::find(name).expect("a target");
+        let text = format!("{word}\nG0 X0 Y0 Z5\nM30\n").into_bytes();
+        compile_bytes("PART.MPF", text, "sinumerik", &settings, &NoFiles)
+    };
+    for (name, word, printed, told) in [
+        ("fanuc", "G510", "G54.1 P4", true),
+        ("fanuc", "G554", "G54.1 P48", true),
+        ("haas", "G599", "G154 P93", true),
+        ("sinumerik", "G54", "G54", false),
+        ("sinumerik", "G507", "G507", true),
+        ("sinumerik", "G599", "G599", true),
+        ("okuma", "G508", "G15 H8", true),
+        ("linuxcnc", "G508", "G59.2", false),
+    ] {
+        let compiled = print(name, "", word);
+        let said = compiled.findings.iter().any(|found| found.code.id == "O4003" && found.message.ends_with(printed));
+        assert!(compiled.output.lines().any(|line| line == printed), "{name} {word}: {}", compiled.output);
+        assert_eq!(said, told, "{name} {word}: {:?}", compiled.rendered);
+    }
+    for (name, configuration, code) in [
+        ("linuxcnc", "", "S9014"),
+        ("mazak", "", "S9014"),
+        ("mazak", "[datums]\nG510 = \"G54.1 P4\"", "O9310"),
+        ("fanuc", "[datums]\nG510 = \"G154 P49\"", "O9310"),
+    ] {
+        let compiled = print(name, configuration, "G510");
+        assert!(compiled.findings.iter().any(|found| found.code.id == code), "{name}: {:?}", compiled.rendered);
+    }
+    let configured = print("fanuc", "[datums]\nG510 = \"g54.1 p7\"", "G510");
+    assert!(configured.output.contains("\nG54.1 P7\n"), "{}", configured.output);
+    for word in ["G54.1 P0", "G54.1 P49", "G154 P100", "G504", "G5.5", "G54.1", "G600", "G54.1 P+1"] {
+        let errors =
+            partc::internals::machine::config::from_toml(&format!("[datums]\nG510 = \"{word}\""), "partc.toml");
+        let errors = errors.expect_err(word);
+        assert!(errors[0].message.contains("G54.1 P1 to P48"), "{word}: {errors:?}");
     }
 }
 

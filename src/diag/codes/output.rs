@@ -15,6 +15,14 @@ O1003 Error "thread-lead-not-positive" "thread without a lead or a length"
 "A thread is cut by moving the tool by its lead with every turn of the spindle. Here the lead or the whole way is zero, or too small \
 or too large to print. Look where the lead is programmed."
 
+O1004 Error "speed-prints-as-zero" "spindle speed prints as zero"
+"The target reads whole numbers behind S, or as many places as `[output] decimals` says, and the speed is below half of the last of them. The spindle would stand \
+while the tool cuts. Look at the S of the program; cutting speeds and limits of the speed count, too."
+
+O1005 Error "wait-prints-as-zero" "wait is shorter than its last printed place"
+"The receiver would not wait at all. The wait of the program is above zero and less than half of what the selected target, or `[output] decimals`, can say: half a millisecond where waits are \
+whole milliseconds. Look at the number behind the wait and at its unit, program a wait that can be said, or leave it out."
+
 O2001 Warning "m-function-of-target" "M function that means something on the target"
 "`[output] pass_m` lets M functions through as they stand. The target has this one, too, and does with it what the text says, which is hardly \
 what the machine of the program did. Take it out of `pass_m` and leave it out of the program, or make the target's machine do what is meant by another number."
@@ -34,7 +42,8 @@ the path differs by less than the last printed digit."
 
 O4003 Note "work-offset-as-preset" "work offset is printed as a preset, or as another one"
 "A TNC has a preset table instead of work offsets. G54 to G59.3 are printed as cycle 247 with the presets 1 to 9, as partc reads them. Set the part up in that line of the \
-preset table. The seventh to ninth offsets are G54.1 P1 to P3 on a Fanuc and G154 P1 to P3 on a Haas."
+preset table. From the seventh on, offsets are G54.1 P1 to P48 on a Fanuc and G154 P1 to P99 on a Haas; behind G57 they are G505 to G599 on a SINUMERIK, and on an Okuma \
+all are G15 H1 to H9."
 
 O4004 Note "arc-as-lines-within-tolerance" "arc that the target cannot say is printed as lines"
 "`[output] arc_fallback_tolerance` allows lines for arcs that the selected target cannot say, and says how far they may leave the arc. The ends are exact."
@@ -48,7 +57,7 @@ O9002 Error "spindle-speed-negative" "spindle speed is negative"
 O9003 Error "compensation-by-target" "not possible under the target's radius compensation"
 "With `[output] compensation = \"control\"` the target offsets the contour between G41 or G42 and G40. Meanwhile it takes no block in \
 machine coordinates, no change of plane or side, no arc outside the working plane, and no contour that goes on behind a tool change or \
-work offset; and it compensates in some planes only. The target would stop there with an alarm, so nothing is written. End the compensation before the block, \
+work offset; and it compensates in some planes only. Most targets end it in a straight move alone, and look ahead over one block that moves nothing in the plane, not over two. The target would stop there with an alarm, so nothing is written. End the compensation before the block, \
 or let partc compute the tool path with `compensation = \"resolve\"`."
 
 O9300 Error "thread-unknown-to-target" "the target cuts no threads"
@@ -81,11 +90,12 @@ O9307 Error "tool-length-unknown-to-target" "the target has no table of tool len
 length on the target, for instance by touching the part off with every tool."
 
 O9308 Error "compensation-unknown-to-target" "the target does not compensate the tool radius"
-"With `[output] compensation = \"control\"` the target offsets the contour by the radius of the tool (G41, G42), and the selected target cannot. Program the path of the \
+"With `[output] compensation = \"control\"` the target offsets the contour by the radius of the tool (G41, G42), and the selected target cannot, or not by this radius: an oversize of the program is not in its table. Program the path of the \
 tool centre, or choose a target that compensates."
 
 O9309 Error "axis-unknown-to-target" "the target does not have this axis"
-"The selected target moves X, Y and Z. A rotary or a parallel axis has no letter there, and leaving it out would cut on the wrong side of the part. Split the program \
+"The selected target moves X, Y and Z. A rotary or a parallel axis has no letter there, or it is a matter of the machine which way it turns and what F counts; leaving it out would cut on \
+the wrong side of the part. Split the program \
 where the axis turns and turn it by hand, or choose another target."
 
 O9310 Error "work-offset-unknown-to-target" "the target does not have this work offset"
@@ -153,10 +163,12 @@ O9326 Error "places-not-read" "the target reads fewer places"
 
 O9327 Error "change-by-hand-unknown-to-target" "a change by hand would bring no length"
 "With `[output] tool_change = \"stop\"` a change is a spindle stop, a comment and a program stop. On the selected target the block that calls a tool brings its length and \
-its radius, too, and without it those of the last tool count. Leave the key away: where there is no changer, the control stops at TOOL CALL."
+its radius, too, and without it those of the last tool count. Leave the key away: where there is no changer, the control stops at TOOL CALL (heidenhain); on a lathe T0101 turns the turret; on a \
+SINUMERIK `tool_length = \"off\"` prints no D1, and the lengths of all tools have to be alike then."
 
 O9328 Error "arc-plane-unknown-to-target" "the target goes round in other planes"
-"The selected target takes arcs in XY alone, or helices (heidenhain), as far as is confirmed. With `[output] arc_fallback_tolerance = 0.005` such an arc is printed as lines \
+"The selected target takes arcs in XY alone (uccnc, klipper, marlin), helices in XY alone (heidenhain), or no helices at all (marlin, where a bed that is levelled by a mesh drops Z), \
+as far as is confirmed. With `[output] arc_fallback_tolerance = 0.005` such an arc is printed as lines \
 that leave it by at most so many millimetres; or choose another target."
 
 O9329 Warning "block-numbers-of-target" "the target numbers its blocks by itself, or not at all"
@@ -179,13 +191,22 @@ O9334 Error "m-function-is-a-macro" "the target has this M function as a macro o
 "Klipper knows no M3, M5, M8 or M0 unless its configuration has a macro of that name; Marlin has them as options of its build. A receiver that does not know the function says so and goes on, \
 with a spindle that stands. Where the machine has the function, list it in `[output] pass_m`; the S of M3 and M4 must count rev/min there (Marlin: CUTTER_POWER_UNIT RPM)."
 
+O9335 Error "places-too-coarse-for-arc" "printed places are too coarse for this arc"
+"Start, end and centre of an arc are rounded to the printed places, and the receiver goes round what they say. A printed arc may leave the programmed one by 0.005 mm besides the rounding \
+of a place, and its radii at start and end may differ by what the receiver takes. Three places of an inch are 0.025 mm. So are lines of `[output] arc_fallback_tolerance` that rounding alone \
+takes farther from the arc. Print more places with `[output] decimals`, or leave the key away: every target has enough of its own."
+
+O9336 Warning "key-without-effect" "the target does not use this key"
+"A key of `[output]` that is written in `partc.toml` changes nothing on the selected target: a unit of waits where the receiver has its own, the number of a program where programs have \
+names, a rapid feed where G0 has one. Nothing of the program is lost. Leave the key away, or keep it in the configuration of the target that it is meant for."
+
 O9330 Error "line-longer-than-read" "line has more characters than the target reads"
 "The selected target takes lines of a certain length and refuses or cuts longer ones. A line that is a little too long gives its F to a line in front of it; under G93, \
 where F is the time of its own block, it cannot. Print fewer places with `[output] decimals`, or move fewer axes in one block."
 
 O9190 Error "tool-length-not-along-z" "tool length does not act along Z"
-"`[output] tool_length = \"G43\"` has the target add the length of the tool, and G43 adds it to Z with an ordinary tool table. Under G18 and G19, and with \
-another tool axis in a TOOL CALL, the control counts it along another axis, so the tool would stand wrong by its length in both. Leave the key at \"off\" and set the \
+"`[output] tool_length = \"G43\"` has the target add the length of the tool, by G43 H, or by its own word (G56 H on an Okuma, D1 on a SINUMERIK), and that adds it to Z. Under G18 and G19, and with \
+another tool axis in a TOOL CALL, the control counts it along another axis, so the tool would stand wrong by its length in both. Set the key to \"off\", which holds without it on linuxcnc alone, and set the \
 length up on the target. The call of a tool brings its length on some targets (heidenhain): \"off\" fits there only where \
 the length is zero in its table."
 

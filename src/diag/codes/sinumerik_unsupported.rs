@@ -62,7 +62,7 @@ S9013 Error "siemens-oblique-circle" "circle stands obliquely in space"
 "Plain G-code has circles in the main planes only. Look at the word that is marked, and at the value behind it."
 
 S9014 Error "siemens-offset-unknown" "work offset has no counterpart"
-"The target has nine work offsets, G54 to G59.3. Say which one stands for this: `[datums] G510 = \"G55\"`."
+"The selected target has fewer work offsets. Say which one stands for this: `[datums] G510 = \"G55\"`."
 
 S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
 "The cycle is built, but not this variant of it, or the meaning of a coded argument is not confirmed. Use the plain variant, or plain moves."

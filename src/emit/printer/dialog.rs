@@ -32,7 +32,9 @@ impl Printer<'_> {
         let rapid = matches!(mv.path, Path::Rapid);
         let motion = &self.target.motion;
         self.page.text.word(if rapid { motion.rapid } else { motion.line });
-        self.signed_axes(changed, ends, "");
+        for axis in changed.iter() {
+            self.page.text.hot_number(axis.letter() as u8, ends[axis.index()], self.places_of(axis));
+        }
         if rapid || !self.settings.modal || !self.modal.dialog.uncompensated {
             self.page.text.word(dialog.uncompensated);
             self.modal.dialog.uncompensated = true;
@@ -40,7 +42,7 @@ impl Printer<'_> {
         if rapid {
             self.page.text.word(dialog.rapid);
         } else if let Some((units, places)) = feed {
-            self.page.text.number(self.target.feed.address, units, places);
+            self.page.text.hot_number(self.target.feed.address, units, places);
         }
         if mv.machine {
             self.page.text.word(motion.machine.unwrap_or_default());

@@ -96,8 +96,16 @@ impl Printer<'_> {
         // The change may have moved any axis.
         self.modal.may_have_moved();
         if self.settings.tool_change == ToolChange::Stop {
-            if matches!(self.target.form, Form::Dialog(_)) {
-                let help = "leave `[output] tool_change` away: the control itself stops where no changer changes";
+            // D1 is a length of the tool that T has named.
+            let of_call = match self.target.tool.length {
+                Length::WithTool => true,
+                Length::Words(words) => {
+                    matches!(words.number, LengthNumber::None) && self.settings.prints_tool_length()
+                }
+                Length::None => false,
+            };
+            if of_call {
+                let help = "leave `[output] tool_change` away: the target calls the tool itself";
                 return self.lacks(
                     codes::O9327,
                     origin,
@@ -228,6 +236,9 @@ impl Printer<'_> {
         if self.settings.dwell_unit().is_none() {
             return self.lacks_dwell_unit(origin);
         }
+        if units == 0 && seconds > 0.0 {
+            return self.wait_is_lost(seconds, origin);
+        }
         if words.per_minute && self.modal.feed_kind_changes(FeedKind::PerMinute) {
             self.page.words(self.target.feed.per_minute, origin);
             self.modal.forget_feed();
@@ -284,16 +295,16 @@ impl Printer<'_> {
             let help = "look in the air whether the part lies where it should";
             self.diags.push(Diagnostic::new(codes::O2002, origin.loc, message).help(help).called(origin.call));
         }
-        match self.target.offsets.get(usize::from(number.clamp(1, 9)) - 1) {
+        match self.target.offset(number) {
             Some(word) => match self.target.form {
                 Form::Words => {
                     if number > self.target.offsets_named {
                         let message = format!("work offset {number} is printed as {word}");
                         self.report(codes::O4003, origin, &message);
                     }
-                    self.page.words(word, origin);
+                    self.page.words(&word, origin);
                 }
-                Form::Dialog(dialog) => self.dialog_offset(dialog, number, word, origin),
+                Form::Dialog(dialog) => self.dialog_offset(dialog, number, &word, origin),
             },
             None => {
                 let help = if self.target.offsets.is_empty() {
@@ -320,18 +331,19 @@ impl Printer<'_> {
                 Spindle::Speed(_) | Spindle::CuttingSpeed { .. } => {}
             }
         }
-        let text = &mut self.page.text;
         match spindle {
             Spindle::Start(turn) => {
+                let text = &mut self.page.text;
                 text.word(if turn == Turn::Clockwise { words.clockwise } else { words.counter_clockwise });
                 match self.running.speed {
                     Some(speed) => text.number(words.speed, speed, self.measures.speed),
                     None => text,
                 }
             }
-            Spindle::Stop => text.word(words.stop),
+            Spindle::Stop => self.page.text.word(words.stop),
             Spindle::Speed(speed) => {
-                let Some(units) = self.measures.speed.units(speed) else { return self.unprintable(origin) };
+                let Some(units) = self.speed_units(speed, origin) else { return };
+                let text = &mut self.page.text;
                 if let Some(cutting) = &words.cutting_speed
                     && number.is_none()
                     && std::mem::take(&mut self.modal.cutting_speed)
@@ -356,8 +368,16 @@ impl Printer<'_> {
                 }
                 self.modal.cutting_speed = true;
                 let places = self.measures.speed;
-                let Some(units) = places.units(speed) else { return self.unprintable(origin) };
-                match (cutting.limit, limit.and_then(|limit| places.units(limit))) {
+                let Some(units) = self.speed_units(speed, origin) else { return };
+                let limit = match limit {
+                    Some(limit) => match self.speed_units(limit, origin) {
+                        Some(limit) => Some(limit),
+                        None => return,
+                    },
+                    None => None,
+                };
+                let text = &mut self.page.text;
+                match (cutting.limit, limit) {
                     (Limit::Word(word), Some(limit)) => {
                         text.word(cutting.on).valued(word, limit, places);
                     }
@@ -378,7 +398,7 @@ impl Printer<'_> {
                 };
                 let places = self.measures.angle;
                 let Some(units) = places.units(angle) else { return self.unprintable(origin) };
-                text.word(word).number(address, units, places)
+                self.page.text.word(word).number(address, units, places)
             }
         };
         if let Some(number) = number {
@@ -391,6 +411,22 @@ impl Printer<'_> {
         self.page.end_line(origin);
     }
 
+    /// A speed in printed units; reported where there is none. One that prints as zero would let the spindle stand.
+    fn speed_units(&mut self, speed: f64, origin: &Origin) -> Option<i64> {
+        let Some(units) = self.measures.speed.units(speed) else {
+            self.unprintable(origin);
+            return None;
+        };
+        if units == 0 && speed != 0.0 {
+            let message = format!("the speed {speed} prints as zero, and the spindle would stand");
+            let help =
+                "program a higher speed, or give `[output] decimals.speed` where the target reads parts of a turn";
+            self.diags.push(Diagnostic::new(codes::O1004, origin.loc, message).help(help).called(origin.call));
+            return None;
+        }
+        Some(units)
+    }
+
     /// Looks at a function of a spindle whose speed is a part of its start; false where nothing is left to print.
     fn with_start(&mut self, spindle: Spindle, origin: &Origin) -> bool {
         let turn = match spindle {
@@ -400,10 +436,7 @@ impl Printer<'_> {
                 return self.has_m(5, origin);
             }
             Spindle::Speed(speed) => {
-                self.running.speed = self.measures.speed.units(speed);
-                if self.running.speed.is_none() {
-                    self.unprintable(origin);
-                }
+                self.running.speed = self.speed_units(speed, origin);
                 // The turning spindle is started again, at its new speed.
                 if let (Some(turn), Some(_)) = (self.running.turn, self.running.speed) {
                     self.spindle(Spindle::Start(turn), None, origin);

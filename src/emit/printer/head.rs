@@ -2,7 +2,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::machine::settings::{Quantity, Units};
-use crate::target::{Form, ProgramName, Sequence};
+use crate::target::{Form, ProgramName};
 use crate::text::Loc;
 
 use super::super::comment;
@@ -60,6 +60,7 @@ impl Printer<'_> {
         }
         self.source = name;
         self.fixed_numbers();
+        self.unused_keys(lathe);
         self.template(&self.settings.header);
     }
 
@@ -114,17 +115,6 @@ impl Printer<'_> {
         if time > most {
             let message = format!("`decimals`: the target {} reads {most} places of a wait, not {time}", target.name);
             self.diags.push(Diagnostic::new(codes::O9326, start, message).help("print fewer places"));
-        }
-        let why = match target.line.sequence {
-            Sequence::Address(..) => None,
-            Sequence::Blocks => Some("numbers every block by itself"),
-            Sequence::None => Some("takes no numbers of blocks"),
-        };
-        if let Some(why) = why
-            && self.settings.line_numbers > 0
-        {
-            let message = format!("`line_numbers`: the target {} {why}", target.name);
-            self.diags.push(Diagnostic::new(codes::O9329, start, message).help("leave the key away"));
         }
     }
 

@@ -17,6 +17,12 @@ use super::Printer;
 
 /// Most lines that replace an arc.
 const MOST_CHORDS: f64 = 1e6;
+/// What a printed arc may leave the programmed one by in mm, besides the rounding of a place.
+const LEAVES: f64 = 0.005;
+/// What rounding moves a place by at most, in units.
+const ROUNDED: f64 = 0.7072;
+/// Lines that stand for an arc leave it by at least so much of a unit.
+const LEAST_ROOM: f64 = 0.1;
 /// Such a line turns by a right angle at most: the cosine of half of it.
 const STEEPEST: f64 = core::f64::consts::FRAC_1_SQRT_2;
 /// What a number of turns may be off a whole one.
@@ -80,6 +86,9 @@ impl Printer<'_> {
             self.page.text.word(self.target.motion.machine.unwrap_or_default());
         }
         self.page.text.word(word);
+        if self.compensation.waits {
+            self.side_words();
+        }
         let length = if self.length.waits { self.length_word(mv, changed) } else { None };
         let changed = if self.special { self.spelled_out(mv, changed, &mut ends) } else { changed };
         for axis in changed.iter() {
@@ -221,6 +230,8 @@ impl Printer<'_> {
             to: [to_x, to_y],
             center: Point2::new(arc.center.x * scale, arc.center.y * scale),
             sweep: arc.sweep,
+            radius: crate::geo::distance(arc.from, arc.center) * scale,
+            most_off: ROUNDED + LEAVES * scale,
             tolerance: words.tolerance.min(self.settings.arc_mismatch() * scale),
             least_radius: words.least_radius * scale,
             most_radius: words.most_radius * scale,
@@ -254,6 +265,7 @@ impl Printer<'_> {
                 return self.straight(self.target.motion.line, &straight, None, origin);
             }
             Printed::Lines => return self.chords(arc, feed, mv, origin),
+            Printed::Off(off) => return self.off(off, arc, feed, mv, origin),
         };
         let Some((printed, ends)) = self.arc_ends(&request, arc, mv, origin) else { return };
         self.select_plane(arc.plane, origin);
@@ -336,8 +348,10 @@ impl Printer<'_> {
         let mut from = request.from;
         for block in 1..=blocks {
             let Some(part) = self.part(request, arc, from, block, blocks) else { return self.unprintable(origin) };
-            if !matches!(arc::fit(&part), Printed::Arc { turns: 1, .. }) {
-                return self.chords(arc, feed, mv, origin);
+            match arc::fit(&part) {
+                Printed::Arc { turns: 1, .. } => {}
+                Printed::Off(off) => return self.off(off, arc, feed, mv, origin),
+                Printed::Arc { .. } | Printed::Nothing | Printed::Lines => return self.chords(arc, feed, mv, origin),
             }
             from = part.to;
         }
@@ -396,12 +410,26 @@ impl Printer<'_> {
             return;
         }
         let most = f64::from(millionths) * 1e-6;
+        // The printed places are rounded, too.
+        let unit = 1.0 / self.places.scale();
+        let room = most - ROUNDED * unit;
+        if room < LEAST_ROOM * unit {
+            return self.too_coarse(most - room, mv, origin);
+        }
         let what = if helix { "the helix" } else { "the arc" };
         let message = format!("{what} is printed as lines that leave it by at most {most} mm");
         self.report(codes::O4004, origin, &message);
-        // The printed places are rounded, too.
+        self.lines(arc, feed, mv, (most - unit).max(0.5 * unit).min(room), origin);
+    }
+
+    /// An arc whose printed numbers are so many units off: lines, unless the places are too coarse for those as well.
+    #[cold]
+    fn off(&mut self, units: f64, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
         let unit = 1.0 / self.places.scale();
-        self.lines(arc, feed, mv, (most - unit).max(0.5 * unit), origin);
+        if unit > LEAVES {
+            return self.too_coarse(units * unit, mv, origin);
+        }
+        self.chords(arc, feed, mv, origin);
     }
 
     /// Straight lines instead of an arc that does not fit the printed grid.
@@ -417,7 +445,7 @@ impl Printer<'_> {
             "the arc is too small for its printed numbers and is printed as lines"
         };
         self.report(codes::O4001, origin, message);
-        self.lines(arc, feed, mv, 0.5 / self.places.scale(), origin);
+        self.lines(arc, feed, mv, (0.5 / self.places.scale()).min(LEAVES), origin);
     }
 
     /// Lines that leave the arc by so much at most.

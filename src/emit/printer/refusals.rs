@@ -1,8 +1,9 @@
 //! What the target has no word for: each refused with its place, and with what to do.
 
 use crate::diag::{Answer, Code, Diagnostic, codes};
-use crate::ir::Origin;
 use crate::ir::motion::Move;
+use crate::ir::{Origin, Side};
+use crate::machine::settings::Quantity;
 use crate::machine::{Axis, AxisSet};
 use crate::text::Loc;
 
@@ -60,15 +61,66 @@ impl Printer<'_> {
         self.pretend(mv);
     }
 
+    /// A radius that the table of the target does not have, or that nothing has selected there.
+    #[cold]
+    pub(super) fn lacks_radius(&mut self, oversize: bool, of_length: bool, mv: &Move, origin: &Origin) {
+        if self.compensation.refuse_contour() {
+            let (what, help) = match (oversize, of_length) {
+                (true, _) => (
+                    "a tool radius with an oversize of the program",
+                    "put the oversize into the tool table of the target, or set `[output] compensation = \"resolve\"`",
+                ),
+                (false, true) => (
+                    "the radius of a tool whose D it does not print",
+                    "call the tool in the program, and leave `[output] tool_length` away: D1 brings the radius, too",
+                ),
+                (false, false) => ("the radius of tool 0", "call a tool in front of the contour"),
+            };
+            self.lacks(codes::O9308, origin, what, help);
+        }
+        self.pretend(mv);
+    }
+
+    /// The compensation would end in a block without a move.
+    #[cold]
+    pub(super) fn lacks_end_of_compensation(&mut self, origin: &Origin) {
+        self.compensation.switched(Side::None);
+        if self.compensation.refuse_contour() {
+            let message =
+                "radius compensation is on at a block that ends it, and the target ends it in a straight move only";
+            let help = "move away from the contour without compensation in front of this block";
+            self.diags.push(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call));
+        }
+    }
+
     /// An arc that the target cannot say, and that may not become lines either.
     #[cold]
     pub(super) fn lacks_arc(&mut self, helix: bool, mv: &Move, origin: &Origin) {
-        let what = if helix { "a helix in this plane" } else { "an arc in this plane" };
+        let what = match (helix, self.target.arcs.helices) {
+            (true, true) => "a helix in this plane",
+            (true, false) => "a helix, in every build",
+            (false, _) => "an arc in this plane",
+        };
         let help = "set `[output] arc_fallback_tolerance` in partc.toml: how far lines may leave it, in mm";
         let help = Answer::key("output", "arc_fallback_tolerance").help(help);
         self.page.text.drop_line();
         let message = format!("the target {} has no word for {what}", self.target.name);
         self.diags.push(Diagnostic::new(codes::O9328, origin.loc, message).help(help).called(origin.call));
+        self.pretend(mv);
+    }
+
+    /// An arc, or the lines that may stand for it, off by so many mm for want of printed places.
+    #[cold]
+    pub(super) fn too_coarse(&mut self, mm: f64, mv: &Move, origin: &Origin) {
+        let places = self.settings.places(Quantity::Length);
+        let unit = if self.measures.inches { "an inch" } else { "a millimetre" };
+        let message =
+            format!("printed with {places} places of {unit}, this arc would be up to {mm:.3} mm off its path");
+        let more = (places + 1).to_string();
+        let help = format!("print more places: `[output] decimals = {more}`");
+        let help = Answer::key("output", "decimals").one_of(&[more]).help(help);
+        self.page.text.drop_line();
+        self.diags.push(Diagnostic::new(codes::O9335, origin.loc, message).help(help).called(origin.call));
         self.pretend(mv);
     }
 
@@ -110,6 +162,18 @@ impl Printer<'_> {
         let help = "set `[output] dwell_unit` as the receiver is set";
         let help = Answer::key("output", "dwell_unit").one_of(&["\"seconds\"", "\"milliseconds\""]).help(help);
         self.diags.push(Diagnostic::new(codes::O9331, origin.loc, message).help(help).called(origin.call));
+    }
+
+    /// A wait that is shorter than half of its last place.
+    #[cold]
+    pub(super) fn wait_is_lost(&mut self, seconds: f64, origin: &Origin) {
+        let message = format!("the wait of {seconds} s prints as zero");
+        let help = if self.settings.waits_in_milliseconds() {
+            "the target counts whole milliseconds: program 0.001 s, or leave the wait out"
+        } else {
+            "print more places (`[output] decimals = { time = 3 }`), or leave the wait out"
+        };
+        self.diags.push(Diagnostic::new(codes::O1005, origin.loc, message).help(help).called(origin.call));
     }
 
     #[cold]

@@ -99,16 +99,20 @@ impl Region {
         self.outlines.iter().chain(&self.islands).flatten()
     }
 
-    /// The larger side of what the outlines take up.
     fn size(&self) -> f64 {
-        let points = self.outlines.iter().flatten().flat_map(quarters).map(|piece| piece.from());
-        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for p in points {
-            low = [low[0].min(p.x), low[1].min(p.y)];
-            high = [high[0].max(p.x), high[1].max(p.y)];
-        }
-        (high[0] - low[0]).max(high[1] - low[1]).max(0.0)
+        size(&self.outlines)
     }
+}
+
+/// The larger side of what closed outlines take up.
+fn size(outlines: &[Vec<Element>]) -> f64 {
+    let points = outlines.iter().flatten().flat_map(quarters).map(|piece| piece.from());
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for p in points {
+        low = [low[0].min(p.x), low[1].min(p.y)];
+        high = [high[0].max(p.x), high[1].max(p.y)];
+    }
+    (high[0] - low[0]).max(high[1] - low[1]).max(0.0)
 }
 
 impl Family for Region {
@@ -155,5 +159,18 @@ impl Family for Region {
         for axis in [first, second] {
             at.forget(crate::machine::Axis::ALL[axis]);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_full_circle_is_as_large_as_its_diameter() {
+        let at = Point2::new(4.0, 1.0);
+        let circle = Element::Arc { from: at, to: at, center: Point2::new(1.0, 1.0), sweep: core::f64::consts::TAU };
+        assert!((size(&[vec![circle]]) - 6.0).abs() < 1e-12);
+        assert_eq!(size(&[]), 0.0);
     }
 }

@@ -151,6 +151,11 @@ mod tests {
         let shaft = lines(&[(0.0, 30.0), (-20.0, 30.0), (-20.0, 40.0)]);
         let side = |z, x| sense_of_cuts(&shaft, Towards::MinusX, Point2::new(z, x));
         assert_eq!((side(2.0, 25.0), side(-22.0, 25.0), side(-10.0, 25.0)), (Some(-1.0), Some(1.0), None));
+        // The arc bulges beyond its ends, and a tool above the bulge stands above the contour.
+        let (from, to) = (Point2::new(0.0, 30.0), Point2::new(0.0, 40.0));
+        let bulge = [Element::Arc { from, to, center: Point2::new(0.0, 35.0), sweep: core::f64::consts::PI }];
+        let side = |z| sense_of_cuts(&bulge, Towards::MinusX, Point2::new(z, 25.0));
+        assert_eq!((side(6.0), side(4.0), side(0.0)), (Some(-1.0), None, Some(1.0)));
         let upright = lines(&[(0.0, 30.0), (0.0, 40.0)]);
         assert_eq!(sense_of_cuts(&upright, Towards::MinusX, Point2::new(0.0, 25.0)), None);
     }

@@ -11,12 +11,29 @@ use super::literal::Plain;
 /// Reads the line at the start of `text`, if it is a straight block.
 #[inline(always)]
 pub fn of_line(text: &[u8], line_end: u8) -> Option<Straight> {
-    let mut from = literal::after_blanks(text, 0);
-    if let Some(b'N' | b'n') = text.get(from) {
-        let digits = leading_digits(text.get(from + 1..)?).filter(|digits| *digits > 0)?;
-        from = literal::after_blanks(text, from + 1 + digits);
-    }
+    let from = behind_number(text)?;
     straight::read::<Line>(text, from, from, line_end)
+}
+
+/// Length of the line at the start of `text`, if it is a straight block, with or without G0 or G1 in front of its words.
+#[inline]
+pub fn line_len(text: &[u8], line_end: u8) -> Option<usize> {
+    let from = behind_number(text)?;
+    let at = match text.get(from..)? {
+        [b'G' | b'g', b'0' | b'1', b' ', ..] => from + 3,
+        [b'G' | b'g', b'0', b'0' | b'1', b' ', ..] => from + 4,
+        _ => from,
+    };
+    straight::read::<Line>(text, from, at, line_end).map(|line| line.len)
+}
+
+/// Where the words begin, behind the block number.
+#[inline(always)]
+fn behind_number(text: &[u8]) -> Option<usize> {
+    let from = literal::after_blanks(text, 0);
+    let Some(b'N' | b'n') = text.get(from) else { return Some(from) };
+    let digits = leading_digits(text.get(from + 1..)?).filter(|digits| *digits > 0)?;
+    Some(literal::after_blanks(text, from + 1 + digits))
 }
 
 /// The words of a straight block.
@@ -94,8 +111,10 @@ mod tests {
             line_end in prop::sample::select(vec![b'\n', b'\r']),
         ) {
             let words: String = words.iter().flat_map(|(word, blank)| [word.as_str(), blank]).collect();
-            let text = format!("{head}{words}{end}{rest}");
-            says_the_same(text.as_bytes(), line_end);
+            says_the_same(format!("{head}{words}{end}{rest}").as_bytes(), line_end);
+            for g in ["G0 ", "g1 ", "G01 ", "G1"] {
+                has_nothing_else(format!("{head}{g}{words}{end}{rest}").as_bytes(), line_end);
+            }
         }
     }
 
@@ -116,6 +135,46 @@ mod tests {
             assert_eq!(of_line(text.as_bytes(), b'\n').map(|line| line.len), len, "{text:?}");
             says_the_same(text.as_bytes(), b'\n');
         }
+    }
+
+    #[test]
+    fn a_line_with_g1_is_passed_over() {
+        for (text, len) in [
+            ("N10 G1 X1 F5\nN20", Some(13)),
+            ("g00 z5\r\n", Some(8)),
+            ("X1\n", Some(3)),
+            ("G1 F5\n", None),
+            ("G2 X5\n", None),
+            ("G1 G0 X5\n", None),
+            ("G1X5\n", None),
+        ] {
+            assert_eq!(line_len(text.as_bytes(), b'\n'), len, "{text:?}");
+            has_nothing_else(text.as_bytes(), b'\n');
+        }
+    }
+
+    /// A line that is passed over is a block of G0 or G1, axes and F, with nothing wrong in it.
+    fn has_nothing_else(text: &[u8], line_end: u8) {
+        let Some(len) = line_len(text, line_end) else { return };
+        let line = &text[..len - 1];
+        let line = line.strip_suffix(b"\r").unwrap_or(line);
+        let (mut block, mut problems) = (Block::default(), Vec::new());
+        parse_block(line, &mut block, &mut Symbols::default(), &mut problems);
+        assert!(problems.is_empty(), "{problems:?}");
+        let (mut letters, mut g) = (Vec::new(), 0);
+        for word in &block.words {
+            let (Target::Letter(letter), Value::Literal { value, .. }) = (word.target, word.value) else {
+                panic!("{word:?}")
+            };
+            assert!(b"XYZF".contains(&letter) || letter == b'G' && (value == 0.0 || value == 1.0), "{word:?}");
+            g += usize::from(letter == b'G');
+            letters.push(letter);
+        }
+        letters.sort_unstable();
+        letters.dedup();
+        assert!(letters.len() == block.words.len() && g <= 1 && letters.iter().any(|letter| b"XYZ".contains(letter)));
+        let plain = block.skip.is_none() && block.comment.is_none() && block.label.is_none();
+        assert!(plain && block.stmt == Stmt::Words, "{}", String::from_utf8_lossy(line));
     }
 
     fn says_the_same(text: &[u8], line_end: u8) {

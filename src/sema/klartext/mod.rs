@@ -72,7 +72,7 @@ use crate::ir::Function;
 use crate::ir::contour::{Move, Sink};
 use crate::machine::{AxisSet, Proposed, Unit};
 use crate::parser::klartext::ast::{Block, Stmt};
-use crate::parser::klartext::{SPLIT, parse_block};
+use crate::parser::klartext::{SPLIT, parse_block, straight};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Loc, Span, SplitRules};
@@ -124,7 +124,7 @@ pub fn check_form(job: &Job<'_>) {
     let mut symbols = Symbols::default();
     let Some(mut blocks) = Blocks::<Klartext>::of_main(job) else { return };
     let mut head: Option<(Unit, Loc)> = None;
-    while let Some(mut passed) = blocks.next(job, &mut symbols) {
+    while let Some(mut passed) = blocks.next_behind_straight(job, &mut symbols) {
         passed.report_problems(job);
         let loc = passed.site.loc(job, passed.block.span);
         match passed.block.stmt {
@@ -166,6 +166,11 @@ impl Language for Klartext {
         if needs_text(&into.block) {
             into.text.extend_from_slice(text);
         }
+    }
+
+    #[inline]
+    fn straight(&self, text: &[u8], line_end: u8) -> Option<usize> {
+        straight::of_line(text, line_end).map(|line| line.len)
     }
 
     #[inline]

@@ -31,7 +31,7 @@ pub fn check_unexecuted(job: &Job<'_>) {
     });
     let Some(mut blocks) = Blocks::<Klartext>::of_main(job) else { return };
     let mut symbols = Symbols::default();
-    while let Some(passed) = blocks.next(job, &mut symbols) {
+    while let Some(passed) = blocks.next_behind_straight(job, &mut symbols) {
         if matches!(passed.block.stmt, Stmt::End { .. }) {
             return;
         }

@@ -17,7 +17,7 @@ use super::source::Parsed;
 pub fn check_form<L: Language>(job: &Job<'_>) {
     let mut symbols = Symbols::default();
     let Some(mut blocks) = Blocks::<L>::of_main(job) else { return };
-    while let Some(mut passed) = blocks.next(job, &mut symbols) {
+    while let Some(mut passed) = blocks.next_behind_straight(job, &mut symbols) {
         passed.report_problems(job);
     }
 }
@@ -84,6 +84,16 @@ impl<L: Language> Blocks<L> {
     /// The next block that is not too long; none where the file cannot be read on.
     pub fn next(&mut self, job: &Job<'_>, symbols: &mut Symbols) -> Option<Passed<'_, L>> {
         self.next_that(job, symbols, None, |_| true)
+    }
+
+    /// The next block behind straight ones, which have nothing but a way to go; not all of those are passed over.
+    pub fn next_behind_straight(&mut self, job: &Job<'_>, symbols: &mut Symbols) -> Option<Passed<'_, L>> {
+        loop {
+            let (text, line_end) = self.texts.cursor.ahead();
+            let Some(len) = self.language.straight(text, line_end) else { break };
+            self.texts.cursor.pass_line(len);
+        }
+        self.next(job, symbols)
     }
 
     /// The next block whose text is `wanted`, which it is only where it holds `letter`; the others are not parsed.

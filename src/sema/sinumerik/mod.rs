@@ -76,7 +76,7 @@ use crate::machine::AxisSet;
 use crate::parser::problem::Problem;
 use crate::parser::sinumerik::ast::{Block, Op, Stmt, Target, Value, Word};
 use crate::parser::sinumerik::scan::scan;
-use crate::parser::sinumerik::{SPLIT, parse_block};
+use crate::parser::sinumerik::{SPLIT, parse_block, straight};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::run::Where;
 use crate::text::{Span, SplitRules};
@@ -110,7 +110,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
 pub fn check_form(job: &Job<'_>) {
     let mut symbols = Symbols::default();
     let Some(mut blocks) = Blocks::<Sinumerik>::of_main(job) else { return };
-    while let Some(mut passed) = blocks.next(job, &mut symbols) {
+    while let Some(mut passed) = blocks.next_behind_straight(job, &mut symbols) {
         // A macro may stand for anything.
         if matches!(passed.block.stmt, Stmt::Define(_)) {
             return;
@@ -139,6 +139,15 @@ impl Language for Sinumerik {
         if needs_text(&into.block) || self.has_macros() {
             into.text.extend_from_slice(text);
         }
+    }
+
+    #[inline]
+    fn straight(&self, text: &[u8], line_end: u8) -> Option<usize> {
+        // A macro may stand for anything.
+        if self.has_macros() {
+            return None;
+        }
+        straight::line_len(text, line_end)
     }
 
     #[inline]

@@ -106,6 +106,7 @@ impl Channel<'_> {
                 return Ok(());
             }
             (None, 1..=9) => number,
+            (None, _) if self.job.settings.output.target.offset(number).is_some() => number,
             _ => {
                 let word = offset_word(number);
                 return self.fail_help(

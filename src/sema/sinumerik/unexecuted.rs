@@ -36,7 +36,7 @@ pub fn check_unexecuted(job: &Job<'_>) {
         return;
     }
     let Some(mut blocks) = Blocks::<Sinumerik>::of_main(job) else { return };
-    while let Some(passed) = blocks.next(job, &mut check.symbols) {
+    while let Some(passed) = blocks.next_behind_straight(job, &mut check.symbols) {
         // A macro may stand for anything.
         if matches!(passed.block.stmt, Stmt::Define(_)) {
             return;
@@ -85,7 +85,7 @@ impl<'a> Unexecuted<'a> {
         let Some(mut blocks) = Blocks::<Sinumerik>::of_main(self.job) else { return Ok(()) };
         let mut structured = Vec::new();
         let mut several = false;
-        while let Some(Passed { block, site, .. }) = blocks.next(self.job, &mut self.symbols) {
+        while let Some(Passed { block, site, .. }) = blocks.next_behind_straight(self.job, &mut self.symbols) {
             match block.stmt {
                 Stmt::Def { .. } | Stmt::Proc(_) => {
                     self.variables.extend(block.variables.iter().filter_map(|variable| variable.name));

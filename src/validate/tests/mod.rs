@@ -6,9 +6,12 @@ mod streams;
 use crate::diag::Diags;
 use crate::emit::Printer;
 use crate::emit::printer::disturb::Disturbance;
-use crate::ir::Origin;
-use crate::ir::motion::Sink as _;
+use crate::geo::Plane;
+use crate::ir::function::CutterData;
+use crate::ir::motion::{Move, Path, Sink as _};
+use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::settings::Units;
+use crate::machine::{Axis, AxisSet, Settings};
 
 use super::{Mismatch, Validator};
 use streams::{Dice, Item, Stream, stream, stream_for};
@@ -132,5 +135,51 @@ fn streams_are_printed_as_they_are_meant_on_every_target() {
         }
         println!("{}: {valid} streams", target.name);
         assert!(valid > count() / 80, "{}: {valid} of {} streams", target.name, count() / 4);
+    }
+}
+
+/// Behind linuxcnc, the words of the compensation belong into the move; alone, or for another tool, they mean something else.
+#[test]
+fn a_side_that_is_said_elsewhere_is_noticed() {
+    for target in ["fanuc", "sinumerik"] {
+        let mut settings = Settings::default();
+        settings.output.target = crate::target::find(target).expect("a target");
+        let to = |x: f64, y: f64, path: Path, side: Side| {
+            let mut end = Pos::UNKNOWN;
+            [(Axis::X, x), (Axis::Y, y), (Axis::Z, 1.0)].into_iter().for_each(|(axis, value)| end.set(axis, value));
+            Item::Move(Move { end, axes: AxisSet::MAIN, path, side, plane: Plane::Xy, machine: false })
+        };
+        let cut = Path::Line(Feed::PerMinute(100.0));
+        let items = vec![
+            Item::Function(Function::ToolChange { number: 3 }),
+            Item::Function(Function::Cutter(CutterData { number: 3, radius: None, known: None })),
+            to(-20.0, 0.0, Path::Rapid, Side::None),
+            to(0.0, 0.0, cut, Side::Left),
+            to(0.0, 30.0, cut, Side::Left),
+            to(-20.0, 30.0, cut, Side::None),
+        ];
+        let stream = Stream { settings, items };
+        let right = validate(&stream, None, &mut as_it_is).expect("is printed");
+        assert!(right.mismatch.is_none(), "{target}: {:?}", right.mismatch);
+        let (on, off) = if target == "fanuc" { ("G41 D3 ", "G40 ") } else { ("G41 ", "G40 ") };
+        let faults: [(&str, &str, String); 5] = [
+            ("on its own", on, String::new()),
+            ("another side", "G41", "G42".to_owned()),
+            ("on its own again", off, String::new()),
+            ("never", "G41", "G40".to_owned()),
+            ("another tool", "D3", "D4".to_owned()),
+        ];
+        for (what, word, other) in faults {
+            let mut changed = false;
+            let outcome = validate(&stream, None, &mut |n, text| {
+                let hit = n > 0 && text.contains(word) && !text.starts_with("D1");
+                changed |= hit;
+                let alone = if other.is_empty() { format!("{}\n", word.trim_end()) } else { String::new() };
+                hit.then(|| alone + &text.replacen(word, &other, 1))
+            });
+            let noticed = outcome.is_some_and(|outcome| outcome.mismatch.is_some());
+            assert!(noticed || !changed, "{target}: {what} is not noticed");
+            assert!(changed || target == "sinumerik" && word == "D3", "{target}: {what} changed nothing");
+        }
     }
 }

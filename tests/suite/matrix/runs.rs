@@ -74,6 +74,29 @@ fn comments_never_act() {
     });
 }
 
+// Order.
+
+#[test]
+fn the_end_of_the_program_is_the_last_thing_of_its_block() {
+    row(|column| {
+        let ended = |block: String| {
+            let lines: Vec<&str> = column.head.iter().copied().chain(["M8", &block]).collect();
+            column.bytes(lines.join("\n").into_bytes())
+        };
+        for end in ["M2", "M30"] {
+            // There M2 belongs to the machine.
+            if end == "M2" && column.dialect == "heidenhain-turning" {
+                continue;
+            }
+            let (behind, in_front) = (ended(format!("M9 {end}")), ended(format!("{end} M9")));
+            same(&behind, &in_front, end)?;
+            let last: Vec<&str> = path(&in_front).into_iter().rev().filter(|line| *line != "%").take(2).collect();
+            hold(last == ["M30", "M9"] || last == ["M2", "M9"], || format!("{end} M9 is printed as {last:?}"))?;
+        }
+        Ok(())
+    });
+}
+
 // What is not known.
 
 #[test]

@@ -1,0 +1,68 @@
+//! Keys of `[output]` that change nothing on the target: said, so that nobody counts on them.
+
+use crate::diag::{Diagnostic, codes};
+use crate::target::{DwellUnit, EVERY_PLANE, Form, Length, ProgramName, Sequence};
+use crate::text::Loc;
+
+use super::Printer;
+
+impl Printer<'_> {
+    /// Says which keys the target does not use.
+    pub(super) fn unused_keys(&self, lathe: bool) {
+        let start = Loc { line: 1, ..Loc::default() };
+        let name = self.target.name;
+        let numbers = match self.target.line.sequence {
+            Sequence::Address(..) => None,
+            Sequence::Blocks => Some("numbers every block by itself"),
+            Sequence::None => Some("takes no numbers of blocks"),
+        };
+        if let Some(why) = numbers
+            && self.settings.line_numbers > 0
+        {
+            let message = format!("`line_numbers`: the target {name} {why}");
+            self.diags.push(Diagnostic::new(codes::O9329, start, message).help("leave the key away"));
+        }
+        for (key, spot) in &self.settings.stated.0 {
+            let Some(why) = self.unused(key, lathe) else { continue };
+            let message = format!("`{key}` changes nothing: the target {name} {why}");
+            let mut help = "leave the key away".to_owned();
+            if !spot.file.is_empty() {
+                help = format!("{help}: {}:{}", spot.file, spot.line);
+            }
+            self.diags.push(Diagnostic::new(codes::O9336, start, message).help(help));
+        }
+    }
+
+    /// Why the target does not use this key. What it cannot say is refused where the program asks for it.
+    fn unused(&self, key: &str, lathe: bool) -> Option<&'static str> {
+        let (target, settings) = (self.target, self.settings);
+        match key {
+            "program_number" => {
+                let in_comments = settings.header.iter().chain(&settings.footer).any(|line| line.contains("{number}"));
+                match target.frame.name {
+                    ProgramName::Number { .. } => None,
+                    _ if in_comments => None,
+                    ProgramName::Text { .. } => Some("names a program by its source"),
+                    ProgramName::None => Some("does not name programs"),
+                }
+            }
+            "dwell_unit" => match target.dwell.unit {
+                unit if settings.dwell_unit == Some(unit) => None,
+                DwellUnit::Setting => None,
+                DwellUnit::Seconds => Some("counts waits in seconds"),
+                DwellUnit::Milliseconds => Some("counts waits in milliseconds"),
+            },
+            "rapid_feed" => (!target.motion.rapid_at_feed).then_some("has a rapid traverse of its own"),
+            "arc_fallback_tolerance" => {
+                let every = target.arcs.helices && target.arcs.planes == EVERY_PLANE;
+                (every && matches!(target.form, Form::Words)).then_some("goes round in every plane")
+            }
+            "tool_length" => {
+                let off = settings.tool_length == Some(false);
+                (off && matches!(target.tool.length, Length::WithTool)).then_some("brings the length with the tool")
+            }
+            "diameter" => (!lathe).then_some("prints a mill, which has no diameters"),
+            _ => None,
+        }
+    }
+}
