@@ -3,7 +3,7 @@
 //! The order in which controls number solutions is not documented. In a few situations it was observed in printed programs
 //! whose drawings leave no doubt about the solution that is meant; in all others a number says nothing here.
 
-use crate::geo::{Point2, Vec2, cross, left};
+use crate::geo::{Point2, Vec2, cross};
 
 use super::state::{State, View};
 use super::{ONE, Shape, Window};
@@ -74,14 +74,13 @@ fn number(view: &View<'_>, node: usize) -> Option<u32> {
 
 /// Where the point lies along the direction, from the foot of the centre.
 fn along(p: Point2, center: Point2, u: Vec2) -> f64 {
-    let normal = left(u);
-    let foot = center + normal * normal.dot(&(p - center));
-    (p - foot).dot(&u)
+    (p - center).dot(&u)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geo::left;
 
     #[test]
     fn a_point_is_placed_along_a_direction_from_the_foot_of_the_centre() {
