@@ -36,7 +36,7 @@ fn moves(text: &str) -> Vec<Words> {
             .filter_map(|word| Some((word.chars().next()?, word.get(1..)?.parse().ok()?)))
             .filter(|word| "GXYZIJKFD".contains(word.0))
             .collect();
-        let is = |wanted: f64| words.iter().any(|word| *word == ('G', wanted));
+        let is = |wanted: f64| words.contains(&('G', wanted));
         if is(4.0) {
             continue;
         }
