@@ -19,6 +19,7 @@ use crate::lint::motion::{OnContour, OnMotion, Watching};
 use crate::lint::policy::Policy;
 use crate::lower::Lower;
 use crate::machine::Settings;
+use crate::seen::{Looks, Seen};
 use crate::sema::Job;
 use crate::text::{FileId, Files, Opened, Sources};
 use crate::uses::{Uses, Watch};
@@ -80,24 +81,28 @@ impl Session {
 
     /// Runs the program and lowers it to `out`. Returns the hash of the source.
     fn run(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files, out: &mut dyn motion::Sink) -> u64 {
-        self.run_watched(dialect, settings, files, out, None)
+        self.run_watched(dialect, settings, files, out, (None, None))
     }
 
-    /// The same, while rules look on.
+    /// The same, while rules and an editor look on.
     fn run_watched(
         &self,
         dialect: &Dialect,
         settings: &Settings,
         files: &dyn Files,
         out: &mut dyn motion::Sink,
-        watch: Option<&Watching<'_>>,
+        (watch, seen): (Option<&Watching<'_>>, Option<&mut Seen>),
     ) -> u64 {
         let settings = dialect.settings(settings);
         let settings = settings.as_ref();
         let job = self.job(settings, files);
-        let run = |sink: &mut dyn contour::Sink| match watch {
+        let watched = |sink: &mut dyn contour::Sink| match watch {
             Some(watch) => (dialect.run)(&job, &mut OnContour { watch: Rc::clone(watch), next: sink }),
             None => (dialect.run)(&job, sink),
+        };
+        let run = |sink: &mut dyn contour::Sink| match seen {
+            Some(seen) => watched(&mut Looks { seen, trail: &self.trail, next: sink }),
+            None => watched(sink),
         };
         if cfg!(debug_assertions) {
             let mut motion = verify::Motion::new(out);
@@ -150,6 +155,17 @@ impl Session {
     /// Reads all blocks, also those that never run, runs the program while rules look on, and prints nothing. Gives what
     /// would mend some of the findings.
     pub fn check(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> Vec<Fix> {
+        self.check_seen(dialect, settings, files, None)
+    }
+
+    /// The same, and notes where the blocks lead.
+    pub fn check_seen(
+        &self,
+        dialect: &Dialect,
+        settings: &Settings,
+        files: &dyn Files,
+        seen: Option<&mut Seen>,
+    ) -> Vec<Fix> {
         let policy = self.judge(dialect, settings);
         let settings = dialect.settings(settings);
         let settings = settings.as_ref();
@@ -162,11 +178,11 @@ impl Session {
         let hash = match checks.watch() {
             Some(watch) => {
                 let mut on_motion = OnMotion { watch: Rc::clone(&watch), next: &mut printer };
-                let hash = self.run_watched(dialect, settings, files, &mut on_motion, Some(&watch));
+                let hash = self.run_watched(dialect, settings, files, &mut on_motion, (Some(&watch), seen));
                 watch.borrow_mut().finish();
                 hash
             }
-            None => self.run(dialect, settings, files, &mut printer),
+            None => self.run_watched(dialect, settings, files, &mut printer, (None, seen)),
         };
         let _ = printer.finish(hash);
         if let Some(check_unexecuted) = dialect.check_unexecuted {

@@ -29,9 +29,12 @@ mod ir;
 mod lexer;
 mod lint;
 mod lower;
+#[cfg(feature = "cli")]
+mod lsp;
 mod machine;
 mod parser;
 mod read;
+mod seen;
 mod sema;
 mod standard;
 mod target;

@@ -45,6 +45,8 @@ pub(super) enum Command {
     /// Each is a part program in any language, or plain G-code such as partc prints (.ngc, .gcode, .nc, .tap). Moves, arcs, feeds,
     /// tools, speeds and functions are compared, whatever words say them; exit code 1 if something differs.
     Diff(Diff),
+    /// Language server for editors, on standard input and output
+    Lsp(Common),
     /// Show the configuration in force, or its JSON Schema
     Config(Config),
     /// Explain a diagnostic code, or a key of partc.toml

@@ -126,7 +126,7 @@ pub(super) fn read_settings(path: &Path) -> io::Result<Vec<u8>> {
 }
 
 /// A path as text: different ones look different, for bytes that are no UTF-8 are written `\xFF`.
-fn text_of(path: &Path) -> String {
+pub(super) fn text_of(path: &Path) -> String {
     let mut text = String::new();
     for part in path.as_os_str().as_encoded_bytes().utf8_chunks() {
         text.push_str(part.valid());

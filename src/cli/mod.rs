@@ -13,6 +13,7 @@ mod ignores;
 mod init;
 mod inputs;
 mod listing;
+mod lsp;
 mod output;
 mod pending;
 mod plot;
@@ -103,6 +104,7 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
         Command::Rules { format } => listing::rules(*format),
         Command::Watch(args) => watch::watch(args),
         Command::Tools(args) => tools::tools(args),
+        Command::Lsp(common) => lsp::serve(common),
         Command::Targets { format } => targets::list(*format),
         Command::Completions { shell } => {
             let mut script = Vec::new();

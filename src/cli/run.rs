@@ -75,7 +75,7 @@ pub(super) fn load_with(path: &Path, common: &Common, settings: Settings) -> Res
 }
 
 /// The language that `[dialects]` says for a file of this path.
-fn said_dialect(identity: &str, settings: &Settings) -> Result<Option<&'static Dialect>, Trouble> {
+pub(super) fn said_dialect(identity: &str, settings: &Settings) -> Result<Option<&'static Dialect>, Trouble> {
     let path = if cfg!(windows) { identity.replace('\\', "/") } else { identity.to_owned() };
     let mut said = settings.dialects.iter().filter(|(pattern, _)| fits(pattern, &path)).map(|(_, dialect)| dialect);
     let Some(first) = said.next() else { return Ok(None) };

@@ -1,6 +1,6 @@
 //! Call paths: how the program came to a block, kept once per distinct path.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use rustc_hash::FxHashMap;
 
@@ -17,6 +17,25 @@ const MOST_PATHS: usize = 1 << 18;
 #[derive(Debug, Default)]
 pub struct Trail {
     inner: RefCell<Inner>,
+    /// Blocks that ran.
+    steps: Cell<u64>,
+    /// Does anybody want to know the values of variables?
+    watched: Cell<bool>,
+    assigned: RefCell<Vec<Assigned>>,
+}
+
+/// Most assignments that are remembered.
+const MOST_ASSIGNED: usize = 1 << 18;
+
+/// A variable got a number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Assigned {
+    /// The number of the block that ran, as [`Trail::steps`] counts.
+    pub step: u64,
+    /// The block that assigns.
+    pub loc: Loc,
+    pub name: String,
+    pub value: f64,
 }
 
 #[derive(Debug, Default)]
@@ -31,6 +50,38 @@ impl CallPath {
 }
 
 impl Trail {
+    /// A block runs.
+    #[inline]
+    pub fn step(&self) {
+        self.steps.set(self.steps.get() + 1);
+    }
+
+    /// How many blocks have run, the last one included.
+    pub fn steps(&self) -> u64 {
+        self.steps.get()
+    }
+
+    /// From here on values of variables are remembered.
+    pub fn watch_values(&self) {
+        self.watched.set(true);
+    }
+
+    /// A variable gets a number.
+    #[inline]
+    pub fn assigns(&self, loc: Loc, name: impl FnOnce() -> String, value: f64) {
+        if self.watched.get() {
+            let mut assigned = self.assigned.borrow_mut();
+            if assigned.len() < MOST_ASSIGNED {
+                assigned.push(Assigned { step: self.steps.get(), loc, name: name(), value });
+            }
+        }
+    }
+
+    /// What was assigned since [`Trail::watch_values`], in order.
+    pub fn take_values(&self) -> Vec<Assigned> {
+        self.assigned.take()
+    }
+
     /// The path that follows `from` through the call at `site`.
     pub fn enter(&self, from: CallPath, site: Loc) -> CallPath {
         let inner = &mut *self.inner.borrow_mut();

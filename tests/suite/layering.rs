@@ -23,7 +23,11 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("compare", &["read", "sema", "ir", "machine", "geo", "text"]),
     ("lint", &["sema", "ir", "geo", "machine", "diag", "text"]),
     ("dialect", &["lexer", "parser", "sema", "ir", "machine"]),
-    ("cli", &["compare", "diag", "dialect", "driver", "emit", "ir", "lint", "machine", "target", "text", "validate"]),
+    ("lsp", &["diag", "dialect", "driver", "ir", "lint", "machine", "seen", "sema", "text"]),
+    (
+        "cli",
+        &["compare", "diag", "dialect", "driver", "emit", "ir", "lint", "lsp", "machine", "target", "text", "validate"],
+    ),
 ];
 
 /// The reader proves what the printer does: it takes nothing from it, nor from what it prints with.

@@ -49,6 +49,7 @@ mod layering;
 mod line_ends;
 mod listing;
 mod long_blocks;
+mod lsp;
 mod matrix;
 mod meant;
 mod modal;

@@ -303,6 +303,9 @@ impl Run<'_> {
         }
         let locals = innermost_locals(&mut self.core.levels);
         let locals = locals.expect("the main level has locals");
+        if let Slot::Number(number) = value {
+            self.core.job.trail.assigns(self.core.here.origin.loc, || q.to_string(), number);
+        }
         self.vars.set(locals, q, value);
         Ok(())
     }

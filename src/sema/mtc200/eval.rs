@@ -129,11 +129,16 @@ impl Run<'_> {
             return Ok(false);
         }
         for word in &block.words {
-            let Target::Variable(number) = word.target else { continue };
+            let Target::Variable(variable) = word.target else { continue };
             let value = self.number(word, block);
-            match self.variables.get_mut(number as usize) {
-                Some(slot) => *slot = Some(value),
-                None => return self.no_variable(number, word.span),
+            match self.variables.get_mut(variable as usize) {
+                Some(slot) => {
+                    if let Ok(number) = value {
+                        self.core.job.trail.assigns(self.core.here.origin.loc, || format!("@{variable}"), number);
+                    }
+                    *slot = Some(value);
+                }
+                None => return self.no_variable(variable, word.span),
             }
             self.result = Some(value?);
         }

@@ -120,6 +120,7 @@ impl<L: Language> Core<'_, L> {
     /// The same, for a stretch of blocks that began at `loc`.
     #[inline]
     pub fn has_steps_at(&mut self, loc: Loc) -> bool {
+        self.job.trail.step();
         let goes_on = self.budget.step(&*self.out);
         if !goes_on {
             self.out_of_steps(loc);

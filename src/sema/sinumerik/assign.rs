@@ -60,6 +60,7 @@ impl Run<'_> {
         if n > MOST_R {
             return self.fail(codes::S2018.alarm(17020), span, format!("there is no parameter R{n}"));
         }
+        self.job.trail.assigns(self.here.origin.loc, || format!("R{n}"), value);
         self.vars.set_r(n, value);
         Ok(())
     }
@@ -122,6 +123,9 @@ impl Run<'_> {
             }
             Target::Numbered(_, _, name) | Target::Name(name) => {
                 let Some(slot) = self.vars.find(name) else { return self.undefined(name, span) };
+                if let Some(number) = value.number() {
+                    self.job.trail.assigns(self.here.origin.loc, || self.symbols.name(name).to_owned(), number);
+                }
                 self.write_element(slot, &[], value, span)
             }
             Target::System(name) => self.write_system(name, &[], value, span),

@@ -117,6 +117,9 @@ impl Run<'_> {
     /// `#1=…`
     pub(super) fn assign(&mut self, var: VarRef, block: &Block, formula: Formula) -> Outcome {
         let value = self.formula(block, formula);
+        if let Ok(number) = value {
+            self.core.job.trail.assigns(self.core.here.origin.loc, || var.to_string(), number);
+        }
         match var.kind {
             VarKind::Machine | VarKind::Interpreter => {
                 return self.fail(codes::T2010, block.span, format!("{var} belongs to the control"));

@@ -1,0 +1,158 @@
+//! `partc lsp`: the language server on standard input and output.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use lsp_server::{Connection, Message};
+use serde_json::json;
+
+use crate::dialect;
+use crate::lsp::{Server, Setting, World};
+
+use super::args::Common;
+use super::disk::{IncludeRoots, text_of};
+use super::run::said_dialect;
+use super::{Exit, Trouble, config};
+
+/// Bytes looked at to tell the language.
+const HEAD: usize = 64 * 1024;
+
+/// `partc lsp`
+pub(super) fn serve(common: &Common) -> Result<Exit, Trouble> {
+    let (connection, threads) = Connection::stdio();
+    let ended = talk(&connection, common);
+    drop(connection);
+    threads.join().map_err(|error| error.to_string())?;
+    ended.map(|()| Exit::Clean)
+}
+
+fn talk(connection: &Connection, common: &Common) -> Result<(), Trouble> {
+    let (id, params) = connection.initialize_start().map_err(|error| error.to_string())?;
+    let params: lsp_types::InitializeParams = serde_json::from_value(params).map_err(|error| error.to_string())?;
+    let mut server = Server::new(OnDisk { common }, &params.capabilities);
+    let about = json!({ "name": "partc", "version": env!("CARGO_PKG_VERSION") });
+    let answer = json!({ "capabilities": server.capabilities(), "serverInfo": about });
+    connection.initialize_finish(id, answer).map_err(|error| error.to_string())?;
+    let mut out = Vec::new();
+    loop {
+        // What is written while a program runs is taken together.
+        let message = match connection.receiver.try_recv() {
+            Ok(message) => message,
+            Err(_) => {
+                if server.is_behind() {
+                    server.catch_up(&mut out);
+                    send(connection, &mut out)?;
+                    continue;
+                }
+                match connection.receiver.recv() {
+                    Ok(message) => message,
+                    Err(_) => return Ok(()),
+                }
+            }
+        };
+        let goes_on = server.handle(message, &mut out);
+        send(connection, &mut out)?;
+        if !goes_on {
+            return Ok(());
+        }
+    }
+}
+
+fn send(connection: &Connection, out: &mut Vec<Message>) -> Result<(), Trouble> {
+    for message in out.drain(..) {
+        connection.sender.send(message).map_err(|_| "the editor is gone".to_owned())?;
+    }
+    Ok(())
+}
+
+/// Documents that are files of this machine.
+#[derive(Debug)]
+struct OnDisk<'c> {
+    common: &'c Common,
+}
+
+impl World for OnDisk<'_> {
+    fn setting(&self, uri: &str, language: &str, text: &str) -> Result<Setting, String> {
+        let path = path_of(uri).unwrap_or_else(|| PathBuf::from(uri.rsplit('/').next().unwrap_or(uri)));
+        let settings = config::settings(&path, self.common)?;
+        let identity = self.identity(uri);
+        let name = path.file_name().map_or_else(|| text_of(&path), |name| name.to_string_lossy().into_owned());
+        let head = &text.as_bytes()[..text.len().min(HEAD)];
+        let said = if self.common.dialect == "auto" { language } else { self.common.dialect.as_str() };
+        let dialect = match said_dialect(&identity, &settings)? {
+            Some(dialect) => dialect,
+            None => dialect::find(said)
+                .or_else(|| dialect::guess(&name, head))
+                .ok_or_else(|| format!("which language is {name}? say it in `[dialects]` of partc.toml"))?,
+        };
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let files = IncludeRoots::new(folder.to_path_buf(), settings.include.roots.clone());
+        Ok(Setting { name, identity, dialect, settings, files: Box::new(files) })
+    }
+
+    fn identity(&self, uri: &str) -> String {
+        let Some(path) = path_of(uri) else { return uri.to_owned() };
+        text_of(&fs::canonicalize(&path).unwrap_or(path))
+    }
+
+    fn uri(&self, identity: &str) -> Option<String> {
+        Path::new(identity).is_absolute().then(|| uri_of(identity))
+    }
+}
+
+/// The path of a `file:` address.
+fn path_of(uri: &str) -> Option<PathBuf> {
+    let rest = uri.strip_prefix("file://")?;
+    let path = &rest[rest.find('/')?..];
+    let mut bytes = Vec::with_capacity(path.len());
+    let mut at = path.bytes();
+    while let Some(byte) = at.next() {
+        let digit = |byte: Option<u8>| byte.and_then(|b| char::from(b).to_digit(16));
+        match byte {
+            b'%' => bytes.push(u8::try_from(digit(at.next())? * 16 + digit(at.next())?).ok()?),
+            _ => bytes.push(byte),
+        }
+    }
+    let text = String::from_utf8(bytes).ok()?;
+    // `/C:/parts/a.h`
+    let drive = text.as_bytes().get(2) == Some(&b':') && cfg!(windows);
+    Some(PathBuf::from(if drive { &text[1..] } else { &text }))
+}
+
+/// The `file:` address of an absolute path.
+fn uri_of(path: &str) -> String {
+    let mut uri = "file://".to_owned();
+    let path = path.replace('\\', "/");
+    if !path.starts_with('/') {
+        uri.push('/');
+    }
+    for byte in path.bytes() {
+        if byte.is_ascii_alphanumeric() || b"/-._~:".contains(&byte) {
+            uri.push(char::from(byte));
+        } else {
+            uri.push_str(&format!("%{byte:02X}"));
+        }
+    }
+    uri
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn addresses_and_paths() {
+        for (uri, path) in [
+            ("file:///parts/a%20b.h", "/parts/a b.h"),
+            ("file:///parts/%C3%A4.H", "/parts/\u{e4}.H"),
+            ("file://localhost/parts/a.h", "/parts/a.h"),
+        ] {
+            assert_eq!(path_of(uri).as_deref(), Some(Path::new(path)));
+        }
+        assert_eq!(
+            (path_of("untitled:Untitled-1"), path_of("file:///%G0"), path_of("file:///%FF")),
+            (None, None, None)
+        );
+        assert_eq!(uri_of("/parts/a b.h"), "file:///parts/a%20b.h");
+    }
+}

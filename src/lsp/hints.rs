@@ -1,0 +1,67 @@
+//! Where each block leads, behind its words.
+
+use lsp_types::{InlayHint, InlayHintLabel, InlayHintTooltip, Range};
+
+use crate::ir::Pos;
+use crate::seen::{Stop, Way};
+use crate::text::FileId;
+
+use super::server::Document;
+
+/// The hints of the blocks in `range`.
+pub fn hints(document: &Document, range: Range) -> Vec<InlayHint> {
+    let Some(study) = &document.study else { return Vec::new() };
+    let (from, to) = (document.text.offset(range.start) as u32, document.text.offset(range.end) as u32);
+    let first = study.survey.blocks.partition_point(|block| block.span.end < from);
+    let blocks = study.survey.blocks[first..].iter().take_while(|block| block.span.start <= to);
+    let moving = blocks.filter_map(|block| Some((block, study.seen.stop(FileId(0), block.words.start)?)));
+    let hint = |(block, stop): (&super::study::BlockPlace, &Stop)| InlayHint {
+        position: document.text.position(block.words.end),
+        label: InlayHintLabel::String(place(stop)),
+        kind: None,
+        text_edits: None,
+        tooltip: Some(InlayHintTooltip::String(tooltip(stop))),
+        padding_left: Some(true),
+        padding_right: None,
+        data: None,
+    };
+    moving.map(hint).collect()
+}
+
+/// The known axes behind the block, and how often it ran.
+fn place(stop: &Stop) -> String {
+    let mut text = coordinates(&stop.end);
+    if text.is_empty() {
+        text.push('?');
+    }
+    if stop.machine {
+        text.push_str(" machine");
+    }
+    if stop.passes > 1 {
+        text.push_str(&format!(" \u{d7}{}", stop.passes));
+    }
+    text
+}
+
+fn tooltip(stop: &Stop) -> String {
+    let system =
+        if stop.machine { "coordinates of the machine" } else { "coordinates of the workpiece, as programmed" };
+    let what = if stop.path == Way::Cycle { "where the cycle leaves the tool" } else { "end of the block" };
+    match stop.passes {
+        1 => format!("{what}, in {system}"),
+        passes => format!("{what} in its first pass of {passes}, in {system}"),
+    }
+}
+
+/// `X10 Y-2.5`: three places, without zeros at the end.
+pub fn coordinates(pos: &Pos) -> String {
+    let words: Vec<String> = pos.iter().map(|(axis, value)| format!("{}{}", axis.letter(), number(value))).collect();
+    words.join(" ")
+}
+
+/// Three places, without zeros at the end and without a minus zero.
+pub fn number(value: f64) -> String {
+    let text = format!("{value:.3}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
