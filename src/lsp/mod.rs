@@ -11,6 +11,8 @@ mod names;
 mod server;
 mod study;
 mod symbols;
+#[cfg(test)]
+mod tests;
 mod text;
 mod tokens;
 mod words;

@@ -179,6 +179,12 @@ impl<W: World> Server<W> {
         }
     }
 
+    /// The text of an open document.
+    #[cfg(test)]
+    pub fn text(&self, uri: &str) -> Option<&str> {
+        self.documents.get(uri).map(|document| document.text.as_str())
+    }
+
     fn hear(&mut self, said: Notification) {
         match said.method.as_str() {
             "textDocument/didOpen" => {

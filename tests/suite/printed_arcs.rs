@@ -126,3 +126,40 @@ fn printed_arcs_stay_near_the_programmed_ones_on_every_target() {
         }
     }
 }
+
+/// Lines that stand for an arc: rounding is a part of what they may leave it by.
+#[test]
+fn lines_keep_the_tolerance_with_their_rounding() {
+    let uccnc = target::find("uccnc").expect("a target");
+    for (output, fits) in [
+        ("arc_fallback_tolerance = 0.005", true),
+        ("arc_fallback_tolerance = 0.001", true),
+        ("arc_fallback_tolerance = 0.001\ndecimals = 3", true),
+        ("arc_fallback_tolerance = 0.005\nunits = \"inch\"", true),
+        ("arc_fallback_tolerance = 0.001\nunits = \"inch\"", false),
+        ("arc_fallback_tolerance = 0.01\nunits = \"inch\"\ndecimals = 3", false),
+        ("arc_fallback_tolerance = 0.05\nunits = \"inch\"\ndecimals = 3", true),
+    ] {
+        let mut settings = settings(&format!("[output]\n{output}"));
+        settings.output.target = uccnc;
+        let text = b"G18 G90 G0 X0 Y0 Z5\nS1000 M3\nG3 X10 Z15 I10 K0 F100\nM30\n".to_vec();
+        let compiled = compile_bytes("PART.MPF", text, "sinumerik", &settings, &NoFiles);
+        let codes: Vec<&str> = compiled.findings.iter().map(|found| found.code.id).collect();
+        assert_eq!(codes.contains(&"O9335"), !fits, "{output}: {:?}", compiled.rendered);
+        assert_eq!(compiled.has_errors(), !fits, "{output}: {:?}", compiled.rendered);
+        if !fits {
+            continue;
+        }
+        let number = |key: &str| output.split(key).nth(1)?.split(['\n', ' ']).find_map(|text| text.parse::<f64>().ok());
+        let most = number("arc_fallback_tolerance").expect("a number");
+        let mm = if output.contains("inch") { 25.4 } else { 1.0 };
+        let (mut at, mut off) = ([0.0, 5.0], 0.0f64);
+        for line in compiled.output.lines().filter(|line| line.starts_with("G1 ")) {
+            let to = [word(line, 'X').map_or(at[0], |x| x * mm), word(line, 'Z').map_or(at[1], |z| z * mm)];
+            let middle = [(at[0] + to[0]) / 2.0, (at[1] + to[1]) / 2.0];
+            off = [middle, to].iter().fold(off, |off, p| off.max((libm::hypot(p[0] - 10.0, p[1] - 5.0) - 10.0).abs()));
+            at = to;
+        }
+        assert!(off > 0.0 && off <= most, "{output}: {off}");
+    }
+}

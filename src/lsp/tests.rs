@@ -1,0 +1,123 @@
+//! Any messages in any order: answers, never a panic, and findings as if the document were new.
+
+use lsp_server::{Message, Notification, Request, RequestId};
+use proptest::prelude::*;
+use serde_json::{Value, json};
+
+use super::{Server, Setting, World};
+use crate::dialect;
+use crate::machine::Settings;
+use crate::text::files::NoFiles;
+
+/// Documents without files.
+#[derive(Debug)]
+struct Nowhere;
+
+impl World for Nowhere {
+    fn setting(&self, uri: &str, _: &str, text: &str) -> Result<Setting, String> {
+        let dialect = dialect::guess(uri, text.as_bytes()).ok_or("which language?")?;
+        let (name, identity) = (uri.to_owned(), uri.to_owned());
+        Ok(Setting { name, identity, dialect, settings: Settings::default(), files: Box::new(NoFiles) })
+    }
+
+    fn identity(&self, uri: &str) -> String {
+        uri.to_owned()
+    }
+
+    fn uri(&self, identity: &str) -> Option<String> {
+        Some(identity.to_owned())
+    }
+}
+
+const PROGRAM: &str = "0 BEGIN PGM T MM\r\n1 L X+0 Y+0 Z+5 FMAX\r\n2 CC X+50 Y+50\r\n3 LP PR+20 PA+30 F500 ; \u{e4}\u{1f600}\r\n\
+4 Q1 = 5\r\n5 LBL 5\r\n6 L IX+Q1\r\n7 CALL LBL 5 REP 3\r\n8 CYCL DEF 200 DRILLING ~\r\n  Q200=2 ~\r\n  Q201=-20\r\n9 END PGM T MM\r\n";
+
+fn say(method: &str, params: Value) -> Message {
+    Message::Notification(Notification { method: method.to_owned(), params })
+}
+
+fn ask(method: &str, params: Value) -> Message {
+    Message::Request(Request { id: RequestId::from(1), method: method.to_owned(), params })
+}
+
+fn open(uri: &str, text: &str) -> Message {
+    say("textDocument/didOpen", json!({ "textDocument": { "uri": uri, "languageId": "", "version": 1, "text": text } }))
+}
+
+fn server() -> Server<Nowhere> {
+    Server::new(Nowhere, &lsp_types::ClientCapabilities::default())
+}
+
+/// What is published of a document that was just opened.
+fn findings(uri: &str, text: &str) -> Value {
+    let (mut server, mut out) = (server(), Vec::new());
+    server.handle(open(uri, text), &mut out);
+    server.catch_up(&mut out);
+    published(&out)
+}
+
+fn published(out: &[Message]) -> Value {
+    let last = out.iter().rev().find_map(|message| match message {
+        Message::Notification(said) => Some(said.params["diagnostics"].clone()),
+        _ => None,
+    });
+    last.unwrap_or_default()
+}
+
+const ASKED: [&str; 13] = [
+    "textDocument/hover",
+    "textDocument/inlayHint",
+    "textDocument/documentSymbol",
+    "textDocument/foldingRange",
+    "textDocument/definition",
+    "textDocument/references",
+    "textDocument/documentHighlight",
+    "textDocument/prepareRename",
+    "textDocument/rename",
+    "textDocument/codeAction",
+    "textDocument/completion",
+    "textDocument/semanticTokens/full",
+    "textDocument/semanticTokens/range",
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn edits_and_questions_in_any_order(
+        steps in prop::collection::vec(
+            (0usize..16, 0u32..14, 0u32..30, 0u32..14, 0u32..30, "[ -~\r\n\u{e4}\u{1f600}]{0,9}"),
+            1..10,
+        ),
+    ) {
+        let uri = "file:///T.H";
+        let (mut server, mut out) = (server(), Vec::new());
+        server.handle(open(uri, PROGRAM), &mut out);
+        for (what, line, character, to_line, to_character, text) in steps {
+            let position = json!({ "line": line, "character": character });
+            let range = json!({ "start": position, "end": { "line": to_line, "character": to_character } });
+            let document = json!({ "uri": uri, "version": 2 });
+            match ASKED.get(what) {
+                Some(method) => {
+                    let params = json!({
+                        "textDocument": { "uri": uri }, "position": position, "range": range, "newName": text,
+                        "context": { "diagnostics": [], "includeDeclaration": true, "triggerKind": 1 },
+                    });
+                    server.handle(ask(method, params), &mut out);
+                    let Some(Message::Response(answer)) = out.last() else { panic!("{method} has no answer") };
+                    prop_assert!(answer.response_result.is_ok() || *method == "textDocument/rename", "{answer:?}");
+                }
+                None => {
+                    let changes = json!([{ "range": range, "text": text }]);
+                    server.handle(
+                        say("textDocument/didChange", json!({ "textDocument": document, "contentChanges": changes })),
+                        &mut out,
+                    );
+                }
+            }
+        }
+        server.catch_up(&mut out);
+        let text = server.text(uri).unwrap_or_default().to_owned();
+        prop_assert_eq!(published(&out), findings(uri, &text));
+    }
+}
