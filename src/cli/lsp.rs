@@ -23,10 +23,10 @@ pub(super) fn serve(common: &Common) -> Result<Exit, Trouble> {
     let ended = talk(&connection, common);
     drop(connection);
     threads.join().map_err(|error| error.to_string())?;
-    ended.map(|()| Exit::Clean)
+    ended
 }
 
-fn talk(connection: &Connection, common: &Common) -> Result<(), Trouble> {
+fn talk(connection: &Connection, common: &Common) -> Result<Exit, Trouble> {
     let (id, params) = connection.initialize_start().map_err(|error| error.to_string())?;
     let params: lsp_types::InitializeParams = serde_json::from_value(params).map_err(|error| error.to_string())?;
     let mut server = Server::new(OnDisk { common }, &params.capabilities);
@@ -46,14 +46,14 @@ fn talk(connection: &Connection, common: &Common) -> Result<(), Trouble> {
                 }
                 match connection.receiver.recv() {
                     Ok(message) => message,
-                    Err(_) => return Ok(()),
+                    Err(_) => return Ok(Exit::Errors),
                 }
             }
         };
         let goes_on = server.handle(message, &mut out);
         send(connection, &mut out)?;
         if !goes_on {
-            return Ok(());
+            return Ok(if server.was_shut_down() { Exit::Clean } else { Exit::Errors });
         }
     }
 }
@@ -72,22 +72,18 @@ struct OnDisk<'c> {
 }
 
 impl World for OnDisk<'_> {
-    fn setting(&self, uri: &str, language: &str, text: &str) -> Result<Setting, String> {
+    fn setting(&self, uri: &str, language: &str, text: &str) -> Result<Option<Setting>, String> {
         let path = path_of(uri).unwrap_or_else(|| PathBuf::from(uri.rsplit('/').next().unwrap_or(uri)));
         let settings = config::settings(&path, self.common)?;
         let identity = self.identity(uri);
         let name = path.file_name().map_or_else(|| text_of(&path), |name| name.to_string_lossy().into_owned());
         let head = &text.as_bytes()[..text.len().min(HEAD)];
         let said = if self.common.dialect == "auto" { language } else { self.common.dialect.as_str() };
-        let dialect = match said_dialect(&identity, &settings)? {
-            Some(dialect) => dialect,
-            None => dialect::find(said)
-                .or_else(|| dialect::guess(&name, head))
-                .ok_or_else(|| format!("which language is {name}? say it in `[dialects]` of partc.toml"))?,
-        };
+        let said = said_dialect(&identity, &settings)?.or_else(|| dialect::find(said));
+        let Some(dialect) = said.or_else(|| dialect::guess(&name, head)) else { return Ok(None) };
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let files = IncludeRoots::new(folder.to_path_buf(), settings.include.roots.clone());
-        Ok(Setting { name, identity, dialect, settings, files: Box::new(files) })
+        Ok(Some(Setting { name, identity, dialect, settings, files: Box::new(files) }))
     }
 
     fn identity(&self, uri: &str) -> String {

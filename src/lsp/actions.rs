@@ -35,7 +35,7 @@ fn ignoring(document: &Document, study: &Study, found: &Found) -> Option<TextEdi
         return None;
     }
     let [open, inner_open, inner_close, close] = document.dialect?.comment;
-    let block = study.survey.block_at(found.span.start)?;
+    let block = study.survey.block_at(found.span.start).filter(|block| !block.words.is_empty())?;
     // A block of several lines takes its comment at the end of the last one.
     let line = document.text.position(block.span.end).line as usize;
     let text = document.text.line(line);

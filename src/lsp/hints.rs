@@ -17,7 +17,7 @@ pub fn hints(document: &Document, range: Range) -> Vec<InlayHint> {
     let moving = blocks.filter_map(|block| Some((block, study.seen.stop(FileId(0), block.words.start)?)));
     let hint = |(block, stop): (&super::study::BlockPlace, &Stop)| InlayHint {
         position: document.text.position(block.words.end),
-        label: InlayHintLabel::String(place(stop)),
+        label: InlayHintLabel::String(place(stop, study.cut_off)),
         kind: None,
         text_edits: None,
         tooltip: Some(InlayHintTooltip::String(tooltip(stop))),
@@ -29,7 +29,7 @@ pub fn hints(document: &Document, range: Range) -> Vec<InlayHint> {
 }
 
 /// The known axes behind the block, and how often it ran.
-fn place(stop: &Stop) -> String {
+fn place(stop: &Stop, cut_off: bool) -> String {
     let mut text = coordinates(&stop.end);
     if text.is_empty() {
         text.push('?');
@@ -38,7 +38,8 @@ fn place(stop: &Stop) -> String {
         text.push_str(" machine");
     }
     if stop.passes > 1 {
-        text.push_str(&format!(" \u{d7}{}", stop.passes));
+        let least = if cut_off { "\u{2265}" } else { "" };
+        text.push_str(&format!(" \u{d7}{least}{}", stop.passes));
     }
     text
 }

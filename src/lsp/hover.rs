@@ -34,7 +34,10 @@ pub fn hover(document: &Document, position: Position) -> Option<Hover> {
     } else if let Some(meaning) = document.dialect.and_then(|dialect| meaning(dialect.id, shown)) {
         parts.push(format!("**{}**: {meaning}", shown.to_ascii_uppercase()));
     }
-    if let Some(name) = names::at(document, study, position) {
+    let known = |name: &names::Name<'_>| {
+        !name.uses.set.is_empty() || name.is_label || name.name.ends_with(|c: char| c.is_ascii_digit())
+    };
+    if let Some(name) = names::at(document, study, position).filter(known) {
         parts.push(used(document, &name));
         if !name.is_label {
             parts.extend(value(study, name.name, block.words));

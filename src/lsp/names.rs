@@ -92,7 +92,7 @@ pub fn definition<W: World>(document: &Document, position: Position, world: &W) 
             && let Some(number) = number
         {
             let numbered = study.survey.blocks.iter().filter(|block| block.number == Some(number));
-            set.extend(numbered.map(|block| block.words));
+            set.extend(numbered.map(|block| Span { start: block.span.start, end: block.words.start }));
         }
         return set.into_iter().map(|span| location(document, span)).collect();
     }
@@ -131,7 +131,7 @@ pub fn highlights(document: &Document, position: Position) -> Vec<DocumentHighli
 /// The range of a name that can be another one.
 pub fn can_rename(document: &Document, position: Position) -> Option<Range> {
     let study = document.study.as_ref()?;
-    let name = at(document, study, position)?;
+    let name = at(document, study, position).filter(|name| !name.uses.set.is_empty())?;
     let offset = document.text.offset(position) as u32;
     let (set, used) = name.spots(document, study);
     let here = set.into_iter().chain(used).find(|span| span.start <= offset && offset <= span.end)?;
@@ -141,8 +141,9 @@ pub fn can_rename(document: &Document, position: Position) -> Option<Range> {
 /// Every place of the name with another one.
 ///
 /// # Errors
-/// There is no name, or the new one is none of its kind or taken.
-pub fn rename(document: &Document, position: Position, new: &str) -> Result<WorkspaceEdit, String> {
+/// There is no name, or the new one is none of its kind or taken, or the name stands where it is no name: in a text, or as
+/// a part of the name of a program. `shared`: other programs that call this one, or are called, may use its variables.
+pub fn rename(document: &Document, position: Position, new: &str, shared: bool) -> Result<WorkspaceEdit, String> {
     let study = document.study.as_ref().ok_or("the program cannot be read")?;
     let name = at(document, study, position).ok_or("there is no label or variable here")?;
     let new = new.trim().trim_matches('"');
@@ -154,10 +155,13 @@ pub fn rename(document: &Document, position: Position, new: &str) -> Result<Work
     let fits = if name.is_label { digits(new) == digits(bare) } else { alike(bare, new) };
     let taken = document.dialect.is_some_and(|dialect| meaning(dialect.id, new).is_some());
     if !word(new) || !fits || taken {
-        return Err(format!("`{new}` is no other name for `{bare}`"));
+        return Err(format!("`{new}` cannot stand in place of `{bare}`: a name of the same kind is needed"));
     }
-    let names = if name.is_label { &study.survey.labels } else { &study.survey.variables };
-    if names.keys().any(|known| parts(known).1.eq_ignore_ascii_case(new)) {
+    if shared && !name.is_label {
+        return Err(format!("`{bare}` may be used by the programs that are called, or that call this one"));
+    }
+    let mut names = study.survey.labels.keys().chain(study.survey.variables.keys());
+    if names.any(|known| parts(known).1.eq_ignore_ascii_case(new)) {
         return Err(format!("`{new}` is in use already"));
     }
     if name.uses.set.is_empty() {
@@ -167,21 +171,45 @@ pub fn rename(document: &Document, position: Position, new: &str) -> Result<Work
     let mut all: Vec<Span> = all.collect::<Option<_>>().ok_or("not every place of the name can be found")?;
     all.sort_unstable_by_key(|span| span.start);
     all.dedup();
+    if let Some(hidden) = all.iter().find(|span| !name.is_label && is_text(document, study, **span)) {
+        let line = document.text.position(hidden.start).line + 1;
+        return Err(format!("`{bare}` stands in a text or in a name in line {line}, too"));
+    }
     let edits = all.into_iter().map(|span| TextEdit { range: document.text.range(span), new_text: new.to_owned() });
     #[expect(clippy::mutable_key_type, reason = "the protocol's own type")]
     let changes = HashMap::from([(document.uri.clone(), edits.collect())]);
     Ok(WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() })
 }
 
+/// Does the place lie in quotation marks, or in a block that names a file?
+fn is_text(document: &Document, study: &Study, span: Span) -> bool {
+    let Some(block) = study.survey.block_at(span.start) else { return true };
+    let front = Span { start: block.span.start, end: span.start }.of(document.text.bytes());
+    let quoted = front.iter().filter(|b| **b == b'"').count() % 2 == 1;
+    let words = block.words.of(document.text.bytes());
+    let names_a_file = ["PGM", "F-PRINT", "TABLE", "PATTERN"]
+        .iter()
+        .any(|word| words.windows(word.len()).any(|part| part.eq_ignore_ascii_case(word.as_bytes())));
+    quoted || names_a_file
+}
+
 /// Are both variables of a kind: letters and a number, or names?
 fn alike(old: &str, new: &str) -> bool {
-    let front = |text: &str| text.trim_end_matches(|c: char| c.is_ascii_digit()).to_ascii_uppercase();
-    let numbered = |text: &str| front(text).len() < text.len() && front(text).len() <= 2;
-    match (numbered(old), numbered(new)) {
-        (true, true) => front(old).as_bytes().first() == front(new).as_bytes().first(),
-        (false, false) => true,
-        _ => false,
-    }
+    let kind = |text: &str| {
+        let text = text.to_ascii_uppercase();
+        let front = text.trim_end_matches(|c: char| c.is_ascii_digit());
+        let known =
+            ["Q", "QL", "QR", "QS", "R", "#", "@"].into_iter().find(|kind| *kind == front && front.len() < text.len());
+        // Q100 to Q199 belong to the control.
+        let number: u32 = text[front.len()..].parse().unwrap_or(0);
+        (known, front == "Q" && (100..200).contains(&number))
+    };
+    let ((old, _), (new, reserved)) = (kind(old), kind(new));
+    let text = |kind: Option<&str>| kind == Some("QS");
+    old.is_some() == new.is_some()
+        && old.and_then(|kind| kind.chars().next()) == new.and_then(|kind| kind.chars().next())
+        && text(old) == text(new)
+        && !reserved
 }
 
 fn location(document: &Document, span: Span) -> Location {

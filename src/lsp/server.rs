@@ -23,11 +23,11 @@ const MOST_STEPS: u64 = 1_000_000;
 
 /// What a document is to the file system: the command line knows, tests make it up.
 pub trait World {
-    /// What a document with this text is compiled with.
+    /// What a document with this text is compiled with; `None` where it is in no language of parts.
     ///
     /// # Errors
-    /// The configuration cannot be read, or nobody knows the language.
-    fn setting(&self, uri: &str, language: &str, text: &str) -> Result<Setting, String>;
+    /// The configuration cannot be read.
+    fn setting(&self, uri: &str, language: &str, text: &str) -> Result<Option<Setting>, String>;
     /// What tells the file of `uri` apart, as [`Opened::identity`] does.
     fn identity(&self, uri: &str) -> String;
     /// The address of a file.
@@ -147,12 +147,17 @@ impl<W: World> Server<W> {
                 if said.method == "exit" {
                     return false;
                 }
-                self.hear(said);
+                self.hear(said, out);
             }
             // Nothing is asked whose answer matters.
             Message::Response(_) => {}
         }
         true
+    }
+
+    /// Did the client say that it is about to go?
+    pub fn was_shut_down(&self) -> bool {
+        self.shut
     }
 
     /// Is there something to do before the next message?
@@ -185,7 +190,7 @@ impl<W: World> Server<W> {
         self.documents.get(uri).map(|document| document.text.as_str())
     }
 
-    fn hear(&mut self, said: Notification) {
+    fn hear(&mut self, said: Notification, out: &mut Vec<Message>) {
         match said.method.as_str() {
             "textDocument/didOpen" => {
                 let Some(lsp::DidOpenTextDocumentParams { text_document: opened }) = read(said.params) else { return };
@@ -212,11 +217,14 @@ impl<W: World> Server<W> {
                 for change in changed.content_changes {
                     document.text.change(change.range, &change.text);
                 }
-                self.forget_studies();
+                let identity = document.identity.clone();
+                self.forget_studies_of(&identity);
             }
             "textDocument/didClose" => {
                 let Some(closed) = read::<lsp::DidCloseTextDocumentParams>(said.params) else { return };
                 self.documents.remove(closed.text_document.uri.as_str());
+                let params = lsp::PublishDiagnosticsParams::new(closed.text_document.uri, Vec::new(), None);
+                out.push(notification("textDocument/publishDiagnostics", &params));
                 self.forget_studies();
             }
             // A configuration, a tool table or a called program may be another one.
@@ -224,6 +232,17 @@ impl<W: World> Server<W> {
                 self.forget_studies();
             }
             _ => {}
+        }
+    }
+
+    /// The text of a file changed: it counts for its document, and for those that call it.
+    fn forget_studies_of(&mut self, identity: &str) {
+        for document in self.documents.values_mut() {
+            let calls = |study: &Study| study.files.iter().any(|(_, file)| file == identity);
+            if document.identity == identity || document.study.as_ref().is_none_or(calls) {
+                document.study = None;
+                document.unsaid = true;
+            }
         }
     }
 
@@ -240,17 +259,19 @@ impl<W: World> Server<W> {
         let document = self.documents.get(uri)?;
         if document.study.is_none() {
             let made = self.world.setting(uri, &document.language, document.text.as_str()).map(|setting| {
+                let setting = setting?;
                 let files = WithOpen { files: setting.files.as_ref(), open: self.open_beside(document) };
                 let settings = bounded(setting.settings);
                 let (name, text) = (setting.name.as_str(), document.text.as_str());
                 let made = study(name, &setting.identity, text, setting.dialect, &settings, &files);
-                (made, setting.dialect)
+                Some((made, setting.dialect))
             });
             let document = self.documents.get_mut(uri)?;
             match made {
-                Ok((made, dialect)) => {
+                Ok(Some((made, dialect))) => {
                     (document.study, document.dialect, document.trouble) = (Some(made), Some(dialect), None);
                 }
+                Ok(None) => (document.study, document.dialect, document.trouble) = (Some(Study::default()), None, None),
                 Err(trouble) => {
                     (document.study, document.trouble) = (Some(Study::default()), Some(trouble));
                 }
@@ -342,7 +363,12 @@ impl<W: World> Server<W> {
         let uri = place.text_document.uri.as_str();
         self.study(uri);
         let document = self.documents.get(uri).ok_or_else(|| format!("{uri} is not open"))?;
-        let edit = names::rename(document, place.position, &params.new_name)?;
+        let calls = |other: &Document| {
+            other.identity != document.identity
+                && other.study.iter().flat_map(|study| &study.files).any(|(_, file)| *file == document.identity)
+        };
+        let shared = self.documents.values().any(calls) || document.study.iter().any(|study| study.files.len() > 1);
+        let edit = names::rename(document, place.position, &params.new_name, shared)?;
         let mut changed = document.text.clone();
         let edits = edit.changes.iter().flat_map(|changes| changes.values().flatten());
         let mut edits: Vec<&lsp::TextEdit> = edits.collect();
@@ -360,6 +386,7 @@ impl<W: World> Server<W> {
     /// What the document would do with this text, as one number, and how many errors it would have.
     fn imprint(&self, document: &Document, text: &str) -> Result<(u128, u32), String> {
         let setting = self.world.setting(document.uri.as_str(), &document.language, text)?;
+        let setting = setting.ok_or("the language of the program is not known")?;
         let main = Opened {
             name: setting.name.clone(),
             identity: setting.identity.clone(),

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::diag::trail::Assigned;
-use crate::diag::{Code, Finding, Severity};
+use crate::diag::{Code, Finding, Severity, codes};
 use crate::dialect::Dialect;
 use crate::driver::Session;
 use crate::lint::fix::Fix;
@@ -21,6 +21,8 @@ pub struct Study {
     pub fixes: Vec<Fix>,
     pub seen: Seen,
     pub survey: Survey,
+    /// The program was given up before its end.
+    pub cut_off: bool,
     /// What variables got, in order.
     pub values: Vec<Assigned>,
     /// Files of the run by their numbers: name, and what tells them apart.
@@ -90,6 +92,7 @@ pub fn study(
     study.files =
         (0..sources.len()).map(|at| FileId(at as u16)).map(|id| (sources.name(id), sources.identity(id))).collect();
     for found in diags.into_sorted() {
+        study.cut_off |= found.code.id == codes::P4001.id;
         let own = found.label.loc.file == FileId(0);
         let outermost = trail.sites(found.call).pop().filter(|site| site.file == FileId(0));
         let span = if own { Some(found.label.loc.span) } else { outermost.map(|site| site.span) };

@@ -14,10 +14,10 @@ use crate::text::files::NoFiles;
 struct Nowhere;
 
 impl World for Nowhere {
-    fn setting(&self, uri: &str, _: &str, text: &str) -> Result<Setting, String> {
-        let dialect = dialect::guess(uri, text.as_bytes()).ok_or("which language?")?;
+    fn setting(&self, uri: &str, _: &str, text: &str) -> Result<Option<Setting>, String> {
+        let Some(dialect) = dialect::guess(uri, text.as_bytes()) else { return Ok(None) };
         let (name, identity) = (uri.to_owned(), uri.to_owned());
-        Ok(Setting { name, identity, dialect, settings: Settings::default(), files: Box::new(NoFiles) })
+        Ok(Some(Setting { name, identity, dialect, settings: Settings::default(), files: Box::new(NoFiles) }))
     }
 
     fn identity(&self, uri: &str) -> String {

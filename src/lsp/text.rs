@@ -64,7 +64,8 @@ impl Text {
     }
 
     pub fn range(&self, span: Span) -> Range {
-        Range { start: self.position(span.start), end: self.position(span.end) }
+        let end = self.text.ceil_char_boundary((span.end as usize).min(self.text.len()));
+        Range { start: self.position(span.start), end: self.position(end as u32) }
     }
 
     /// The byte at a place; behind the end of a line it is the end of the line, behind the last line that of the text.

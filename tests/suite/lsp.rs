@@ -291,6 +291,51 @@ fn names_are_found_and_renamed() {
     client.end();
 }
 
+/// A name in a text or in the name of a program is another matter, and so are variables that programs share.
+#[test]
+fn renames_that_would_do_more_are_refused() {
+    let folder = Folder::new("lsp_renames").with(&[("SUB.H", "0 BEGIN PGM SUB MM\n1 L X+Q3 F100\n2 END PGM SUB MM\n")]);
+    let mut client = Client::start(&folder, json!({}));
+    let program =
+        |middle: &str| format!("0 BEGIN PGM A MM\n1 Q1 = 5\n2 Q3 = 6\n{middle}\n4 L X+Q1 R0 FMAX\n5 END PGM A MM\n");
+    for middle in
+        ["3 QS1 = \"Q1 mm\"", "3 FN 16: F-PRINT TNC:\\x.a / TNC:\\Q1.txt", "3 CALL PGM TNC:\\Q1.h", "3 LBL \"Q1\""]
+    {
+        let uri = client.open(&folder, "A.H", &program(middle));
+        let refused = client.at("textDocument/rename", &uri, 1, 3, json!({ "newName": "Q5" }));
+        assert!(refused["error"]["message"].is_string(), "{middle}: {refused}");
+    }
+    let uri = client.open(&folder, "A.H", &program("3 ;"));
+    for (name, taken) in [("Q5", false), ("Q3", true), ("Q108", true), ("QS5", true)] {
+        let answer = client.at("textDocument/rename", &uri, 1, 3, json!({ "newName": name }));
+        assert_eq!(answer["error"].is_object(), taken, "{name}: {answer}");
+    }
+    // The called program reads Q3, and the other way round.
+    let caller = client.open(&folder, "A.H", &program("3 CALL PGM SUB.H"));
+    let called = client.open(&folder, "SUB.H", "0 BEGIN PGM SUB MM\n1 Q3 = 1\n2 L X+Q3 F100\n3 END PGM SUB MM\n");
+    client.hints(&caller);
+    for (uri, line) in [(&caller, 2), (&called, 1)] {
+        let refused = client.at("textDocument/rename", uri, line, 3, json!({ "newName": "Q60" }));
+        assert!(refused["error"]["message"].as_str().unwrap_or_default().contains("Q3"), "{refused}");
+    }
+    client.end();
+}
+
+#[test]
+fn a_closed_document_has_no_findings_and_others_are_let_alone() {
+    let folder = Folder::new("lsp_closed").with(&[]);
+    let mut client = Client::start(&folder, json!({}));
+    let uri = client.open(&folder, "T.H", POLAR);
+    let notes = client.open(&folder, "notes.txt", "which language is this\n");
+    assert!(!client.findings(&uri, 1).is_empty() && client.findings(&notes, 1).is_empty());
+    client.say("textDocument/didClose", json!({ "textDocument": { "uri": uri } }));
+    let message = client.receive();
+    assert_eq!((&message["params"]["uri"], &message["params"]["diagnostics"]), (&json!(uri), &json!([])));
+    client.say("exit", Value::Null);
+    // Nobody asked for the shutdown.
+    assert_eq!(client.server.wait().expect("an end").code(), Some(1));
+}
+
 #[test]
 fn symbols_folds_tokens_and_completion() {
     let folder = Folder::new("lsp_symbols").with(&[("partc.toml", "[tools]\nunit = \"mm\"\n[tools.3]\nradius = 4\n")]);
