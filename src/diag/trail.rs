@@ -25,7 +25,7 @@ pub struct Trail {
 }
 
 /// Most assignments that are remembered.
-const MOST_ASSIGNED: usize = 1 << 18;
+pub const MOST_ASSIGNED: usize = 1 << 18;
 
 /// A variable got a number.
 #[derive(Debug, Clone, PartialEq)]

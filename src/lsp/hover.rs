@@ -4,7 +4,7 @@ use core::fmt::Write;
 
 use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind, Position};
 
-use crate::diag::trail::Assigned;
+use crate::diag::trail::{Assigned, MOST_ASSIGNED};
 use crate::ir::{Feed, Side};
 use crate::seen::Stop;
 use crate::sema::cycle_table::{Name as ParameterName, Parameter, Signature};
@@ -102,11 +102,21 @@ fn value(study: &Study, name: &str, words: Span) -> Option<String> {
     let here = |assigned: &&Assigned| assigned.loc.file == FileId(0) && assigned.loc.span.start == words.start;
     if let (Some(first), Some(last)) = (all().find(here), all().rfind(here)) {
         let times = all().filter(here).count();
-        let more =
-            if times > 1 { format!(" first, {} last of {times} times", exact(last.value)) } else { String::new() };
+        // Behind what is remembered there may be more.
+        let whole = !study.cut_off && study.values.len() < MOST_ASSIGNED;
+        let more = match (times, whole) {
+            (1, true) => String::new(),
+            (_, true) => format!(" first, {} last of {times} times", exact(last.value)),
+            (_, false) => " first".to_owned(),
+        };
         return Some(format!("= {}{more}", exact(first.value)));
     }
     let stop = study.seen.stop(FileId(0), words.start)?;
+    // What was assigned in front of the block is known where the list goes on behind it.
+    let goes_on = study.values.last().is_some_and(|last| last.step > stop.step);
+    if study.values.len() == MOST_ASSIGNED && !goes_on {
+        return None;
+    }
     let last = all().take_while(|assigned| assigned.step <= stop.step).last()?;
     Some(format!("= {}", exact(last.value)))
 }

@@ -8,22 +8,22 @@ pub fn meaning(dialect: &str, word: &str) -> Option<&'static str> {
     let word = spelling(word);
     let tables: &[&[Meaning]] = match dialect {
         "klartext" => &[KLARTEXT, M],
-        "sinumerik" => &[SINUMERIK, G, M],
+        "sinumerik" => &[SINUMERIK, METRIC, G, M],
         "heidenhain-turning" => &[TURNING, M],
-        "mtc200" => &[MTC200, G, M],
-        _ => &[G, M],
+        "mtc200" => &[MTC200, METRIC, G, M],
+        _ => &[GCODE, G],
     };
     tables.iter().find_map(|table| table.iter().find(|(name, _)| *name == word)).map(|(_, meaning)| *meaning)
 }
 
 /// All words of a dialect.
 pub fn all(dialect: &str) -> impl Iterator<Item = (&'static str, &'static str)> {
-    let tables: [&'static [Meaning]; 3] = match dialect {
-        "klartext" => [KLARTEXT, M, &[]],
-        "sinumerik" => [SINUMERIK, G, M],
-        "heidenhain-turning" => [TURNING, M, &[]],
-        "mtc200" => [MTC200, G, M],
-        _ => [G, M, &[]],
+    let tables: [&'static [Meaning]; 4] = match dialect {
+        "klartext" => [KLARTEXT, M, &[], &[]],
+        "sinumerik" => [SINUMERIK, METRIC, G, M],
+        "heidenhain-turning" => [TURNING, M, &[], &[]],
+        "mtc200" => [MTC200, METRIC, G, M],
+        _ => [GCODE, G, &[], &[]],
     };
     tables.into_iter().flatten().copied()
 }
@@ -70,19 +70,39 @@ const G: &[Meaning] = &[
     ("G40", "radius compensation off"),
     ("G41", "radius compensation, tool left of the contour"),
     ("G42", "radius compensation, tool right of the contour"),
-    ("G53", "no offset: coordinates of the machine, for this block"),
     ("G54", "work offset 1"),
     ("G55", "work offset 2"),
     ("G56", "work offset 3"),
     ("G57", "work offset 4"),
-    ("G70", "inches"),
-    ("G71", "millimetres"),
     ("G90", "absolute coordinates"),
     ("G91", "incremental coordinates"),
     ("G94", "feed per minute"),
     ("G95", "feed per revolution"),
     ("G96", "constant cutting speed"),
     ("G97", "constant speed of the spindle"),
+];
+
+/// On LinuxCNC these two are cycles of lathes.
+const METRIC: &[Meaning] = &[("G70", "inches"), ("G71", "millimetres")];
+
+/// LinuxCNC.
+const GCODE: &[Meaning] = &[
+    ("G53", "coordinates of the machine, for this block"),
+    ("G20", "inches"),
+    ("G21", "millimetres"),
+    ("G43", "tool length compensation"),
+    ("G49", "tool length compensation off"),
+    ("M0", "program stop"),
+    ("M1", "optional stop"),
+    ("M2", "end of the program"),
+    ("M3", "spindle clockwise"),
+    ("M4", "spindle counter-clockwise"),
+    ("M5", "spindle stop"),
+    ("M6", "tool change"),
+    ("M7", "mist coolant on"),
+    ("M8", "flood coolant on"),
+    ("M9", "coolant off"),
+    ("M30", "end of the program, and back to its start"),
 ];
 
 const KLARTEXT: &[Meaning] = &[
@@ -158,6 +178,7 @@ const SINUMERIK: &[Meaning] = &[
     ("SUPA", "no offset: coordinates of the machine, for this block"),
     ("GOTOF", "jumps forward"),
     ("GOTOB", "jumps back"),
+    ("G53", "no offset, for this block"),
     ("G60", "exact stop"),
     ("G64", "continuous path"),
     ("G110", "pole, from the last position"),
@@ -185,15 +206,17 @@ const TURNING: &[Meaning] = &[
 ];
 
 const MTC200: &[Meaning] = &[
-    ("G8", "continuous path"),
-    ("G9", "exact stop"),
-    ("G20", "pole"),
-    ("G48", "chamfer or rounding at corners"),
-    ("BST", "jump back to a label"),
-    ("BRA", "jump"),
-    ("JSR", "calls a subprogram"),
-    ("RET", "end of the program"),
-    ("RTS", "end of the subprogram"),
+    ("G8", "block transition at the best velocity"),
+    ("G9", "slows down at the block transition"),
+    ("G20", "free selection of the plane"),
+    ("G47", "tool length compensation off"),
+    ("G53", "cancels the zero offsets"),
+    ("G48", "tool length compensation on"),
+    ("BST", "stops, and goes on at the label at the next start"),
+    ("BRA", "jumps to a label"),
+    ("JSR", "calls a program as a subroutine"),
+    ("RET", "end of the program, back to its beginning"),
+    ("RTS", "end of the subroutine"),
 ];
 
 #[cfg(test)]
@@ -207,6 +230,9 @@ mod tests {
         assert_eq!(meaning("klartext", "m30"), meaning("mtc200", "M30"));
         assert_eq!(meaning("gcode", "G00"), Some("rapid traverse"));
         assert_eq!(meaning("klartext", "Q200"), None);
+        // The same word is another one on another control.
+        assert_eq!((meaning("mtc200", "G71"), meaning("gcode", "G71")), (Some("millimetres"), None));
+        assert_eq!(meaning("mtc200", "G20"), Some("free selection of the plane"));
     }
 
     #[test]
