@@ -119,13 +119,7 @@ impl Compensation {
     }
 
     /// What is wrong with `mv`, and what to do.
-    fn obstacle(
-        &self,
-        mv: &Move,
-        selected: Plane,
-        planes: &[Plane],
-        way: Way,
-    ) -> Option<(&'static str, &'static str)> {
+    fn obstacle(&self, mv: &Move, selected: Plane, planes: &[Plane], way: Way) -> Option<(&'static str, &'static str)> {
         let on = self.side != Side::None;
         if on != (mv.side != Side::None) && !way.in_plane {
             // The first move in the plane would become the way to or from the contour.

@@ -171,9 +171,17 @@ const BUILT: &[Built] = &[
         silent: || on("fanuc", "T99 D1\nM6\nG1 G41 X50 Y9 F100\nY50\nG40 X99", FAR_TOOL),
     },
     Built { code: "O1006", fires: || on("fanuc", "S10.4 M3", ""), silent: || on("linuxcnc", "S10.4 M3", "") },
-    Built { code: "O1006", fires: || on("linuxcnc", "G95 G1 X5 F0.0012", INCHES), silent: || on("linuxcnc", "G95 G1 X5 F0.127", INCHES) },
+    Built {
+        code: "O1006",
+        fires: || on("linuxcnc", "G95 G1 X5 F0.0012", INCHES),
+        silent: || on("linuxcnc", "G95 G1 X5 F0.127", INCHES),
+    },
     Built { code: "O1007", fires: || on("fanuc", "S0.5 M3", ""), silent: || on("linuxcnc", "S0.5 M3", "") },
-    Built { code: "O1007", fires: || on("linuxcnc", "G95 G1 X5 F0.0004", INCHES), silent: || on("linuxcnc", "G95 G1 X5 F0.0508", INCHES) },
+    Built {
+        code: "O1007",
+        fires: || on("linuxcnc", "G95 G1 X5 F0.0004", INCHES),
+        silent: || on("linuxcnc", "G95 G1 X5 F0.0508", INCHES),
+    },
     Built { code: "O9335", fires: || on("haas", ARC, THREE), silent: || on("haas", ARC, INCHES) },
     Built { code: "O9317", fires: || on("fanuc", "M8", LATHE), silent: || on("fanuc-lathe", "M8", LATHE) },
     Built {

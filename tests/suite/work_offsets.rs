@@ -59,9 +59,8 @@ const ROWS: [Row; 4] = [
 ];
 
 fn print(row: &Row, target: &str, blocks: &[&str], datums: &str) -> Compiled {
-    let mut settings = settings(&format!(
-        "[datums]\n{datums}\n[output]\npass_m = [3, 5]\nrapid_feed = 3000\ntool_length = \"off\"\n"
-    ));
+    let mut settings =
+        settings(&format!("[datums]\n{datums}\n[output]\npass_m = [3, 5]\nrapid_feed = 3000\ntool_length = \"off\"\n"));
     settings.output.target = target::find(target).expect("a target");
     let text = format!("{}{}{}", row.head, blocks.concat(), row.tail);
     compile_bytes(row.file, text.into_bytes(), row.dialect, &settings, &NoFiles)

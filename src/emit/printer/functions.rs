@@ -315,7 +315,9 @@ impl Printer<'_> {
                 // Every front end names its own word before.
                 let help = match self.target.offset_range() {
                     Some(range) => format!("set the part up in one of {range}"),
-                    None => "take the word out: positions count from where the part is set up on the machine".to_owned(),
+                    None => {
+                        "take the word out: positions count from where the part is set up on the machine".to_owned()
+                    }
                 };
                 self.lacks(codes::O9310, origin, "this work offset", &help);
             }

@@ -199,7 +199,8 @@ impl Printer<'_> {
         if another || self.diags.first_time(code) {
             let printed = units as f64 / places.power() as f64;
             let (percent, more) = (off.abs() * 100.0, if off > 0.0 { "more" } else { "less" });
-            let message = format!("the {what} prints as {printed}, which is {percent:.1} % {more} than the program says");
+            let message =
+                format!("the {what} prints as {printed}, which is {percent:.1} % {more} than the program says");
             let key = if what == "speed" { "speed" } else { "feed" };
             let help = format!(
                 "print more places where the target reads them (`[output] decimals.{key}`), or program a {what} that can be said"

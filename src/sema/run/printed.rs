@@ -120,7 +120,8 @@ impl<L: Language> Core<'_, L> {
             let message = format!("the target {} has no work offsets, and the program selects {said}", target.name);
             return self.fail_help(codes::O9310, place, message, help);
         };
-        let printed = if name.is_mapped() { format!(", which `[datums]` maps to number {number},") } else { String::new() };
+        let printed =
+            if name.is_mapped() { format!(", which `[datums]` maps to number {number},") } else { String::new() };
         let message = format!("the target {} has no word for {said}{printed}: it has {range}", target.name);
         let key = name.key();
         let help: Help = match name {
