@@ -15,7 +15,9 @@ void main() {
   bool off = what.x == 255u || (what.x & needs) != 0u || (kind == 0u && (show & 1) == 0) || ((hidden >> tool) & 1u) != 0u;
   vec2 p = (rows * (a - center)).xy * scale, q = (rows * (b - center)).xy * scale;
   vec2 d = q - p; float l = length(d); d = l > 1e-4 ? d / l : vec2(1.0, 0.0);
-  float w = width * (kind == 0u ? 0.6 : 1.0);
+  // Seen along its own direction a cut is a point: where a drill goes in.
+  bool deep = kind != 0u && l < 1.0 && length(b - a) * scale > 4.0;
+  float w = width * (kind == 0u ? 0.6 : deep ? 3.2 : 1.0);
   float e = float(gl_VertexID & 1), s = float(gl_VertexID >> 1) * 2.0 - 1.0;
   // Rounded enough: each end goes half the width further.
   vec2 at = mix(p - d * w * 0.5, q + d * w * 0.5, e) + vec2(-d.y, d.x) * s * w * 0.5;
