@@ -171,16 +171,18 @@ impl Session {
     /// Reads all blocks, also those that never run, runs the program while rules look on, and prints nothing. Gives what
     /// would mend some of the findings.
     pub fn check(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> Vec<Fix> {
-        self.check_seen(dialect, settings, files, None)
+        self.check_seen(dialect, settings, files, None, &|| true)
     }
 
-    /// The same, and notes where the blocks lead.
+    /// The same, and notes where the blocks lead. Where it `goes_on` no more, it is given up, and nothing that was found
+    /// may be used.
     pub fn check_seen(
         &self,
         dialect: &Dialect,
         settings: &Settings,
         files: &dyn Files,
         seen: Option<&mut Seen>,
+        goes_on: &dyn Fn() -> bool,
     ) -> Vec<Fix> {
         let policy = self.judge(dialect, settings);
         let settings = dialect.settings(settings);
@@ -188,7 +190,7 @@ impl Session {
         (dialect.check_form)(&self.job(settings, files));
         self.diags.begin_run();
         let checks = Checks::new(settings, &self.sources, dialect.survey, &policy, &self.diags);
-        let mut nowhere = Nowhere;
+        let mut nowhere = While { goes_on };
         // An output of the target finds what only shows in printed numbers.
         let mut printer = Printer::new(settings, "", &self.diags, &mut nowhere, None);
         let hash = match checks.watch() {
@@ -201,6 +203,9 @@ impl Session {
             None => self.run_watched(dialect, settings, files, &mut printer, (None, seen)),
         };
         let _ = printer.finish(hash);
+        if !goes_on() {
+            return Vec::new();
+        }
         if let Some(check_unexecuted) = dialect.check_unexecuted {
             check_unexecuted(&self.job(settings, files));
         }
@@ -329,6 +334,21 @@ struct Nowhere;
 impl Output for Nowhere {
     fn append(&mut self, _: &[u8]) -> io::Result<()> {
         Ok(())
+    }
+
+    fn patch(&mut self, _: u64, _: &[u8]) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// One that keeps nothing, and takes no more where nobody waits for it any longer.
+struct While<'w> {
+    goes_on: &'w dyn Fn() -> bool,
+}
+
+impl Output for While<'_> {
+    fn append(&mut self, _: &[u8]) -> io::Result<()> {
+        if (self.goes_on)() { Ok(()) } else { Err(io::ErrorKind::Interrupted.into()) }
     }
 
     fn patch(&mut self, _: u64, _: &[u8]) -> io::Result<()> {

@@ -35,12 +35,12 @@ fn talk(connection: &Connection, common: &Common) -> Result<Exit, Trouble> {
     connection.initialize_finish(id, answer).map_err(|error| error.to_string())?;
     let mut out = Vec::new();
     loop {
-        // What is written while a program runs is taken together.
+        // What is written while a program runs ends the run, and is taken together.
         let message = match connection.receiver.try_recv() {
             Ok(message) => message,
             Err(_) => {
                 if server.is_behind() {
-                    server.catch_up(&mut out);
+                    server.catch_up(&|| !connection.receiver.is_empty(), &mut out);
                     send(connection, &mut out)?;
                     continue;
                 }

@@ -119,6 +119,20 @@ pub struct Step<'s> {
     pub of_cycle: bool,
     /// The cycle taps with a compensating chuck.
     pub of_tap: bool,
+    sideways: bool,
+}
+
+impl<'s> Step<'s> {
+    fn new(mv: &'s Move, from: &'s Pos, origin: &'s Origin) -> Step<'s> {
+        let mut to = *from;
+        to.update(&mv.end);
+        let mut step = Step { mv, from, to, origin, of_cycle: false, of_tap: false, sideways: false };
+        let (first, second, _) = mv.plane.axes();
+        let moves = |axis: usize| step.way(Axis::ALL[axis]).is_none_or(|way| way.abs() > TINY);
+        let moves = [first, second].into_iter().any(|axis| mv.axes.contains(Axis::ALL[axis]) && moves(axis));
+        step.sideways = moves || matches!(mv.path, Path::Arc(..));
+        step
+    }
 }
 
 impl Step<'_> {
@@ -165,10 +179,7 @@ impl Step<'_> {
 
     /// Does it move an axis of the working plane?
     pub fn goes_sideways(&self) -> bool {
-        let (first, second, _) = self.mv.plane.axes();
-        let moves = |axis: usize| self.way(Axis::ALL[axis]).is_none_or(|way| way.abs() > TINY);
-        [first, second].into_iter().any(|axis| self.mv.axes.contains(Axis::ALL[axis]) && moves(axis))
-            || matches!(self.mv.path, Path::Arc(..))
+        self.sideways
     }
 }
 
@@ -214,6 +225,10 @@ impl<'d> Say<'d> {
 
 /// A rule over what the program does. Each method sees the machine as it was before.
 pub trait MotionRule {
+    /// Does it look at moves at all?
+    fn wants_moves(&self) -> bool {
+        true
+    }
     fn movement(&mut self, _: &Step<'_>, _: &Machine, _: Say<'_>) {}
     fn function(&mut self, _: &Function, _: &Machine, _: &Origin, _: Say<'_>) {}
     /// Nobody knows where the tool is.
@@ -226,6 +241,8 @@ pub trait MotionRule {
 /// are asked no more.
 pub struct Watch<'a> {
     rules: Vec<Box<dyn MotionRule + 'a>>,
+    /// Those of the rules that look at moves.
+    moving: Vec<usize>,
     machine: Machine,
     diags: &'a Diags,
     /// The block of the last cycle.
@@ -246,7 +263,9 @@ pub type Watching<'a> = Rc<RefCell<Watch<'a>>>;
 
 impl<'a> Watch<'a> {
     pub fn new(rules: Vec<Box<dyn MotionRule + 'a>>, diags: &'a Diags) -> Watching<'a> {
-        let watch = Watch { rules, machine: Machine::default(), diags, cycle: None, taps: false, side: Side::None };
+        let moving = rules.iter().enumerate().filter(|(_, rule)| rule.wants_moves()).map(|(at, _)| at).collect();
+        let watch =
+            Watch { rules, moving, machine: Machine::default(), diags, cycle: None, taps: false, side: Side::None };
         Rc::new(RefCell::new(watch))
     }
 
@@ -260,14 +279,16 @@ impl<'a> Watch<'a> {
     }
 
     fn movement(&mut self, mv: &Move, origin: &Origin) {
-        let mut to = self.machine.at;
-        to.update(&mv.end);
-        let of_cycle = self.cycle.is_some_and(|cycle| cycle == *origin);
-        let of_tap = of_cycle && self.taps;
-        let step = Step { mv, from: &self.machine.at, to, origin, of_cycle, of_tap };
-        let say = Say::to(self.diags);
-        for rule in self.rules.iter_mut().filter(|_| !self.diags.has_failed()) {
-            rule.movement(&step, &self.machine, say);
+        let mut step = Step::new(mv, &self.machine.at, origin);
+        step.of_cycle = self.cycle.is_some_and(|cycle| cycle == *origin);
+        step.of_tap = step.of_cycle && self.taps;
+        let to = step.to;
+        // What rules find ends nothing.
+        if !self.diags.has_failed() {
+            let say = Say::to(self.diags);
+            for &rule in &self.moving {
+                self.rules[rule].movement(&step, &self.machine, say);
+            }
         }
         let last = if step.is_rapid() || mv.machine { Last::Rapid } else { Last::Cut };
         self.machine.last = last;

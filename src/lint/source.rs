@@ -11,6 +11,10 @@ use super::motion::{Bar, Blank, Say};
 /// A rule over the blocks of the main program.
 pub trait SourceRule {
     fn block(&mut self, block: &Read<'_>, say: &mut Told<'_>);
+    /// Does the next straight line matter? See [`Visitor::passes_straight`].
+    fn wants_straight(&self) -> bool {
+        false
+    }
     /// The file has no further block.
     fn finish(&mut self, _: &mut Told<'_>) {}
 }
@@ -99,6 +103,10 @@ impl Visitor for Reader<'_> {
         true
     }
 
+    fn passes_straight(&self) -> bool {
+        !self.rules.iter().any(|rule| rule.wants_straight())
+    }
+
     fn block(&mut self, block: &Surveyed<'_>, job: &Job<'_>) {
         let Reader { rules, say, fixes } = self;
         let mut told = Told { say: *say, fixes };
@@ -150,6 +158,10 @@ impl Visitor for FindsBlank {
     }
 
     fn items(&self) -> bool {
+        true
+    }
+
+    fn passes_straight(&self) -> bool {
         true
     }
 

@@ -94,8 +94,11 @@ pub fn definition<W: World>(document: &Document, position: Position, world: &W) 
             let numbered = study.survey.blocks.iter().filter(|block| block.number == Some(number));
             set.extend(numbered.map(|block| Span { start: block.span.start, end: block.words.start }));
         }
-        return set.into_iter().map(|span| location(document, span)).collect();
+        if !set.is_empty() {
+            return set.into_iter().map(|span| location(document, span)).collect();
+        }
     }
+    // A name that nothing sets may be that of a program.
     called(document, study, position, world).into_iter().collect()
 }
 

@@ -165,19 +165,26 @@ impl<W: World> Server<W> {
         self.documents.values().any(|document| document.unsaid)
     }
 
-    /// Publishes what is known of the documents that changed.
-    pub fn catch_up(&mut self, out: &mut Vec<Message>) {
+    /// Publishes what is known of the documents that changed. A check that is not wanted any more, since there `is_more` to
+    /// hear, is given up, and made anew the next time.
+    pub fn catch_up(&mut self, is_more: &dyn Fn() -> bool, out: &mut Vec<Message>) {
         let uris: Vec<String> =
             self.documents.iter().filter(|(_, document)| document.unsaid).map(|(uri, _)| uri.clone()).collect();
+        let mut said = false;
         for uri in &uris {
-            self.study(uri);
+            self.study_while(uri, &|| !is_more());
+            let studied = self.documents.get(uri).is_some_and(|document| document.study.is_some());
+            if !studied {
+                break;
+            }
+            said = true;
             if let Some(document) = self.documents.get_mut(uri) {
                 document.unsaid = false;
                 let params = published(document, &self.world);
                 out.push(notification("textDocument/publishDiagnostics", &params));
             }
         }
-        if self.refreshes_hints && !uris.is_empty() {
+        if self.refreshes_hints && said {
             self.asked += 1;
             let method = "workspace/inlayHint/refresh".to_owned();
             out.push(Message::Request(Request { id: RequestId::from(self.asked), method, params: Value::Null }));
@@ -256,6 +263,11 @@ impl<W: World> Server<W> {
 
     /// The document, with a study of its text where there can be one.
     fn study(&mut self, uri: &str) -> Option<&Document> {
+        self.study_while(uri, &|| true)
+    }
+
+    /// The same, with no study where it does not go on to its end.
+    fn study_while(&mut self, uri: &str, goes_on: &dyn Fn() -> bool) -> Option<&Document> {
         let document = self.documents.get(uri)?;
         if document.study.is_none() {
             let made = self.world.setting(uri, &document.language, document.text.as_str()).map(|setting| {
@@ -263,13 +275,13 @@ impl<W: World> Server<W> {
                 let files = WithOpen { files: setting.files.as_ref(), open: self.open_beside(document) };
                 let settings = bounded(setting.settings);
                 let (name, text) = (setting.name.as_str(), document.text.as_str());
-                let made = study(name, &setting.identity, text, setting.dialect, &settings, &files);
+                let made = study(name, &setting.identity, text, setting.dialect, &settings, &files, goes_on);
                 Some((made, setting.dialect))
             });
             let document = self.documents.get_mut(uri)?;
             match made {
                 Ok(Some((made, dialect))) => {
-                    (document.study, document.dialect, document.trouble) = (Some(made), Some(dialect), None);
+                    (document.study, document.dialect, document.trouble) = (made, Some(dialect), None);
                 }
                 Ok(None) => (document.study, document.dialect, document.trouble) = (Some(Study::default()), None, None),
                 Err(trouble) => {

@@ -71,7 +71,7 @@ pub struct Uses {
     pub used: Vec<Span>,
 }
 
-/// Checks a document.
+/// Checks a document; `None` where it does not go on to the end.
 pub fn study(
     name: &str,
     identity: &str,
@@ -79,13 +79,17 @@ pub fn study(
     dialect: &Dialect,
     settings: &Settings,
     files: &dyn Files,
-) -> Study {
+    goes_on: &dyn Fn() -> bool,
+) -> Option<Study> {
     let main =
         Opened { name: name.to_owned(), identity: identity.to_owned(), text: Box::new(Memory::new(text.as_bytes())) };
     let session = Session::new(main);
     session.trail.watch_values();
     let mut study = Study::default();
-    study.fixes = session.check_seen(dialect, settings, files, Some(&mut study.seen));
+    study.fixes = session.check_seen(dialect, settings, files, Some(&mut study.seen), goes_on);
+    if !goes_on() {
+        return None;
+    }
     lead(&session.sources, FileId(0), dialect.survey, &mut study.survey);
     let Session { sources, diags, trail } = session;
     study.values = trail.take_values();
@@ -118,7 +122,7 @@ pub fn study(
             ignorable: own && !found.code.is_firm() && !found.code.id.starts_with("P800"),
         });
     }
-    study
+    Some(study)
 }
 
 impl Visitor for Survey {

@@ -52,7 +52,7 @@ fn server() -> Server<Nowhere> {
 fn findings(uri: &str, text: &str) -> Value {
     let (mut server, mut out) = (server(), Vec::new());
     server.handle(open(uri, text), &mut out);
-    server.catch_up(&mut out);
+    server.catch_up(&|| false, &mut out);
     published(&out)
 }
 
@@ -62,6 +62,17 @@ fn published(out: &[Message]) -> Value {
         _ => None,
     });
     last.unwrap_or_default()
+}
+
+#[test]
+fn a_check_gives_way_to_what_comes() {
+    let (mut server, mut out) = (server(), Vec::new());
+    server.handle(open("file:///T.H", PROGRAM), &mut out);
+    server.catch_up(&|| true, &mut out);
+    assert!(out.is_empty() && server.is_behind(), "{out:?}");
+    server.catch_up(&|| false, &mut out);
+    assert_eq!(published(&out), findings("file:///T.H", PROGRAM));
+    assert!(!server.is_behind());
 }
 
 const ASKED: [&str; 13] = [
@@ -116,7 +127,7 @@ proptest! {
                 }
             }
         }
-        server.catch_up(&mut out);
+        server.catch_up(&|| false, &mut out);
         let text = server.text(uri).unwrap_or_default().to_owned();
         prop_assert_eq!(published(&out), findings(uri, &text));
     }

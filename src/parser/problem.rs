@@ -60,3 +60,17 @@ pub fn without_printed_dashes(
     }
     copy
 }
+
+/// The characters that a span holds a part of, where the text is UTF-8.
+pub(super) fn whole_character(span: Span, text: &[u8]) -> Span {
+    let follows = |at: u32| text.get(at as usize).is_some_and(|b| b & 0xc0 == 0x80);
+    let Span { mut start, mut end } = span;
+    while follows(start) && start > 0 && span.start - start < 3 {
+        start -= 1;
+    }
+    while follows(end) && end - span.end < 3 {
+        end += 1;
+    }
+    let wider = Span { start, end };
+    if std::str::from_utf8(wider.of(text)).is_ok() { wider } else { span }
+}

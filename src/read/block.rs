@@ -71,7 +71,11 @@ impl Block {
                     block.word(letter, units, rules)?;
                     rest = &behind[len..];
                 }
-                other => return Err(Fault::new(format!("`{}` is no word of a plain program", other.escape_ascii()))),
+                _ => {
+                    let len = rest[1..].iter().take_while(|b| **b & 0xc0 == 0x80).count() + 1;
+                    let word = String::from_utf8_lossy(&rest[..len]);
+                    return Err(Fault::new(format!("`{}` is no word of a plain program", word.escape_debug())));
+                }
             }
         }
         Ok(block)

@@ -312,7 +312,7 @@ impl Reader {
         }
         self.dialog_feed(way.feed)?;
         self.goes(&way)?;
-        let to = if angle % TURN == 0 { from } else { turned(from, center, angle) };
+        let to = if angle % TURN == 0 { from } else { turned(from, center, angle)? };
         [self.at[first], self.at[second]] = to;
         let turns = ((angle.abs() - 1) / TURN + 1) as i32 * sense as i32;
         let arc = Arc { plane, from, to, center, turns, by_angle: true };
@@ -404,11 +404,12 @@ impl Reader {
 }
 
 /// `from`, turned about `center` by an angle in units.
-fn turned(from: [i64; 2], center: [i64; 2], angle: i64) -> [i64; 2] {
-    let [x, y] = [0, 1].map(|i| (from[i] - center[i]) as f64);
+fn turned(from: [i64; 2], center: [i64; 2], angle: i64) -> Result<[i64; 2], Fault> {
+    let [x, y] = [0, 1].map(|i| (i128::from(from[i]) - i128::from(center[i])) as f64);
     let (sin, cos) = libm::sincos((angle % TURN) as f64 / TURN as f64 * TAU);
     let to = [x * cos - y * sin, x * sin + y * cos];
-    [0, 1].map(|i| center[i] + libm::round(to[i]) as i64)
+    let place = |i: usize| center[i].checked_add(libm::round(to[i]) as i64);
+    place(0).zip(place(1)).map(|(u, v)| [u, v]).ok_or_else(|| Fault::new("the end of a helix is too far away"))
 }
 
 /// A number that fills its word.

@@ -349,7 +349,7 @@ impl Reader {
 
 /// The centre of an arc by its radius; a negative one asks for more than half a turn.
 fn by_radius(from: [i64; 2], to: [i64; 2], radius: i64, ccw: bool) -> Result<[i64; 2], Fault> {
-    let way = [(to[0] - from[0]) as f64, (to[1] - from[1]) as f64];
+    let way = [0, 1].map(|i| (i128::from(to[i]) - i128::from(from[i])) as f64);
     let chord = libm::hypot(way[0], way[1]);
     let r = (radius as f64).abs();
     if chord == 0.0 || chord > 2.0 * r * 1.001 {
@@ -359,8 +359,8 @@ fn by_radius(from: [i64; 2], to: [i64; 2], radius: i64, ccw: bool) -> Result<[i6
     // Left of the way for a short arc counter-clockwise.
     let side = if ccw == (radius > 0) { 1.0 } else { -1.0 };
     let off = |i: usize| [-way[1], way[0]][i] / chord * height * side;
-    let center = |i: usize| from[i] + libm::round(way[i] / 2.0 + off(i)) as i64;
-    Ok([center(0), center(1)])
+    let center = |i: usize| from[i].checked_add(libm::round(way[i] / 2.0 + off(i)) as i64);
+    center(0).zip(center(1)).map(|(u, v)| [u, v]).ok_or_else(|| Fault::new("a centre is too far away"))
 }
 
 fn of_spindle(m: u32) -> bool {

@@ -67,6 +67,16 @@ pub struct Place {
     pub line: u32,
 }
 
+/// Straight lines in a row: nothing but axes, a feed, and G0 or G1, with nothing wrong in them. Who went through the file
+/// once need not look at them again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Stretch {
+    pub start: Place,
+    pub end: Place,
+    /// The first and the last of their block numbers, which rise.
+    pub numbers: Option<(u32, u32)>,
+}
+
 /// A reading position in one file.
 pub struct Cursor {
     file: FileId,
@@ -221,6 +231,16 @@ impl Cursor {
     pub fn pass_line(&mut self, len: usize) {
         self.pos += len;
         self.line += 1;
+    }
+
+    /// Goes on to the start of a later block.
+    pub fn pass_to(&mut self, place: Place) {
+        let at = u64::from(place.at);
+        match at.checked_sub(self.base).filter(|pos| *pos <= self.end as u64) {
+            Some(pos) => self.pos = pos as usize,
+            None => (self.base, self.pos, self.end, self.at_end) = (at, 0, 0, false),
+        }
+        self.line = place.line;
     }
 
     #[inline(always)]

@@ -2,8 +2,9 @@
 
 use std::cell::RefCell;
 use std::fmt;
+use std::rc::Rc;
 
-use super::blocks::{self, SplitRules};
+use super::blocks::{self, SplitRules, Stretch};
 use super::decode;
 use super::files::{Opened, ReadAt};
 use super::{Loc, Span};
@@ -51,6 +52,8 @@ struct File {
     /// How its lines join, once somebody has read it as a program.
     rules: Option<SplitRules>,
     line_end: Option<u8>,
+    /// What is known of its lines.
+    straight: Rc<[Stretch]>,
 }
 
 impl fmt::Debug for Sources {
@@ -103,7 +106,7 @@ impl Sources {
             }
         }
         let Opened { name, identity, text } = opened;
-        files.push(File { name, identity, text, rules: None, line_end: None });
+        files.push(File { name, identity, text, rules: None, line_end: None, straight: Rc::default() });
         Ok(FileId(id))
     }
 
@@ -164,6 +167,18 @@ impl Sources {
     pub fn read_by(&self, id: FileId, rules: SplitRules) {
         if let Some(file) = self.files.borrow_mut().get_mut(id.0 as usize) {
             file.rules = Some(rules);
+        }
+    }
+
+    /// The straight lines of a file, as far as somebody has noted them.
+    pub fn straight(&self, id: FileId) -> Rc<[Stretch]> {
+        self.files.borrow().get(id.0 as usize).map(|file| Rc::clone(&file.straight)).unwrap_or_default()
+    }
+
+    /// Notes the straight lines of a file, in their order.
+    pub fn note_straight(&self, id: FileId, stretches: Vec<Stretch>) {
+        if let Some(file) = self.files.borrow_mut().get_mut(id.0 as usize) {
+            file.straight = stretches.into();
         }
     }
 

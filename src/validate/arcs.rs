@@ -192,9 +192,9 @@ impl Validator {
     fn radii(&self, found: &read::Arc, center: [i64; 2]) -> f64 {
         let square = |p: [i64; 2]| {
             let off = [0, 1].map(|i| i128::from(p[i]) - i128::from(center[i]));
-            off[0] * off[0] + off[1] * off[1]
+            off[0].checked_mul(off[0])?.checked_add(off[1].checked_mul(off[1])?)
         };
-        let (a, b) = (square(found.from), square(found.to));
+        let Some((a, b)) = square(found.from).zip(square(found.to)) else { return f64::INFINITY };
         let sum = libm::sqrt(a as f64) + libm::sqrt(b as f64);
         if sum > 0.0 { (a - b).unsigned_abs() as f64 / sum } else { f64::INFINITY }
     }

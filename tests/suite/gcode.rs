@@ -56,3 +56,24 @@ fn an_output_is_a_program_whose_output_is_itself() {
     wrong.iter().take(40).for_each(|line| println!("{line}"));
     assert!(wrong.is_empty() && same > 3000, "{} of {} differ", wrong.len(), wrong.len() + same);
 }
+
+/// Places as far away as the numbers of the reader go: refused or taken, never more than that.
+#[test]
+fn far_places_are_read() {
+    let gcode = dialect::find("gcode").expect("a dialect");
+    for program in [
+        "G20G0\nG19F6y1Z1\nG2Y2K2\nK8Z1333333333y6\nG2Y4R233322222\nR2333333333\nK9Z1\n",
+        "G21\nG17\nG90\nG0 X-9000000000 Y-9000000000\nG2 X9000000000 Y9000000000 I9000000000 J9000000000 F100\nM30\n",
+        "G21\nG17\nG90\nG0 X-9000000000 Y0\nG2 X9000000000 Y0 R9000000000 F100\nM30\n",
+        "G21\nG17\nG90.1\nG0 X-9223372036 Y0\nG3 X9223372036 Y0 I9223372036 J9223372036 F100\nM30\n",
+    ] {
+        let compiled = compile_bytes(
+            "far.ngc",
+            program.as_bytes().to_vec(),
+            "gcode",
+            &gcode.settings(&Default::default()),
+            &NoFiles,
+        );
+        assert!(compiled.has_errors() || !compiled.output.is_empty(), "{program}");
+    }
+}

@@ -265,6 +265,21 @@ fn called_programs_are_read_as_they_are_typed() {
 }
 
 #[test]
+fn called_programs_of_sinumerik_are_found_by_their_names() {
+    let sub = "G1 X5 F100\nM17\n";
+    let folder = Folder::new("lsp_calls_sinumerik");
+    let folder = folder.with(&[("SUB1.SPF", sub), ("SUB2.SPF", sub), ("L100.SPF", sub)]);
+    let mut client = Client::start(&folder, json!({}));
+    let uri = client.open(&folder, "MAIN.MPF", "G0 X1 Y1\nN20 SUB1\nCALL \"SUB2\"\nL100\nSUB1 P2\nM30\n");
+    for (line, character, file) in [(1, 5, "SUB1"), (2, 7, "SUB2"), (3, 2, "L100"), (4, 1, "SUB1")] {
+        let place = client.at("textDocument/definition", &uri, line, character, json!({}));
+        let found = place["result"][0]["uri"].as_str().unwrap_or_default();
+        assert!(found.ends_with(&format!("/{file}.SPF")), "{line}: {place}");
+    }
+    client.end();
+}
+
+#[test]
 fn names_are_found_and_renamed() {
     let folder = Folder::new("lsp_names").with(&[]);
     let mut client = Client::start(&folder, json!({}));

@@ -58,6 +58,7 @@ mod mtc200;
 mod mtc200_words;
 mod oracle;
 mod output_keys;
+mod passed_lines;
 mod peer;
 mod pictures;
 mod printed_arcs;

@@ -48,6 +48,10 @@ impl SourceRule for BehindEnd {
         self.branches |= read.has(&What::Branches);
     }
 
+    fn wants_straight(&self) -> bool {
+        self.end.is_some()
+    }
+
     fn finish(&mut self, told: &mut Told<'_>) {
         let mut found = self.found.drain(..);
         if let Some((_, first)) = found.find(|(number, _)| !self.targets.may_be(*number)) {

@@ -22,6 +22,10 @@ impl BlankUntouched {
 }
 
 impl MotionRule for BlankUntouched {
+    fn wants_moves(&self) -> bool {
+        self.blank.is_some()
+    }
+
     fn movement(&mut self, step: &Step<'_>, _: &Machine, _: Say<'_>) {
         let Some(blank) = self.blank.filter(|_| step.cuts() && !self.reached) else { return };
         self.first.get_or_insert(*step.origin);

@@ -17,6 +17,10 @@ impl CoolantLeftOn {
 }
 
 impl MotionRule for CoolantLeftOn {
+    fn wants_moves(&self) -> bool {
+        false
+    }
+
     fn function(&mut self, function: &Function, _: &Machine, origin: &Origin, _: Say<'_>) {
         match function {
             Function::Coolant(Coolant::Off) => self.on = None,

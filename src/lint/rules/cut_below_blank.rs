@@ -20,6 +20,10 @@ impl CutBelowBlank {
 }
 
 impl MotionRule for CutBelowBlank {
+    fn wants_moves(&self) -> bool {
+        self.blank.is_some()
+    }
+
     fn movement(&mut self, step: &Step<'_>, _: &Machine, say: Say<'_>) {
         let Some(blank) = self.blank.filter(|_| step.cuts() && !self.said) else { return };
         let axis = step.tool_axis();

@@ -21,6 +21,10 @@ impl CutBesideBlank {
 }
 
 impl MotionRule for CutBesideBlank {
+    fn wants_moves(&self) -> bool {
+        self.blank.is_some()
+    }
+
     fn movement(&mut self, step: &Step<'_>, _: &Machine, say: Say<'_>) {
         let Some(blank) = self.blank.filter(|_| step.cuts() && !self.said) else { return };
         let outside = |axis: &&Axis| {

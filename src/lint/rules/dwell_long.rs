@@ -17,6 +17,10 @@ impl DwellLong {
 }
 
 impl MotionRule for DwellLong {
+    fn wants_moves(&self) -> bool {
+        false
+    }
+
     fn function(&mut self, function: &Function, _: &Machine, origin: &Origin, say: Say<'_>) {
         if let Function::Dwell(seconds) = function
             && *seconds > LONGEST

@@ -18,6 +18,10 @@ impl<'a> DwellZero<'a> {
 }
 
 impl MotionRule for DwellZero<'_> {
+    fn wants_moves(&self) -> bool {
+        false
+    }
+
     fn function(&mut self, function: &Function, _: &Machine, origin: &Origin, say: Say<'_>) {
         if !matches!(function, Function::Dwell(seconds) if *seconds <= 0.0) {
             return;

@@ -22,7 +22,7 @@ impl LabelUnused {
 
 impl SourceRule for LabelUnused {
     fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
-        for item in &read.block.items.iter().collect::<Vec<_>>() {
+        for item in read.block.items {
             match &item.what {
                 What::Label(name) => self.labels.push((name.clone(), read.loc(item.span))),
                 What::Uses(name) => {

@@ -4,24 +4,31 @@ use crate::diag::{Diagnostic, codes};
 use crate::lint::fix::Fix;
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
-use crate::text::{Loc, Span};
+use crate::text::{FileId, Loc, Sources, Span};
 
-#[derive(Debug, Default)]
-pub(super) struct LineEndMissing {
+#[derive(Debug)]
+pub(super) struct LineEndMissing<'a> {
     /// Its words, the offset behind it, and how many bytes of padding follow.
     last: Option<(Loc, u32, u32)>,
-    /// Lines end in CR LF.
-    windows: bool,
+    /// Where the last line begins.
+    line: u32,
     size: u64,
+    sources: &'a Sources,
 }
 
-impl LineEndMissing {
-    pub(super) fn new(setup: &Setup<'_>) -> LineEndMissing {
-        LineEndMissing { size: setup.size, ..LineEndMissing::default() }
+impl<'a> LineEndMissing<'a> {
+    pub(super) fn new(setup: &Setup<'a>) -> LineEndMissing<'a> {
+        LineEndMissing { last: None, line: 0, size: setup.size, sources: setup.sources }
+    }
+
+    /// Does the line in front of the last one end in CR LF?
+    fn is_windows(&self) -> bool {
+        let before = Span { start: self.line.saturating_sub(2), end: self.line };
+        self.sources.bytes(FileId(0), before) == b"\r\n"
     }
 }
 
-impl SourceRule for LineEndMissing {
+impl SourceRule for LineEndMissing<'_> {
     fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
         let (block, site) = (read.block, &read.block.site);
         // Ctrl-Z and NUL, which a transmission puts behind the last line, are no part of it.
@@ -31,7 +38,7 @@ impl SourceRule for LineEndMissing {
             return;
         }
         let end = site.at + (block.text.len() - padding) as u32;
-        self.windows |= site.lines == 1 && self.last.is_some_and(|(_, last, _)| site.at.saturating_sub(last) > 1);
+        self.line = site.at;
         self.last = Some((read.words(), end, padding as u32));
     }
 
@@ -40,7 +47,7 @@ impl SourceRule for LineEndMissing {
         let Some((loc, end, _)) = self.last.filter(ends_there) else { return };
         let found = Diagnostic::new(codes::L2011, loc, "the last block has no line end");
         let found = found.help("end the line");
-        let text = if self.windows { b"\r\n".to_vec() } else { b"\n".to_vec() };
+        let text = if self.is_windows() { b"\r\n".to_vec() } else { b"\n".to_vec() };
         let fix = Fix::new(&found, Span::at(end, 0), text);
         told.found_with(found, fix);
     }

@@ -20,6 +20,7 @@ impl NumberOrder {
 impl SourceRule for NumberOrder {
     fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
         let block = read.block;
+        self.last = block.passed.or(self.last);
         let Some(number) = block.number else { return };
         if block.items.iter().any(|item| item.what == What::Begins) {
             self.last = None;

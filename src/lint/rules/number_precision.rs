@@ -3,11 +3,11 @@
 use crate::diag::{Diagnostic, codes};
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
-use crate::sema::run::survey::What;
+use crate::sema::run::survey::{LONG, What};
 use crate::text::decode::readable;
 
 /// Most decimals that controls resolve.
-const MOST_DECIMALS: usize = 5;
+const MOST_DECIMALS: usize = LONG - 1;
 
 #[derive(Debug, Default)]
 pub(super) struct NumberPrecision {

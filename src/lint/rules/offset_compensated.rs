@@ -14,6 +14,10 @@ impl OffsetCompensated {
 }
 
 impl MotionRule for OffsetCompensated {
+    fn wants_moves(&self) -> bool {
+        false
+    }
+
     fn function(&mut self, function: &Function, machine: &Machine, origin: &Origin, say: Say<'_>) {
         if matches!(function, Function::WorkOffset(_)) && machine.side != Side::None {
             let message = "the work offset changes while radius compensation is on";

@@ -20,6 +20,10 @@ impl RapidIntoBlank {
 }
 
 impl MotionRule for RapidIntoBlank {
+    fn wants_moves(&self) -> bool {
+        self.blank.is_some() || self.turned.is_some()
+    }
+
     fn movement(&mut self, step: &Step<'_>, _: &Machine, say: Say<'_>) {
         if let Some(turned) = &mut self.turned {
             bar(turned, step, say);

@@ -78,6 +78,10 @@ impl SourceRule for RedundantWord {
         }
     }
 
+    fn wants_straight(&self) -> bool {
+        true
+    }
+
     fn finish(&mut self, told: &mut Told<'_>) {
         let waiting = std::mem::take(&mut self.waiting);
         for (found, fix) in waiting.into_iter().filter(|_| !self.jumps) {

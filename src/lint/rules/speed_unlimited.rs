@@ -17,6 +17,10 @@ impl SpeedUnlimited {
 }
 
 impl MotionRule for SpeedUnlimited {
+    fn wants_moves(&self) -> bool {
+        false
+    }
+
     fn function(&mut self, function: &Function, _: &Machine, origin: &Origin, say: Say<'_>) {
         let cutting = match function {
             Function::Spindle(Spindle::CuttingSpeed { limit, .. }) => limit,

@@ -18,6 +18,10 @@ impl StartWithoutSpeed {
 }
 
 impl MotionRule for StartWithoutSpeed {
+    fn wants_moves(&self) -> bool {
+        false
+    }
+
     fn function(&mut self, function: &Function, machine: &Machine, origin: &Origin, _: Say<'_>) {
         match function {
             Function::Spindle(Spindle::Start(_)) if !machine.has_speed && !self.done => {

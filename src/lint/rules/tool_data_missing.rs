@@ -21,6 +21,10 @@ impl<'a> ToolDataMissing<'a> {
 }
 
 impl MotionRule for ToolDataMissing<'_> {
+    fn wants_moves(&self) -> bool {
+        false
+    }
+
     fn function(&mut self, function: &Function, _: &Machine, origin: &Origin, say: Say<'_>) {
         let Function::ToolChange { number } = function else { return };
         let known = self.tools.and_then(|tools| tools.by_number(*number, 0));

@@ -71,6 +71,10 @@ impl SourceRule for Unreachable {
         }
     }
 
+    fn wants_straight(&self) -> bool {
+        self.after.is_some()
+    }
+
     fn finish(&mut self, told: &mut Told<'_>) {
         let reached = self.found.drain(..).filter(|(number, _)| !self.targets.may_be(*number));
         reached.for_each(|(_, found)| told.say.found(found));

@@ -11,7 +11,7 @@ use crate::text::decode::{named, readable};
 use super::build::Refusal;
 use super::cycle::{begins_line, dangling};
 use crate::parser::not_a_number::is_no_number;
-use crate::parser::problem::Problem;
+use crate::parser::problem::{Problem, whole_character};
 
 /// How blocks look, by their first word.
 const FORMS: &[(&str, &str)] = &[
@@ -89,20 +89,6 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
 pub fn no_number(word: &str, span: Span) -> Problem {
     Problem::new(codes::K0801, span, format!("`{word}` is no number: what wrote the program had no value here"))
         .help("write the program anew in the CAM system; further words of this kind are not listed")
-}
-
-/// The characters that a span holds a part of, where the text is UTF-8.
-fn whole_character(span: Span, text: &[u8]) -> Span {
-    let follows = |at: u32| text.get(at as usize).is_some_and(|b| b & 0xc0 == 0x80);
-    let Span { mut start, mut end } = span;
-    while follows(start) && start > 0 && span.start - start < 3 {
-        start -= 1;
-    }
-    while follows(end) && end - span.end < 3 {
-        end += 1;
-    }
-    let wider = Span { start, end };
-    if std::str::from_utf8(wider.of(text)).is_ok() { wider } else { span }
 }
 
 /// Statements of two words: the first one, the second ones, how such a block looks.

@@ -4,7 +4,7 @@ use lalrpop_util::ParseError;
 
 use crate::diag::codes;
 use crate::lexer::mtc200::Tok;
-use crate::parser::problem::Problem;
+use crate::parser::problem::{Problem, whole_character};
 use crate::text::Span;
 use crate::text::decode::{named, readable};
 
@@ -43,6 +43,7 @@ fn without_value(span: Span, letter: u8) -> Problem {
 }
 
 fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
+    let span = whole_character(span, text);
     let word = readable(span.of(text)).into_owned();
     match tok {
         Tok::Unclosed => {

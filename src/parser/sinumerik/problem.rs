@@ -4,7 +4,7 @@ use lalrpop_util::ParseError;
 
 use crate::diag::codes;
 use crate::lexer::sinumerik::Tok;
-use crate::parser::problem::Problem;
+use crate::parser::problem::{Problem, whole_character};
 use crate::text::Span;
 use crate::text::decode::{named, readable};
 
@@ -48,6 +48,7 @@ pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u
 }
 
 fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
+    let span = whole_character(span, text);
     let word = readable(span.of(text)).into_owned();
     let before = text.get(from as usize..span.start as usize).unwrap_or_default().trim_ascii_end();
     if tok == Tok::Bad {

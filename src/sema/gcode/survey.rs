@@ -3,7 +3,7 @@
 use crate::parser::symbols::Symbols;
 use crate::sema::Job;
 use crate::sema::run::survey::{Notes, Surveyed, Visitor, What};
-use crate::sema::run::unexecuted::Blocks;
+use crate::sema::run::unexecuted::{Blocks, Numbers};
 use crate::text::{FileId, Loc, Span};
 
 use super::Gcode;
@@ -13,9 +13,9 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
     let start = Loc { file, line: 1, span: Span::default() };
     let Some(mut blocks) = Blocks::<Gcode>::open(job, file, start) else { return };
     let (mut symbols, mut notes) = (Symbols::default(), Notes::default());
+    let mut numbers = Numbers::default();
     loop {
-        let wanted = visitor.wanted();
-        let Some(passed) = blocks.next_that(job, &mut symbols, wanted.letter, wanted.is) else { return };
+        let Some(passed) = blocks.next_for(job, &mut symbols, visitor, &mut numbers) else { return };
         let (line, text, site) = (passed.block, passed.text, passed.site);
         notes.clear();
         notes.comments.extend_from_slice(&line.comments);
@@ -30,7 +30,9 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
             is_bad: words.is_bad,
             comments: &notes.comments,
             items: &notes.items,
+            passed: numbers.passed,
         };
+        numbers.see(surveyed.number);
         visitor.block(&surveyed, job);
     }
 }

@@ -138,6 +138,7 @@ pub fn check_form(job: &Job<'_>) {
             _ => {}
         }
     }
+    blocks.note_straight(job);
 }
 
 /// A run does not come here where the program ends by M30.

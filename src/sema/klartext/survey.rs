@@ -7,7 +7,7 @@ use crate::parser::klartext::ast::{Addr, Block, LabelRef, PathFn, Stmt, Test};
 use crate::parser::symbols::Symbols;
 use crate::sema::Job;
 use crate::sema::run::survey::{Item, Notes, Surveyed, Visitor, What};
-use crate::sema::run::unexecuted::Blocks;
+use crate::sema::run::unexecuted::{Blocks, Numbers};
 use crate::text::{FileId, Loc, Span};
 
 use super::Klartext;
@@ -20,9 +20,9 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
     let (mut symbols, mut notes) = (Symbols::default(), Notes::default());
     let mut unit = Unit::Mm;
     let mut low = None;
+    let mut numbers = Numbers::default();
     loop {
-        let wanted = visitor.wanted();
-        let Some(passed) = blocks.next_that(job, &mut symbols, wanted.letter, wanted.is) else { return };
+        let Some(passed) = blocks.next_for(job, &mut symbols, visitor, &mut numbers) else { return };
         let (block, text) = (passed.block, passed.text);
         notes.clear();
         if let Some(comment) = block.comment {
@@ -51,7 +51,9 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
             is_bad: block.stmt == Stmt::Bad || !passed.problems.is_empty(),
             comments: &notes.comments,
             items: &notes.items,
+            passed: numbers.passed,
         };
+        numbers.see(surveyed.number);
         visitor.block(&surveyed, job);
     }
 }

@@ -73,6 +73,8 @@ pub struct Surveyed<'b> {
     /// Texts of its comments, without their signs.
     pub comments: &'b [Span],
     pub items: &'b [Item],
+    /// The number of the last straight line in front of it, where such were passed over.
+    pub passed: Option<u32>,
 }
 
 /// Which blocks are looked at.
@@ -98,8 +100,16 @@ pub trait Visitor {
     fn wanted(&self) -> Wanted<'_>;
     /// Are the items of blocks wanted, not their comments alone?
     fn items(&self) -> bool;
+    /// May straight lines be passed over: those with nothing but axes, a feed, and G0 or G1, whose block numbers rise and
+    /// whose numbers are not [long](LONG)?
+    fn passes_straight(&self) -> bool {
+        false
+    }
     fn block(&mut self, block: &Surveyed<'_>, job: &Job<'_>);
 }
+
+/// A number with as many digits in a row is looked at, whatever its line.
+pub const LONG: usize = 6;
 
 /// Leads a visitor through a file.
 pub type Survey = fn(&Job<'_>, FileId, &mut dyn Visitor);

@@ -1,10 +1,13 @@
 //! The walk over the blocks of a file in their order, whether they run or not.
 
+use std::rc::Rc;
+
 use crate::diag::CallPath;
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::sema::Job;
-use crate::text::blocks::{BlockText, Place};
+use crate::text::blocks::{BlockText, Place, Stretch};
+use crate::text::number::leading_digits;
 use crate::text::{Cursor, FileId, Loc, Span, SplitRules};
 
 use super::Language;
@@ -12,6 +15,7 @@ use super::files::open_cursor;
 use super::report::report_problem;
 use super::site::Site;
 use super::source::Parsed;
+use super::survey::{LONG, Visitor};
 
 /// Reads every block of the main program and reports what is wrong with its form.
 pub fn check_form<L: Language>(job: &Job<'_>) {
@@ -20,6 +24,7 @@ pub fn check_form<L: Language>(job: &Job<'_>) {
     while let Some(mut passed) = blocks.next_behind_straight(job, &mut symbols) {
         passed.report_problems(job);
     }
+    blocks.note_straight(job);
 }
 
 /// The texts of the blocks of a file.
@@ -58,6 +63,40 @@ pub struct Blocks<L: Language> {
     language: L,
     parsed: Parsed<L::Block>,
     problems: Vec<Problem>,
+    /// Straight lines that an earlier walk found, and how many of the stretches lie behind.
+    known: (Rc<[Stretch]>, usize),
+    /// Those that this one finds.
+    found: Vec<Stretch>,
+}
+
+/// Lines of a stretch that is worth noting.
+const LEAST_NOTED: u32 = 8;
+/// Most stretches that are noted.
+const MOST_NOTED: usize = 1 << 16;
+
+/// The block numbers of a walk.
+#[derive(Debug, Default)]
+pub struct Numbers {
+    /// The last one.
+    seen: Option<u32>,
+    /// The last one of the straight lines that were passed over just now.
+    pub passed: Option<u32>,
+}
+
+impl Numbers {
+    pub fn see(&mut self, number: Option<u32>) {
+        self.seen = number.or(self.seen);
+    }
+
+    /// Goes to the last number of a stretch, if its first one is higher than those before.
+    fn rise_to(&mut self, stretch: &Stretch) -> bool {
+        let Some((first, last)) = stretch.numbers else { return true };
+        let rises = self.seen.is_none_or(|seen| seen < first);
+        if rises {
+            (self.seen, self.passed) = (Some(last), Some(last));
+        }
+        rises
+    }
 }
 
 /// A block in passing.
@@ -74,7 +113,14 @@ impl<L: Language> Blocks<L> {
     /// Opens a file at its start; reports what is wrong with it.
     pub fn open(job: &Job<'_>, file: FileId, from: Loc) -> Option<Blocks<L>> {
         let texts = Texts::open(job, file, L::SPLIT, from)?;
-        Some(Blocks { texts, language: L::default(), parsed: Parsed::default(), problems: Vec::new() })
+        Some(Blocks {
+            texts,
+            language: L::default(),
+            parsed: Parsed::default(),
+            problems: Vec::new(),
+            known: (job.sources.straight(file), 0),
+            found: Vec::new(),
+        })
     }
 
     pub fn of_main(job: &Job<'_>) -> Option<Blocks<L>> {
@@ -88,12 +134,64 @@ impl<L: Language> Blocks<L> {
 
     /// The next block behind straight ones, which have nothing but a way to go; not all of those are passed over.
     pub fn next_behind_straight(&mut self, job: &Job<'_>, symbols: &mut Symbols) -> Option<Passed<'_, L>> {
+        self.pass_straight(&mut Numbers::default());
+        self.next(job, symbols)
+    }
+
+    /// The next block that `visitor` wants.
+    pub fn next_for(
+        &mut self,
+        job: &Job<'_>,
+        symbols: &mut Symbols,
+        visitor: &dyn Visitor,
+        numbers: &mut Numbers,
+    ) -> Option<Passed<'_, L>> {
+        numbers.passed = None;
+        let wanted = visitor.wanted();
+        if wanted.letter.is_none() && visitor.passes_straight() {
+            self.pass_straight(numbers);
+        }
+        self.next_that(job, symbols, wanted.letter, wanted.is)
+    }
+
+    /// Passes over straight lines, up to one whose number does not rise, or that holds a long number.
+    fn pass_straight(&mut self, numbers: &mut Numbers) {
+        let start = self.texts.cursor.place();
+        if let Some(stretch) = self.known(start.at).filter(|stretch| numbers.rise_to(stretch)) {
+            return self.texts.cursor.pass_to(stretch.end);
+        }
+        let mut first = None;
         loop {
             let (text, line_end) = self.texts.cursor.ahead();
             let Some(len) = self.language.straight(text, line_end) else { break };
+            let Some((number, words)) = text.get(..len).and_then(number_of) else { break };
+            if has_long_number(words) || number.is_some() && number <= numbers.seen {
+                break;
+            }
+            if number.is_some() {
+                first = first.or(number);
+                (numbers.seen, numbers.passed) = (number, number);
+            }
             self.texts.cursor.pass_line(len);
         }
-        self.next(job, symbols)
+        let end = self.texts.cursor.place();
+        if end.line - start.line >= LEAST_NOTED && self.found.len() < MOST_NOTED {
+            self.found.push(Stretch { start, end, numbers: first.zip(numbers.passed) });
+        }
+    }
+
+    /// The stretch of straight lines that is known to begin here.
+    fn known(&mut self, at: u32) -> Option<Stretch> {
+        let (known, behind) = &mut self.known;
+        while known.get(*behind).is_some_and(|stretch| stretch.start.at < at) {
+            *behind += 1;
+        }
+        known.get(*behind).filter(|stretch| stretch.start.at == at).copied()
+    }
+
+    /// Notes the straight lines that were passed over, for the walks to come.
+    pub fn note_straight(&mut self, job: &Job<'_>) {
+        job.sources.note_straight(self.texts.file, std::mem::take(&mut self.found));
     }
 
     /// The next block whose text is `wanted`, which it is only where it holds `letter`; the others are not parsed.
@@ -104,7 +202,7 @@ impl<L: Language> Blocks<L> {
         letter: Option<u8>,
         wanted: impl Fn(&[u8]) -> bool,
     ) -> Option<Passed<'_, L>> {
-        let Blocks { texts, language, parsed, problems } = self;
+        let Blocks { texts, language, parsed, problems, .. } = self;
         let file = texts.file;
         let found = texts.next_that(job, letter, wanted)?;
         problems.clear();
@@ -113,6 +211,28 @@ impl<L: Language> Blocks<L> {
         let site = Site::new(file, found.at, found.line, found.lines, CallPath::MAIN);
         Some(Passed { block: &parsed.block, text: found.text, site, problems })
     }
+}
+
+/// The block number at the start of a straight line, and what follows it.
+fn number_of(line: &[u8]) -> Option<(Option<u32>, &[u8])> {
+    let blank = |b: &u8| matches!(b, b' ' | b'\t');
+    let from = line.iter().position(|b| !blank(b))?;
+    let from = from + usize::from(matches!(line[from], b'N' | b'n'));
+    let digits = leading_digits(line.get(from..)?)?;
+    let words = &line[from + digits..];
+    if digits == 0 {
+        return Some((None, words));
+    }
+    let number = std::str::from_utf8(&line[from..from + digits]).ok()?.parse().ok()?;
+    Some((Some(number), words))
+}
+
+/// Are there [`LONG`] digits in a row? One of them stands at a multiple of so many bytes.
+fn has_long_number(words: &[u8]) -> bool {
+    let digits = |bytes: &mut dyn Iterator<Item = &u8>| bytes.take_while(|b| b.is_ascii_digit()).count();
+    (LONG - 1..words.len()).step_by(LONG).any(|at| {
+        words[at].is_ascii_digit() && digits(&mut words[..at].iter().rev()) + digits(&mut words[at..].iter()) >= LONG
+    })
 }
 
 impl<L: Language> Passed<'_, L> {

@@ -113,10 +113,11 @@ pub fn check_form(job: &Job<'_>) {
     while let Some(mut passed) = blocks.next_behind_straight(job, &mut symbols) {
         // A macro may stand for anything.
         if matches!(passed.block.stmt, Stmt::Define(_)) {
-            return;
+            break;
         }
         passed.report_problems(job);
     }
+    blocks.note_straight(job);
 }
 
 impl Language for Sinumerik {

@@ -125,3 +125,17 @@ fn what_follows_a_line_that_is_too_long_is_silent_until_the_place_is_known() {
         same(&column.run(&[&nearly, &(column.to)(9)]), &whole, "a line of nearly 1 MiB")
     });
 }
+
+#[test]
+fn a_letter_beyond_ascii_is_named_as_a_whole() {
+    row(|column| {
+        let [seven, nine] = column.moves();
+        for word in ["S\u{c4}", "M\u{c4}", "\u{c4}", "\u{20ac}5"] {
+            let compiled = column.bytes(column.text(&[&format!("{seven} {word}"), &nine]).into_bytes());
+            let letter = word.trim_matches(|c: char| c.is_ascii());
+            let named = compiled.findings.iter().any(|found| found.message.contains(letter));
+            hold(named && compiled.has_errors(), || format!("{word}: {:?}", compiled.rendered))?;
+        }
+        Ok(())
+    });
+}
