@@ -35,13 +35,11 @@ export class Camera {
   }
 
   turn(dx, dy) {
-    const [r, u] = this.rows;
     this.yaw -= dx * 0.008;
     this.tilt = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, this.tilt + dy * 0.008));
     const cy = Math.cos(this.yaw), sy = Math.sin(this.yaw), ct = Math.cos(this.tilt), st = Math.sin(this.tilt);
     const eye = [cy * ct, -sy * ct, st], right = [sy, cy, 0], up = [-cy * st, sy * st, ct];
     this.rows = [right, up, eye];
-    void r; void u;
   }
 
   pan(dx, dy) {
@@ -56,16 +54,28 @@ export class Camera {
     for (let a = 0; a < 3; a++) this.center[a] += (dx * this.rows[0][a] - dy * this.rows[1][a]) * change;
   }
 
-  fit({ low, high }) {
-    const extent = [Infinity, -Infinity, Infinity, -Infinity];
-    for (let c = 0; c < 8; c++) {
-      const p = [0, 1, 2].map((a) => ((c >> a) & 1 ? high[a] : low[a]));
-      const x = dot(this.rows[0], p), y = dot(this.rows[1], p);
-      extent[0] = Math.min(extent[0], x); extent[1] = Math.max(extent[1], x);
-      extent[2] = Math.min(extent[2], y); extent[3] = Math.max(extent[3], y);
+  /** Shows the whole path, or its cuts only. */
+  fit({ points: p, kinds }, rapids) {
+    const [r, u, e] = this.rows, low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity], needs = this.needs;
+    // Of very long paths some points are enough.
+    const stride = Math.max(1, Math.floor(kinds.length / 400000));
+    const take = (i) => {
+      [r, u, e].forEach((row, k) => {
+        const value = row[0] * p[3 * i] + row[1] * p[3 * i + 1] + row[2] * p[3 * i + 2];
+        if (value < low[k]) low[k] = value;
+        if (value > high[k]) high[k] = value;
+      });
+    };
+    for (let i = 1; i < kinds.length; i += stride) {
+      const k = kinds[i];
+      if (k === 0xff || k & needs || (!rapids && (k & 15) === 0)) continue;
+      take(i - 1);
+      take(i);
     }
-    this.center = [0, 1, 2].map((a) => (low[a] + high[a]) / 2);
-    const w = Math.max(extent[1] - extent[0], 1e-3), h = Math.max(extent[3] - extent[2], 1e-3);
+    if (!(low[0] <= high[0])) { low.fill(-1); high.fill(1); }
+    const middle = low.map((value, k) => (value + high[k]) / 2);
+    this.center = [0, 1, 2].map((a) => r[a] * middle[0] + u[a] * middle[1] + e[a] * middle[2]);
+    const w = Math.max(high[0] - low[0], 1e-3), h = Math.max(high[1] - low[1], 1e-3);
     this.scale = Math.min((this.width - 90) / w, (this.height - 80) / h, 1e4);
     if (!(this.scale > 0)) this.scale = 1;
   }

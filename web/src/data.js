@@ -32,6 +32,9 @@ export function unpack(bytes) {
 export const BEGINS = 0xff;
 export const RAPID = 0, LINE = 1, ARC = 2, THREAD = 3;
 
+/** The colour of a tool, by its place in the list, which begins with no tool. */
+export const shade = (tool) => (tool + 7) % 8;
+
 /** The path with what a page asks of it: the last point of each move, the moves of each block, times, extents. */
 export class Path {
   constructor(made) {

@@ -88,7 +88,7 @@ const hints = ViewPlugin.fromClass(class {
 
 const common = (label) => [
   lineNumbers(), highlightActiveLine(), highlightActiveLineGutter(), search({ top: true }), theme,
-  EditorView.contentAttributes.of({ "aria-label": label }),
+  EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0" }),
 ];
 
 /** `on.change(text)` for edits of the user, `on.caret(line)` for movements of the caret by the user. */

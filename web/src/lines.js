@@ -1,6 +1,6 @@
 // Lines of constant width in pixels, drawn by WebGL2: one rectangle an element, all from one array of points.
 
-import { BEGINS } from "./data.js";
+import { BEGINS, shade } from "./data.js";
 
 const VERTEX = `#version 300 es
 layout(location=0) in vec3 a;
@@ -8,7 +8,7 @@ layout(location=1) in vec3 b;
 layout(location=2) in uvec4 what;   // kind, colour, of the point it leads to
 layout(location=3) in uint id;
 uniform mat3 rows; uniform vec3 center; uniform vec2 size; uniform float scale, width;
-uniform uint needs, now, hidden; uniform int show; uniform vec4 colours[10]; uniform vec4 only; uniform float ahead;
+uniform uint needs, now, hidden; uniform int show; uniform vec4 colours[10]; uniform vec4 only; uniform float ahead; uniform vec3 relief;
 flat out vec4 colour; flat out float dash; out float along;
 void main() {
   uint kind = what.x & 15u, tool = what.y;
@@ -23,6 +23,11 @@ void main() {
   vec2 at = mix(p - d * w * 0.5, q + d * w * 0.5, e) + vec2(-d.y, d.x) * s * w * 0.5;
   along = e * l; dash = kind == 0u && only.a == 0.0 && l > 10.0 ? 1.0 : 0.0;
   colour = only.a > 0.0 ? only : kind == 0u ? colours[8] : colours[tool];
+  // Dense paths show their form by height and slope.
+  if (relief.z > 0.0 && kind != 0u && only.a == 0.0) {
+    vec3 t = b - a; float slope = t.z / max(length(t), 1e-6);
+    colour.rgb *= clamp(0.6 + 0.5 * (b.z - relief.x) / relief.y + relief.z * slope, 0.35, 1.25);
+  }
   if (id > now) colour = mix(colours[9], colour, ahead);
   gl_Position = off ? vec4(2.0, 2.0, 2.0, 1.0) : vec4(at / size * 2.0, 0.0, 1.0);
 }`;
@@ -33,6 +38,8 @@ void main() { if (dash > 0.0 && mod(along, 9.0) > 5.0) discard; o = vec4(colour.
 
 /** Elements up to which nothing is left out while the picture moves. */
 const FEW = 60000;
+/** From so many elements on lines lie on lines. */
+const DENSE = 20000;
 
 export class Lines {
   constructor(canvas) {
@@ -59,7 +66,7 @@ export class Lines {
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
     this.program = program;
     this.u = (name) => gl.getUniformLocation(program, name);
-    this.places = Object.fromEntries(["rows", "center", "size", "scale", "width", "needs", "now", "hidden", "show", "colours", "only", "ahead"].map((name) => [name, this.u(name)]));
+    this.places = Object.fromEntries(["rows", "center", "size", "scale", "width", "needs", "now", "hidden", "show", "colours", "only", "ahead", "relief"].map((name) => [name, this.u(name)]));
   }
 
   load(path) {
@@ -68,12 +75,18 @@ export class Lines {
     const n = path.kinds.length, what = new Uint8Array(2 * n), ids = new Uint32Array(n);
     for (let i = 0; i < n; i++) {
       what[2 * i] = path.kinds[i];
-      what[2 * i + 1] = path.tool_of[path.owners[i]] % 8;
+      what[2 * i + 1] = shade(path.tool_of[path.owners[i]]);
       ids[i] = i;
     }
     this.levels = [this.level(path.points, what, ids, 0)];
     const size = Math.hypot(...path.whole.high.map((high, a) => high - path.whole.low[a]));
     for (const share of n > FEW ? [4000, 800, 300] : []) this.levels.push(this.thinned(path, what, size / share));
+  }
+
+  clear() {
+    this.levels?.forEach((level) => level.free?.());
+    this.levels = [];
+    this.path = null;
   }
 
   level(points, what, ids, error) {
@@ -139,6 +152,8 @@ export class Lines {
     gl.uniform4fv(at.colours, style.colours.flat());
     gl.uniform4f(at.only, 0, 0, 0, 0);
     gl.uniform1f(at.ahead, 0.0);
+    const { low, high } = this.path.box;
+    gl.uniform3f(at.relief, low[2], Math.max(high[2] - low[2], 1e-3), levels[0].n > DENSE && !camera.flat ? 0.35 : 0);
     this.strip(level, 0, level.n - 1);
     if (style.ranges.length) {
       gl.uniform4fv(at.only, style.select);

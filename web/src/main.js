@@ -1,6 +1,6 @@
 // The page: a program, its findings, its path and its G-code, each leading to the others.
 
-import { Path, lower, unpack } from "./data.js";
+import { Path, lower, shade, unpack } from "./data.js";
 import { code, program } from "./editor.js";
 import { EXAMPLE } from "./example.js";
 import { bytesOf, decode, read, save } from "./files.js";
@@ -168,7 +168,7 @@ $("at").addEventListener("input", () => {
   stepped(m);
 });
 
-const colour = (i) => `var(--t${i % 8})`;
+const colour = (i) => `var(--t${shade(i)})`;
 function legend() {
   const { path } = state, used = new Set();
   for (let m = 0; m < path.moves; m++) used.add(path.tool_of[m]);
@@ -176,8 +176,8 @@ function legend() {
   rapid.firstChild.style.color = "var(--rapid)";
   rapid.style.cssText = "display:inline-flex;gap:5px;align-items:center";
   const buttons = [...used].sort((a, b) => a - b).slice(0, 12).map((i) => {
-    const button = el("button", { "aria-pressed": !((plot.hidden >> (i % 8)) & 1), title: "Show this tool, or not", onclick() {
-      plot.hidden ^= 1 << (i % 8);
+    const button = el("button", { "aria-pressed": !((plot.hidden >> shade(i)) & 1), title: "Show this tool, or not", onclick() {
+      plot.hidden ^= 1 << shade(i);
       legend();
       plot.ask();
     } }, el("i"), toolName(path.tools[i]) + (path.tools[i].name ? ` ${path.tools[i].name}` : ""));
@@ -331,6 +331,9 @@ function load(files) {
   state.edited = false;
   state.isNew = true;
   state.path = null;
+  plot.clear();
+  $("legend").replaceChildren();
+  slide(null);
   editor.set(decode(files[0].bytes));
   editor.places("");
   $("name").textContent = files.map(({ name }) => name).join(", ");

@@ -121,13 +121,15 @@ export class Overlay {
     if (marks.length < 2 && marks.free) all.push(marks.free.p);
     c.strokeStyle = c.fillStyle = style.selectCss;
     for (const mark of all) { const [x, y] = camera.project(...mark); c.beginPath(); c.moveTo(x - 6, y - 6); c.lineTo(x + 6, y + 6); c.moveTo(x + 6, y - 6); c.lineTo(x - 6, y + 6); c.stroke(); }
-    const of = (p) => AXES.map((name, a) => `${name}${this.label(plot, a, Number((p[a] + path.origin[a]).toFixed(4)))}`).filter((_, a) => path.known[a]).join(" ");
+    // In a plane view nobody knows how deep a free point lies: what is seen is measured.
+    const seen = [0, 1, 2].filter((a) => path.known[a] && (!camera.flat || camera.needs & (16 << a)));
+    const of = (p) => seen.map((a) => `${AXES[a]}${this.label(plot, a, Number((p[a] + path.origin[a]).toFixed(4)))}`).join(" ");
     let text = all.length ? of(all[0]) : "Measure: click two points; ends of moves are caught";
     if (all.length === 2) {
       const [a, b] = all, d = b.map((v, i) => v - a[i]);
       const [p, q] = [camera.project(...a), camera.project(...b)];
       c.beginPath(); c.moveTo(...p); c.lineTo(...q); c.stroke();
-      text = `${of(a)}\n${of(b)}\n${AXES.filter((_, i) => path.known[i]).map((name) => `d${name} ${short(d[AXES.indexOf(name)])}`).join("  ")}\ndistance ${short(Math.hypot(...d))} mm`;
+      text = `${of(a)}\n${of(b)}\n${seen.map((i) => `d${AXES[i]} ${short(d[i])}`).join("  ")}\ndistance ${short(Math.hypot(...seen.map((i) => d[i])))} mm`;
     }
     const rows = text.split("\n");
     c.textAlign = "left";

@@ -1,7 +1,7 @@
 // The picture: lines, and over them rulers, the tool, what is measured. Mouse, keys, play.
 
 import { Camera, VIEWS, dot } from "./camera.js";
-import { BEGINS, RAPID, lower } from "./data.js";
+import { BEGINS, RAPID, lower, shade } from "./data.js";
 import { Lines } from "./lines.js";
 import { Overlay } from "./overlay.js";
 
@@ -51,6 +51,16 @@ export class Plot {
     this.ask();
   }
 
+  /** Nothing is known of a path. */
+  clear() {
+    this.stop();
+    this.path = null;
+    this.lines.clear();
+    Object.assign(this, { ranges: [], chosen: null, at: null, marks: [] });
+    this.tell(null);
+    this.ask();
+  }
+
   look(name) {
     this.camera.look(name);
     this.touched = false;
@@ -62,7 +72,8 @@ export class Plot {
     if (!this.path) return;
     const { box, whole } = this.path;
     const empty = box.high.every((high, a) => high - box.low[a] < 1e-6);
-    this.camera.fit(empty || (this.rapids && span(whole) < 2.5 * span(box)) ? whole : box);
+    // A retract far away makes no small picture.
+    this.camera.fit(this.path, empty || (this.rapids && span(whole) < 2.5 * span(box)));
     this.ask();
   }
 
@@ -152,7 +163,7 @@ export class Plot {
   }
 
   shown(i) {
-    const k = this.path.kinds[i], tool = this.path.tool_of[this.path.owners[i]] % 8;
+    const k = this.path.kinds[i], tool = shade(this.path.tool_of[this.path.owners[i]]);
     return k !== BEGINS && !(k & this.camera.needs) && (this.rapids || (k & 15) !== RAPID) && !((this.hidden >> tool) & 1);
   }
 

@@ -23,15 +23,6 @@ const figures = [];
 const figure = (name, value, goal, unit, good) => figures.push({ name, value: `${value} ${unit}`, goal: `${goal} ${unit}`, met: good ? "yes" : "NO" });
 
 const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });
-try {
-  await run();
-} finally {
-  clearTimeout(guard);
-  await browser.close();
-  rmSync(folder, { recursive: true, force: true });
-}
-console.table(figures);
-if (figures.some(({ met }) => met === "NO") && process.env.PARTC_MEASURE_ONLY === undefined) process.exit(1);
 
 async function open(file, scheme = "light") {
   // The policy of the page forbids the script of axe, which is put in from outside.
@@ -214,3 +205,13 @@ async function reports() {
   assert.deepEqual(opened.heard, { requests: [], errors: [] });
   await opened.context.close();
 }
+
+try {
+  await run();
+} finally {
+  clearTimeout(guard);
+  await browser.close();
+  rmSync(folder, { recursive: true, force: true });
+}
+console.table(figures);
+if (figures.some(({ met }) => met === "NO") && process.env.PARTC_MEASURE_ONLY === undefined) process.exit(1);
