@@ -85,7 +85,7 @@ pub fn made(session: &Session, dialect: &Dialect, settings: &Settings, files: &d
 /// block's line in front.
 pub fn checked(session: &Session, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> Vec<u8> {
     let mut seen = Seen::default();
-    session.check_seen(dialect, settings, files, Some(&mut seen));
+    session.check_seen(dialect, settings, files, Some(&mut seen), &|| true);
     let cut_off = session.diags.any(|found| found.code.id == codes::P4001.id);
     let mut places = String::new();
     for stop in seen.stops.iter().filter(|stop| stop.file == FileId(0)) {
