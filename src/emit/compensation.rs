@@ -28,14 +28,19 @@ pub(super) struct Way {
     pub length: Option<f64>,
     /// Radius of the tool in mm, where it is known.
     pub radius: Option<f64>,
+    /// The last printed place, in mm.
+    pub unit: f64,
+    /// A block was refused: it may have been an element of the contour.
+    pub in_doubt: bool,
 }
 
 /// How a length may miss the radius by the rounding of what was printed, in mm.
 const SAME_LENGTH: f64 = 1e-9;
 /// Blocks without a move in the plane over which every target looks ahead.
 const MOST_IDLE: u64 = 1;
-/// What rounding takes from a way that is as long as the radius, such as that of DEP CT, in mm.
-const ROUNDED: f64 = 0.001;
+/// What rounding takes from a way that is as long as the radius, such as that of DEP CT, in printed units: half a unit at both
+/// ends along both axes, √2 together.
+const ROUNDED: f64 = 1.5;
 
 /// State of the target's compensation.
 #[derive(Debug, Default)]
@@ -53,6 +58,8 @@ pub(super) struct Compensation {
     pub waits: bool,
     /// Blocks since the last one that moved in the plane.
     idle: u64,
+    /// A move in the plane followed the one that began it.
+    has_element: bool,
 }
 
 impl Compensation {
@@ -71,8 +78,12 @@ impl Compensation {
         } else if self.refused {
             return Preparation::Refuse(None);
         }
-        if let Some((message, help)) = self.obstacle(mv, selected, planes, way.in_plane) {
+        if let Some((message, help)) = self.obstacle(mv, selected, planes, way) {
             self.refused = true;
+            if mv.side == Side::None {
+                // What follows stands outside of the contour, whatever the target made of its end.
+                self.side = Side::None;
+            }
             let mut found = Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call);
             if let (Some(by), true) = (self.ended_by, mv.side != Side::None) {
                 found = found.also(by.loc, "this block ends the compensation");
@@ -80,6 +91,7 @@ impl Compensation {
             return Preparation::Refuse(Some(Box::new(found)));
         }
         if mv.side == self.side {
+            self.has_element |= way.in_plane;
             return Preparation::Nothing;
         }
         match self.too_short(mv.side, way) {
@@ -99,7 +111,7 @@ impl Compensation {
     fn too_short(&self, side: Side, way: Way) -> Option<String> {
         let (length, radius) = (way.length?, way.radius?);
         let (what, short) = if side == Side::None {
-            ("leaves", length < radius - ROUNDED)
+            ("leaves", length < radius - ROUNDED * way.unit)
         } else {
             ("leads to", length <= radius + SAME_LENGTH)
         };
@@ -107,19 +119,20 @@ impl Compensation {
     }
 
     /// What is wrong with `mv`, and what to do.
-    fn obstacle(
-        &self,
-        mv: &Move,
-        selected: Plane,
-        planes: &[Plane],
-        in_plane: bool,
-    ) -> Option<(&'static str, &'static str)> {
+    fn obstacle(&self, mv: &Move, selected: Plane, planes: &[Plane], way: Way) -> Option<(&'static str, &'static str)> {
         let on = self.side != Side::None;
-        if on != (mv.side != Side::None) && !in_plane {
+        if on != (mv.side != Side::None) && !way.in_plane {
             // The first move in the plane would become the way to or from the contour.
             return Some((
                 "radius compensation begins or ends in a block that does not move in the working plane",
                 "begin and end it in a block that moves from beside the contour to it, or away",
+            ));
+        }
+        if on && mv.side == Side::None && !self.has_element && !way.in_doubt {
+            // Controls differ in where the tool stands then, and some raise an alarm.
+            return Some((
+                "radius compensation ends before the contour has an element: there is no direction to stand beside",
+                "program one element of the contour at least between the two blocks",
             ));
         }
         let resolve = "end the compensation before this block, or set `[output] compensation = \"resolve\"`";
@@ -181,6 +194,18 @@ impl Compensation {
         Some(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call))
     }
 
+    /// A stop, which the target does not read beyond: the tool would stand at a right angle to the element in front of it, in an
+    /// inner corner behind the next one. What to report, once for a contour.
+    pub fn stops(&mut self, target: &str, origin: &Origin) -> Option<Diagnostic> {
+        if std::mem::replace(&mut self.refused, true) {
+            return None;
+        }
+        let message =
+            format!("a stop stands in the compensated contour, and the target {target} does not read on beyond it");
+        let help = "put it in front of the contour or behind it, or set `[output] compensation = \"resolve\"`";
+        Some(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call))
+    }
+
     /// A move in the plane is printed.
     pub fn moves(&mut self) {
         self.idle = 0;
@@ -195,6 +220,7 @@ impl Compensation {
     pub fn switched(&mut self, side: Side) {
         self.leaving = side == Side::None;
         self.side = side;
+        self.has_element = false;
     }
 
     /// A straight move was printed.

@@ -158,6 +158,15 @@ impl FeedKind {
         }
     }
 
+    /// For people.
+    pub fn name(self) -> &'static str {
+        match self {
+            FeedKind::PerMinute => "feed",
+            FeedKind::PerRevolution => "feed per revolution",
+            FeedKind::InverseTime => "feed by time",
+        }
+    }
+
     /// The word that switches to this kind.
     pub fn word(self, words: &FeedWords) -> Option<&'static str> {
         match self {

@@ -216,7 +216,13 @@ impl<'a> Printer<'a> {
     /// Looks at the compensation in front of a move; false if the move is refused.
     #[cold]
     fn compensate(&mut self, mv: &Move, origin: &Origin) -> bool {
-        let way = Way { in_plane: self.changes_plane(mv), length: self.way_in_plane(mv), radius: self.known_radius() };
+        let way = Way {
+            in_plane: self.changes_plane(mv),
+            length: self.way_in_plane(mv),
+            radius: self.known_radius(),
+            unit: 1.0 / self.places.scale(),
+            in_doubt: self.diags.has_errors(),
+        };
         let Some(words) = &self.target.compensation else {
             self.lacks_compensation(mv, origin);
             return false;
@@ -332,6 +338,12 @@ impl<'a> Printer<'a> {
             self.lacks_radius(radius.is_some(), of_length, mv, origin);
             return false;
         }
+        if let Some(letter) = words.tool.filter(|_| begins)
+            && !self.has_offset(number, letter, origin)
+        {
+            self.compensation.refuse_contour();
+            return false;
+        }
         if self.length.waits && mv.axes.contains(Axis::Z) {
             self.lacks_form(mv, origin);
             return false;
@@ -341,6 +353,20 @@ impl<'a> Printer<'a> {
         self.compensation.switched(mv.side);
         self.compensation.waits = true;
         true
+    }
+
+    /// A function became so many blocks of the compensated contour.
+    #[cold]
+    fn stands_in_contour(&mut self, words: &CompensationWords, function: &Function, blocks: u64, origin: &Origin) {
+        let stops = matches!(function, Function::Stop | Function::OptionalStop);
+        let found = match (stops && !words.reads_over_stops, words.with_move) {
+            (true, _) => self.compensation.stops(self.target.name, origin),
+            (false, true) => self.compensation.stands(blocks, origin),
+            (false, false) => None,
+        };
+        if let Some(found) = found {
+            self.diags.push(found);
+        }
     }
 
     fn end_compensation(&mut self, origin: &Origin) {
@@ -377,12 +403,9 @@ impl Sink for Printer<'_> {
         let before = self.page.lines();
         self.print_function(function, origin);
         if self.compensation.side != Side::None
-            && self.target.compensation.as_ref().is_some_and(|words| words.with_move)
+            && let Some(words) = &self.target.compensation
         {
-            let blocks = self.page.lines() - before;
-            if let Some(found) = self.compensation.stands(blocks, origin) {
-                self.diags.push(found);
-            }
+            self.stands_in_contour(words, function, self.page.lines() - before, origin);
         }
     }
 

@@ -24,7 +24,7 @@ impl<'a> Tapping<'a> {
     }
 
     fn is_tap(&self, machine: &Machine) -> bool {
-        let tool = machine.tool.and_then(|number| self.tools.by_number(number, 0));
+        let tool = machine.tool.and_then(|number| self.tools.by_printed(number));
         tool.is_some_and(|tool| tool.kind.as_deref() == Some("tap"))
     }
 

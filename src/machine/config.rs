@@ -12,6 +12,9 @@ use super::values::*;
 ///
 /// # Errors
 /// Unknown keys and values that do not fit.
+/// `decimals` of each quantity.
+const DECIMALS: [&str; 5] = ["decimals.length", "decimals.angle", "decimals.feed", "decimals.speed", "decimals.time"];
+
 pub fn read(root: &Table) -> Result<Settings, Vec<ConfigError>> {
     let mut reader = Reader { errors: Vec::new(), settings: Settings::default() };
     for (name, node) in root {
@@ -55,6 +58,7 @@ impl Reader {
                 Some(key) => {
                     if section.name == "output" {
                         self.settings.output.stated.0.push((key.name, node.spot.clone()));
+                        self.state_places(node);
                     }
                     fits(key, node).and_then(|()| (key.set)(&mut self.settings, node))
                 }
@@ -70,6 +74,15 @@ impl Reader {
         }
     }
 
+    /// The quantities of `decimals = { … }`; no other key of `[output]` is a table.
+    fn state_places(&mut self, node: &Node) {
+        let Value::Table(quantities) = &node.value else { return };
+        for (name, node) in quantities {
+            let known = DECIMALS.iter().find(|known| known.rsplit('.').next() == Some(name));
+            self.settings.output.stated.0.extend(known.map(|known| (*known, node.spot.clone())));
+        }
+    }
+
     /// A name that the user chose.
     fn set_named(&mut self, section: &str, name: &str, node: &Node) -> Result<(), ConfigError> {
         let s = &mut self.settings;
@@ -77,6 +90,10 @@ impl Reader {
             "tools" => {
                 let key = tool_key(name, node)?;
                 let tool = self.tool(table_of(node), node)?;
+                if let Some(rival) = self.settings.tools.rival(&key, &tool) {
+                    let message = format!("the tools {key} and {rival} would be printed by one number");
+                    return Err(node.fail(message));
+                }
                 self.settings.tools.table.insert(key, tool);
             }
             "datums" => set_datum(&mut s.datums, name, node)?,
@@ -227,6 +244,23 @@ mod tests {
 
     fn settings(text: &str) -> Result<Settings, Vec<ConfigError>> {
         read(&parse(text, "partc.toml").map_err(|e| vec![e])?)
+    }
+
+    #[test]
+    fn two_tools_of_one_number_are_refused() {
+        for (text, refused) in [
+            ("[tools.1]\nradius = 4\n[tools.2]\nnumber = 1", true),
+            ("[tools.1]\nnumber = 2\n[tools.2]\nnumber = 1", false),
+            ("[tools.A]\nnumber = 7\n[tools.B]\nnumber = 7", true),
+            // The data of the named tool.
+            ("[tools.A]\nnumber = 7\n[tools.7]\nradius = 4", false),
+            ("[tools.A]\nnumber = 7\n[tools.7]\nnumber = 8", true),
+            ("[tools.A]\nnumber = 7\n[tools.5]\nnumber = 7", true),
+            // Two edges of one tool.
+            ("[tools.\"3.1\"]\nnumber = 3\n[tools.\"3.2\"]\nnumber = 3", false),
+        ] {
+            assert_eq!(settings(text).is_err(), refused, "{text}");
+        }
     }
 
     #[test]

@@ -247,6 +247,8 @@ pub struct OutputSettings {
     /// The length of the tool behind a tool change; otherwise as is usual with the target.
     pub tool_length: Option<bool>,
     pub tool_change: ToolChange,
+    /// Largest number of a tool's length and radius (H, D); otherwise what every receiver of the kind has.
+    pub tool_offsets: Option<u32>,
     /// What the number of a wait counts, where the target leaves it to a setting of the receiver.
     pub dwell_unit: Option<DwellUnit>,
     /// Feed of rapid traverse in mm/min, where that goes at the last F.
@@ -288,6 +290,7 @@ impl Default for OutputSettings {
             pass_m: Vec::new(),
             tool_length: None,
             tool_change: ToolChange::Change,
+            tool_offsets: None,
             dwell_unit: None,
             rapid_feed: None,
             arc_fallback: None,

@@ -115,6 +115,47 @@ impl Tools {
         self.table.get(&ToolKey::Number(number, index))
     }
 
+    /// The tool that is printed as `number`.
+    pub fn by_printed(&self, number: u32) -> Option<&Tool> {
+        self.by_number(self.own_number(number), 0)
+    }
+
+    /// What the tool `number` of the program is printed as.
+    pub fn printed_number(&self, number: u32) -> u32 {
+        self.by_number(number, 0).and_then(|tool| tool.number).unwrap_or(number)
+    }
+
+    /// What a tool that is printed as `printed` has as its key.
+    pub fn own_number(&self, printed: u32) -> u32 {
+        let own = |(key, tool): (&ToolKey, &Tool)| match key {
+            ToolKey::Number(own, 0) if tool.number == Some(printed) => Some(*own),
+            ToolKey::Number(..) | ToolKey::Name(_) => None,
+        };
+        self.table.iter().find_map(own).unwrap_or(printed)
+    }
+
+    /// A tool that would be printed by the number of this one. A name may stand for a tool that has its number as key.
+    pub fn rival(&self, key: &ToolKey, tool: &Tool) -> Option<&ToolKey> {
+        let printed = |key: &ToolKey, tool: &Tool| match key {
+            ToolKey::Number(number, 0) => Some(tool.number.unwrap_or(*number)),
+            ToolKey::Number(..) | ToolKey::Name(_) => tool.number,
+        };
+        let number = printed(key, tool)?;
+        let rivals = |(other, its): &(&ToolKey, &Tool)| {
+            let same = printed(other, its) == Some(number);
+            match (key, *other) {
+                (ToolKey::Number(one, _), ToolKey::Number(two, _)) => same && one != two,
+                (ToolKey::Name(one), ToolKey::Name(two)) => same && one != two,
+                // Programs of a SINUMERIK know the named tool by its number.
+                (ToolKey::Name(_), ToolKey::Number(own, _)) => same && its.number.is_some() || *own == number && !same,
+                (ToolKey::Number(own, _), ToolKey::Name(_)) => {
+                    same && tool.number.is_some() || its.number == Some(*own) && !same
+                }
+            }
+        };
+        self.table.iter().find(rivals).map(|(other, _)| other)
+    }
+
     /// The tool of this name and its number; one that differs in upper and lower case only if there is no other.
     pub fn by_name(&self, name: &str) -> Option<(Option<u32>, &Tool)> {
         self.named(|other| other == name).or_else(|| self.named(|other| other.eq_ignore_ascii_case(name)))

@@ -84,6 +84,7 @@ pub(super) const BASE: Target = Target {
     tool: ToolWords {
         address: b'T',
         most: u32::MAX,
+        most_offset: None,
         change: Some(Change::Word("M6")),
         prepares: true,
         length: Length::None,

@@ -47,6 +47,7 @@ pub(super) const TARGET: Target = Target {
     },
     tool: ToolWords {
         most: 99_999_999,
+        most_offset: Some(99),
         length: Length::Words(LengthWords {
             on: "G43",
             number: LengthNumber::Tool(b'H'),
@@ -68,6 +69,7 @@ pub(super) const TARGET: Target = Target {
         off: "G40",
         tool: Some(b'D'),
         with_move: true,
+        reads_over_stops: false,
         planes: &[Plane::Xy],
     }),
     m: MFunctions { own: OWN, ..BASE.m },

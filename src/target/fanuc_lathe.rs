@@ -34,6 +34,7 @@ pub(super) const A: Target = Target {
     tool: ToolWords {
         address: b'T',
         most: 99,
+        most_offset: None,
         change: Some(Change::Turret { digits: 2 }),
         prepares: false,
         length: Length::WithTool,

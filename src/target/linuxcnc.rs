@@ -64,6 +64,7 @@ pub(super) const TARGET: Target = Target {
         off: "G40",
         tool: Some(b'D'),
         with_move: false,
+        reads_over_stops: true,
         planes: &[Plane::Xy, Plane::Zx],
     }),
     m: MFunctions {

@@ -44,6 +44,7 @@ pub(super) const TARGET: Target = Target {
     coolant: CoolantWords { mist: Some("M7"), ..BASE.coolant },
     tool: ToolWords {
         most: 32_000,
+        most_offset: None,
         length: Length::Words(LengthWords {
             on: "D1",
             number: LengthNumber::None,
@@ -65,6 +66,7 @@ pub(super) const TARGET: Target = Target {
         off: "G40",
         tool: None,
         with_move: true,
+        reads_over_stops: true,
         planes: &[Plane::Xy],
     }),
     m: MFunctions { own: OWN, ..BASE.m },

@@ -62,6 +62,19 @@ impl Target {
     }
 }
 
+impl Target {
+    /// All work offsets, for people: `G54 to G59, G54.1 P1 to G54.1 P48`; `None` where there are none.
+    pub fn offset_range(&self) -> Option<String> {
+        let last = self.more_offsets.map_or(self.offsets.len() as u8, |more| more.most);
+        let range = |from: u8, to: u8| Some(format!("{} to {}", self.offset(from)?, self.offset(to)?));
+        match self.offsets_named {
+            0 => range(1, last),
+            named if named >= last => range(1, last),
+            named => Some(format!("{}, {}", range(1, named)?, range(named + 1, last)?)),
+        }
+    }
+}
+
 /// Work offsets by a number behind a word.
 #[derive(Debug, Clone, Copy)]
 pub struct MoreOffsets {
@@ -394,6 +407,9 @@ pub struct ToolWords {
     pub address: u8,
     /// Largest tool number.
     pub most: u32,
+    /// Largest number of an offset that every receiver has, where the length and the radius of a tool are called by one and how
+    /// many there are is an option.
+    pub most_offset: Option<u32>,
     pub change: Option<Change>,
     /// A tool may be called without being changed.
     pub prepares: bool,
@@ -489,6 +505,8 @@ pub struct CompensationWords {
     /// The words stand in the straight move to the contour or from it, and one block at most between two moves of the contour
     /// moves nothing in its plane.
     pub with_move: bool,
+    /// A stop (M0, M1) does not keep the target from reading the element behind it.
+    pub reads_over_stops: bool,
     /// Working planes in which the target compensates.
     pub planes: &'static [Plane],
 }

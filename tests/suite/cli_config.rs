@@ -69,8 +69,7 @@ fn what_a_configuration_cannot_hold_is_refused() {
 
 #[test]
 fn options_win_over_the_configuration() {
-    let text =
-        "0 BEGIN PGM C MM\n1 TOOL CALL 1 Z S2000\n2 L X+0 Y+0 R0 F300\n3 L X+20 RL\n4 L X+40 R0\n5 END PGM C MM\n";
+    let text = "0 BEGIN PGM C MM\n1 TOOL CALL 1 Z S2000\n2 L X+0 Y+0 R0 F300\n3 L X+20 RL\n4 L X+30\n5 L X+40 R0\n6 END PGM C MM\n";
     let folder =
         Folder::new("options_win").with(&[("C.H", text), ("partc.toml", "[output]\ncompensation = \"control\"\n")]);
     assert!(folder.run(&["compile", "C.H", "-o", "-"]).exits(0).out.contains("G41 D1"));

@@ -163,6 +163,25 @@ const BUILT: &[Built] = &[
     Built { code: "O9329", fires: || on("heidenhain", "M8", NUMBERS), silent: || on("sinumerik", "M8", NUMBERS) },
     Built { code: "O1005", fires: || on("fanuc", "G4 F0.0004", ""), silent: || on("linuxcnc", "G4 F0.0004", "") },
     Built { code: "O9336", fires: || on("fanuc", "M8", RAPID), silent: || on("marlin", "G0 X5", MACROS) },
+    Built { code: "O9337", fires: || on("fanuc", "T1000 M6", M6), silent: || on("fanuc", "T1000 M6", MANY_OFFSETS) },
+    // Without the length, it is the radius that has a number.
+    Built {
+        code: "O9337",
+        fires: || on("fanuc", "T100 D1\nM6\nG1 G41 X50 Y9 F100\nY50\nG40 X99", FAR_TOOL),
+        silent: || on("fanuc", "T99 D1\nM6\nG1 G41 X50 Y9 F100\nY50\nG40 X99", FAR_TOOL),
+    },
+    Built { code: "O1006", fires: || on("fanuc", "S10.4 M3", ""), silent: || on("linuxcnc", "S10.4 M3", "") },
+    Built {
+        code: "O1006",
+        fires: || on("linuxcnc", "G95 G1 X5 F0.0012", INCHES),
+        silent: || on("linuxcnc", "G95 G1 X5 F0.127", INCHES),
+    },
+    Built { code: "O1007", fires: || on("fanuc", "S0.5 M3", ""), silent: || on("linuxcnc", "S0.5 M3", "") },
+    Built {
+        code: "O1007",
+        fires: || on("linuxcnc", "G95 G1 X5 F0.0004", INCHES),
+        silent: || on("linuxcnc", "G95 G1 X5 F0.0508", INCHES),
+    },
     Built { code: "O9335", fires: || on("haas", ARC, THREE), silent: || on("haas", ARC, INCHES) },
     Built { code: "O9317", fires: || on("fanuc", "M8", LATHE), silent: || on("fanuc-lathe", "M8", LATHE) },
     Built {
@@ -210,6 +229,10 @@ const LATHE: &str = "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"";
 const BY_HAND_T: &str = "[control]\ntool_change = \"t\"\n[output]\ntool_change = \"stop\"";
 const BY_HAND: &str = "[output]\ntool_change = \"stop\"";
 const CONTROL: &str = "[output]\ncompensation = \"control\"\ntool_change = \"stop\"\n[tools.1]\nradius = 2.0";
+const M6: &str = "[control]\ntool_change = \"m6\"";
+const MANY_OFFSETS: &str = "[control]\ntool_change = \"m6\"\n[output]\ntool_offsets = 2000";
+const FAR_TOOL: &str = "[control]\ntool_change = \"m6\"\n[output]\ncompensation = \"control\"\ntool_length = \"off\"\n\
+                        [tools.99]\nradius = 2.0\n[tools.100]\nradius = 2.0";
 const LINES: &str = "[output]\narc_fallback_tolerance = 0.01";
 const SECONDS: &str = "[output]\ndwell_unit = \"seconds\"";
 const MACROS: &str = "[output]\nrapid_feed = 6000\npass_m = [3, 5]";

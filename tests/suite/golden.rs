@@ -121,6 +121,10 @@ books! {
         cycle94 cycle940 cycle940_a cycle940_b cycle940_c cycle940_d cycle940_e cycle940_f cycle940_t cycle96;
     sinumerik_variables = "sinumerik/variables":
         arrays;
+    targets_klartext = "targets/klartext":
+        compensation;
+    targets_sinumerik = "targets/sinumerik":
+        compensation;
 }
 
 fn check(book: &str) {

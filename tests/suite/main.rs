@@ -94,4 +94,5 @@ mod undercut;
 mod undercut_conditions;
 mod undercut_tables;
 mod vocabulary;
+mod work_offsets;
 mod worked_examples;

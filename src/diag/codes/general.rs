@@ -69,6 +69,14 @@ P0201 Warning "two-skip-levels" "two skip levels are switched on as one"
 who have one switch only; on a SINUMERIK / is level 0, the first of ten, and /1 is another switch. Both kinds are left out. Write `[0]` to leave out those \
 with / alone, or `[0, 1]` where both are meant."
 
+P0202 Error "work-offset-of-two" "two work offsets are printed as one"
+"`[datums]` maps a work offset of the program to one that stands for another work offset of the same program, too: two parts that lie apart would be cut at one place. \
+Name another work offset of the target for one of them, and set it up there. Where both are one place on purpose, give the second one the same values; partc does not know them."
+
+P0203 Error "tool-number-of-two" "two tools are printed by one number"
+"`number` in `[tools]` says what a tool is printed as, and the program calls another tool that is printed so, too: the machine would bring the same tool for both. Give each of them \
+a number of its own."
+
 P4001 Error "step-limit" "program runs too many blocks"
 "partc executes the program as the control would, and stops after `[limits] steps` blocks, counted from the first jump \
 or call on (10 million by default). \

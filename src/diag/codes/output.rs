@@ -23,6 +23,14 @@ O1005 Error "wait-prints-as-zero" "wait is shorter than its last printed place"
 "The receiver would not wait at all. The wait of the program is above zero and less than half of what the selected target, or `[output] decimals`, can say: half a millisecond where waits are \
 whole milliseconds. Look at the number behind the wait and at its unit, program a wait that can be said, or leave it out."
 
+O1006 Warning "feed-or-speed-rounded" "rounding changes a feed or a speed by more than one per cent"
+"The target reads so many places behind F and S, or `[output] decimals` says so many, and the number of the program has more: 0.01 mm a turn are 0.00039 inch, and 0.0004 with four places. The first \
+one of a program is told. Print more places where the target reads them, or program a number that it can say."
+
+O1007 Error "feed-or-speed-becomes-another" "rounding makes another feed or speed of it"
+"The number that is printed would differ from that of the program by more than ten per cent: S0.5 would become S1 where the target counts whole turns, which is twice as fast. Print more \
+places where the target reads them (`[output] decimals.feed` and `decimals.speed`), or program a number that it can say."
+
 O2001 Warning "m-function-of-target" "M function that means something on the target"
 "`[output] pass_m` lets M functions through as they stand. The target has this one, too, and does with it what the text says, which is hardly \
 what the machine of the program did. Take it out of `pass_m` and leave it out of the program, or make the target's machine do what is meant by another number."
@@ -199,6 +207,10 @@ takes farther from the arc. Print more places with `[output] decimals`, or leave
 O9336 Warning "key-without-effect" "the target does not use this key"
 "A key of `[output]` that is written in `partc.toml` changes nothing on the selected target: a unit of waits where the receiver has its own, the number of a program where programs have \
 names, a rapid feed where G0 has one. Nothing of the program is lost. Leave the key away, or keep it in the configuration of the target that it is meant for."
+
+O9337 Error "tool-offset-too-large" "the target may not count tool offsets that far"
+"The length and the radius of a tool are called by its number: T1000 by H1000 and D1000. How many offsets a control has is an option, and a number that it does not have raises an alarm, or is read as another one. \
+99 are taken for granted. Give the tool a smaller number (`number` of its entry in `[tools]`), or say how many there are: `[output] tool_offsets = 400`."
 
 O9330 Error "line-longer-than-read" "line has more characters than the target reads"
 "The selected target takes lines of a certain length and refuses or cuts longer ones. A line that is a little too long gives its F to a line in front of it; under G93, \

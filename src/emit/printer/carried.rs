@@ -68,6 +68,9 @@ impl Printer<'_> {
         let Some(units) = self.feed_places(FeedKind::PerMinute).units(feed).filter(|units| *units > 0) else {
             return self.report(codes::O1001, origin, &format!("the feed {feed} prints as zero or not at all"));
         };
+        if !self.is_near("feed", feed, units, self.feed_places(FeedKind::PerMinute), origin) {
+            return;
+        }
         self.page.text.word(self.target.motion.line);
         for axis in axes.iter() {
             self.axis_word(axis, ends[axis.index()]);

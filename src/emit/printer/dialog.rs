@@ -187,7 +187,7 @@ impl Printer<'_> {
 
     /// The block that selects a work offset.
     pub(super) fn dialog_offset(&mut self, dialog: &Dialog, number: u8, word: &str, origin: &Origin) {
-        let message = format!("work offset {number} is printed as preset {number} ({word})");
+        let message = format!("the work offset is printed as preset {number} ({word})");
         self.report(codes::O4003, origin, &message);
         let [begin, behind] = dialog.offset;
         self.page.words(begin, origin);

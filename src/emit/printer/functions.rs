@@ -4,7 +4,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Origin, Side};
 use crate::machine::settings::ToolChange;
-use crate::target::{Change, Form, Length, LengthNumber, Limit};
+use crate::target::{Change, Form, Length, LengthNumber, LengthWords, Limit};
 use crate::text::Loc;
 
 use super::super::comment;
@@ -156,6 +156,11 @@ impl Printer<'_> {
         if !self.settings.prints_tool_length() {
             return;
         }
+        if let Length::Words(LengthWords { number: LengthNumber::Tool(letter), .. }) = self.target.tool.length
+            && !self.has_offset(number, letter, origin)
+        {
+            return;
+        }
         match self.target.tool.length {
             Length::None => {
                 let help = "leave `[output] tool_length` at \"off\", and set the length up on the target";
@@ -299,7 +304,7 @@ impl Printer<'_> {
             Some(word) => match self.target.form {
                 Form::Words => {
                     if number > self.target.offsets_named {
-                        let message = format!("work offset {number} is printed as {word}");
+                        let message = format!("the work offset is printed as {word}");
                         self.report(codes::O4003, origin, &message);
                     }
                     self.page.words(&word, origin);
@@ -307,12 +312,14 @@ impl Printer<'_> {
                 Form::Dialog(dialog) => self.dialog_offset(dialog, number, &word, origin),
             },
             None => {
-                let help = if self.target.offsets.is_empty() {
-                    "take the word out: positions count from where the part is set up on the machine"
-                } else {
-                    "set the part up in one of the first work offsets, G54 to G59"
+                // Every front end names its own word before.
+                let help = match self.target.offset_range() {
+                    Some(range) => format!("set the part up in one of {range}"),
+                    None => {
+                        "take the word out: positions count from where the part is set up on the machine".to_owned()
+                    }
                 };
-                self.lacks(codes::O9310, origin, &format!("work offset {number}"), help);
+                self.lacks(codes::O9310, origin, "this work offset", &help);
             }
         }
         self.modal.forget_all();
@@ -424,7 +431,8 @@ impl Printer<'_> {
             self.diags.push(Diagnostic::new(codes::O1004, origin.loc, message).help(help).called(origin.call));
             return None;
         }
-        Some(units)
+        let exact = self.is_near("speed", speed, units, self.measures.speed, origin);
+        exact.then_some(units)
     }
 
     /// Looks at a function of a spindle whose speed is a part of its start; false where nothing is left to print.

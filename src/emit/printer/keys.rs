@@ -1,6 +1,8 @@
 //! Keys of `[output]` that change nothing on the target: said, so that nobody counts on them.
 
 use crate::diag::{Diagnostic, codes};
+use crate::machine::Axis;
+use crate::machine::settings::Compensation;
 use crate::target::{DwellUnit, EVERY_PLANE, Form, Length, ProgramName, Sequence};
 use crate::text::Loc;
 
@@ -57,9 +59,24 @@ impl Printer<'_> {
                 let every = target.arcs.helices && target.arcs.planes == EVERY_PLANE;
                 (every && matches!(target.form, Form::Words)).then_some("goes round in every plane")
             }
-            "tool_length" => {
-                let off = settings.tool_length == Some(false);
-                (off && matches!(target.tool.length, Length::WithTool)).then_some("brings the length with the tool")
+            "tool_length" => match target.tool.length {
+                // "G43" is refused where a tool is called.
+                Length::None => Some("has no table of tool lengths"),
+                Length::WithTool if settings.tool_length == Some(false) => Some("brings the length with the tool"),
+                Length::WithTool | Length::Words(_) => None,
+            },
+            "tool_offsets" => {
+                target.tool.most_offset.is_none().then_some("has no such limit, or no numbers of offsets")
+            }
+            "decimals.angle" => {
+                let turns = self.axes.iter().any(Axis::is_rotary) || target.spindle.orient.is_some();
+                (!turns).then_some("prints no angles by themselves")
+            }
+            "decimals.time" => settings.waits_in_milliseconds().then_some("counts waits in whole milliseconds"),
+            "pass_m" => (!target.m.open && !target.m.listed).then_some("takes no M functions but its own"),
+            "compensation" => {
+                let control = settings.compensation == Compensation::Control;
+                (control && target.compensation.is_none()).then_some("does not compensate the radius of a tool")
             }
             "diameter" => (!lathe).then_some("prints a mill, which has no diameters"),
             _ => None,

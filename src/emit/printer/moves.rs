@@ -189,6 +189,9 @@ impl Printer<'_> {
             self.report(codes::O1001, origin, &format!("the feed {} prints as zero or not at all", feed.value()));
             return Err(());
         };
+        if !self.is_near(kind.name(), feed.value(), units, self.feed_places(kind), origin) {
+            return Err(());
+        }
         if self.modal.feed_kind_changes(kind) {
             self.page.by_time = kind == FeedKind::InverseTime;
             match kind.word(&self.target.feed) {

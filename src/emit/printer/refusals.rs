@@ -7,7 +7,13 @@ use crate::machine::settings::Quantity;
 use crate::machine::{Axis, AxisSet};
 use crate::text::Loc;
 
+use super::super::number::Places;
 use super::Printer;
+
+/// Rounding of a feed or a speed by more than this part of it is told, and by more than that is refused. Where one ends and
+/// the other begins is a matter of taste: overrides go in steps of ten per cent, tables of cutting data hardly say one.
+const NOTICED: f64 = 0.01 + 1e-9;
+const ANOTHER: f64 = 0.1 + 1e-9;
 
 impl Printer<'_> {
     /// Refuses what the target has no word for.
@@ -154,6 +160,20 @@ impl Printer<'_> {
         there
     }
 
+    /// Does the receiver have a length or a radius of this number? How many there are is an option of some.
+    pub(super) fn has_offset(&mut self, number: u32, letter: u8, origin: &Origin) -> bool {
+        let Some(usual) = self.target.tool.most_offset else { return true };
+        let most = self.settings.tool_offsets.unwrap_or(usual);
+        if number > most {
+            self.page.text.drop_line();
+            let (name, letter) = (self.target.name, letter as char);
+            let message = format!("{letter}{number}: the target {name} is taken to have {most} offsets of tools");
+            let help = "say how many it has (`[output] tool_offsets`), or give the tool a smaller number (`number` in `[tools]`)";
+            self.diags.push(Diagnostic::new(codes::O9337, origin.loc, message).help(help).called(origin.call));
+        }
+        number <= most
+    }
+
     /// What the number of a wait counts is a setting of the receiver.
     #[cold]
     pub(super) fn lacks_dwell_unit(&mut self, origin: &Origin) {
@@ -162,6 +182,32 @@ impl Printer<'_> {
         let help = "set `[output] dwell_unit` as the receiver is set";
         let help = Answer::key("output", "dwell_unit").one_of(&["\"seconds\"", "\"milliseconds\""]).help(help);
         self.diags.push(Diagnostic::new(codes::O9331, origin.loc, message).help(help).called(origin.call));
+    }
+
+    /// Does a printed feed or speed say what the program says? Reported where rounding to its places takes or adds much
+    /// of it; false where it is another one.
+    #[inline]
+    pub(super) fn is_near(&self, what: &str, value: f64, units: i64, places: Places, origin: &Origin) -> bool {
+        let off = units as f64 / (value * places.scale()) - 1.0;
+        value == 0.0 || off.abs() <= NOTICED || self.is_rounded(what, off, units, places, origin)
+    }
+
+    #[cold]
+    fn is_rounded(&self, what: &str, off: f64, units: i64, places: Places, origin: &Origin) -> bool {
+        let another = off.abs() > ANOTHER;
+        let code = if another { codes::O1007 } else { codes::O1006 };
+        if another || self.diags.first_time(code) {
+            let printed = units as f64 / places.power() as f64;
+            let (percent, more) = (off.abs() * 100.0, if off > 0.0 { "more" } else { "less" });
+            let message =
+                format!("the {what} prints as {printed}, which is {percent:.1} % {more} than the program says");
+            let key = if what == "speed" { "speed" } else { "feed" };
+            let help = format!(
+                "print more places where the target reads them (`[output] decimals.{key}`), or program a {what} that can be said"
+            );
+            self.diags.push(Diagnostic::new(code, origin.loc, message).help(help).called(origin.call));
+        }
+        !another
     }
 
     /// A wait that is shorter than half of its last place.

@@ -37,7 +37,7 @@ impl MotionRule for DrillSideways<'_> {
 
     fn function(&mut self, function: &Function, _: &Machine, _: &Origin, _: Say<'_>) {
         if let Function::ToolChange { number } = function {
-            let tool = self.tools.and_then(|tools| tools.by_number(*number, 0));
+            let tool = self.tools.and_then(|tools| tools.by_printed(*number));
             let kind = tool.and_then(|tool| tool.kind.as_deref());
             *self = DrillSideways {
                 tools: self.tools,

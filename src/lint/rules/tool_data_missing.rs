@@ -27,7 +27,7 @@ impl MotionRule for ToolDataMissing<'_> {
 
     fn function(&mut self, function: &Function, _: &Machine, origin: &Origin, say: Say<'_>) {
         let Function::ToolChange { number } = function else { return };
-        let known = self.tools.and_then(|tools| tools.by_number(*number, 0));
+        let known = self.tools.and_then(|tools| tools.by_printed(*number));
         let bare = |tool: &Tool| tool.radius.unwrap_or(0.0) == 0.0 && tool.length.unwrap_or(0.0) == 0.0;
         if *number != 0 && known.is_some_and(bare) && !self.said.contains(number) && self.said.len() < MOST {
             self.said.push(*number);

@@ -69,6 +69,15 @@ pub const KEYS: &[Key] = &[
     )
     .or(r#""change""#),
     key(
+        "tool_offsets",
+        Kind::Whole,
+        "largest number of a length or radius offset (H, D), where that is an option of the receiver; without it 99",
+        |s, v| {
+            let most = u32::try_from(whole(v)).ok().filter(|most| (1..=9999).contains(most));
+            put(&mut s.output.tool_offsets, Some(most.ok_or_else(|| v.fail("1 to 9999"))?))
+        },
+    ),
+    key(
         "dwell_unit",
         Kind::Choice(&["seconds", "milliseconds"]),
         "what the number of a wait counts, where that is a setting of the receiver (mach3)",

@@ -19,13 +19,15 @@ use crate::read::{self, AXES, Act, Lack, Modes, Reader, Rules, SCALE};
 use crate::text::{Span, SplitRules};
 
 use super::common::start::Start;
-use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
+use super::run::{self, Interpreter, Language, Level, OffsetName, Parsed, Where, runs_on};
 use super::{Job, Outcome};
 
 pub use survey::survey;
 
 /// By how much the end of an arc may miss its circle, in mm: what LinuxCNC takes.
 const ARC_TOLERANCE: f64 = 0.0127;
+/// Work offsets of LinuxCNC.
+const OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
 /// Most acts of one line.
 const ACTS: usize = 16;
 
@@ -244,6 +246,8 @@ enum Refused {
     Line(read::Fault),
     /// Of a line that can be read.
     Words(Box<Diagnostic>),
+    /// It was said.
+    Said,
 }
 
 impl From<&'static str> for Refused {
@@ -311,6 +315,7 @@ impl Run<'_> {
                 self.give_up(Diagnostic::new(codes::R1001, self.here.origin.loc, message).help(help))
             }
             Err(Refused::Words(found)) => self.give_up(*found),
+            Err(Refused::Said) => Err(super::Reported),
         }
     }
 
@@ -407,6 +412,11 @@ impl Run<'_> {
             }
             _ => {
                 if let Some(function) = function::function(act)? {
+                    if let Function::WorkOffset(number) = function {
+                        let name = OFFSETS.get(usize::from(number).wrapping_sub(1)).copied().unwrap_or("this offset");
+                        let taken = self.core.prints_offset(OffsetName::Fixed(name), number, Where::Block);
+                        taken.map_err(|super::Reported| Refused::Said)?;
+                    }
                     self.does(&function);
                     if let Function::WorkOffset(_) = function {
                         self.offset();

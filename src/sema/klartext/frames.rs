@@ -8,6 +8,7 @@ use crate::ir::Function;
 use crate::lexer::klartext::Value;
 use crate::machine::{AxisSet, ShiftAxes};
 use crate::parser::klartext::ast::{Addr, Block, Transform};
+use crate::sema::run::{OffsetName, Where};
 use crate::text::Span;
 
 use super::contour_data::Known;
@@ -333,12 +334,13 @@ impl Run<'_> {
             );
             return Err(Reported);
         };
+        if let Some(row) = row {
+            let name = OffsetName::Preset { row, mapped: configured.is_some() };
+            self.core.prints_offset(name, offset, Where::Block)?;
+        }
         if configured.is_none() {
-            self.report(Diagnostic::new(
-                codes::K2504,
-                self.here.origin.loc,
-                format!("preset {number} is printed as work offset {offset} ({})", offset_word(offset)),
-            ));
+            let message = format!("preset {number} is printed as {}", self.offset_word(offset));
+            self.report(Diagnostic::new(codes::K2504, self.here.origin.loc, message));
         }
         if self.st.frames.transform.turn.0 != 0.0 {
             self.error(codes::K2852, "the datum is set while the working plane is turned");
@@ -444,8 +446,4 @@ impl Run<'_> {
         }
         self.set_transformation(next)
     }
-}
-
-fn offset_word(offset: u8) -> &'static str {
-    ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"].get(offset as usize - 1).unwrap_or(&"G54")
 }

@@ -469,10 +469,13 @@ impl Run<'_> {
                 }
                 self.proposed.borrow_mut().call(*number);
                 let data = data.cloned().unwrap_or_default();
-                match (data.number, index) {
-                    (Some(printed), _) => Ok((printed, data)),
-                    (None, 0) => Ok((*number, data)),
-                    (None, _) => self.fail_help(
+                let printed = data.number.or((*index == 0).then_some(*number));
+                match printed {
+                    Some(printed) => {
+                        self.prints_tool(*number, printed, span)?;
+                        Ok((printed, data))
+                    }
+                    None => self.fail_help(
                         codes::K2006,
                         span,
                         format!("tool {number}.{index} is an index, and the output has whole numbers only"),
@@ -482,7 +485,10 @@ impl Run<'_> {
                 }
             }
             Named::Name(name) => match tools.by_name(name) {
-                Some((Some(number), data)) => Ok((number, data.clone())),
+                Some((Some(number), data)) => {
+                    self.prints_tool(tools.own_number(number), number, span)?;
+                    Ok((number, data.clone()))
+                }
                 _ => {
                     let help = self.proposed.borrow_mut().help(name, tools);
                     let found = Diagnostic::new(codes::K2005, self.loc(span), format!("tool {tool} has no number"));

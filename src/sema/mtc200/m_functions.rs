@@ -196,7 +196,7 @@ impl Run<'_> {
             return self.change(at.span);
         }
         if !changes {
-            self.function(Function::ToolPrepare { number });
+            self.function(Function::ToolPrepare { number: self.job.settings.tools.printed_number(number) });
         }
         Ok(())
     }
@@ -223,6 +223,9 @@ impl Run<'_> {
         }
         self.st.tool.active = Some(number);
         self.length_acts_along_z(self.st.plane, span)?;
+        let own = number;
+        let number = self.job.settings.tools.printed_number(own);
+        self.prints_tool(own, number, span)?;
         self.function(Function::ToolChange { number });
         self.function(Function::Cutter(CutterData { number, ..CutterData::default() }));
         self.forget_tip();

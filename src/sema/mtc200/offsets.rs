@@ -12,6 +12,7 @@ use crate::ir::{Frame, Function, Pos};
 use crate::machine::axis::AXES;
 use crate::machine::options::mtc200::{G52, Reading, ShiftedIncrement};
 use crate::machine::{Axis, AxisSet};
+use crate::sema::run::OffsetName;
 use crate::text::Span;
 
 use super::g_functions::G;
@@ -96,6 +97,8 @@ impl Run<'_> {
         }
         self.st.offsets.offset = offset;
         if let Offset::Work(number) = offset {
+            let word = format!("G{}", 53 + u32::from(number));
+            self.core.prints_offset(OffsetName::Fixed(&word), number, span)?;
             self.function(Function::WorkOffset(number));
         }
         self.st.forget(self.st.position.at().known());

@@ -16,6 +16,7 @@ use crate::text::{FileId, Loc, Span};
 use super::Language;
 use super::budget::{BYTES_A_STEP, Budget};
 use super::level::{Level, Program};
+use super::printed::{PrintedOffsets, PrintedTools};
 use super::site::Site;
 use super::source::{Parsed, Read};
 
@@ -39,6 +40,8 @@ pub struct Core<'a, L: Language> {
     ended: Cell<bool>,
     /// A called program is missing: nobody knows what it would have changed.
     pub(super) in_doubt: bool,
+    pub(super) printed_offsets: PrintedOffsets,
+    pub(super) printed_tools: PrintedTools,
     pub(super) errors: Cell<u32>,
 }
 
@@ -64,6 +67,8 @@ impl<'a, L: Language> Core<'a, L> {
             skip_marks: Cell::new(0),
             ended: Cell::new(false),
             in_doubt: false,
+            printed_offsets: PrintedOffsets::default(),
+            printed_tools: PrintedTools::default(),
             errors: Cell::new(0),
         }
     }

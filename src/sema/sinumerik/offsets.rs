@@ -4,7 +4,7 @@
 
 use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::{Function, Side};
-use crate::sema::run::Where;
+use crate::sema::run::{OffsetName, Where};
 
 use super::frames::FrameValue;
 use super::g_groups::{GCode, Group};
@@ -117,6 +117,8 @@ impl Channel<'_> {
                 );
             }
         };
+        let word = offset_word(number);
+        self.core.prints_offset(OffsetName::Word { word: &word, mapped: mapped.is_some() }, printed, place)?;
         let selected = self.st.offsets.printed || self.st.offsets.under_g500;
         if selected && self.st.offsets.outer() != Outer::Printed(number) {
             self.st.position.end_start();

@@ -153,7 +153,7 @@ impl Channel<'_> {
             return self.change_tool();
         }
         if !w.m.iter().any(|m| m.number == 6) {
-            self.function(Function::ToolPrepare { number });
+            self.function(Function::ToolPrepare { number: settings.printed_number(number) });
         }
         Ok(())
     }
@@ -170,7 +170,7 @@ impl Channel<'_> {
     pub(super) fn tool_by_name(&mut self, name: &str, span: Span) -> Outcome<u32> {
         let tools = &self.job.settings.tools;
         match tools.by_exact_name(name) {
-            Some((Some(number), _)) => Ok(number),
+            Some((Some(printed), _)) => Ok(tools.own_number(printed)),
             _ => {
                 let help = self.proposed.help(name, tools);
                 self.fail_help(codes::S2043.alarm(17191), span, format!("the tool `{name}` has no number"), &help)
@@ -190,8 +190,10 @@ impl Channel<'_> {
                 "program G40 in a block in front of it",
             );
         }
+        let printed = self.job.settings.tools.printed_number(number);
+        self.prints_tool(number, printed, Where::Block)?;
         self.st.tool.change_to(number);
-        self.function(Function::ToolChange { number });
+        self.function(Function::ToolChange { number: printed });
         // A tool of another length.
         let [_, _, third] = self.st.roles();
         if self.st.machine.lathe {
@@ -358,6 +360,7 @@ impl Channel<'_> {
         if self.resolves() {
             return self.compute_compensation(number, edge, radius, span);
         }
+        let number = self.job.settings.tools.printed_number(number);
         self.function(Function::Cutter(CutterData { number, radius, ..CutterData::default() }));
         Ok(())
     }

@@ -321,6 +321,7 @@ impl Run<'_> {
                 );
             }
         };
+        self.prints_tool(number, printed, num.span)?;
         self.function(Function::ToolChange { number: printed });
         self.function(Function::Cutter(CutterData { number: printed, ..CutterData::default() }));
         self.st.tool = Some(ActiveTool { number, edge, name });

@@ -125,10 +125,13 @@ pub fn of(book: &str) -> Vec<&'static Case> {
     books().iter().filter(|case| case.book == book).collect()
 }
 
-/// The cases below a folder, ordered by name.
+/// The cases below a folder, ordered by name. Those for other targets than the first stand alone: what reads outputs reads LinuxCNC's.
 pub fn cases(under: &str) -> Vec<&'static Case> {
-    let inside =
-        |case: &&Case| case.name.strip_prefix(under).is_some_and(|rest| under.is_empty() || rest.starts_with('/'));
+    let below = |name: &str, folder: &str| name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'));
+    let inside = |case: &&Case| match under {
+        "" => !below(&case.name, "targets"),
+        folder => below(&case.name, folder),
+    };
     let mut found: Vec<&Case> = books().iter().filter(inside).collect();
     found.sort_by_key(|case| (case.name.rsplit_once('/').map(|(folder, _)| folder), &case.file));
     found

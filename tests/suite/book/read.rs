@@ -116,6 +116,7 @@ impl Draft {
                 let code = chapter.split(' ').next().unwrap_or_default();
                 (folders[1].to_owned(), format!("{code}_{}", slug(heading)))
             }
+            "targets" => (folders[1].to_owned(), format!("{}_{}", slug(chapter), slug(heading))),
             // A chapter for each part, a case for each dialect.
             "same_part" => (slug(heading).replace('_', "-"), format!("{}_in_{}", slug(chapter), slug(heading))),
             folder => (folder.to_owned(), slug(heading)),
