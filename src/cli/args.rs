@@ -34,6 +34,11 @@ pub(super) enum Command {
     Stats(Stats),
     /// Draw the resolved path as an SVG picture
     Plot(Plot),
+    /// Write one page with the path, the findings, the G-code, tools and figures
+    ///
+    /// The page is a file that needs nothing else: it can be sent, kept with an order, and opened without a network. Of a program
+    /// with errors it shows them, and neither path nor G-code; the exit code is that of `compile`.
+    Report(Page),
     /// Compile the programs of a folder and compare with the golden outputs beside them
     ///
     /// PART.H belongs to PART.golden.ngc, for grbl PART.golden.gcode, for grblhal PART.golden.grblhal.gcode; those of other
@@ -323,6 +328,22 @@ pub(super) enum View {
     Yz,
     /// From the right in front and above
     Iso,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(super) struct Page {
+    /// Part program; `-` reads standard input
+    pub input: PathBuf,
+    /// Page; `-` writes standard output. Default: beside the input, with the extension html
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Overwrite a page that partc did not write
+    #[arg(long)]
+    pub force: bool,
+    #[command(flatten)]
+    pub findings: Findings,
+    #[command(flatten)]
+    pub common: Common,
 }
 
 #[derive(Debug, ClapArgs)]

@@ -477,3 +477,20 @@ fn the_dialect_is_told_or_asked_for() {
     folder.run(&["compile", "unknown.txt", "--dialect", "klartext"]).exits(0);
     folder.run(&["compile", "content.txt", "--dialect", "auto"]).exits(0);
 }
+
+#[test]
+fn a_report_shows_results_or_errors_and_replaces_nothing_foreign() {
+    let text = "0 BEGIN PGM T MM\n1 L X+10 Y+0 Z+2 R0 FMAX\n2 L X+50 F200\n3 END PGM T MM\n";
+    let folder =
+        Folder::new("report").with(&[("T.H", text), ("BAD.H", "0 BEGIN PGM T MM\n1 L X+10 R5\n2 END PGM T MM\n")]);
+    folder.run(&["report", "T.H"]).exits(0);
+    let page = folder.run(&["report", "T.H", "-o", "-"]).exits(0).out;
+    assert!(page.starts_with("<!doctype html>\n<!-- (partc report) -->\n") && page.ends_with("</html>\n"));
+    assert_eq!(page.matches("<script type=\"text/plain\" id=").count(), 3);
+    let broken = folder.run(&["report", "BAD.H", "-o", "-"]).exits(1).out;
+    assert!(broken.ends_with("</html>\n"), "a page with the findings");
+    // A second time it is our own page; a program is not.
+    folder.run(&["report", "T.H"]).exits(0);
+    folder.run(&["report", "T.H", "-o", "T.H"]).exits(2);
+    folder.run(&["report", "T.H", "-o", "BAD.H"]).exits(2);
+}
