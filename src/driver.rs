@@ -6,12 +6,11 @@ use std::rc::Rc;
 
 use crate::diag::{Diags, Judge, Trail};
 use crate::dialect::Dialect;
-use crate::emit::plot::Plot;
+use crate::emit::plot::{self, Plot};
 use crate::emit::stats::{Counter, Model, Stats};
 use crate::emit::trace::Trace;
 use crate::emit::{LineMap, Output, Printer};
-use crate::ir::verify;
-use crate::ir::{contour, motion};
+use crate::ir::{Function, Origin, Pos, contour, motion, verify};
 use crate::lint::Checks;
 use crate::lint::fix::Fix;
 use crate::lint::imprint::Imprint;
@@ -136,6 +135,19 @@ impl Session {
         out: &'a mut dyn Output,
         map: Option<&'a mut dyn LineMap>,
     ) -> Result<(), Failure> {
+        self.compile_beside(dialect, settings, files, out, map, None)
+    }
+
+    /// The same, and shows each item to `beside` once it is printed.
+    pub(crate) fn compile_beside<'a>(
+        &'a self,
+        dialect: &Dialect,
+        settings: &'a Settings,
+        files: &dyn Files,
+        out: &'a mut dyn Output,
+        map: Option<&'a mut dyn LineMap>,
+        beside: Option<&mut dyn motion::Sink>,
+    ) -> Result<(), Failure> {
         self.judge(dialect, settings);
         let name = self.sources.name(FileId(0));
         let settings = dialect.settings(settings);
@@ -143,12 +155,16 @@ impl Session {
         // The settings may live shorter than what was handed in.
         let map = map.map(|map| -> &mut dyn LineMap { map });
         let mut printer = Printer::new(settings, &name, &self.diags, out, map);
+        let run = |printer: &mut dyn motion::Sink| match beside {
+            Some(beside) => self.run(dialect, settings, files, &mut Beside { printer, beside }),
+            None => self.run(dialect, settings, files, printer),
+        };
         if !settings.output.validate {
-            let hash = self.run(dialect, settings, files, &mut printer);
+            let hash = run(&mut printer);
             return Ok(printer.finish(hash)?);
         }
         let mut validated = Validated::new(printer, Validator::new(settings), &self.diags);
-        let hash = self.run(dialect, settings, files, &mut validated);
+        let hash = run(&mut validated);
         validated.finish(hash)
     }
 
@@ -242,12 +258,13 @@ impl Session {
         dialect: &Dialect,
         settings: &Settings,
         files: &dyn Files,
+        options: plot::Options,
         out: &mut dyn Output,
-    ) -> io::Result<()> {
+    ) -> io::Result<Option<plot::Thinned>> {
         self.judge(dialect, settings);
-        let mut plot = Plot::new(settings, &self.sources.name(FileId(0)), out);
+        let mut plot = Plot::new(settings, &self.sources.name(FileId(0)), options);
         self.run(dialect, settings, files, &mut plot);
-        plot.finish()
+        plot.finish(Some(&self.sources), out)
     }
 
     /// Counts ways, times, tools and extents. With an error among the findings the figures must not be used.
@@ -273,6 +290,42 @@ impl Session {
         let mut trace = Trace::new(&self.sources, &self.trail, out);
         self.run(dialect, settings, files, &mut trace);
         trace.finish()
+    }
+}
+
+/// A printer, and somebody who sees each item once it is printed.
+struct Beside<'a> {
+    printer: &'a mut dyn motion::Sink,
+    beside: &'a mut dyn motion::Sink,
+}
+
+impl motion::Sink for Beside<'_> {
+    fn movement(&mut self, mv: &motion::Move, origin: &Origin) {
+        self.printer.movement(mv, origin);
+        self.beside.movement(mv, origin);
+    }
+
+    fn function(&mut self, function: &Function, origin: &Origin) {
+        self.printer.function(function, origin);
+        self.beside.function(function, origin);
+    }
+
+    fn lost(&mut self, origin: &Origin) {
+        self.printer.lost(origin);
+        self.beside.lost(origin);
+    }
+
+    fn programmed(&mut self, mv: &motion::Move, start: &Pos) {
+        self.printer.programmed(mv, start);
+    }
+
+    fn begins_at(&mut self, at: &Pos) {
+        self.printer.begins_at(at);
+        self.beside.begins_at(at);
+    }
+
+    fn full(&self) -> bool {
+        self.printer.full()
     }
 }
 

@@ -23,6 +23,7 @@ mod diag;
 mod dialect;
 mod driver;
 mod emit;
+pub mod exhibit;
 mod facade;
 mod geo;
 mod ir;
@@ -50,7 +51,7 @@ pub use machine::Settings;
 
 /// Where programs come from.
 pub mod files {
-    pub use crate::text::files::{FileError, Files, Memory, NoFiles, Opened, ReadAt, Request};
+    pub use crate::text::files::{FileError, Files, Folder, Memory, NoFiles, Opened, ReadAt, Request};
 }
 
 /// What the user can say about a run: `partc.toml` as data.

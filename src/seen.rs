@@ -31,6 +31,8 @@ pub struct Seen {
 #[derive(Debug, Clone, Copy)]
 pub struct Stop {
     pub file: FileId,
+    /// Line on which it begins, from 1.
+    pub line: u32,
     /// Its words.
     pub span: Span,
     /// Where all known axes stand behind its first pass: what is programmed, in coordinates of the workpiece.
@@ -67,6 +69,37 @@ impl Way {
             Way::Cycle => "cycle",
         }
     }
+}
+
+impl Stop {
+    /// The known axes behind the block, and how often it ran; `cut_off` where the program was given up before its end.
+    pub fn place(&self, cut_off: bool) -> String {
+        let mut text = coordinates(&self.end);
+        if text.is_empty() {
+            text.push('?');
+        }
+        if self.machine {
+            text.push_str(" machine");
+        }
+        if self.passes > 1 {
+            let least = if cut_off { "\u{2265}" } else { "" };
+            text.push_str(&format!(" \u{d7}{least}{}", self.passes));
+        }
+        text
+    }
+}
+
+/// `X10 Y-2.5`: three places, without zeros at the end.
+pub fn coordinates(pos: &Pos) -> String {
+    let words: Vec<String> = pos.iter().map(|(axis, value)| format!("{}{}", axis.letter(), number(value))).collect();
+    words.join(" ")
+}
+
+/// Three places, without zeros at the end and without a minus zero.
+pub fn number(value: f64) -> String {
+    let text = format!("{value:.3}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
 /// A block that changes the tool.
@@ -125,8 +158,8 @@ impl Seen {
         }
         self.last = (step, self.stops.len());
         self.by_block.insert(key, self.stops.len());
-        let (file, span, tool) = (origin.loc.file, origin.loc.span, self.tool);
-        self.stops.push(Stop { file, span, end: *end, path, feed, side, tool, machine, passes: 1, step });
+        let (file, line, span, tool) = (origin.loc.file, origin.loc.line, origin.loc.span, self.tool);
+        self.stops.push(Stop { file, line, span, end: *end, path, feed, side, tool, machine, passes: 1, step });
     }
 }
 

@@ -34,6 +34,11 @@ pub(super) enum Command {
     Stats(Stats),
     /// Draw the resolved path as an SVG picture
     Plot(Plot),
+    /// Write one page with the path, the findings, the G-code, tools and figures
+    ///
+    /// The page is a file that needs nothing else: it can be sent, kept with an order, and opened without a network. Of a program
+    /// with errors it shows them, and neither path nor G-code; the exit code is that of `compile`.
+    Report(Page),
     /// Compile the programs of a folder and compare with the golden outputs beside them
     ///
     /// PART.H belongs to PART.golden.ngc, for grbl PART.golden.gcode, for grblhal PART.golden.grblhal.gcode; those of other
@@ -284,10 +289,55 @@ fn seconds(text: &str) -> Result<f64, String> {
 pub(super) struct Plot {
     /// Part program; `-` reads standard input
     pub input: PathBuf,
-    /// Picture; `-` writes standard output. Default: beside the input, with the extension svg
+    /// Picture, .svg or .png; `-` writes standard output. Default: beside the input, with the extension svg
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Form of the picture [default: by the extension of the output]
+    #[arg(long = "as", value_enum)]
+    pub form: Option<PictureForm>,
+    /// Side from which the path is seen [default: the working plane; on a lathe Z to the right and X up]
+    #[arg(long, value_enum)]
+    pub view: Option<View>,
+    /// Write sizes, circles, holes and diameters into the picture
+    #[arg(long)]
+    pub dimensions: bool,
     /// Overwrite a picture that partc did not draw
+    #[arg(long)]
+    pub force: bool,
+    #[command(flatten)]
+    pub findings: Findings,
+    #[command(flatten)]
+    pub common: Common,
+}
+
+/// Forms of pictures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum PictureForm {
+    Svg,
+    Png,
+}
+
+/// Sides of a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum View {
+    /// From above
+    Xy,
+    /// From the front; on a lathe Z to the right and X up
+    Xz,
+    /// From the right
+    Yz,
+    /// From the right in front and above
+    Iso,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(super) struct Page {
+    /// Part program; `-` reads standard input
+    pub input: PathBuf,
+    /// Page; `-` writes standard output. Default: beside the input, with the extension html
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Overwrite a page that partc did not write
     #[arg(long)]
     pub force: bool,
     #[command(flatten)]

@@ -15,6 +15,7 @@ mod inputs;
 mod listing;
 mod lsp;
 mod output;
+mod page;
 mod pending;
 mod plot;
 mod pool;
@@ -96,6 +97,7 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
         Command::Init(init) => init::init(init),
         Command::Trace(trace) => run::trace(trace),
         Command::Plot(plot) => plot::plot(plot),
+        Command::Report(args) => page::report(args),
         Command::Stats(args) => stats::stats(args),
         Command::Test(test) => golden::test(test),
         Command::Diff(two) => diff::diff(two),

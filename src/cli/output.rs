@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::emit::{Output, is_printed, plot};
 
+use super::page;
 use super::pending::{self, Pending, behind_links};
 
 /// Bytes of standard output kept in memory before a temporary file takes over.
@@ -198,6 +199,7 @@ pub(super) enum Made {
     Program,
     Map,
     Picture,
+    Report,
 }
 
 /// Would writing to `path` destroy a file that partc did not write? An empty file is nobody's.
@@ -214,7 +216,10 @@ fn begins(head: &[u8], made: Made) -> bool {
     match made {
         Made::Program => is_printed(head),
         Made::Map => head.starts_with(MAP_MARK.as_bytes()),
+        #[cfg(feature = "png")]
+        Made::Picture if head.windows(plot::PNG_MARK.len()).any(|part| part == plot::PNG_MARK) => true,
         Made::Picture => head.starts_with(plot::MARK.as_bytes()),
+        Made::Report => head.starts_with(page::MARK.as_bytes()),
     }
 }
 

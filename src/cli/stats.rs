@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
-use crate::emit::stats::{Figures, Model, SMOOTH_DEG, Stats};
+use crate::emit::stats::{Figures, Model, SMOOTH_DEG, Stats, short};
 use crate::text::decode::{escaped_json, harmless_lines};
 
 use super::args::{Stats as Args, StatsFormat};
@@ -60,11 +60,6 @@ pub(super) fn stats(args: &Args) -> Result<Exit, Trouble> {
         print(text.as_bytes())?;
     }
     reporter.finish()
-}
-
-/// To a thousandth: the rest is rounding of sums.
-fn short(value: f64) -> f64 {
-    (value * 1000.0).round() / 1000.0 + 0.0
 }
 
 /// `1:02:03`, or `2:03.4` below an hour.
@@ -123,40 +118,8 @@ fn table(name: &str, stats: &Stats, model: &Model) -> String {
 }
 
 fn object(name: &str, stats: &Stats) -> Value {
-    let figures = |figures: &Figures| {
-        json!({
-            "cutting_mm": short(figures.cutting),
-            "rapid_mm": short(figures.rapid),
-            "cutting_s": short(figures.cutting_time),
-            "rapid_s": short(figures.rapid_time),
-            "moves": figures.moves,
-        })
-    };
-    let tools: Vec<Value> = stats
-        .tools
-        .iter()
-        .map(|tool| {
-            let mut object = figures(&tool.figures);
-            object["tool"] = json!(tool.number);
-            object["changes"] = json!(tool.changes);
-            object
-        })
-        .collect();
-    let extents: serde_json::Map<String, Value> = stats
-        .extents
-        .iter()
-        .map(|(axis, (low, high))| (axis.letter().to_string(), json!([short(*low), short(*high)])))
-        .collect();
-    let mut object = figures(&stats.total());
+    let mut object = stats.object();
     object["file"] = json!(name);
-    object["tools"] = json!(tools);
-    object["extents"] = json!(extents);
-    object["dwell_s"] = json!(short(stats.dwell));
-    object["tool_changes"] = json!(stats.changes);
-    object["tool_change_s"] = json!(short(stats.change_time));
-    object["time_s"] = json!(short(stats.time()));
-    object["unknown_moves"] = json!(stats.unknown_moves);
-    object["untimed_moves"] = json!(stats.untimed_moves);
     object
 }
 

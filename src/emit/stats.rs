@@ -4,6 +4,8 @@
 //! in nearly the same direction are passed at the slower of their speeds; between others the machine stops. A control
 //! that looks further ahead, or limits the jerk, takes another time.
 
+mod object;
+
 use std::collections::BTreeMap;
 
 use crate::geo::Plane;
@@ -11,6 +13,9 @@ use crate::ir::function::Spindle;
 use crate::ir::motion::{Arc, Move, Path, Sink};
 use crate::ir::{Feed, Function, Origin, Pos};
 use crate::machine::Axis;
+
+#[cfg(feature = "cli")]
+pub use object::short;
 
 /// Directions that differ by less than this, in degrees, are passed without a stop.
 pub const SMOOTH_DEG: f64 = 10.0;
@@ -26,6 +31,12 @@ pub struct Model {
     pub acceleration: f64,
     /// Seconds of a tool change.
     pub tool_change: f64,
+}
+
+impl Default for Model {
+    fn default() -> Model {
+        Model { rapid: 10_000.0, acceleration: 1.0, tool_change: 0.0 }
+    }
 }
 
 /// What was counted; lengths in mm, times in seconds.

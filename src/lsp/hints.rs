@@ -2,9 +2,10 @@
 
 use lsp_types::{InlayHint, InlayHintLabel, InlayHintTooltip, Range};
 
-use crate::ir::Pos;
 use crate::seen::{Stop, Way};
 use crate::text::FileId;
+
+pub use crate::seen::{coordinates, number};
 
 use super::server::Document;
 
@@ -17,7 +18,7 @@ pub fn hints(document: &Document, range: Range) -> Vec<InlayHint> {
     let moving = blocks.filter_map(|block| Some((block, study.seen.stop(FileId(0), block.words.start)?)));
     let hint = |(block, stop): (&super::study::BlockPlace, &Stop)| InlayHint {
         position: document.text.position(block.words.end),
-        label: InlayHintLabel::String(place(stop, study.cut_off)),
+        label: InlayHintLabel::String(stop.place(study.cut_off)),
         kind: None,
         text_edits: None,
         tooltip: Some(InlayHintTooltip::String(tooltip(stop))),
@@ -28,22 +29,6 @@ pub fn hints(document: &Document, range: Range) -> Vec<InlayHint> {
     moving.map(hint).collect()
 }
 
-/// The known axes behind the block, and how often it ran.
-fn place(stop: &Stop, cut_off: bool) -> String {
-    let mut text = coordinates(&stop.end);
-    if text.is_empty() {
-        text.push('?');
-    }
-    if stop.machine {
-        text.push_str(" machine");
-    }
-    if stop.passes > 1 {
-        let least = if cut_off { "\u{2265}" } else { "" };
-        text.push_str(&format!(" \u{d7}{least}{}", stop.passes));
-    }
-    text
-}
-
 fn tooltip(stop: &Stop) -> String {
     let system =
         if stop.machine { "coordinates of the machine" } else { "coordinates of the workpiece, as programmed" };
@@ -52,17 +37,4 @@ fn tooltip(stop: &Stop) -> String {
         1 => format!("{what}, in {system}"),
         passes => format!("{what} in its first pass of {passes}, in {system}"),
     }
-}
-
-/// `X10 Y-2.5`: three places, without zeros at the end.
-pub fn coordinates(pos: &Pos) -> String {
-    let words: Vec<String> = pos.iter().map(|(axis, value)| format!("{}{}", axis.letter(), number(value))).collect();
-    words.join(" ")
-}
-
-/// Three places, without zeros at the end and without a minus zero.
-pub fn number(value: f64) -> String {
-    let text = format!("{value:.3}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }

@@ -101,3 +101,37 @@ impl Files for NoFiles {
         Err(FileError::NotFound { tried: vec![request.name.to_owned()], similar: Vec::new() })
     }
 }
+
+/// Files by name, all in one folder and in memory. Upper and lower case are one, as on a control.
+#[derive(Debug, Default)]
+pub struct Folder {
+    files: Vec<(String, Arc<[u8]>)>,
+}
+
+impl Folder {
+    pub fn add(&mut self, name: &str, bytes: impl Into<Arc<[u8]>>) {
+        self.files.push((name.to_owned(), bytes.into()));
+    }
+}
+
+impl Files for Folder {
+    fn open(&self, request: &Request<'_>) -> Result<Opened, FileError> {
+        let name = request.name.rsplit(['/', '\\', ':']).next().unwrap_or(request.name);
+        let mut tried = vec![name.to_owned()];
+        if !name.contains('.') {
+            tried.extend(request.extensions.iter().map(|extension| format!("{name}.{extension}")));
+        }
+        for wanted in &tried {
+            let found: Vec<_> = self.files.iter().filter(|(name, _)| name.eq_ignore_ascii_case(wanted)).collect();
+            match found[..] {
+                [] => {}
+                [(name, bytes)] => {
+                    let text = Box::new(Memory(Arc::clone(bytes)));
+                    return Ok(Opened { identity: name.clone(), name: name.clone(), text });
+                }
+                _ => return Err(FileError::Ambiguous { names: found.iter().map(|(name, _)| name.clone()).collect() }),
+            }
+        }
+        Err(FileError::NotFound { tried, similar: Vec::new() })
+    }
+}

@@ -11,7 +11,7 @@ pub mod number;
 pub mod sources;
 
 pub use blocks::{Cursor, Next, SplitRules};
-pub use files::{FileError, Files, Memory, Opened, ReadAt, Request};
+pub use files::{FileError, Files, Folder, Memory, Opened, ReadAt, Request};
 pub use sources::{FileId, Sources};
 
 /// A range of bytes in one file; `end` is exclusive. Files are at most 4 GiB.

@@ -23,10 +23,14 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("compare", &["read", "sema", "ir", "machine", "geo", "text"]),
     ("lint", &["sema", "ir", "geo", "machine", "diag", "text"]),
     ("dialect", &["lexer", "parser", "sema", "ir", "machine"]),
+    ("exhibit", &["diag", "dialect", "driver", "emit", "geo", "ir", "machine", "seen", "target", "text"]),
     ("lsp", &["diag", "dialect", "driver", "ir", "lint", "machine", "seen", "sema", "text"]),
     (
         "cli",
-        &["compare", "diag", "dialect", "driver", "emit", "ir", "lint", "lsp", "machine", "target", "text", "validate"],
+        &[
+            "compare", "diag", "dialect", "driver", "emit", "exhibit", "ir", "lint", "lsp", "machine", "target",
+            "text", "validate",
+        ],
     ),
 ];
 

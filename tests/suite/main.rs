@@ -30,6 +30,7 @@ mod damage;
 mod diagnostics;
 mod documents;
 mod endless;
+mod exhibit;
 mod explained;
 mod facade;
 mod fast_path;

@@ -160,7 +160,8 @@ fn notice() -> String {
     for (n, text) in texts.iter().enumerate() {
         made += &format!("\n[{}]\n{}\n\n{text}\n", n + 1, "-".repeat(80));
     }
-    made
+    let page = fs::read_to_string(root().join("web/THIRD-PARTY.txt")).expect("the notice of the page");
+    made + &format!("\n{}\n\n{page}", "=".repeat(80))
 }
 
 #[test]
