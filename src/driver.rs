@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use crate::diag::{Diags, Judge, Trail};
 use crate::dialect::Dialect;
-use crate::emit::plot::Plot;
+use crate::emit::plot::{self, Plot};
 use crate::emit::stats::{Counter, Model, Stats};
 use crate::emit::trace::Trace;
 use crate::emit::{LineMap, Output, Printer};
@@ -258,12 +258,13 @@ impl Session {
         dialect: &Dialect,
         settings: &Settings,
         files: &dyn Files,
+        options: plot::Options,
         out: &mut dyn Output,
-    ) -> io::Result<()> {
+    ) -> io::Result<Option<plot::Thinned>> {
         self.judge(dialect, settings);
-        let mut plot = Plot::new(settings, &self.sources.name(FileId(0)), out);
+        let mut plot = Plot::new(settings, &self.sources.name(FileId(0)), options);
         self.run(dialect, settings, files, &mut plot);
-        plot.finish()
+        plot.finish(Some(&self.sources), out)
     }
 
     /// Counts ways, times, tools and extents. With an error among the findings the figures must not be used.

@@ -289,9 +289,18 @@ fn seconds(text: &str) -> Result<f64, String> {
 pub(super) struct Plot {
     /// Part program; `-` reads standard input
     pub input: PathBuf,
-    /// Picture; `-` writes standard output. Default: beside the input, with the extension svg
+    /// Picture, .svg or .png; `-` writes standard output. Default: beside the input, with the extension svg
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Form of the picture [default: by the extension of the output]
+    #[arg(long = "as", value_enum)]
+    pub form: Option<PictureForm>,
+    /// Side from which the path is seen [default: the working plane; on a lathe Z to the right and X up]
+    #[arg(long, value_enum)]
+    pub view: Option<View>,
+    /// Write sizes, circles, holes and diameters into the picture
+    #[arg(long)]
+    pub dimensions: bool,
     /// Overwrite a picture that partc did not draw
     #[arg(long)]
     pub force: bool,
@@ -299,6 +308,26 @@ pub(super) struct Plot {
     pub findings: Findings,
     #[command(flatten)]
     pub common: Common,
+}
+
+/// Forms of pictures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum PictureForm {
+    Svg,
+    Png,
+}
+
+/// Sides of a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum View {
+    /// From above
+    Xy,
+    /// From the front; on a lathe Z to the right and X up
+    Xz,
+    /// From the right
+    Yz,
+    /// From the right in front and above
+    Iso,
 }
 
 #[derive(Debug, ClapArgs)]

@@ -9,7 +9,7 @@ use crate::compare::{Difference, Step, Steps, play, steps_of_text};
 use crate::dialect;
 use crate::driver::Session;
 use crate::emit::is_printed;
-use crate::emit::plot::Plot;
+use crate::emit::plot::{Options, Plot};
 use crate::ir::motion::Sink;
 use crate::machine::Settings;
 use crate::text::decode::{escaped_json, harmless_lines};
@@ -20,7 +20,7 @@ use super::listing::print;
 use super::output::{Destination, Made, is_foreign};
 use super::report::{Reporter, Stdout};
 use super::run::{Loaded, load, same_file};
-use super::{Exit, Trouble, config};
+use super::{Exit, Trouble, config, plot};
 
 /// Extensions of plain G-code.
 const PLAIN: [&str; 6] = ["ngc", "gcode", "nc", "tap", "cnc", "gc"];
@@ -152,15 +152,16 @@ pub(super) fn diff(args: &Diff) -> Result<Exit, Trouble> {
 
 /// Draws both paths; each program is run once more.
 fn draw(args: &Diff, picture: &Path) -> Result<(), Trouble> {
+    let options = Options { form: plot::form(picture)?, ..Options::default() };
     let trouble = |error: std::io::Error| format!("{}: {error}", picture.display());
     let mut out = Destination::open(picture).map_err(trouble)?;
     let first = Program::load(&args.a, &args.common)?;
     let title = format!("{} and {}", file_name(&args.a), file_name(&args.b));
-    let mut plot = Plot::new(first.settings(), &title, &mut out);
+    let mut drawn = Plot::new(first.settings(), &title, options);
     for path in [&args.a, &args.b] {
-        plot.program(&file_name(path));
-        Program::load(path, &args.common)?.play(path, &mut plot)?;
+        drawn.program(&file_name(path));
+        Program::load(path, &args.common)?.play(path, &mut drawn)?;
     }
-    plot.finish().map_err(trouble)?;
+    drawn.finish(None, &mut out).map_err(trouble)?;
     out.commit().map_err(trouble)
 }

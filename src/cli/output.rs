@@ -216,6 +216,8 @@ fn begins(head: &[u8], made: Made) -> bool {
     match made {
         Made::Program => is_printed(head),
         Made::Map => head.starts_with(MAP_MARK.as_bytes()),
+        #[cfg(feature = "png")]
+        Made::Picture if head.windows(plot::PNG_MARK.len()).any(|part| part == plot::PNG_MARK) => true,
         Made::Picture => head.starts_with(plot::MARK.as_bytes()),
         Made::Report => head.starts_with(page::MARK.as_bytes()),
     }

@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::args::Plot;
+use crate::emit::plot::{Form, Options, Side, Thinned, rounded_up};
+
+use super::args::{PictureForm, Plot, View};
 use super::disk::file_name;
 use super::inputs::Input;
 use super::output::{Destination, Made, ignore_closed_pipe, is_foreign, set_aside};
@@ -24,13 +26,21 @@ pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
     if is_foreign(&target, Made::Picture) && !args.force {
         return Err(format!("{shown}: not drawn by partc; use --force to replace it, or another name"));
     }
+    let options = Options {
+        view: args.view.map(side),
+        dimensions: args.dimensions,
+        form: match args.form {
+            Some(asked) => made(asked)?,
+            None => form(&target)?,
+        },
+    };
     let Loaded { session, dialect, settings, files, place } = load(&args.input, &args.common)?;
     let stdout = if target == Path::new("-") { Stdout::Taken } else { Stdout::Free };
     let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None);
     reporter.spares(&[Input::named(&args.input)], &BTreeSet::from([real(&target)]))?;
     let mut out = Destination::open(&target).map_err(trouble)?;
     let ticker = Ticker::start(true, &place);
-    let result = session.plot(dialect, &settings, &files, &mut out);
+    let result = session.plot(dialect, &settings, &files, options, &mut out);
     drop(ticker);
     if reporter.look().fails(&session) {
         drop(out);
@@ -38,17 +48,48 @@ pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
             say(&format!("partc: the older {shown} was renamed to {}", stale.display()));
         }
     } else {
-        result.and_then(|()| out.commit()).or_else(ignore_closed_pipe).map_err(trouble)?;
+        let thinned = result.map_err(trouble)?;
+        out.commit().or_else(ignore_closed_pipe).map_err(trouble)?;
+        if let Some(Thinned { moves, strokes, error }) = thinned.filter(|_| !args.common.report.quiet) {
+            let error = rounded_up(error);
+            say(&format!("partc: {moves} moves are drawn with {strokes} strokes, at most {error} mm away from them"));
+        }
     }
     reporter.session(session);
     reporter.finish()
 }
 
+/// The form that the name of a picture asks for.
+pub(super) fn form(path: &Path) -> Result<Form, Trouble> {
+    let is_png = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
+    made(if is_png { PictureForm::Png } else { PictureForm::Svg })
+}
+
+fn made(form: PictureForm) -> Result<Form, Trouble> {
+    match form {
+        PictureForm::Svg => Ok(Form::Svg),
+        #[cfg(feature = "png")]
+        PictureForm::Png => Ok(Form::Png),
+        #[cfg(not(feature = "png"))]
+        PictureForm::Png => Err("this partc was built without the feature `png`; take svg".to_owned()),
+    }
+}
+
+fn side(view: View) -> Side {
+    match view {
+        View::Xy => Side::Xy,
+        View::Xz => Side::Xz,
+        View::Yz => Side::Yz,
+        View::Iso => Side::Iso,
+    }
+}
+
 fn target(args: &Plot) -> PathBuf {
+    let extension = if args.form == Some(PictureForm::Png) { "png" } else { "svg" };
     match (&args.output, &args.common.stdin_filename) {
         (Some(output), _) => output.clone(),
-        (None, Some(name)) if args.input == Path::new("-") => PathBuf::from(file_name(name)).with_extension("svg"),
+        (None, Some(name)) if args.input == Path::new("-") => PathBuf::from(file_name(name)).with_extension(extension),
         (None, _) if args.input == Path::new("-") => PathBuf::from("-"),
-        (None, _) => args.input.with_extension("svg"),
+        (None, _) => args.input.with_extension(extension),
     }
 }

@@ -85,6 +85,16 @@ impl Element {
     }
 
     /// The element from its end to its start.
+    /// The same element elsewhere.
+    pub fn shifted(&self, by: Vec2) -> Element {
+        match *self {
+            Element::Line { from, to } => Element::Line { from: from + by, to: to + by },
+            Element::Arc { from, to, center, sweep } => {
+                Element::Arc { from: from + by, to: to + by, center: center + by, sweep }
+            }
+        }
+    }
+
     pub fn reversed(&self) -> Element {
         match *self {
             Element::Line { from, to } => Element::Line { from: to, to: from },

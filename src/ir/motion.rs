@@ -2,9 +2,10 @@
 //!
 //! The comment of a variant says what its producer guarantees; [`super::verify::Motion`] checks it.
 
-use crate::geo::{Plane, Point2};
+use crate::geo::{Element, Plane, Point2};
 use crate::machine::axis::AxisSet;
 
+use super::cycle::turning::Towards;
 use super::{Feed, Function, Origin, Pos, Side};
 
 /// A move from the end of the move before.
@@ -77,6 +78,9 @@ pub trait Sink {
     fn lost(&mut self, origin: &Origin);
     /// The contour that the next moves run beside, element by element: for pictures. `start` is where the element begins.
     fn programmed(&mut self, _: &Move, _start: &Pos) {}
+    /// A contour of a turned part, as (Z, radius), that the moves of a cycle before this cut down to, `into` the material: for
+    /// pictures.
+    fn finished(&mut self, _: &[Element], _into: Towards) {}
     /// Axes stand here although no move said so.
     fn begins_at(&mut self, _: &Pos) {}
     /// What comes now is not taken any more, which was reported: the run may stop.

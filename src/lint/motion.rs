@@ -358,6 +358,10 @@ impl motion::Sink for OnMotion<'_, '_> {
         self.next.programmed(mv, start);
     }
 
+    fn finished(&mut self, contour: &[crate::geo::Element], into: crate::ir::cycle::turning::Towards) {
+        self.next.finished(contour, into);
+    }
+
     fn begins_at(&mut self, at: &Pos) {
         self.watch.borrow_mut().machine.at = *at;
         self.next.begins_at(at);

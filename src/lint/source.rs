@@ -2,7 +2,7 @@
 
 use crate::diag::Diagnostic;
 use crate::sema::Job;
-use crate::sema::run::survey::{Surveyed, Visitor, Wanted, What};
+use crate::sema::run::survey::{OfStraight, Surveyed, Visitor, Wanted, What};
 use crate::text::{Loc, Span};
 
 use super::fix::Fix;
@@ -11,7 +11,7 @@ use super::motion::{Bar, Blank, Say};
 /// A rule over the blocks of the main program.
 pub trait SourceRule {
     fn block(&mut self, block: &Read<'_>, say: &mut Told<'_>);
-    /// Does the next straight line matter? See [`Visitor::passes_straight`].
+    /// Does the next straight line matter? See [`Visitor::straight`].
     fn wants_straight(&self) -> bool {
         false
     }
@@ -103,8 +103,8 @@ impl Visitor for Reader<'_> {
         true
     }
 
-    fn passes_straight(&self) -> bool {
-        !self.rules.iter().any(|rule| rule.wants_straight())
+    fn straight(&self) -> OfStraight {
+        if self.rules.iter().any(|rule| rule.wants_straight()) { OfStraight::Whole } else { OfStraight::Nothing }
     }
 
     fn block(&mut self, block: &Surveyed<'_>, job: &Job<'_>) {
@@ -161,8 +161,8 @@ impl Visitor for FindsBlank {
         true
     }
 
-    fn passes_straight(&self) -> bool {
-        true
+    fn straight(&self) -> OfStraight {
+        OfStraight::Nothing
     }
 
     fn block(&mut self, block: &Surveyed<'_>, _: &Job<'_>) {

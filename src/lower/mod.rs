@@ -21,6 +21,7 @@ pub mod undercut;
 use std::rc::Rc;
 
 use crate::diag::{Code, Diagnostic, Diags, codes};
+use crate::geo::{Element, Vec2};
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Coords, Corner, CtxRef, Load, Sink};
 use crate::ir::cycle::Cycle;
@@ -326,6 +327,18 @@ impl<'a> Lower<'a> {
         Some(found)
     }
 
+    /// Says what is left of a turned part, where the frame only shifts it.
+    fn finished(&mut self, cycle: &Cycle) {
+        if let Some((contour, into)) = cycle.finished()
+            && self.ctx.frame.is_shift()
+            && self.carrier.transformer.is_none()
+        {
+            let by = Vec2::new(self.ctx.frame.shift_of(Axis::Z), self.ctx.frame.shift_of(Axis::X));
+            let contour: Vec<Element> = contour.iter().map(|element| element.shifted(by)).collect();
+            self.out.finished(&contour, into);
+        }
+    }
+
     fn cuts_nothing(&self, origin: &Origin) {
         let message = "the cycle cuts nothing: it only travels there and back".to_owned();
         if self.diags.first_text(codes::G3304, &message) {
@@ -389,7 +402,7 @@ impl Sink for Lower<'_> {
         let found = match known {
             true => None,
             false => match self.expand(cycle, &start, ctx, origin) {
-                Ok(true) => return,
+                Ok(true) => return self.finished(cycle),
                 Ok(false) => return self.cuts_nothing(origin),
                 Err(found) => self.unless_explained(cycle, found),
             },

@@ -11,7 +11,7 @@ use crate::lint::lead;
 use crate::machine::Settings;
 use crate::seen::Seen;
 use crate::sema::Job;
-use crate::sema::run::survey::{Surveyed, Visitor, Wanted, What};
+use crate::sema::run::survey::{OfStraight, StraightLine, Surveyed, Visitor, Wanted, What};
 use crate::text::{FileId, Files, Memory, Opened, Span};
 
 /// A document at one version.
@@ -132,6 +132,14 @@ impl Visitor for Survey {
 
     fn items(&self) -> bool {
         true
+    }
+
+    fn straight(&self) -> OfStraight {
+        OfStraight::Places
+    }
+
+    fn straight_line(&mut self, line: &StraightLine) {
+        self.blocks.push(BlockPlace { span: line.span, words: line.words, number: line.number });
     }
 
     fn block(&mut self, block: &Surveyed<'_>, _: &Job<'_>) {

@@ -4,10 +4,16 @@ use lsp_server::{Message, Notification, Request, RequestId};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
+use super::study::Survey;
 use super::{Server, Setting, World};
 use crate::dialect;
+use crate::driver::Session;
+use crate::lint::lead;
 use crate::machine::Settings;
+use crate::sema::Job;
+use crate::sema::run::survey::{Surveyed, Visitor, Wanted};
 use crate::text::files::NoFiles;
+use crate::text::{FileId, Memory, Opened};
 
 /// Documents without files.
 #[derive(Debug)]
@@ -73,6 +79,47 @@ fn a_check_gives_way_to_what_comes() {
     server.catch_up(&|| false, &mut out);
     assert_eq!(published(&out), findings("file:///T.H", PROGRAM));
     assert!(!server.is_behind());
+}
+
+/// A survey that looks at each line as a whole.
+#[derive(Default)]
+struct Whole(Survey);
+
+impl Visitor for Whole {
+    fn wanted(&self) -> Wanted<'_> {
+        Wanted::ALL
+    }
+
+    fn items(&self) -> bool {
+        true
+    }
+
+    fn block(&mut self, block: &Surveyed<'_>, job: &Job<'_>) {
+        self.0.block(block, job);
+    }
+}
+
+proptest! {
+    #[test]
+    fn straight_lines_have_their_places(
+        lines in prop::collection::vec(
+            ("[0-9]{0,3} ?L [XY][+-][0-9]{1,7}( F[0-9]{3})? {0,2}|[0-9]{1,3} L X\\+Q1|N?[0-9]{0,3} ?(G1 )?X[0-9]{1,7} {0,2}|; X", 1..9usize),
+            1..12,
+        ),
+        end in prop::sample::select(vec!["\n", "\r\n"]),
+    ) {
+        let lines: Vec<&str> = lines.iter().flat_map(|(line, times)| vec![line.as_str(); *times]).collect();
+        let text = lines.join(end);
+        for dialect in ["klartext", "sinumerik"] {
+            let text = Box::new(Memory::new(text.as_bytes().to_vec()));
+            let session = Session::new(Opened { name: "A".to_owned(), identity: "A".to_owned(), text });
+            let survey = dialect::find(dialect).expect("a dialect").survey;
+            let (mut places, mut whole) = (Survey::default(), Whole::default());
+            lead(&session.sources, FileId(0), survey, &mut places);
+            lead(&session.sources, FileId(0), survey, &mut whole);
+            prop_assert_eq!(format!("{:?}", places), format!("{:?}", whole.0));
+        }
+    }
 }
 
 const ASKED: [&str; 13] = [

@@ -290,7 +290,8 @@ impl Cursor {
     }
 
     /// Reads up to the next logical block that is not too long and whose text is `wanted`; none at the end of the file.
-    /// Text that is wanted holds `letter`, in whatever case.
+    /// Text that is wanted holds `letter`, in whatever case, and does not lie between a block and where one may `pass` from
+    /// there.
     ///
     /// # Errors
     /// What the operating system reports.
@@ -299,8 +300,12 @@ impl Cursor {
         sources: &Sources,
         letter: Option<u8>,
         wanted: impl Fn(&[u8]) -> bool,
+        pass: impl Fn(u32) -> Option<Place>,
     ) -> io::Result<Option<BlockText<'_>>> {
         loop {
+            if let Some(place) = pass(self.place().at) {
+                self.pass_to(place);
+            }
             if let Some(letter) = letter {
                 self.pass_lines_without(letter);
             }

@@ -329,6 +329,57 @@ fn plot_draws_beside_the_program_and_replaces_nothing_foreign() {
 }
 
 #[test]
+fn plot_takes_a_side_sizes_and_a_form() {
+    let text = "0 BEGIN PGM T MM\n1 L X+10 Y+0 Z+2 R0 FMAX\n2 L X+50 Z-3 F200\n3 END PGM T MM\n";
+    let bad = "0 BEGIN PGM T MM\n1 L X+10 R5\n2 END PGM T MM\n";
+    let folder = Folder::new("plot_sides").with(&[("T.H", text), ("BAD.H", bad)]);
+    let front = folder.run(&["plot", "T.H", "--view", "xz", "-o", "-"]).exits(0).out;
+    assert!(front.contains("M10 2L50 -3") && front.contains(">Z<") && !front.contains(">Y<"), "{front}");
+    let sized = folder.run(&["plot", "T.H", "--view", "xz", "--dimensions", "-o", "-"]).exits(0).out;
+    assert!(sized.contains(">40<") && sized.contains(">5<"), "{sized}");
+    let iso = folder.run(&["plot", "T.H", "--view", "iso", "-o", "-"]).exits(0).out;
+    assert!([">X<", ">Y<", ">Z<"].iter().all(|axis| iso.contains(axis)), "{iso}");
+    folder.run(&["plot", "T.H", "--view", "zx"]).exits(2);
+    folder.run(&["plot", "T.H", "--as", "bmp"]).exits(2);
+    if cfg!(feature = "png") {
+        let is_png =
+            |name: &str| std::fs::read(folder.0.join(name)).expect("a picture").starts_with(b"\x89PNG\r\n\x1a\n");
+        folder.run(&["plot", "T.H", "-o", "t.png"]).exits(0);
+        folder.run(&["plot", "T.H", "-o", "t.PNG", "--force"]).exits(0);
+        folder.run(&["plot", "T.H", "--as", "png"]).exits(0);
+        assert!(is_png("t.png") && is_png("T.png"));
+        // It is known again, and set aside when the program has errors; a picture of somebody else stays.
+        folder.run(&["plot", "T.H", "-o", "t.png"]).exits(0);
+        std::fs::write(folder.0.join("photo.png"), b"\x89PNG\r\n\x1a\nphoto").expect("a file");
+        folder.run(&["plot", "T.H", "-o", "photo.png"]).exits(2);
+        folder.run(&["plot", "BAD.H", "-o", "t.png"]).exits(1);
+        assert!(folder.has("t.png.stale") && !folder.has("t.png"));
+        folder.run(&["diff", "T.H", "T.H", "--plot", "both.png"]).exits(0);
+        assert!(is_png("both.png"));
+    }
+}
+
+#[test]
+fn plot_of_a_dense_program_is_small_and_says_so() {
+    let mut text = "0 BEGIN PGM T MM\n1 L X+0 Y+0 Z+2 R0 FMAX\n".to_owned();
+    // 300 rows of 200 short steps.
+    for row in 0..300 {
+        for step in 0..200 {
+            let x = if row % 2 == 0 { step } else { 199 - step };
+            text.push_str(&format!("L X{}.{} Y{}.{} F900\n", x / 2, x % 2 * 5, row / 3, row % 3 * 3));
+        }
+    }
+    text.push_str("L X+250 Y+7\nEND PGM T MM\n");
+    let folder = Folder::new("plot_dense").with(&[("T.H", &text)]);
+    let ran = folder.run(&["plot", "T.H", "-o", "t.svg"]).exits(0);
+    assert!(ran.err.contains("are drawn with") && ran.err.contains("mm away"), "{}", ran.err);
+    let svg = folder.read("t.svg");
+    assert!(svg.len() < 1_500_000 && svg.contains("moves drawn with") && svg.contains("X 0 to 250"), "{}", svg.len());
+    assert!(svg.contains("L250 7"), "the farthest point stays");
+    assert!(folder.run(&["plot", "T.H", "-o", "t.svg", "--quiet"]).exits(0).err.is_empty());
+}
+
+#[test]
 fn trace_gives_one_move_a_line() {
     let text = "0 BEGIN PGM T MM\n1 TOOL CALL 3 Z S2000\n2 L X+10 Y+0 Z+2 R0 FMAX\n3 CALL LBL 1\n4 M30\n5 LBL 1\n6 CC X+0 Y+0\n\
                 7 C X+0 Y+10 DR+ F200\n8 L Z-1\n9 LBL 0\n10 END PGM T MM\n";

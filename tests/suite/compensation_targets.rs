@@ -205,6 +205,16 @@ fn what_the_target_would_not_take_is_refused() {
         assert_eq!(code(&on(name, other, "tool_length = \"off\"")), "O9003", "{name}");
     }
     assert_eq!(code(&on("linuxcnc", &idle("M8\nM9"), "")), "");
+    for (name, _, numbered) in TARGETS.into_iter().chain([("linuxcnc", 0, false)]) {
+        // As where partc computes the path (G3204).
+        let more = "dwell_unit = \"seconds\"";
+        assert_eq!(code(&on(name, "G41 X0 Y0\nG40 X60 Y60", more)), "O9003", "{name}");
+        // Those that have D beside G41 do not read on beyond a stop.
+        for stop in ["M0", "M1"] {
+            assert_eq!(code(&on(name, &idle(stop), more)), if numbered { "O9003" } else { "" }, "{name} {stop}");
+            assert_eq!(code(&on(name, &format!("{CONTOUR}\n{stop}"), more)), "", "{name} {stop}");
+        }
+    }
     // Without D1 nothing selects the radius.
     assert_eq!(code(&on("sinumerik", CONTOUR, "tool_length = \"off\"")), "O9308");
     assert_eq!(code(&on("fanuc", CONTOUR, "tool_length = \"off\"")), "");
@@ -212,4 +222,40 @@ fn what_the_target_would_not_take_is_refused() {
         let more = if name.starts_with("grbl") { "tool_change = \"stop\"" } else { "" };
         assert_eq!(code(&on(name, CONTOUR, more)), "O9308", "{name}");
     }
+}
+
+/// A departure whose way in the plane is as long as the radius ends beside the contour, and rounding takes a part of it.
+#[test]
+fn a_departure_as_long_as_the_radius_is_printed_in_both_units() {
+    let mut seen = 0;
+    for (name, ..) in TARGETS.into_iter().chain([("linuxcnc", 0, true)]) {
+        for (units, inches) in [("mm", false), ("inch", true)] {
+            for radius in ["3.0", "3.175", "4.7625", "5.0", "6.35"] {
+                for departure in [
+                    format!("DEP LT LEN{radius}"),
+                    format!("DEP LN LEN+{radius}"),
+                    format!("DEP CT CCA90 R{radius}"),
+                    format!("DEP CT CCA180 R{radius}"),
+                    format!("DEP LCT X+72 Y-9.1 R+{radius}"),
+                ] {
+                    let mut settings = settings(&format!(
+                        "[tools.1]\nradius = {radius}\n[output]\ncompensation = \"control\"\nunits = \"{units}\"\ndwell_unit = \"seconds\""
+                    ));
+                    settings.output.target = target::find(name).expect("a target");
+                    if inches && settings.output.target.frame.inch_head.is_none() {
+                        continue;
+                    }
+                    let text = format!(
+                        "BEGIN PGM PART MM\nTOOL CALL 1 Z S2000\nL X-20.3 Y-31.7 Z+5 R0 FMAX M3\nL X+0.123 Y+0.457 RL F300\n\
+                         L X+33.333 Y+20.711\nL X+61.87 Y+3.3\n{departure}\nL Z+50 R0 FMAX\nEND PGM PART MM\n"
+                    );
+                    let compiled = compile_bytes("PART.H", text.into_bytes(), "klartext", &settings, &NoFiles);
+                    let short = compiled.findings.iter().any(|found| found.code.id == "O9100");
+                    assert!(!short, "{name} {units} {departure}: {:?}", compiled.rendered);
+                    seen += usize::from(!compiled.has_errors());
+                }
+            }
+        }
+    }
+    assert!(seen > 100, "{seen} departures are printed");
 }

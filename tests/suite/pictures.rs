@@ -5,7 +5,7 @@ use std::path::Path;
 use std::rc::Rc;
 
 use partc::internals::diag::Diags;
-use partc::internals::emit::plot::Plot;
+use partc::internals::emit::plot::{self, Form, Options, Plot};
 use partc::internals::geo::undercut::{Edge, Shape};
 use partc::internals::geo::{Deg, Plane};
 use partc::internals::ir::contour::{
@@ -34,7 +34,7 @@ fn draw(title: &str, shape: Shape, from: (f64, f64), corner: (f64, f64), to: (f6
     let settings = lathe();
     let diags = Diags::default();
     let mut out: Vec<u8> = Vec::new();
-    let mut plot = Plot::new(&settings, title, &mut out);
+    let mut plot = Plot::new(&settings, title, Options::default());
     let ctx: CtxRef = Rc::new(Ctx { plane: Plane::Zx, ..Ctx::default() });
     let origin = Origin::default();
     let mut lower = Lower::new(&diags, &settings.machine, &mut plot);
@@ -66,7 +66,7 @@ fn draw(title: &str, shape: Shape, from: (f64, f64), corner: (f64, f64), to: (f6
     lower.movement(&line(to.0, to.1, false), &ctx, &origin);
     lower.movement(&line(to.0 + away.0, to.1 + away.1, true), &ctx, &origin);
     lower.finish();
-    plot.finish().expect("memory takes everything");
+    plot.finish(None, &mut out).expect("memory takes everything");
     assert!(!diags.has_errors(), "{title}");
     String::from_utf8(out).expect("text")
 }
@@ -133,6 +133,80 @@ fn undercuts_of_the_documentation() {
     }
 }
 
+/// Draws a program of `tests/golden/plot`, with the configuration beside it where there is one.
+fn picture(file: &str, dialect: &str, options: Options) -> Vec<u8> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/plot");
+    let text = fs::read(folder.join(file)).expect("a program");
+    let config = fs::read_to_string(folder.join(file).with_extension("toml")).unwrap_or_default();
+    let main = partc::internals::text::Opened {
+        name: format!("dir/{file}"),
+        identity: file.to_owned(),
+        text: Box::new(partc::internals::text::Memory::new(text)),
+    };
+    let session = partc::internals::driver::Session::new(main);
+    let mut out: Vec<u8> = Vec::new();
+    let dialect = partc::internals::dialect::find(dialect).expect("a dialect");
+    let files = partc::internals::text::files::NoFiles;
+    session.plot(dialect, &settings(&config), &files, options, &mut out).expect("a picture");
+    assert!(!session.diags.has_errors(), "{file}");
+    out
+}
+
+/// Each program from its own side, and from the sides that show something else.
+#[test]
+fn pictures_of_programs() {
+    let plain = Options::default();
+    let sized = Options { dimensions: true, ..plain };
+    let from = |view| Options { view: Some(view), ..plain };
+    let cases = [
+        ("flange.H", "klartext", "flange", sized),
+        ("flange.H", "klartext", "flange-front", from(plot::Side::Xz)),
+        ("helix.H", "klartext", "helix", plain),
+        ("helix.H", "klartext", "helix-iso", from(plot::Side::Iso)),
+        ("helix.H", "klartext", "helix-right", from(plot::Side::Yz)),
+        ("shaft.nc", "heidenhain-turning", "shaft", sized),
+        ("shaft.nc", "heidenhain-turning", "shaft-iso", from(plot::Side::Iso)),
+        ("bush.MPF", "sinumerik", "bush", sized),
+    ];
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/plot");
+    let update = std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always");
+    for (file, dialect, name, options) in cases {
+        let text = String::from_utf8(picture(file, dialect, options)).expect("text");
+        let path = folder.join(format!("{name}.svg"));
+        if update {
+            fs::write(&path, &text).expect("a picture");
+        }
+        let there = fs::read_to_string(&path).unwrap_or_default();
+        assert!(there == text, "{}: draw it anew with INSTA_UPDATE=always, and look at it", path.display());
+    }
+}
+
+/// The bytes of a PNG are the same everywhere: here is their hash.
+#[test]
+fn the_pixels_are_the_same_on_every_system() {
+    let hash = |bytes: &[u8]| {
+        bytes.iter().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(*b)).wrapping_mul(0x100_0000_01b3))
+    };
+    let seen: Vec<String> = [
+        ("flange.H", "klartext", None),
+        ("helix.H", "klartext", Some(plot::Side::Iso)),
+        ("shaft.nc", "heidenhain-turning", None),
+    ]
+    .into_iter()
+    .map(|(file, dialect, view)| {
+        let bytes = picture(file, dialect, Options { view, dimensions: true, form: Form::Png });
+        assert!(bytes.starts_with(b"\x89PNG\r\n\x1a\n") && bytes.ends_with(b"IEND\xae\x42\x60\x82"));
+        format!("{file} {} bytes {:016x}\n", bytes.len(), hash(&bytes))
+    })
+    .collect();
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/plot/pixels.txt");
+    let update = std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always");
+    if update {
+        fs::write(&path, seen.concat()).expect("a file");
+    }
+    assert_eq!(fs::read_to_string(&path).unwrap_or_default(), seen.concat());
+}
+
 /// A full circle, a helix, a drill and a move whose start is not known.
 #[test]
 fn what_a_picture_shows() {
@@ -146,17 +220,20 @@ fn what_a_picture_shows() {
     let session = partc::internals::driver::Session::new(main);
     let mut out: Vec<u8> = Vec::new();
     let dialect = partc::internals::dialect::find("klartext").expect("a dialect");
-    session.plot(dialect, &Settings::default(), &partc::internals::text::files::NoFiles, &mut out).expect("a picture");
+    let files = partc::internals::text::files::NoFiles;
+    session.plot(dialect, &Settings::default(), &files, Options::default(), &mut out).expect("a picture");
     let svg = String::from_utf8(out).expect("text");
     assert!(svg.starts_with("<!-- (partc plot) -->\n<svg ") && svg.ends_with("</svg>\n"));
     assert!(svg.contains("<title>P.H</title>") && !svg.contains("dir/"), "the folder is nobody's business");
-    // Both turns of the helix lie on the circle; each is two half circles.
-    assert_eq!(svg.matches("A10 10 0 0 1 ").count(), 2, "{svg}");
-    assert_eq!(svg.matches("A10 10 0 0 0 ").count(), 2, "{svg}");
+    // Both turns of the helix lie on the circle; each circle is two half ones.
     let halves = ["A10 10 0 0 1 -10 0", "A10 10 0 0 1 10 0", "A10 10 0 0 0 -10 0", "A10 10 0 0 0 10 0"];
     assert!(halves.iter().all(|half| svg.contains(half)), "{svg}");
     assert!(svg.contains("class=\"d t1\" d=\"M") && svg.contains(">T3<") && svg.contains(">T4<"));
-    assert!(svg.contains("1 moves in machine coordinates not drawn"));
+    assert!(svg.contains("1 move in machine coordinates not drawn"));
+    // What is pointed at tells its block.
+    assert!(svg.contains("<title>6: 5 C X+10 Y+0 DR+</title>"), "{svg}");
+    // The legend names what is drawn only.
+    assert!(!svg.contains(">thread<") && !svg.contains(">contour<") && !svg.contains("cut open"), "{svg}");
     for (open, close) in [("<g ", "</g>"), ("<svg ", "</svg>"), ("<style>", "</style>")] {
         assert_eq!(svg.matches(open).count(), svg.matches(close).count());
     }

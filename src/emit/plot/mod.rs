@@ -1,113 +1,135 @@
-//! The resolved path as a picture: one SVG that needs nothing else.
+//! The resolved path as a picture, SVG or PNG.
 //!
-//! The moves are written as they come; the head with grid and scale, which needs the extents, is written last
-//! into a place kept free for it. Coordinates in the picture are the true millimetres.
+//! In: motion items. They become strokes of the view ([`strokes`]), made fewer where there are very many; when all are known,
+//! the picture is laid out and drawn to a canvas. Coordinates of an SVG are true millimetres.
 
+mod canvas;
+mod dimensions;
+mod glyphs;
+mod layout;
+mod marks;
+#[cfg(feature = "png")]
+mod png;
 mod scene;
+mod section;
+mod strokes;
+mod svg;
+#[cfg(test)]
+mod tests;
 mod view;
 
-use std::io::Write as _;
+use std::io;
 
-use crate::geo::{Point2, SAME_POINT, distance};
+use crate::geo::{Element, Plane, Point2, SAME_POINT, distance, turned};
+use crate::ir::cycle::turning::Towards;
 use crate::ir::motion::{Arc, Move, Path, Sink};
 use crate::ir::{Function, Origin, Pos};
-use crate::machine::{MachineKind, Settings};
+use crate::machine::{Axis, MachineKind, Settings};
+use crate::text::Sources;
 
 use super::Output;
-use scene::{COLOURS, Extents};
+use canvas::Widths;
+use layout::Layout;
+use scene::Scene;
+use section::Parts;
+use strokes::{Bend, Pen, Rect, Strokes};
 use view::View;
 
-/// How every picture begins.
-pub const MARK: &str = "<!-- (partc plot) -->\n";
+pub use layout::PIXELS;
+pub use strokes::ALL_DRAWN;
+pub use svg::MARK;
+pub use view::Side;
 
-/// Bytes kept free for the head.
-const HEAD: usize = 12 * 1024;
-/// Bytes collected before the output gets them.
-const CHUNK: usize = 64 * 1024;
-/// Elements of one SVG path; longer ones are slow in viewers.
-const MOST_IN_PATH: u32 = 2000;
-/// Chords of an arc that is seen from the side.
-const CHORDS: u32 = 24;
+#[cfg(feature = "png")]
+pub use png::MARK as PNG_MARK;
 
-/// How a stretch of the path is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Pen {
-    Rapid,
-    Cut,
-    Thread,
-    /// Points.
-    Dot,
+/// Chords of a turn that is seen from the side, and turns that are drawn: more lie on each other.
+const CHORDS: f64 = 64.0;
+const TURNS: f64 = 1024.0;
+
+/// How a path is drawn.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Options {
+    /// `None`: the working plane; on a lathe Z to the right and X up.
+    pub view: Option<Side>,
+    pub dimensions: bool,
+    pub form: Form,
+}
+
+/// What the picture becomes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Form {
+    #[default]
+    Svg,
+    #[cfg(feature = "png")]
+    Png,
+}
+
+/// Where very many moves were made fewer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Thinned {
+    pub moves: u64,
+    pub strokes: usize,
+    /// How far the path is at most away from what is drawn, in mm.
+    pub error: f64,
 }
 
 /// Draws moves.
-pub struct Plot<'a> {
-    out: &'a mut dyn Output,
+#[derive(Debug)]
+pub struct Plot {
+    options: Options,
     title: String,
     lathe: bool,
     diameter: bool,
     /// Chosen by the first move.
     view: Option<View>,
-    text: Vec<u8>,
+    strokes: Strokes,
+    /// The programmed contour beside which the tool travels.
+    contour: Strokes,
+    parts: Parts,
     at: Pos,
     /// Index of the tool's colour and the tools in order of appearance.
     colour: usize,
     tools: Vec<Option<u32>>,
     /// Programs instead of tools have colours.
     names: Vec<String>,
-    open: Option<(Pen, usize)>,
-    in_path: u32,
-    /// The programmed contour beside which the tool travels, not yet drawn, and where it ends.
-    contour: Vec<u8>,
-    contour_at: Option<Point2>,
-    contours: bool,
-    extents: Extents,
-    undrawn: u64,
-    rapids: bool,
-    threads: bool,
-    error: Option<std::io::Error>,
+    cut: Rect,
+    /// The least and greatest coordinates of X, Y and Z that are cut.
+    extents: [Option<(f64, f64)>; 3],
+    ends: Option<(Point2, Point2)>,
+    in_machine: u64,
+    unknown: u64,
 }
 
-impl std::fmt::Debug for Plot<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Plot").field("view", &self.view).finish_non_exhaustive()
-    }
-}
-
-impl<'a> Plot<'a> {
+impl Plot {
     /// A picture of the program `title`.
-    pub fn new(settings: &Settings, title: &str, out: &'a mut dyn Output) -> Plot<'a> {
+    pub fn new(settings: &Settings, title: &str, options: Options) -> Plot {
         let lathe = settings.machine.kind == MachineKind::Lathe;
-        // The folder a program lies in is of no interest.
-        let title = title.rsplit(['/', '\\']).next().unwrap_or(title);
-        let mut plot = Plot {
-            out,
-            title: title.to_owned(),
+        Plot {
+            options,
+            // The folder a program lies in is of no interest.
+            title: title.rsplit(['/', '\\']).next().unwrap_or(title).to_owned(),
             lathe,
             diameter: lathe && settings.machine.diameter_axis.is_some(),
             view: None,
-            text: vec![b' '; HEAD],
+            strokes: Strokes::default(),
+            contour: Strokes::default(),
+            parts: Parts::default(),
             at: Pos::UNKNOWN,
             colour: 0,
             tools: vec![None],
             names: Vec::new(),
-            open: None,
-            in_path: 0,
-            contour: Vec::new(),
-            contour_at: None,
-            contours: false,
-            extents: Extents::default(),
-            undrawn: 0,
-            rapids: false,
-            threads: false,
-            error: None,
-        };
-        plot.send();
-        plot
+            cut: Rect::default(),
+            extents: [None; 3],
+            ends: None,
+            in_machine: 0,
+            unknown: 0,
+        }
     }
 
     /// What comes now belongs to another program, which has a colour of its own.
     pub fn program(&mut self, name: &str) {
-        self.close();
+        self.strokes.lift();
         self.at.clear();
         if self.names.is_empty() {
             self.tools.clear();
@@ -118,201 +140,200 @@ impl<'a> Plot<'a> {
         self.names.push(name.to_owned());
     }
 
-    /// Ends the picture.
+    /// Writes the picture; what is pointed at in an SVG shows its line of `sources`.
     ///
     /// # Errors
     /// The first error of the output.
-    pub fn finish(mut self) -> std::io::Result<()> {
-        self.draw_contour();
-        let scene = scene::Scene {
+    pub fn finish(mut self, sources: Option<&Sources>, out: &mut dyn Output) -> io::Result<Option<Thinned>> {
+        let moves = self.strokes.taken;
+        let thinned = self.strokes.finish().map(|error| Thinned { moves, strokes: self.strokes.len(), error });
+        self.contour.finish();
+        let view = self.view.unwrap_or(View::new(self.options.view, Plane::Xy, self.lathe));
+        let section =
+            if view.is_turning() { std::mem::take(&mut self.parts).section() } else { section::Section::default() };
+        let scene = Scene {
             title: &self.title,
-            view: self.view.unwrap_or(View::new(Default::default(), self.lathe)),
+            view,
             diameter: self.diameter,
+            dimensions: self.options.dimensions,
+            notes: self.notes(thinned),
+            strokes: &self.strokes,
+            contour: &self.contour,
+            section,
+            cut: self.cut,
             extents: self.extents,
             tools: &self.tools,
             names: &self.names,
-            rapids: self.rapids,
-            threads: self.threads,
-            contours: self.contours,
-            undrawn: self.undrawn,
+            ends: self.ends.filter(|_| self.names.is_empty()),
+            sources,
         };
-        let head = scene.head();
-        self.text.extend_from_slice(scene.foot().as_bytes());
-        self.send();
-        let mut head = head.into_bytes();
-        if head.len() > HEAD {
-            return Err(std::io::Error::other("the head of the picture is too long"));
-        }
-        head.resize(HEAD - 1, b' ');
-        head.push(b'\n');
-        self.patch(&head);
-        self.error.map_or(Ok(()), Err)
+        let (layout, widths) = scene.layout();
+        self.write(&scene, &layout, widths, out)?;
+        Ok(thinned)
     }
 
-    fn send(&mut self) {
-        if self.error.is_none()
-            && let Err(error) = self.out.append(&self.text)
-        {
-            self.error = Some(error);
-        }
-        self.text.clear();
-    }
-
-    fn patch(&mut self, head: &[u8]) {
-        if self.error.is_none()
-            && let Err(error) = self.out.patch(0, head)
-        {
-            self.error = Some(error);
-        }
-    }
-
-    fn close(&mut self) {
-        if self.open.take().is_some() {
-            self.text.extend_from_slice(b"\"/>\n");
-        }
-        if self.text.len() > CHUNK {
-            self.send();
-        }
-    }
-
-    /// Draws the programmed contour so far.
-    fn draw_contour(&mut self) {
-        self.close();
-        if !self.contour.is_empty() {
-            self.text.extend_from_slice(b"<path class=\"p\" d=\"");
-            self.text.append(&mut self.contour);
-            self.text.extend_from_slice(b"\"/>\n");
-            self.contour_at = None;
-        }
-    }
-
-    /// Starts or continues a stretch at `from`.
-    fn pen(&mut self, pen: Pen, from: Point2) {
-        if self.open != Some((pen, self.colour)) || self.in_path >= MOST_IN_PATH {
-            self.close();
-            let class = match pen {
-                Pen::Rapid => "r",
-                Pen::Cut => "c",
-                Pen::Thread => "h",
-                Pen::Dot => "d",
-            };
-            let _ = write!(self.text, "<path class=\"{class} t{}\" d=\"M", self.colour % COLOURS.len());
-            self.point(from);
-            self.open = Some((pen, self.colour));
-            self.in_path = 0;
-        }
-        self.in_path += 1;
-        self.extents.take(from, pen == Pen::Rapid);
-    }
-
-    fn point(&mut self, p: Point2) {
-        scene::number(&mut self.text, p.x);
-        self.text.push(b' ');
-        scene::number(&mut self.text, p.y);
-    }
-
-    fn dot(&mut self, at: Point2) {
-        self.pen(Pen::Dot, at);
-        self.text.push(b'M');
-        self.point(at);
-        self.text.extend_from_slice(b"h0");
-    }
-
-    fn line(&mut self, to: Point2, pen: Pen) {
-        self.text.push(b'L');
-        self.point(to);
-        self.extents.take(to, pen == Pen::Rapid);
-    }
-
-    fn arc(&mut self, view: View, arc: &Arc, from: Point2, to: Point2, mv: &Move) {
-        if !view.shows(arc.plane) {
-            return self.arc_from_the_side(view, arc, to, mv);
-        }
-        let radius = distance(arc.from, arc.center);
-        self.extents.take_arc(arc);
-        // What exceeds a turn lies on itself; an arc of SVG needs two different ends.
-        let turn = core::f64::consts::TAU;
-        let sweep = arc.sweep.clamp(-turn, turn);
-        let parts = if sweep.abs() > 3.0 { 2 } else { 1 };
-        let mut start = from;
-        for part in 1..=parts {
-            let end = if part == parts && arc.sweep.abs() <= turn {
-                to
-            } else {
-                let angle = sweep * f64::from(part) / f64::from(parts);
-                arc.center + crate::geo::turned(arc.from - arc.center, angle)
-            };
-            if distance(start, end) > SAME_POINT {
-                self.text.push(b'A');
-                scene::number(&mut self.text, radius);
-                self.text.push(b' ');
-                scene::number(&mut self.text, radius);
-                self.text.extend_from_slice(if sweep > 0.0 { b" 0 0 1 " } else { b" 0 0 0 " });
-                self.point(end);
+    fn write(&self, scene: &Scene<'_>, layout: &Layout, widths: Widths, out: &mut dyn Output) -> io::Result<()> {
+        match self.options.form {
+            Form::Svg => {
+                let mut used = svg::Used::default();
+                scene.draw(&mut used, layout);
+                let mut svg = svg::Svg::new(out, layout, widths, &used, &self.title);
+                scene.draw(&mut svg, layout);
+                svg.finish()
             }
-            start = end;
-        }
-        if distance(start, to) > SAME_POINT {
-            self.line(to, Pen::Cut);
+            #[cfg(feature = "png")]
+            Form::Png => {
+                let mut png = png::Png::new(layout, widths)?;
+                scene.draw(&mut png, layout);
+                out.append(&png.finish()?)
+            }
         }
     }
 
-    /// An arc in another plane is a wave or a line here.
-    fn arc_from_the_side(&mut self, view: View, arc: &Arc, to: Point2, mv: &Move) {
-        for i in 1..CHORDS {
-            let t = f64::from(i) / f64::from(CHORDS);
+    fn notes(&self, thinned: Option<Thinned>) -> Vec<String> {
+        let moves = |count: u64| if count == 1 { "1 move".to_owned() } else { format!("{count} moves") };
+        let mut notes = Vec::new();
+        if let Some(Thinned { strokes, error, .. }) = thinned {
+            let moves = moves(self.strokes.taken);
+            notes.push(format!("{moves} drawn with {strokes} strokes, at most {} mm away", rounded_up(error)));
+        }
+        if self.in_machine > 0 {
+            notes.push(format!("{} in machine coordinates not drawn", moves(self.in_machine)));
+        }
+        if self.unknown > 0 {
+            notes.push(format!("{} from or to unknown coordinates not drawn", moves(self.unknown)));
+        }
+        notes
+    }
+
+    fn arc(&mut self, view: View, arc: &Arc, (from, to): (Point2, Point2), mv: &Move, origin: &Origin) {
+        let Some(turn) = view.turn(arc.plane) else { return self.arc_from_the_side(view, arc, mv, origin) };
+        let center = view.in_plane(arc.plane, arc.center);
+        let whole = core::f64::consts::TAU;
+        let pen = (Pen::Cut, self.colour);
+        // What exceeds a turn lies on itself.
+        if arc.sweep.abs() > whole {
+            let around = Bend { center, sweep: whole * turn * arc.sweep.signum() };
+            self.strokes.arc(pen, from, from, around, origin.loc);
+        }
+        let sweep = turn * if arc.sweep.abs() > whole { arc.sweep % whole } else { arc.sweep };
+        let bend = Bend { center, sweep };
+        self.cut.take_arc(from, &bend);
+        if sweep.abs() * distance(from, center) > SAME_POINT || arc.sweep.abs() <= whole {
+            self.strokes.arc(pen, from, to, bend, origin.loc);
+        }
+        if arc.sweep.abs() > whole {
+            self.cut.take_arc(from, &Bend { center, sweep: whole });
+        }
+    }
+
+    /// An arc in another plane is a wave, an ellipse or a line here.
+    fn arc_from_the_side(&mut self, view: View, arc: &Arc, mv: &Move, origin: &Origin) {
+        let turns = arc.sweep.abs() / core::f64::consts::TAU;
+        let count = libm::ceil(turns.min(TURNS) * CHORDS).max(4.0) as u32;
+        // Of very many turns some are drawn; the last one ends where it shall.
+        let left_out = libm::floor((turns - TURNS).max(0.0)) * core::f64::consts::TAU * arc.sweep.signum();
+        let Some(mut from) = view.point(&self.at) else { return };
+        for i in 1..=count {
+            let t = f64::from(i) / f64::from(count);
             let mut pos = self.at;
             for (axis, end) in mv.end.iter() {
                 let start = self.at.get(axis).unwrap_or(end);
                 pos.set(axis, start + (end - start) * t);
             }
-            pos.set_in_plane(arc.plane, arc.center + crate::geo::turned(arc.from - arc.center, arc.sweep * t));
-            if let Some(p) = view.point(&pos) {
-                self.line(p, Pen::Cut);
+            if i < count {
+                let angle = (arc.sweep - left_out) * t;
+                pos.set_in_plane(arc.plane, arc.center + turned(arc.from - arc.center, angle));
+            }
+            if let Some(to) = view.point(&pos) {
+                self.cut.take(to);
+                self.strokes.line(Pen::Cut, self.colour, from, to, origin.loc);
+                from = to;
             }
         }
-        self.line(to, Pen::Cut);
+    }
+
+    /// What a cut adds to the sizes that are told.
+    fn measure(&mut self, mv: &Move, end: &Pos) {
+        for pos in [&self.at, end] {
+            for (axis, extent) in Axis::ALL.iter().zip(&mut self.extents) {
+                pos.get(*axis).into_iter().for_each(|value| grow(extent, value));
+            }
+        }
+        if let Path::Arc(arc, _) = &mv.path {
+            let mut rect = Rect::default();
+            let whole = core::f64::consts::TAU;
+            rect.take_arc(arc.from, &Bend { center: arc.center, sweep: arc.sweep.clamp(-whole, whole) });
+            let (first, second, _) = arc.plane.axes();
+            if let Some((low, high)) = rect.0 {
+                [low, high].into_iter().for_each(|p| {
+                    grow(&mut self.extents[first], p.x);
+                    grow(&mut self.extents[second], p.y);
+                });
+            }
+        }
     }
 }
 
-impl Sink for Plot<'_> {
-    fn movement(&mut self, mv: &Move, _: &Origin) {
-        let view = *self.view.get_or_insert(View::new(mv.plane, self.lathe));
-        let from = view.point(&self.at);
+fn grow(extent: &mut Option<(f64, f64)>, value: f64) {
+    let (low, high) = extent.get_or_insert((value, value));
+    (*low, *high) = (low.min(value), high.max(value));
+}
+
+/// Two digits that are not less than the number.
+pub fn rounded_up(value: f64) -> String {
+    if value <= 0.0 {
+        return "0".to_owned();
+    }
+    let unit = libm::pow(10.0, libm::floor(libm::log10(value.max(1e-6))) - 1.0);
+    let digits = (1.0 - libm::floor(libm::log10(value.max(1e-6)))).clamp(0.0, 7.0) as usize;
+    let text = format!("{:.digits$}", libm::ceil(value / unit - 1e-9) * unit);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+fn pen(path: &Path) -> Pen {
+    match path {
+        Path::Rapid => Pen::Rapid,
+        Path::Line(_) | Path::Arc(..) | Path::Carried { .. } => Pen::Cut,
+        Path::Thread { .. } => Pen::Thread,
+    }
+}
+
+impl Sink for Plot {
+    fn movement(&mut self, mv: &Move, origin: &Origin) {
+        let view = *self.view.get_or_insert(View::new(self.options.view, mv.plane, self.lathe));
         let mut end = self.at;
         end.update(&mv.end);
-        let to = view.point(&end);
-        match (from, to) {
+        match (view.point(&self.at), view.point(&end)) {
             (Some(from), Some(to)) if !mv.machine => {
-                let pen = match mv.path {
-                    Path::Rapid => Pen::Rapid,
-                    Path::Line(_) | Path::Arc(..) | Path::Carried { .. } => Pen::Cut,
-                    Path::Thread { .. } => Pen::Thread,
-                };
-                self.rapids |= pen == Pen::Rapid;
-                self.threads |= pen == Pen::Thread;
+                let pen = pen(&mv.path);
+                if pen != Pen::Rapid {
+                    self.cut.take(from);
+                    self.cut.take(to);
+                    self.measure(mv, &end);
+                }
                 match &mv.path {
-                    Path::Arc(arc, _) => {
-                        self.pen(pen, from);
-                        self.arc(view, arc, from, to, mv);
-                    }
+                    Path::Arc(arc, _) => self.arc(view, arc, (from, to), mv, origin),
                     // Seen along its own direction a cut is a point: where a drill goes in.
                     Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. }
                         if distance(from, to) <= SAME_POINT =>
                     {
                         if pen != Pen::Rapid {
-                            self.dot(to);
+                            self.strokes.line(Pen::Dot, self.colour, from, from, origin.loc);
                         }
                     }
                     Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => {
-                        self.pen(pen, from);
-                        self.line(to, pen);
+                        self.strokes.line(pen, self.colour, from, to, origin.loc);
                     }
                 }
+                self.ends = Some((self.ends.map_or(from, |(start, _)| start), to));
             }
-            _ => {
-                self.close();
-                self.undrawn += u64::from(mv.machine);
+            (from, to) => {
+                self.strokes.lift();
+                self.in_machine += u64::from(mv.machine);
+                // How the tool comes to the part at first is of no interest.
+                let matters = pen(&mv.path) != Pen::Rapid && (from.is_none() || to.is_none());
+                self.unknown += u64::from(!mv.machine && matters);
             }
         }
         self.at = end;
@@ -324,28 +345,33 @@ impl Sink for Plot<'_> {
     }
 
     fn programmed(&mut self, mv: &Move, start: &Pos) {
-        let view = *self.view.get_or_insert(View::new(mv.plane, self.lathe));
+        let view = *self.view.get_or_insert(View::new(self.options.view, mv.plane, self.lathe));
         let (Some(from), Some(to)) = (view.point(start), view.point(&mv.end)) else { return };
-        // Only the path counts as cut.
-        let cut = self.extents.cut;
-        std::mem::swap(&mut self.text, &mut self.contour);
-        if self.contour_at.is_none_or(|at| distance(at, from) > SAME_POINT) {
-            self.text.push(b'M');
-            self.point(from);
-            self.extents.take(from, true);
+        let loc = crate::text::Loc::default();
+        let whole = core::f64::consts::TAU;
+        let bend = match &mv.path {
+            Path::Arc(arc, _) => view.turn(arc.plane).map(|turn| Bend {
+                center: view.in_plane(arc.plane, arc.center),
+                sweep: turn * arc.sweep.clamp(-whole, whole),
+            }),
+            Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => None,
+        };
+        match bend {
+            Some(bend) => self.contour.arc((Pen::Contour, 0), from, to, bend, loc),
+            None => self.contour.line(Pen::Contour, 0, from, to, loc),
         }
-        match &mv.path {
-            Path::Arc(arc, _) if view.shows(arc.plane) => self.arc(view, arc, from, to, mv),
-            Path::Arc(..) | Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => {
-                self.line(to, Pen::Rapid)
-            }
+        if self.lathe && mv.path != Path::Rapid {
+            let element = match bend {
+                Some(bend) => Element::Arc { from, to, center: bend.center, sweep: bend.sweep },
+                None => Element::Line { from, to },
+            };
+            self.parts.beside(element, mv.side);
         }
-        std::mem::swap(&mut self.text, &mut self.contour);
-        self.extents.cut = cut;
-        self.contour_at = Some(to);
-        self.contours = true;
-        if self.contour.len() > CHUNK {
-            self.draw_contour();
+    }
+
+    fn finished(&mut self, contour: &[Element], into: Towards) {
+        if self.lathe {
+            self.parts.finished(contour.to_vec(), into);
         }
     }
 
@@ -356,7 +382,7 @@ impl Sink for Plot<'_> {
                 Some(index) => index,
                 None => {
                     // The place of the unknown first tool is free if nothing was drawn with it.
-                    if self.tools == [None] && self.extents.is_empty() {
+                    if self.tools == [None] && self.strokes.is_empty() {
                         self.tools.clear();
                     }
                     self.tools.push(tool);
@@ -364,13 +390,13 @@ impl Sink for Plot<'_> {
                 }
             };
         } else if let Function::WorkOffset(_) = function {
-            self.close();
+            self.strokes.lift();
             self.at.clear();
         }
     }
 
     fn lost(&mut self, _: &Origin) {
-        self.close();
+        self.strokes.lift();
         self.at.clear();
     }
 }

@@ -1,397 +1,465 @@
-//! What surrounds the path: head with style and grid, foot with scale bar, axes and legend.
+//! The whole picture: grid, part, path, marks and words, in the order in which they lie over each other.
 
-use std::fmt::Write as _;
-use std::io::Write as _;
+use std::collections::BTreeSet;
 
-use crate::geo::{Point2, Vec2, distance};
-use crate::ir::motion::Arc;
+use crate::geo::{Element, Point2, Vec2};
+use crate::machine::Axis;
+use crate::text::{FileId, Loc, Sources};
 
+use super::canvas::{Anchor, Canvas, Class, Part, Widths, Words};
+use super::dimensions::{LETTER, Labels, Measured};
+use super::layout::{Layout, Needs};
+use super::marks;
+use super::section::Section;
+use super::strokes::{Pen, Rect, Run, Stroke, Strokes};
+use super::svg::show;
 use super::view::View;
 
-/// Colours of tools, in order of appearance: distinct on white and on black, also for the colour-blind.
-pub(super) const COLOURS: [&str; 8] =
-    ["#0b78c1", "#d9480f", "#2b8a3e", "#9c36b5", "#b8860b", "#0c8599", "#c2255c", "#6b7a2f"];
+/// Stretches of a picture that say where they come from; more are put together.
+const TITLES: usize = 4000;
+/// Letters shown of a line of the program.
+const SHOWN: usize = 100;
+/// Colours in the legend.
+const NAMED: usize = 16;
 
-/// The same on a dark ground.
-const ON_DARK: [&str; 8] = ["#5bb8ff", "#ff8f5e", "#69d17a", "#d9a3f0", "#ecc94b", "#4fd1e0", "#ff7fa8", "#b7cc6a"];
-
-/// Height of the picture in font sizes, so that letters keep their size.
-const FONTS: f64 = 42.0;
-/// Most grid lines in one direction.
-const GRID: f64 = 24.0;
-
-/// The rectangle that holds the path.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Extents {
-    all: Option<(Point2, Point2)>,
-    pub(super) cut: Option<(Point2, Point2)>,
-}
-
-impl Extents {
-    pub(super) fn is_empty(&self) -> bool {
-        self.all.is_none()
-    }
-
-    pub(super) fn take(&mut self, p: Point2, rapid: bool) {
-        grow(&mut self.all, p);
-        if !rapid {
-            grow(&mut self.cut, p);
-        }
-    }
-
-    /// The bulge of an arc.
-    pub(super) fn take_arc(&mut self, arc: &Arc) {
-        let radius = distance(arc.from, arc.center);
-        let from = libm::atan2(arc.from.y - arc.center.y, arc.from.x - arc.center.x);
-        let quarter = core::f64::consts::FRAC_PI_2;
-        for (i, side) in [Vec2::x(), Vec2::y(), -Vec2::x(), -Vec2::y()].into_iter().enumerate() {
-            let way = i as f64 * quarter - from;
-            let way = if arc.sweep > 0.0 { way } else { -way };
-            let way = way - libm::floor(way / (4.0 * quarter)) * 4.0 * quarter;
-            if way <= arc.sweep.abs() {
-                self.take(arc.center + side * radius, false);
-            }
-        }
-    }
-}
-
-fn grow(rect: &mut Option<(Point2, Point2)>, p: Point2) {
-    let (low, high) = rect.get_or_insert((p, p));
-    low.x = low.x.min(p.x);
-    low.y = low.y.min(p.y);
-    high.x = high.x.max(p.x);
-    high.y = high.y.max(p.y);
-}
-
-/// What the head and the foot need to know.
+/// What the picture shows.
 #[derive(Debug)]
 pub(super) struct Scene<'a> {
-    pub(super) title: &'a str,
-    pub(super) view: View,
+    pub title: &'a str,
+    pub view: View,
     /// X is labelled in diameters.
-    pub(super) diameter: bool,
-    pub(super) extents: Extents,
-    pub(super) tools: &'a [Option<u32>],
+    pub diameter: bool,
+    pub dimensions: bool,
+    pub strokes: &'a Strokes,
+    /// The programmed contour beside which the tool travels.
+    pub contour: &'a Strokes,
+    pub section: Section,
+    /// What is cut, in the picture.
+    pub cut: Rect,
+    /// The least and greatest coordinates of X, Y and Z that are cut.
+    pub extents: [Option<(f64, f64)>; 3],
+    pub tools: &'a [Option<u32>],
     /// Names that stand for tools, where programs are drawn.
-    pub(super) names: &'a [String],
-    pub(super) rapids: bool,
-    pub(super) threads: bool,
-    pub(super) contours: bool,
-    pub(super) undrawn: u64,
+    pub names: &'a [String],
+    /// Start and end of the path.
+    pub ends: Option<(Point2, Point2)>,
+    /// What is said of the picture.
+    pub notes: Vec<String>,
+    pub sources: Option<&'a Sources>,
 }
 
-/// Places and sizes in millimetres of the part.
-#[derive(Debug, Clone, Copy)]
-struct Layout {
-    low: Point2,
-    high: Point2,
-    font: f64,
-}
-
-impl Layout {
-    fn new(extents: &Extents, lathe: bool) -> Layout {
-        let (mut low, mut high) = extents.all.unwrap_or((Point2::new(0.0, 0.0), Point2::new(1.0, 1.0)));
-        if lathe {
-            // The turning centre belongs to the picture unless the part is far away from it.
-            let size = (high - low).amax();
-            if low.y > 0.0 && low.y <= size {
-                low.y = 0.0;
-            }
-        }
-        let size = (high - low).amax().max(1e-3);
-        let room = Vec2::new(0.04, 0.04) * size;
-        low -= room;
-        high += room;
-        // A flat path still gets a picture one can look at.
-        let least = 0.3 * size;
-        if high.y - low.y < least {
-            let more = (least - (high.y - low.y)) / 2.0;
-            low.y -= more;
-            high.y += more;
-        }
-        if high.x - low.x < least {
-            let more = (least - (high.x - low.x)) / 2.0;
-            low.x -= more;
-            high.x += more;
-        }
-        Layout { low, high, font: (high - low).amax() / FONTS }
-    }
-
-    /// The view box: x, y downwards, width, height.
-    fn frame(&self) -> (f64, f64, f64, f64) {
-        let (left, right, top, bottom) = (5.0 * self.font, 2.0 * self.font, 3.6 * self.font, 7.2 * self.font);
-        (
-            self.low.x - left,
-            -self.high.y - top,
-            self.high.x - self.low.x + left + right,
-            self.high.y - self.low.y + top + bottom,
-        )
-    }
-
-    /// Distance of grid lines: 1, 2 or 5 times a power of ten.
-    fn step(&self) -> f64 {
-        let rough = ((self.high - self.low).amax() / GRID).max(1e-9);
-        let power = libm::pow(10.0, libm::floor(libm::log10(rough)));
-        [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|step| *step >= rough).unwrap_or(rough)
-    }
+/// An entry of the legend.
+enum Sample {
+    Line(Class),
+    Ring,
+    Square,
+    None,
 }
 
 impl Scene<'_> {
-    fn layout(&self) -> Layout {
-        Layout::new(&self.extents, self.view.is_lathe())
-    }
-
-    /// Everything in front of the path.
-    pub(super) fn head(&self) -> String {
-        let layout = self.layout();
-        let (x, y, w, h) = layout.frame();
-        let mut s = String::new();
-        let pixels = 1200.0;
-        let scale = pixels / w.max(h);
-        let _ = write!(
-            s,
-            "{}<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\">\n<title>{}</title>\n",
-            super::MARK,
-            show(w * scale),
-            show(h * scale),
-            show(x),
-            show(y),
-            show(w),
-            show(h),
-            escaped(self.title)
-        );
-        self.style(&mut s, layout.font);
-        let _ = writeln!(
-            s,
-            "<rect class=\"back\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
-            show(x),
-            show(y),
-            show(w),
-            show(h)
-        );
-        self.grid(&mut s, &layout);
-        s.push_str("<g transform=\"scale(1 -1)\" fill=\"none\">\n");
-        s
-    }
-
-    fn style(&self, s: &mut String, font: f64) {
-        let thin = show(font * 0.045);
-        let line = show(font * 0.15);
-        let centre = format!("{0} {1} {2} {1}", show(font * 1.6), show(font * 0.4), show(font * 0.3));
-        let thread = format!("{0} {0}", show(font * 0.2));
-        let dash = format!("{} {}", show(font * 0.5), show(font * 0.35));
-        let _ = write!(
-            s,
-            "<style>\n.back{{fill:#fff}} text{{font:{f}px sans-serif;fill:#333}} .small{{font-size:{small}px}}\n\
-             .grid{{stroke:#888;stroke-opacity:.3;stroke-width:{thin};fill:none}}\n\
-             .axis{{stroke:#555;stroke-width:{axis};fill:none}} .centre{{stroke-dasharray:{centre}}}\n\
-             .c{{stroke-width:{line};stroke-linejoin:round;stroke-linecap:round}}\n\
-             .r{{stroke-width:{rapid};stroke-dasharray:{dash};stroke-opacity:.75}}\n\
-             .d{{stroke-width:{dot};stroke-linecap:round}}\n\
-             .h{{stroke-width:{line};stroke-dasharray:{thread}}}\n\
-             {contour}",
-            f = show(font),
-            small = show(font * 0.8),
-            axis = show(font * 0.08),
-            rapid = show(font * 0.07),
-            dot = show(font * 0.6),
-            centre = centre,
-            thread = thread,
-            contour = if self.contours {
-                ".p{stroke:#888;stroke-width:".to_owned() + &show(font * 0.07) + "}\n"
-            } else {
-                String::new()
-            },
-        );
-        for (i, colour) in COLOURS.iter().enumerate() {
-            let _ = write!(s, ".t{i}{{stroke:{colour}}} ");
+    /// The layout, and how broad the path is drawn in it.
+    pub(super) fn layout(&self) -> (Layout, Widths) {
+        let mut rect = self.strokes.rect;
+        self.contour.rect.0.into_iter().for_each(|(low, high)| [low, high].into_iter().for_each(|p| rect.take(p)));
+        self.section.edges.iter().for_each(|edge| rect.take(edge.from()));
+        self.section.edges.iter().for_each(|edge| rect.take(edge.to()));
+        self.section.hatch.iter().for_each(|(a, b)| [a, b].into_iter().for_each(|p| rect.take(*p)));
+        if let (true, Some([(u, a), (v, b)])) = (self.view.is_iso(), self.floor_extents()) {
+            let corners = [(a.0, b.0), (a.0, b.1), (a.1, b.0), (a.1, b.1)];
+            corners.into_iter().for_each(|(s, t)| rect.take(Point2::from(u * s + v * t)));
         }
-        s.push_str("\n@media (prefers-color-scheme:dark){.back{fill:#16181c} text{fill:#ddd} .axis{stroke:#aaa}");
-        for (i, colour) in ON_DARK.iter().enumerate() {
-            let _ = write!(s, " .t{i}{{stroke:{colour}}}");
-        }
-        s.push_str("}\n</style>\n");
+        let needs = |lines| Needs { turning: self.view.is_turning(), dimensions: self.dimensions, lines };
+        let first = Layout::new(&rect, needs(1));
+        let lines = self.legend(&first).iter().map(|(line, ..)| line + 1).max().unwrap_or(0);
+        let layout = Layout::new(&rect, needs(lines.max(1)));
+        let area = self.cut.0.or(self.strokes.rect.0).map_or(1.0, |(low, high)| {
+            let least = 0.05 * (layout.high - layout.low).amax();
+            (high.x - low.x).max(least) * (high.y - low.y).max(least)
+        });
+        let (cut, rapid) = marks::lengths(self.strokes);
+        let pixel = layout.pixel;
+        (layout, Widths::of(cut / pixel, rapid / pixel, area / pixel / pixel))
     }
 
-    fn grid(&self, s: &mut String, layout: &Layout) {
-        let step = layout.step();
-        let marks = |low: f64, high: f64| {
-            let first = libm::ceil(low / step - 1e-9);
-            let last = libm::floor(high / step + 1e-9);
-            let count = (last - first).clamp(0.0, 4.0 * GRID) as u32;
-            (0..=count).map(move |i| (first + f64::from(i)) * step)
+    pub(super) fn draw(&self, canvas: &mut dyn Canvas, layout: &Layout) {
+        self.grid(canvas, layout);
+        self.part(canvas);
+        let per = self.strokes_per_title();
+        self.path(canvas, self.strokes, &[Pen::Rapid], per);
+        self.path(canvas, self.contour, &[Pen::Contour], usize::MAX);
+        self.path(canvas, self.strokes, &[Pen::Cut, Pen::Thread, Pen::Dot], per);
+        marks::arrows(canvas, self.strokes, layout.pixel);
+        if let Some((start, end)) = self.ends {
+            marks::ends(canvas, start, end, layout.pixel);
+        }
+        let mut labels = Labels::default();
+        if self.dimensions && self.view.axes().is_some() {
+            let turning = self.view.is_turning();
+            let (cut, strokes, section) = (&self.cut, self.strokes, &self.section);
+            Measured { layout, cut, strokes, section, turning }.draw(canvas, &mut labels);
+        }
+        let legend = self.legend(layout);
+        self.samples(canvas, layout, &legend);
+        self.scale_bar(canvas, layout);
+        self.words(canvas, layout, &legend, &labels);
+    }
+
+    fn part(&self, canvas: &mut dyn Canvas) {
+        if !self.section.hatch.is_empty() {
+            let parts: Vec<Part> =
+                self.section.hatch.iter().flat_map(|(a, b)| [Part::Move(*a), Part::Line(*b)]).collect();
+            canvas.path(Class::Hatch, None, &parts);
+        }
+        let mut parts: Vec<Part> = Vec::new();
+        let mut at = None;
+        for edge in &self.section.edges {
+            if at != Some(edge.from()) {
+                parts.push(Part::Move(edge.from()));
+            }
+            parts.push(match *edge {
+                Element::Line { to, .. } => Part::Line(to),
+                Element::Arc { center, sweep, to, .. } => Part::Arc { center, sweep, to },
+            });
+            at = Some(edge.to());
+        }
+        if !parts.is_empty() {
+            canvas.path(Class::Edge, None, &parts);
+        }
+    }
+
+    /// Blocks that one title stands for.
+    fn strokes_per_title(&self) -> usize {
+        let mut blocks = 0usize;
+        for (_, of) in self.strokes.runs() {
+            blocks += 1 + of.windows(2).filter(|pair| !same_block(&pair[0], &pair[1])).count();
+        }
+        blocks.div_ceil(TITLES).max(1)
+    }
+
+    fn path(&self, canvas: &mut dyn Canvas, strokes: &Strokes, pens: &[Pen], per: usize) {
+        let mut parts: Vec<Part> = Vec::new();
+        for (run, of) in strokes.runs().filter(|(run, _)| pens.contains(&run.pen)) {
+            let mut from = run.from;
+            let mut rest = of;
+            while let Some(first) = rest.first() {
+                let count = blocks_end(rest, per);
+                let (now, later) = rest.split_at(count);
+                parts.clear();
+                parts.push(Part::Move(from));
+                for stroke in now {
+                    parts.push(match strokes.bend(stroke) {
+                        Some(bend) => Part::Arc { center: bend.center, sweep: bend.sweep, to: stroke.to },
+                        None => Part::Line(stroke.to),
+                    });
+                    from = stroke.to;
+                }
+                let title = self.source(first.loc, now.last().unwrap_or(first).loc, run);
+                canvas.path(class(run), title.as_deref(), &parts);
+                rest = later;
+            }
+        }
+    }
+
+    /// The line of the program that a stretch comes from.
+    fn source(&self, first: Loc, last: Loc, run: &Run) -> Option<String> {
+        let sources = self.sources.filter(|_| first.line > 0 && run.pen != Pen::Contour)?;
+        let line = sources.line(first);
+        let text: String = line.text.trim().chars().take(SHOWN).collect();
+        let file = if first.file == FileId(0) {
+            String::new()
+        } else {
+            let name = sources.name(first.file);
+            format!("{} ", name.rsplit(['/', '\\']).next().unwrap_or(&name))
         };
+        Some(if last.line == first.line || last.file != first.file {
+            format!("{file}{}: {text}", first.line)
+        } else {
+            format!("{file}{} to {}: {text} …", first.line, last.line)
+        })
+    }
+
+    fn grid(&self, canvas: &mut dyn Canvas, layout: &Layout) {
         let (low, high) = (layout.low, layout.high);
-        s.push_str("<path class=\"grid\" d=\"");
-        for x in marks(low.x, high.x) {
-            let _ = write!(s, "M{} {}V{}", show(x), show(-low.y), show(-high.y));
+        let mut parts: Vec<Part> = Vec::new();
+        let mut line = |a: Point2, b: Point2| parts.extend([Part::Move(a), Part::Line(b)]);
+        if self.view.is_iso() {
+            self.floor(layout, &mut line);
+        } else {
+            layout.marks(low.x, high.x).for_each(|x| line(Point2::new(x, low.y), Point2::new(x, high.y)));
+            layout.marks(low.y, high.y).for_each(|y| line(Point2::new(low.x, y), Point2::new(high.x, y)));
         }
-        for y in marks(low.y, high.y) {
-            let _ = write!(s, "M{} {}H{}", show(low.x), show(-y), show(high.x));
+        canvas.path(Class::Grid, None, &parts);
+        if self.view.is_iso() {
+            return self.axes(canvas, layout);
         }
-        s.push_str("\"/>\n");
         if low.y <= 0.0 && high.y >= 0.0 {
-            let class = if self.view.is_lathe() { "axis centre" } else { "axis" };
-            let _ = writeln!(s, "<path class=\"{class}\" d=\"M{} 0H{}\"/>", show(low.x), show(high.x));
+            let class = if self.view.is_turning() { Class::Centre } else { Class::Axis };
+            canvas.path(class, None, &[Part::Move(Point2::new(low.x, 0.0)), Part::Line(Point2::new(high.x, 0.0))]);
         }
         if low.x <= 0.0 && high.x >= 0.0 {
-            let _ = writeln!(s, "<path class=\"axis\" d=\"M0 {}V{}\"/>", show(-low.y), show(-high.y));
+            canvas.path(
+                Class::Axis,
+                None,
+                &[Part::Move(Point2::new(0.0, low.y)), Part::Line(Point2::new(0.0, high.y))],
+            );
         }
-        let font = layout.font;
+    }
+
+    /// The plane through zero under the path, seen aslant: X and Y, on a lathe Z and X.
+    fn floor(&self, layout: &Layout, line: &mut impl FnMut(Point2, Point2)) {
+        let Some([(u, a), (v, b)]) = self.floor_extents() else { return };
+        let corner = |s: f64, t: f64| Point2::from(u * s + v * t);
+        line(corner(a.0, b.0), corner(a.1, b.0));
+        line(corner(a.1, b.0), corner(a.1, b.1));
+        line(corner(a.1, b.1), corner(a.0, b.1));
+        line(corner(a.0, b.1), corner(a.0, b.0));
+        layout.marks(a.0, a.1).for_each(|s| line(Point2::from(u * s + v * b.0), Point2::from(u * s + v * b.1)));
+        layout.marks(b.0, b.1).for_each(|t| line(Point2::from(u * a.0 + v * t), Point2::from(u * a.1 + v * t)));
+    }
+
+    /// The directions of the floor and what of it is drawn.
+    fn floor_extents(&self) -> Option<[(Vec2, (f64, f64)); 2]> {
+        let (first, second) = self.floor_axes();
+        let of = |axis: Axis| {
+            let (low, high) = self.extents.get(axis.index()).copied().flatten()?;
+            Some((self.view.way(axis), (low.min(0.0), high.max(0.0))))
+        };
+        Some([of(first)?, of(second)?])
+    }
+
+    fn floor_axes(&self) -> (Axis, Axis) {
+        if self.diameter || self.extents[1].is_none() { (Axis::Z, Axis::X) } else { (Axis::X, Axis::Y) }
+    }
+
+    /// Arrows along X, Y and Z from the zero.
+    fn axes(&self, canvas: &mut dyn Canvas, layout: &Layout) {
+        for (way, _) in self.axis_ends(layout) {
+            canvas.path(Class::Axis, None, &[Part::Move(Point2::origin()), Part::Line(Point2::from(way))]);
+            marks::arrow(
+                canvas,
+                Class::DimensionArrow,
+                Point2::from(way),
+                way / way.norm().max(1e-9),
+                10.0 * layout.pixel,
+            );
+        }
+    }
+
+    fn axis_ends(&self, layout: &Layout) -> Vec<(Vec2, char)> {
+        let long = 90.0 * layout.pixel;
+        Axis::ALL.iter().take(3).map(|axis| (self.view.way(*axis) * long, axis.letter())).collect()
+    }
+
+    /// The numbers on the grid.
+    fn numbers(&self, layout: &Layout, canvas: &mut dyn Canvas) {
+        let (low, high, font, step) = (layout.low, layout.high, layout.font, layout.step());
+        let small = 0.8 * font;
+        let mut text = |x: f64, y: f64, anchor: Anchor, text: &str| {
+            canvas.words(&Words { at: Point2::new(x, y), anchor, font: small, upright: false, text });
+        };
+        let Some((right, up)) = self.view.axes() else {
+            for (way, letter) in self.axis_ends(layout) {
+                text(way.x * 1.15, way.y * 1.15 - 0.3 * small, Anchor::Middle, &letter.to_string());
+            }
+            return;
+        };
         // Every other number if they would touch each other.
-        let wide = 4.2 * font > step;
-        let every = if wide { 2 } else { 1 };
-        for x in marks(low.x, high.x).filter(|x| (libm::round(x / step) as i64) % every == 0) {
-            let _ = writeln!(
-                s,
-                "<text class=\"small\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                show(x),
-                show(-low.y + 1.1 * font),
-                show(x)
-            );
+        let every = if 4.2 * font > step { 2 } else { 1 };
+        for x in layout.marks(low.x, high.x).filter(|x| (libm::round(x / step) as i64) % every == 0) {
+            text(x, low.y - 1.1 * font, Anchor::Middle, &show(x * self.factor(right)));
         }
-        let scale = if self.diameter { 2.0 } else { 1.0 };
-        for y in marks(low.y, high.y) {
-            let _ = writeln!(
-                s,
-                "<text class=\"small\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>",
-                show(low.x - 0.4 * font),
-                show(-y + 0.3 * font),
-                show(y * scale)
-            );
+        for y in layout.marks(low.y, high.y) {
+            // Below the centre of a turned part the same diameters stand.
+            let value = y * self.factor(up);
+            let value = if self.view.is_turning() && !self.section.edges.is_empty() { value.abs() } else { value };
+            text(low.x - 0.4 * font, y - 0.3 * font, Anchor::End, &show(value));
         }
     }
 
-    /// Everything behind the path.
-    pub(super) fn foot(&self) -> String {
-        let layout = self.layout();
-        let (x, y, _, _) = layout.frame();
-        let font = layout.font;
-        let (right, up) = self.view.axes();
-        let mut s = "</g>\n".to_owned();
-        let mut text = |x: f64, y: f64, anchor: &str, t: &str| {
-            let _ = writeln!(s, "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\">{t}</text>", show(x), show(y));
-        };
-        text(x + 0.6 * font, y + 1.5 * font, "start", &escaped(self.title));
-        let up_name = match (self.diameter, self.view.is_lathe()) {
-            (true, _) => format!("{} diameter", up.letter()),
-            (false, true) => format!("{} radius", up.letter()),
-            (false, false) => up.letter().to_string(),
-        };
-        text(x + 0.6 * font, -layout.high.y - 0.6 * font, "start", &up_name);
-        text(layout.high.x, -layout.low.y + 2.4 * font, "end", &right.letter().to_string());
-        let base = -layout.low.y + 4.0 * font;
-        if let Some((low, high)) = self.extents.cut.or(self.extents.all) {
-            let scale = if self.diameter { 2.0 } else { 1.0 };
-            let line = format!(
-                "{} {} to {}, {up_name} {} to {}",
-                right.letter(),
-                show(low.x),
-                show(high.x),
-                show(low.y * scale),
-                show(high.y * scale)
-            );
-            text(layout.low.x, base, "start", &line);
-        }
-        self.legend(&mut s, &layout, base + 1.7 * font);
-        self.scale_bar(&mut s, &layout, base);
-        s.push_str("</svg>\n");
-        s
+    /// What is written for a millimetre of this axis.
+    fn factor(&self, axis: Axis) -> f64 {
+        if self.diameter && axis == Axis::X { 2.0 } else { 1.0 }
     }
 
-    fn legend(&self, s: &mut String, layout: &Layout, y: f64) {
+    fn axis_name(&self, axis: Axis) -> String {
+        match (self.diameter && axis == Axis::X, self.view.is_turning() && axis == Axis::X) {
+            (true, _) => format!("{} diameter", axis.letter()),
+            (false, true) => format!("{} radius", axis.letter()),
+            (false, false) => axis.letter().to_string(),
+        }
+    }
+
+    fn words(
+        &self,
+        canvas: &mut dyn Canvas,
+        layout: &Layout,
+        legend: &[(usize, f64, Sample, String)],
+        labels: &Labels,
+    ) {
+        self.numbers(layout, canvas);
+        let (x, ..) = layout.frame();
         let font = layout.font;
-        let mut x = layout.low.x;
-        let mut entry = |s: &mut String, class: &str, name: &str| {
-            let _ = write!(
-                s,
-                "<path class=\"{class}\" fill=\"none\" d=\"M{} {}h{}\"/>",
-                show(x),
-                show(y - 0.3 * font),
-                show(2.0 * font)
-            );
-            let _ = writeln!(s, "<text class=\"small\" x=\"{}\" y=\"{}\">{name}</text>", show(x + 2.4 * font), show(y));
-            x += (3.4 + 0.5 * name.len() as f64) * font;
+        let mut text = |x: f64, y: f64, anchor: Anchor, font: f64, text: &str| {
+            canvas.words(&Words { at: Point2::new(x, y), anchor, font, upright: false, text });
         };
-        for (i, tool) in self.tools.iter().enumerate().take(COLOURS.len()) {
-            let name = match self.names.get(i) {
-                Some(name) => escaped(name),
-                None => tool.map_or("path".to_owned(), |number| format!("T{number}")),
+        text(x + 0.6 * font, self.title_line(layout), Anchor::Start, font, self.title);
+        if let Some((right, up)) = self.view.axes() {
+            text(x + 0.6 * font, layout.high.y + 0.6 * font, Anchor::Start, font, &self.axis_name(up));
+            text(layout.high.x, layout.low.y - 2.4 * font, Anchor::End, font, &self.axis_name(right));
+        }
+        let base = self.base(layout);
+        text(layout.low.x, base, Anchor::Start, font, &self.sizes());
+        let bar = layout.step() * 2.0;
+        text(
+            layout.high.x - bar - 0.4 * font,
+            self.title_line(layout),
+            Anchor::End,
+            0.8 * font,
+            &format!("{} mm", show(bar)),
+        );
+        for (line, x, sample, name) in legend {
+            let after = if matches!(sample, Sample::None) { 0.0 } else { 2.4 * font };
+            text(layout.low.x + x + after, self.legend_line(layout, *line), Anchor::Start, 0.8 * font, name);
+        }
+        labels.write(canvas);
+    }
+
+    /// From where to where is cut.
+    fn sizes(&self) -> String {
+        let order = match self.view.axes() {
+            Some((right, up)) => {
+                let third = Axis::ALL.iter().take(3).copied().find(|axis| *axis != right && *axis != up);
+                [Some(right), Some(up), third]
+            }
+            None => [Some(Axis::X), Some(Axis::Y), Some(Axis::Z)],
+        };
+        let size = |axis: Axis| {
+            let (low, high) = self.extents.get(axis.index()).copied().flatten()?;
+            let factor = self.factor(axis);
+            Some(format!("{} {} to {}", self.axis_name(axis), show(low * factor), show(high * factor)))
+        };
+        // A turned part has no third axis to speak of.
+        let is_told = |axis: &Axis| !(self.view.is_turning() && *axis == Axis::Y);
+        order.into_iter().flatten().filter(is_told).filter_map(size).collect::<Vec<_>>().join(", ")
+    }
+
+    /// The line of the title and of the scale bar.
+    fn title_line(&self, layout: &Layout) -> f64 {
+        let (_, y, _, _) = layout.frame();
+        -(y + 1.5 * layout.font)
+    }
+
+    /// The line of the sizes.
+    fn base(&self, layout: &Layout) -> f64 {
+        layout.low.y - 4.0 * layout.font
+    }
+
+    fn legend_line(&self, layout: &Layout, line: usize) -> f64 {
+        self.base(layout) - 1.7 * layout.font * (line + 1) as f64
+    }
+
+    /// What is drawn: line, place in it, sample, name.
+    fn legend(&self, layout: &Layout) -> Vec<(usize, f64, Sample, String)> {
+        let font = layout.font;
+        let pens = |wanted: Pen| self.strokes.runs().any(|(run, _)| run.pen == wanted);
+        let drawn: BTreeSet<usize> = self.strokes.runs().map(|(run, _)| run.colour).collect();
+        let mut entries: Vec<(Sample, String)> = Vec::new();
+        for i in drawn.iter().take(NAMED) {
+            let name = match (self.names.get(*i), self.tools.get(*i)) {
+                (Some(name), _) => name.clone(),
+                (None, Some(Some(number))) => format!("T{number}"),
+                (None, _) => "path".to_owned(),
             };
-            entry(s, &format!("c t{i}"), &name);
+            entries.push((Sample::Line(Class::Key(*i)), name));
         }
-        if self.tools.len() > COLOURS.len() {
-            entry(s, "grid", &format!("{} more tools, colours repeat", self.tools.len() - COLOURS.len()));
+        if drawn.len() > NAMED {
+            entries.push((Sample::None, format!("{} more tools", drawn.len() - NAMED)));
         }
-        if self.threads {
-            entry(s, "h t0", "thread");
+        if pens(Pen::Thread) {
+            entries.push((Sample::Line(Class::Thread(0)), "thread".to_owned()));
         }
-        if self.contours {
-            entry(s, "p", "contour");
+        if !self.contour.is_empty() {
+            entries.push((Sample::Line(Class::Contour), "contour".to_owned()));
         }
-        if self.rapids {
-            entry(s, "r t0", "rapid");
+        if pens(Pen::Rapid) {
+            entries.push((Sample::Line(Class::Rapid(drawn.first().copied().unwrap_or(0))), "rapid".to_owned()));
         }
-        if self.undrawn > 0 {
-            entry(s, "grid", &format!("{} moves in machine coordinates not drawn", self.undrawn));
+        if !self.section.edges.is_empty() {
+            entries.push((Sample::Line(Class::Edge), "finished part, cut open".to_owned()));
         }
+        if self.ends.is_some() {
+            entries.extend([(Sample::Ring, "start".to_owned()), (Sample::Square, "end".to_owned())]);
+        }
+        entries.extend(self.notes.iter().map(|note| (Sample::None, note.clone())));
+        let wide = layout.high.x - layout.low.x + 2.0 * font;
+        let (mut line, mut x) = (0, 0.0);
+        let mut placed = Vec::new();
+        for (sample, name) in entries {
+            let before = if matches!(sample, Sample::None) { 0.0 } else { 2.4 * font };
+            let long = before + 0.8 * LETTER * font * name.chars().count() as f64 + 1.6 * font;
+            if x > 0.0 && x + long > wide {
+                (line, x) = (line + 1, 0.0);
+            }
+            placed.push((line, x, sample, name));
+            x += long;
+        }
+        placed
     }
 
-    fn scale_bar(&self, s: &mut String, layout: &Layout, y: f64) {
+    fn samples(&self, canvas: &mut dyn Canvas, layout: &Layout, legend: &[(usize, f64, Sample, String)]) {
         let font = layout.font;
-        let length = layout.step() * 2.0;
-        let (x, tick) = (layout.high.x - length, 0.3 * font);
-        let _ = writeln!(
-            s,
-            "<path class=\"axis\" d=\"M{} {}v{tick}h{}v-{tick}\"/>",
-            show(x),
-            show(y - tick),
-            show(length),
-            tick = show(tick)
-        );
-        let _ = writeln!(
-            s,
-            "<text class=\"small\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{} mm</text>",
-            show(x - 0.4 * font),
-            show(y),
-            show(length)
-        );
-    }
-}
-
-/// A number of the picture: four places, no trailing zeros, no `-0`.
-pub(super) fn number(out: &mut Vec<u8>, value: f64) {
-    let start = out.len();
-    let _ = write!(out, "{value:.4}");
-    while out.last() == Some(&b'0') {
-        out.pop();
-    }
-    if out.last() == Some(&b'.') {
-        out.pop();
-    }
-    if out.get(start..) == Some(b"-0") {
-        out.truncate(start);
-        out.push(b'0');
-    }
-}
-
-fn show(value: f64) -> String {
-    let mut out = Vec::new();
-    number(&mut out, value);
-    String::from_utf8(out).unwrap_or_default()
-}
-
-fn escaped(text: &str) -> String {
-    let mut out = String::new();
-    for c in text.chars().take(120) {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c if c.is_control() => out.push(' '),
-            c => out.push(c),
+        for (line, x, sample, _) in legend {
+            let from = Point2::new(layout.low.x + x, self.legend_line(layout, *line) + 0.3 * font);
+            let middle = from + Vec2::new(font, 0.0);
+            match sample {
+                Sample::Line(class) => {
+                    canvas.path(*class, None, &[Part::Move(from), Part::Line(from + Vec2::new(2.0 * font, 0.0))]);
+                }
+                Sample::Ring => marks::ring(canvas, middle, 8.0 * layout.pixel),
+                Sample::Square => marks::square(canvas, middle, 4.0 * layout.pixel),
+                Sample::None => {}
+            }
         }
     }
-    out
+
+    fn scale_bar(&self, canvas: &mut dyn Canvas, layout: &Layout) {
+        let (length, tick) = (layout.step() * 2.0, 0.3 * layout.font);
+        let (x, y) = (layout.high.x - length, self.title_line(layout));
+        let at = |x: f64, y: f64| Point2::new(x, y);
+        let parts = [
+            Part::Move(at(x, y + tick)),
+            Part::Line(at(x, y)),
+            Part::Line(at(x + length, y)),
+            Part::Line(at(x + length, y + tick)),
+        ];
+        canvas.path(Class::Axis, None, &parts);
+    }
+}
+
+fn class(run: &Run) -> Class {
+    match run.pen {
+        Pen::Rapid => Class::Rapid(run.colour),
+        Pen::Cut => Class::Cut(run.colour),
+        Pen::Thread => Class::Thread(run.colour),
+        Pen::Dot => Class::Dot(run.colour),
+        Pen::Contour => Class::Contour,
+    }
+}
+
+fn same_block(a: &Stroke, b: &Stroke) -> bool {
+    a.loc.file == b.loc.file && a.loc.line == b.loc.line
+}
+
+/// How many strokes the next `per` blocks make.
+fn blocks_end(strokes: &[Stroke], per: usize) -> usize {
+    let mut left = per;
+    for (i, pair) in strokes.windows(2).enumerate() {
+        if !same_block(&pair[0], &pair[1]) {
+            left -= 1;
+            if left == 0 {
+                return i + 1;
+            }
+        }
+    }
+    strokes.len()
 }

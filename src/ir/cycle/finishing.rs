@@ -46,6 +46,15 @@ pub struct Finishing {
     pub end: FinishingEnd,
 }
 
+impl Finishing {
+    /// From where the part is cut, by the side on which the tool travels; `None` for an upright contour, which has none.
+    pub fn cut_from(&self) -> Option<Towards> {
+        let way = self.contour.last()?.to().x - self.contour.first()?.from().x;
+        let outside = if (way < 0.0) == self.left { Towards::PlusX } else { Towards::MinusX };
+        (way.abs() > crate::geo::SAME_POINT).then_some(outside)
+    }
+}
+
 /// What becomes of descending elements.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Descending {

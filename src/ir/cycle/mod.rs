@@ -26,6 +26,8 @@ pub mod undercut;
 
 use core::fmt;
 
+use crate::geo::{Element, Vec2};
+
 use super::Pos;
 use super::function::Spindle;
 
@@ -46,6 +48,7 @@ pub use ruled::Ruled;
 pub use spigot::Spigot;
 pub use thread::Thread;
 pub use thread_milling::ThreadMilling;
+use turning::Towards;
 pub use undercut::UndercutCycle;
 
 /// What the resolved arguments of all cycles can say.
@@ -147,3 +150,33 @@ macro_rules! cycle {
     };
 }
 families!(cycle);
+
+impl Cycle {
+    /// The finished contour of a turned part that it works down to, and from where.
+    pub fn finished(&self) -> Option<(&[Element], Towards)> {
+        match self {
+            Cycle::Finishing(cycle) if cycle.oversize == 0.0 && cycle.shift == Vec2::zeros() => {
+                Some((&cycle.contour, cycle.cut_from()?))
+            }
+            Cycle::Layers(cycle) => Some((&cycle.contour, cycle.into)),
+            Cycle::RecessTurning(cycle) => Some((&cycle.contour, cycle.into)),
+            Cycle::Grooving(cycle) if cycle.copies == grooving::Copies::ONE => Some((&cycle.contour, cycle.into)),
+            Cycle::Finishing(_)
+            | Cycle::Grooving(_)
+            | Cycle::CutOff(_)
+            | Cycle::Thread(_)
+            | Cycle::Drilling(_)
+            | Cycle::Undercut(_)
+            | Cycle::Pocket(_)
+            | Cycle::LongHole(_)
+            | Cycle::Region(_)
+            | Cycle::PilotHoles(_)
+            | Cycle::Facing(_)
+            | Cycle::Ruled(_)
+            | Cycle::Spigot(_)
+            | Cycle::PathMilling(_)
+            | Cycle::ThreadMilling(_)
+            | Cycle::BoreMilling(_) => None,
+        }
+    }
+}

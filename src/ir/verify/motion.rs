@@ -149,6 +149,10 @@ impl Sink for Motion<'_> {
         self.out.begins_at(at);
     }
 
+    fn finished(&mut self, contour: &[crate::geo::Element], into: crate::ir::cycle::turning::Towards) {
+        self.out.finished(contour, into);
+    }
+
     fn programmed(&mut self, mv: &Move, start: &Pos) {
         self.out.programmed(mv, start);
     }

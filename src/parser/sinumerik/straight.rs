@@ -3,6 +3,7 @@
 use crate::machine::Axis;
 use crate::parser::literal::{self, Shape};
 use crate::parser::straight::{self, Straight};
+use crate::text::Span;
 use crate::text::number::leading_digits;
 
 use super::ast::{Block, Stmt, Target, Value};
@@ -15,16 +16,16 @@ pub fn of_line(text: &[u8], line_end: u8) -> Option<Straight> {
     straight::read::<Line>(text, from, from, line_end)
 }
 
-/// Length of the line at the start of `text`, if it is a straight block, with or without G0 or G1 in front of its words.
+/// Length and words of the line at the start of `text`, if it is a straight block, with or without G0 or G1 in front.
 #[inline]
-pub fn line_len(text: &[u8], line_end: u8) -> Option<usize> {
+pub fn with_path(text: &[u8], line_end: u8) -> Option<(usize, Span)> {
     let from = behind_number(text)?;
     let at = match text.get(from..)? {
         [b'G' | b'g', b'0' | b'1', b' ', ..] => from + 3,
         [b'G' | b'g', b'0', b'0' | b'1', b' ', ..] => from + 4,
         _ => from,
     };
-    straight::read::<Line>(text, from, at, line_end).map(|line| line.len)
+    straight::read::<Line>(text, from, at, line_end).map(|line| (line.len, line.words))
 }
 
 /// Where the words begin, behind the block number.
@@ -148,19 +149,20 @@ mod tests {
             ("G1 G0 X5\n", None),
             ("G1X5\n", None),
         ] {
-            assert_eq!(line_len(text.as_bytes(), b'\n'), len, "{text:?}");
+            assert_eq!(with_path(text.as_bytes(), b'\n').map(|(len, _)| len), len, "{text:?}");
             has_nothing_else(text.as_bytes(), b'\n');
         }
     }
 
     /// A line that is passed over is a block of G0 or G1, axes and F, with nothing wrong in it.
     fn has_nothing_else(text: &[u8], line_end: u8) {
-        let Some(len) = line_len(text, line_end) else { return };
+        let Some((len, words)) = with_path(text, line_end) else { return };
         let line = &text[..len - 1];
         let line = line.strip_suffix(b"\r").unwrap_or(line);
         let (mut block, mut problems) = (Block::default(), Vec::new());
         parse_block(line, &mut block, &mut Symbols::default(), &mut problems);
         assert!(problems.is_empty(), "{problems:?}");
+        assert_eq!(words, block.span);
         let (mut letters, mut g) = (Vec::new(), 0);
         for word in &block.words {
             let (Target::Letter(letter), Value::Literal { value, .. }) = (word.target, word.value) else {

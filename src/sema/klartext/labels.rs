@@ -53,7 +53,7 @@ impl Labels {
         let mut labels = Labels::default();
         let Some(mut blocks) = Blocks::<Klartext>::open(job, file, from) else { return labels };
         let mut symbols = Symbols::default();
-        while let Some(passed) = blocks.next_that(job, &mut symbols, None, may_be_label) {
+        while let Some(passed) = blocks.next_bent(job, &mut symbols, may_be_label) {
             let place = passed.place();
             match passed.block.stmt {
                 Stmt::Label(LabelRef::Number(0)) => labels.zeros.push(place.at),

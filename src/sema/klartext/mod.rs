@@ -170,8 +170,8 @@ impl Language for Klartext {
     }
 
     #[inline]
-    fn straight(&self, text: &[u8], line_end: u8) -> Option<usize> {
-        straight::of_line(text, line_end).map(|line| line.len)
+    fn straight(&self, text: &[u8], line_end: u8) -> Option<(usize, Span)> {
+        straight::of_line(text, line_end).map(|line| (line.len, line.words))
     }
 
     #[inline]

@@ -71,9 +71,9 @@ pub trait Language: Default {
         problems: &mut Vec<Problem>,
     );
 
-    /// Length of the line at the start of `text`, if it is a straight block: its form is right, it has no words but those
-    /// of axes and a feed, and nothing else depends on it than the position.
-    fn straight(&self, _text: &[u8], _line_end: u8) -> Option<usize> {
+    /// Length and words of the line at the start of `text`, if it is a straight block: its form is right, it has no words
+    /// but those of axes and a feed, and nothing else depends on it than the position.
+    fn straight(&self, _text: &[u8], _line_end: u8) -> Option<(usize, Span)> {
         None
     }
 

@@ -95,16 +95,35 @@ impl Wanted<'_> {
     pub const ALL: Wanted<'static> = Wanted { letter: None, is: &|_| true };
 }
 
+/// How much of straight lines is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OfStraight {
+    /// The same as of other blocks.
+    Whole,
+    Places,
+    Nothing,
+}
+
+/// Where a straight line is in its file, and where its words are.
+#[derive(Debug, Clone, Copy)]
+pub struct StraightLine {
+    pub span: Span,
+    pub words: Span,
+    pub number: Option<u32>,
+}
+
 /// Takes the blocks of a file one after the other, and says which ones it wants next.
 pub trait Visitor {
     fn wanted(&self) -> Wanted<'_>;
     /// Are the items of blocks wanted, not their comments alone?
     fn items(&self) -> bool;
-    /// May straight lines be passed over: those with nothing but axes, a feed, and G0 or G1, whose block numbers rise and
-    /// whose numbers are not [long](LONG)?
-    fn passes_straight(&self) -> bool {
-        false
+    /// What about straight lines: those with nothing but axes, a feed, and G0 or G1, whose block numbers rise and whose
+    /// numbers are not [long](LONG)?
+    fn straight(&self) -> OfStraight {
+        OfStraight::Whole
     }
+    /// Takes a straight line by its [places](OfStraight::Places).
+    fn straight_line(&mut self, _: &StraightLine) {}
     fn block(&mut self, block: &Surveyed<'_>, job: &Job<'_>);
 }
 

@@ -1,5 +1,6 @@
 //! The walk over the blocks of a file in their order, whether they run or not.
 
+use std::cell::Cell;
 use std::rc::Rc;
 
 use crate::diag::CallPath;
@@ -15,7 +16,7 @@ use super::files::open_cursor;
 use super::report::report_problem;
 use super::site::Site;
 use super::source::Parsed;
-use super::survey::{LONG, Visitor};
+use super::survey::{LONG, OfStraight, StraightLine, Visitor};
 
 /// Reads every block of the main program and reports what is wrong with its form.
 pub fn check_form<L: Language>(job: &Job<'_>) {
@@ -42,17 +43,7 @@ impl Texts {
 
     /// The next block that is not too long; none where the file cannot be read on.
     pub fn next(&mut self, job: &Job<'_>) -> Option<BlockText<'_>> {
-        self.next_that(job, None, |_| true)
-    }
-
-    /// The next block whose text is `wanted`, which it is only where it holds `letter`.
-    pub fn next_that(
-        &mut self,
-        job: &Job<'_>,
-        letter: Option<u8>,
-        wanted: impl Fn(&[u8]) -> bool,
-    ) -> Option<BlockText<'_>> {
-        self.cursor.next_readable(job.sources, letter, wanted).ok().flatten()
+        self.cursor.next_readable(job.sources, None, |_| true, |_| None).ok().flatten()
     }
 }
 
@@ -63,10 +54,29 @@ pub struct Blocks<L: Language> {
     language: L,
     parsed: Parsed<L::Block>,
     problems: Vec<Problem>,
-    /// Straight lines that an earlier walk found, and how many of the stretches lie behind.
-    known: (Rc<[Stretch]>, usize),
+    known: Known,
     /// Those that this one finds.
     found: Vec<Stretch>,
+}
+
+/// Straight lines that an earlier walk found.
+#[derive(Debug)]
+struct Known {
+    stretches: Rc<[Stretch]>,
+    /// So many of them lie behind.
+    behind: Cell<usize>,
+}
+
+impl Known {
+    /// The stretch that begins at this offset.
+    fn at(&self, at: u32) -> Option<&Stretch> {
+        let mut behind = self.behind.get();
+        while self.stretches.get(behind)?.start.at < at {
+            behind += 1;
+            self.behind.set(behind);
+        }
+        self.stretches.get(behind).filter(|stretch| stretch.start.at == at)
+    }
 }
 
 /// Lines of a stretch that is worth noting.
@@ -118,7 +128,7 @@ impl<L: Language> Blocks<L> {
             language: L::default(),
             parsed: Parsed::default(),
             problems: Vec::new(),
-            known: (job.sources.straight(file), 0),
+            known: Known { stretches: job.sources.straight(file), behind: Cell::new(0) },
             found: Vec::new(),
         })
     }
@@ -134,7 +144,7 @@ impl<L: Language> Blocks<L> {
 
     /// The next block behind straight ones, which have nothing but a way to go; not all of those are passed over.
     pub fn next_behind_straight(&mut self, job: &Job<'_>, symbols: &mut Symbols) -> Option<Passed<'_, L>> {
-        self.pass_straight(&mut Numbers::default());
+        self.pass_straight(&mut Numbers::default(), None);
         self.next(job, symbols)
     }
 
@@ -143,34 +153,47 @@ impl<L: Language> Blocks<L> {
         &mut self,
         job: &Job<'_>,
         symbols: &mut Symbols,
-        visitor: &dyn Visitor,
+        visitor: &mut dyn Visitor,
         numbers: &mut Numbers,
     ) -> Option<Passed<'_, L>> {
         numbers.passed = None;
-        let wanted = visitor.wanted();
-        if wanted.letter.is_none() && visitor.passes_straight() {
-            self.pass_straight(numbers);
+        if visitor.wanted().letter.is_none() {
+            match visitor.straight() {
+                OfStraight::Whole => {}
+                OfStraight::Places => self.pass_straight(numbers, Some(visitor)),
+                OfStraight::Nothing => self.pass_straight(numbers, None),
+            }
         }
+        let wanted = visitor.wanted();
         self.next_that(job, symbols, wanted.letter, wanted.is)
     }
 
-    /// Passes over straight lines, up to one whose number does not rise, or that holds a long number.
-    fn pass_straight(&mut self, numbers: &mut Numbers) {
+    /// Passes over straight lines, up to one whose number does not rise, or that holds a long number. `each` takes them.
+    fn pass_straight(&mut self, numbers: &mut Numbers, mut each: Option<&mut dyn Visitor>) {
         let start = self.texts.cursor.place();
-        if let Some(stretch) = self.known(start.at).filter(|stretch| numbers.rise_to(stretch)) {
+        if each.is_none()
+            && let Some(stretch) = self.known.at(start.at).filter(|stretch| numbers.rise_to(stretch))
+        {
             return self.texts.cursor.pass_to(stretch.end);
         }
         let mut first = None;
         loop {
             let (text, line_end) = self.texts.cursor.ahead();
-            let Some(len) = self.language.straight(text, line_end) else { break };
-            let Some((number, words)) = text.get(..len).and_then(number_of) else { break };
-            if has_long_number(words) || number.is_some() && number <= numbers.seen {
+            let Some((len, words)) = self.language.straight(text, line_end) else { break };
+            let Some((number, rest)) = text.get(..len).and_then(number_of) else { break };
+            if has_long_number(rest) || number.is_some() && number <= numbers.seen {
                 break;
             }
             if number.is_some() {
                 first = first.or(number);
                 (numbers.seen, numbers.passed) = (number, number);
+            }
+            if let Some(each) = &mut each {
+                let at = self.texts.cursor.place().at;
+                let ends =
+                    text[words.end as usize..len].iter().rev().take_while(|b| matches!(b, b'\r' | b'\n')).count();
+                let span = Span::at(at, (len - ends) as u32);
+                each.straight_line(&StraightLine { span, words: words.shifted(at), number });
             }
             self.texts.cursor.pass_line(len);
         }
@@ -178,15 +201,6 @@ impl<L: Language> Blocks<L> {
         if end.line - start.line >= LEAST_NOTED && self.found.len() < MOST_NOTED {
             self.found.push(Stretch { start, end, numbers: first.zip(numbers.passed) });
         }
-    }
-
-    /// The stretch of straight lines that is known to begin here.
-    fn known(&mut self, at: u32) -> Option<Stretch> {
-        let (known, behind) = &mut self.known;
-        while known.get(*behind).is_some_and(|stretch| stretch.start.at < at) {
-            *behind += 1;
-        }
-        known.get(*behind).filter(|stretch| stretch.start.at == at).copied()
     }
 
     /// Notes the straight lines that were passed over, for the walks to come.
@@ -202,9 +216,30 @@ impl<L: Language> Blocks<L> {
         letter: Option<u8>,
         wanted: impl Fn(&[u8]) -> bool,
     ) -> Option<Passed<'_, L>> {
-        let Blocks { texts, language, parsed, problems, .. } = self;
+        self.next_from(job, symbols, (letter, false), wanted)
+    }
+
+    /// The same for what is no straight line, whatever its number.
+    pub fn next_bent(
+        &mut self,
+        job: &Job<'_>,
+        symbols: &mut Symbols,
+        wanted: impl Fn(&[u8]) -> bool,
+    ) -> Option<Passed<'_, L>> {
+        self.next_from(job, symbols, (None, true), wanted)
+    }
+
+    fn next_from(
+        &mut self,
+        job: &Job<'_>,
+        symbols: &mut Symbols,
+        (letter, bent): (Option<u8>, bool),
+        wanted: impl Fn(&[u8]) -> bool,
+    ) -> Option<Passed<'_, L>> {
+        let Blocks { texts, language, parsed, problems, known, .. } = self;
         let file = texts.file;
-        let found = texts.next_that(job, letter, wanted)?;
+        let pass = |at| known.at(at).filter(|_| bent).map(|stretch| stretch.end);
+        let found = texts.cursor.next_readable(job.sources, letter, wanted, pass).ok().flatten()?;
         problems.clear();
         parsed.text.clear();
         language.parse(found.text, parsed, symbols, problems);

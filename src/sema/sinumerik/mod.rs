@@ -143,12 +143,12 @@ impl Language for Sinumerik {
     }
 
     #[inline]
-    fn straight(&self, text: &[u8], line_end: u8) -> Option<usize> {
+    fn straight(&self, text: &[u8], line_end: u8) -> Option<(usize, Span)> {
         // A macro may stand for anything.
         if self.has_macros() {
             return None;
         }
-        straight::line_len(text, line_end)
+        straight::with_path(text, line_end)
     }
 
     #[inline]
