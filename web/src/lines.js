@@ -70,8 +70,8 @@ export class Lines {
   }
 
   load(path) {
+    this.clear();
     this.path = path;
-    this.levels?.forEach((level) => level.free?.());
     const n = path.kinds.length, what = new Uint8Array(2 * n), ids = new Uint32Array(n);
     for (let i = 0; i < n; i++) {
       what[2 * i] = path.kinds[i];
@@ -80,13 +80,34 @@ export class Lines {
     }
     this.levels = [this.level(path.points, what, ids, 0)];
     const size = Math.hypot(...path.whole.high.map((high, a) => high - path.whole.low[a]));
-    for (const share of n > FEW ? [4000, 800, 300] : []) this.levels.push(this.thinned(path, what, size / share));
+    this.quick = null;
+    if (n <= FEW) return;
+    // The first picture does not wait for them.
+    setTimeout(() => {
+      if (this.path !== path) return;
+      for (const share of [4000, 800]) this.levels.push(this.thinned(path, what, size / share));
+      const coarse = this.levels.at(-1);
+      this.quick = coarse.n > FEW ? this.sparse(coarse) : coarse;
+    }, 50);
+  }
+
+  /** Stretches of a level, so that about `FEW` elements are left: what is seen of very long paths while they move. */
+  sparse({ points, what, ids, n, error }) {
+    const stretch = 64, every = Math.ceil(n / FEW), keep = [];
+    for (let i = 0; i < n; i++) if (Math.floor(i / stretch) % every === 0) keep.push(i);
+    const fewer = { points: new Float32Array(3 * keep.length), what: new Uint8Array(2 * keep.length), ids: new Uint32Array(keep.length) };
+    keep.forEach((i, k) => {
+      fewer.points.set(points.subarray(3 * i, 3 * i + 3), 3 * k);
+      fewer.what.set(i % stretch ? what.subarray(2 * i, 2 * i + 2) : [BEGINS, 0], 2 * k);
+      fewer.ids[k] = ids[i];
+    });
+    return this.level(fewer.points, fewer.what, fewer.ids, error);
   }
 
   clear() {
-    this.levels?.forEach((level) => level.free?.());
+    [...(this.levels ?? []), this.quick].forEach((level) => level?.free?.());
     this.levels = [];
-    this.path = null;
+    this.path = this.quick = null;
   }
 
   level(points, what, ids, error) {
@@ -129,9 +150,10 @@ export class Lines {
     const ratio = style.ratio, w = Math.round(camera.width * ratio), h = Math.round(camera.height * ratio);
     if (this.canvas.width !== w || this.canvas.height !== h) { this.canvas.width = w; this.canvas.height = h; }
     const levels = this.levels ?? [];
-    const may = moving ? 3 : 0.4;
     let level = levels[0];
-    for (const coarse of levels) if (coarse.error * camera.scale < may || (moving && coarse === levels[1] && levels[0].n > 4 * FEW)) level = coarse;
+    for (const coarse of levels) if (coarse.error * camera.scale < (moving ? 3 : 0.4)) level = coarse;
+    // Near by, few elements lie in the picture, and a graphics card finds them soon.
+    if (moving && this.quick && level.n > this.quick.n) level = this.quick;
     if (!this.gl) return this.drawFlat(camera, style, level);
     const gl = this.gl, at = this.places;
     gl.viewport(0, 0, w, h);

@@ -73,7 +73,7 @@ export class Plot {
     const { box, whole } = this.path;
     const empty = box.high.every((high, a) => high - box.low[a] < 1e-6);
     // A retract far away makes no small picture.
-    this.camera.fit(this.path, empty || (this.rapids && span(whole) < 2.5 * span(box)));
+    this.camera.fit(this.path, empty || (this.rapids && span(whole) < 1.5 * span(box)));
     this.ask();
   }
 
@@ -83,7 +83,7 @@ export class Plot {
     if (moving) {
       this.moving = true;
       clearTimeout(this.rest);
-      this.rest = setTimeout(() => { this.moving = false; this.ask(); }, 160);
+      this.rest = null;
     }
     this.asked ??= requestAnimationFrame((time) => { this.asked = null; this.draw(time); });
   }
@@ -97,6 +97,11 @@ export class Plot {
       ranges: this.ranges.slice(0, 4000), colours: style.colours, select: style.select,
     }, this.moving);
     this.overlay.draw(this, style);
+    // The whole is drawn once the picture rests, however long a frame took.
+    if (this.moving) {
+      clearTimeout(this.rest);
+      this.rest = setTimeout(() => { this.moving = false; this.ask(); }, 250);
+    }
     if (this.path) this.first ??= performance.now();
     this.frames.push(time);
     if (this.frames.length > 120) this.frames.shift();
