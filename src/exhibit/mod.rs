@@ -58,7 +58,7 @@ pub fn made(session: &Session, dialect: &Dialect, settings: &Settings, files: &d
     let model = Model::default();
     let mut about = json!({
         "version": env!("CARGO_PKG_VERSION"),
-        "name": session.sources.name(FileId(0)),
+        "name": name(&session.sources),
         "dialect": dialect.id,
         "target": target.name,
         "extension": target.extension,
@@ -100,13 +100,31 @@ pub fn checked(session: &Session, dialect: &Dialect, settings: &Settings, files:
     packed.bytes(about)
 }
 
+/// In the order of their places. The folder a program lies in is of no interest to who gets the page.
 fn findings(diags: &Diags, sources: &Sources, trail: &Trail) -> Vec<Finding> {
     let mut list = Vec::new();
     diags.each(|found| {
         list.push(((found.label.loc.file, found.label.loc.span.start), Finding::new(found, sources, trail)))
     });
     list.sort_by_key(|(at, _)| *at);
+    let (main, name) = (sources.name(FileId(0)), name(sources));
+    let shorten = |file: &mut String| {
+        if *file == main {
+            file.clone_from(&name);
+        }
+    };
+    for (_, finding) in &mut list {
+        shorten(&mut finding.file);
+        finding.related.iter_mut().for_each(|related| shorten(&mut related.file));
+        finding.stack.iter_mut().for_each(|site| shorten(&mut site.file));
+    }
     list.into_iter().map(|(_, finding)| finding).collect()
+}
+
+/// The main program without its folder.
+fn name(sources: &Sources) -> String {
+    let name = sources.name(FileId(0));
+    name.rsplit(['/', '\\']).next().unwrap_or(&name).to_owned()
 }
 
 /// What is known of a tool.

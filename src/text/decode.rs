@@ -39,11 +39,23 @@ pub fn escaped_json(text: &str) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
+/// A byte of Windows-1252, as the WHATWG's Encoding Standard reads it.
+fn western(byte: u8) -> char {
+    const HIGH: [char; 32] = [
+        '\u{20ac}', '\u{81}', '\u{201a}', '\u{192}', '\u{201e}', '\u{2026}', '\u{2020}', '\u{2021}', '\u{2c6}',
+        '\u{2030}', '\u{160}', '\u{2039}', '\u{152}', '\u{8d}', '\u{17d}', '\u{8f}', '\u{90}', '\u{2018}', '\u{2019}',
+        '\u{201c}', '\u{201d}', '\u{2022}', '\u{2013}', '\u{2014}', '\u{2dc}', '\u{2122}', '\u{161}', '\u{203a}',
+        '\u{153}', '\u{9d}', '\u{17e}', '\u{178}',
+    ];
+    let high = byte.checked_sub(0x80).and_then(|at| HIGH.get(usize::from(at)));
+    high.copied().unwrap_or(char::from(byte))
+}
+
 /// `bytes` as readable text. Control characters, and those that turn the direction of the text, become blanks.
 pub fn readable(bytes: &[u8]) -> Cow<'_, str> {
     let text = match std::str::from_utf8(bytes) {
         Ok(text) => Cow::Borrowed(text),
-        Err(_) => encoding_rs::WINDOWS_1252.decode_without_bom_handling(bytes).0,
+        Err(_) => Cow::Owned(bytes.iter().map(|byte| western(*byte)).collect()),
     };
     match harmless(&text) {
         Cow::Owned(text) => Cow::Owned(text),

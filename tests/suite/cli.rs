@@ -489,6 +489,9 @@ fn a_report_shows_results_or_errors_and_replaces_nothing_foreign() {
     assert_eq!(page.matches("<script type=\"text/plain\" id=").count(), 3);
     let broken = folder.run(&["report", "BAD.H", "-o", "-"]).exits(1).out;
     assert!(broken.ends_with("</html>\n"), "a page with the findings");
+    // The folder of a program goes nowhere with its page.
+    let named = folder.run(&["report", &folder.0.join("BAD.H").display().to_string(), "-o", "-"]).exits(1).out;
+    assert_eq!(named, broken);
     // A second time it is our own page; a program is not.
     folder.run(&["report", "T.H"]).exits(0);
     folder.run(&["report", "T.H", "-o", "T.H"]).exits(2);

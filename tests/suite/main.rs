@@ -29,6 +29,7 @@ mod cycle_parameters;
 mod damage;
 mod diagnostics;
 mod documents;
+mod editors;
 mod endless;
 mod exhibit;
 mod explained;

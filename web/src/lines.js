@@ -1,4 +1,5 @@
-// Lines of constant width in pixels, drawn by WebGL2: one rectangle an element, all from one array of points.
+// Lines of constant width in pixels, drawn by WebGL2, all from one array of points: one rectangle an element, or, where there are
+// many, one strip.
 
 import { BEGINS, shade } from "./data.js";
 
@@ -8,7 +9,7 @@ layout(location=1) in vec3 b;
 layout(location=2) in uvec4 what;   // kind, colour, of the point it leads to
 layout(location=3) in uint id;
 uniform mat3 rows; uniform vec3 center; uniform vec2 size; uniform float scale, width;
-uniform uint needs, now, hidden; uniform int show; uniform vec4 colours[10]; uniform vec4 only; uniform float ahead; uniform vec3 relief;
+uniform uint needs, now, hidden; uniform int show; uniform vec4 colours[10]; uniform vec4 only; uniform float ahead; uniform vec3 relief; uniform int strip;
 flat out vec4 colour; flat out float dash; out float along;
 void main() {
   uint kind = what.x & 15u, tool = what.y;
@@ -29,22 +30,34 @@ void main() {
     colour.rgb *= clamp(0.6 + 0.5 * (b.z - relief.x) / relief.y + relief.z * slope, 0.35, 1.25);
   }
   if (id > now) colour = mix(colours[9], colour, ahead);
+  if (strip == 1) {
+    // A line from point to point, of one pixel: what is flat comes from the point it leads to.
+    if (off) colour.a = 0.0;
+    dash = kind == 0u ? 2.0 : 0.0;
+    gl_Position = vec4(q / size * 2.0, 0.0, 1.0);
+    return;
+  }
   gl_Position = off ? vec4(2.0, 2.0, 2.0, 1.0) : vec4(at / size * 2.0, 0.0, 1.0);
 }`;
 const FRAGMENT = `#version 300 es
 precision mediump float;
 flat in vec4 colour; flat in float dash; in float along; out vec4 o;
-void main() { if (dash > 0.0 && mod(along, 9.0) > 5.0) discard; o = vec4(colour.rgb, 1.0); }`;
+void main() {
+  if (colour.a == 0.0 || (dash == 1.0 && mod(along, 9.0) > 5.0) || (dash == 2.0 && mod(gl_FragCoord.x + gl_FragCoord.y, 9.0) > 5.0)) discard;
+  o = vec4(colour.rgb, 1.0);
+}`;
 
 /** Elements up to which nothing is left out while the picture moves. */
 const FEW = 60000;
-/** From so many elements on lines lie on lines. */
+/** Elements of one frame: where no graphics card helps, the page stays awake. */
+const SLICE = 250000;
+/** From so many elements on lines lie on lines: they are thin, and show the form by light. */
 const DENSE = 20000;
 
 export class Lines {
   constructor(canvas) {
     this.canvas = canvas;
-    const gl = (this.gl = canvas.getContext("webgl2", { antialias: true, alpha: true, preserveDrawingBuffer: false }));
+    const gl = (this.gl = canvas.getContext("webgl2", { antialias: true, alpha: true, preserveDrawingBuffer: true }));
     if (!gl) {
       this.flat = canvas.getContext("2d");
       return;
@@ -66,12 +79,12 @@ export class Lines {
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
     this.program = program;
     this.u = (name) => gl.getUniformLocation(program, name);
-    this.places = Object.fromEntries(["rows", "center", "size", "scale", "width", "needs", "now", "hidden", "show", "colours", "only", "ahead", "relief"].map((name) => [name, this.u(name)]));
+    this.places = Object.fromEntries(["rows", "center", "size", "scale", "width", "needs", "now", "hidden", "show", "colours", "only", "ahead", "relief", "strip"].map((name) => [name, this.u(name)]));
   }
 
   load(path) {
+    this.clear();
     this.path = path;
-    this.levels?.forEach((level) => level.free?.());
     const n = path.kinds.length, what = new Uint8Array(2 * n), ids = new Uint32Array(n);
     for (let i = 0; i < n; i++) {
       what[2 * i] = path.kinds[i];
@@ -80,13 +93,37 @@ export class Lines {
     }
     this.levels = [this.level(path.points, what, ids, 0)];
     const size = Math.hypot(...path.whole.high.map((high, a) => high - path.whole.low[a]));
-    for (const share of n > FEW ? [4000, 800, 300] : []) this.levels.push(this.thinned(path, what, size / share));
+    this.quick = null;
+    if (n <= FEW) return;
+    // The first picture does not wait for them.
+    setTimeout(() => {
+      if (this.path !== path) return;
+      for (const share of [1500, 600]) {
+        const coarse = this.thinned(path, what, size / share);
+        if (coarse.n < 0.7 * this.levels.at(-1).n) this.levels.push(coarse); else coarse.free?.();
+      }
+      const coarse = this.levels.at(-1);
+      this.quick = coarse.n > FEW ? this.sparse(coarse) : coarse;
+    }, 50);
+  }
+
+  /** Stretches of a level, so that about `FEW` elements are left: what is seen of very long paths while they move. */
+  sparse({ points, what, ids, n, error }) {
+    const stretch = 64, every = Math.ceil(n / FEW), keep = [];
+    for (let i = 0; i < n; i++) if (Math.floor(i / stretch) % every === 0) keep.push(i);
+    const fewer = { points: new Float32Array(3 * keep.length), what: new Uint8Array(2 * keep.length), ids: new Uint32Array(keep.length) };
+    keep.forEach((i, k) => {
+      fewer.points.set(points.subarray(3 * i, 3 * i + 3), 3 * k);
+      fewer.what.set(i % stretch ? what.subarray(2 * i, 2 * i + 2) : [BEGINS, 0], 2 * k);
+      fewer.ids[k] = ids[i];
+    });
+    return this.level(fewer.points, fewer.what, fewer.ids, error);
   }
 
   clear() {
-    this.levels?.forEach((level) => level.free?.());
+    [...(this.levels ?? []), this.quick].forEach((level) => level?.free?.());
     this.levels = [];
-    this.path = null;
+    this.path = this.quick = null;
   }
 
   level(points, what, ids, error) {
@@ -124,20 +161,24 @@ export class Lines {
     return this.level(points, kinds2, ids, error);
   }
 
-  /** `ranges` are points [from, to) whose elements stand out. */
-  draw(camera, style, moving) {
+  /** `ranges` are points [from, to) whose elements stand out. True where only a part is drawn yet, and the next call `goesOn`. */
+  draw(camera, style, moving, goesOn) {
     const ratio = style.ratio, w = Math.round(camera.width * ratio), h = Math.round(camera.height * ratio);
     if (this.canvas.width !== w || this.canvas.height !== h) { this.canvas.width = w; this.canvas.height = h; }
     const levels = this.levels ?? [];
-    const may = moving ? 3 : 0.4;
     let level = levels[0];
-    for (const coarse of levels) if (coarse.error * camera.scale < may || (moving && coarse === levels[1] && levels[0].n > 4 * FEW)) level = coarse;
-    if (!this.gl) return this.drawFlat(camera, style, level);
+    for (const coarse of levels) if (coarse.error * camera.scale < (moving ? 3 : 0.8)) level = coarse;
+    // Near by, few elements lie in the picture, and a graphics card finds them soon.
+    if (moving && this.quick && level.n > this.quick.n) level = this.quick;
+    if (!this.gl) { this.drawFlat(camera, style, level); return false; }
     const gl = this.gl, at = this.places;
     gl.viewport(0, 0, w, h);
-    gl.clearColor(0, 0, 0, 0);
-    gl.clear(gl.COLOR_BUFFER_BIT);
-    if (!level?.n) return;
+    if (!goesOn) {
+      this.next = 0;
+      gl.clearColor(0, 0, 0, 0);
+      gl.clear(gl.COLOR_BUFFER_BIT);
+    }
+    if (!level?.n) return false;
     gl.useProgram(this.program);
     const [r, u, e] = camera.rows;
     gl.uniformMatrix3fv(at.rows, false, [r[0], u[0], e[0], r[1], u[1], e[1], r[2], u[2], e[2]]);
@@ -152,20 +193,39 @@ export class Lines {
     gl.uniform4fv(at.colours, style.colours.flat());
     gl.uniform4f(at.only, 0, 0, 0, 0);
     gl.uniform1f(at.ahead, 0.0);
+    gl.uniform1i(at.strip, 0);
     const { low, high } = this.path.box;
     gl.uniform3f(at.relief, low[2], Math.max(high[2] - low[2], 1e-3), levels[0].n > DENSE && !camera.flat ? 0.35 : 0);
-    this.strip(level, 0, level.n - 1);
+    const thin = level.n > (moving ? DENSE / 4 : DENSE), count = Math.min(SLICE, level.n - 1 - this.next);
+    if (thin) {
+      // The strip begins at the second point.
+      if (this.next === 0) this.rectangles(level, 0, 1);
+      gl.uniform1i(at.strip, 1);
+      this.bind(level, this.next, 0);
+      gl.drawArrays(gl.LINE_STRIP, 0, count);
+      gl.uniform1i(at.strip, 0);
+    } else this.rectangles(level, this.next, count);
+    // A strip goes on at its last point.
+    this.next += thin && this.next + count < level.n - 1 ? count - 1 : count;
+    if (this.next < level.n - 1) return true;
     if (style.ranges.length) {
       gl.uniform4fv(at.only, style.select);
       gl.uniform1f(at.ahead, 1.0);
       gl.uniform1i(at.show, 1);
       gl.uniform1f(at.width, (style.width + 1.6) * ratio);
-      for (const [from, to] of style.ranges) this.strip(levels[0], from, to - from - 1);
+      for (const [from, to] of style.ranges) this.rectangles(levels[0], from, to - from - 1);
     }
+    return false;
   }
 
-  strip(level, from, count) {
+  /** Elements with a width: one rectangle each. */
+  rectangles(level, from, count) {
     if (count <= 0) return;
+    this.bind(level, from, 1);
+    this.gl.drawArraysInstanced(this.gl.TRIANGLE_STRIP, 0, 4, count);
+  }
+
+  bind(level, from, divisor) {
     const gl = this.gl, [points, what, ids] = level.buffers;
     gl.bindVertexArray(level.array);
     gl.bindBuffer(gl.ARRAY_BUFFER, points);
@@ -175,8 +235,7 @@ export class Lines {
     gl.vertexAttribIPointer(2, 2, gl.UNSIGNED_BYTE, 2, 2 * from + 2);
     gl.bindBuffer(gl.ARRAY_BUFFER, ids);
     gl.vertexAttribIPointer(3, 1, gl.UNSIGNED_INT, 4, 4 * from + 4);
-    for (let i = 0; i < 4; i++) { gl.enableVertexAttribArray(i); gl.vertexAttribDivisor(i, 1); }
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
+    for (let i = 0; i < 4; i++) { gl.enableVertexAttribArray(i); gl.vertexAttribDivisor(i, divisor); }
   }
 
   /** Where a browser has no WebGL2. */

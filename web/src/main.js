@@ -121,7 +121,7 @@ function told() { plot.tell(null); }
 function describe(m) {
   const { path } = state;
   const place = path.place(Math.max(path.ends[m] - 1, 0)), way = path.ways[m];
-  const at = ["X", "Y", "Z"].map((name, a) => (path.known[a] ? `${name}${short(path.diameter && a === 0 ? place[a] * 2 : place[a], 4)}` : "")).filter(Boolean).join(" ");
+  const at = ["X", "Y", "Z"].map((name, a) => (path.known[a] ? `${name}${path.diameter && a === 0 ? "\u2300" : ""}${short(path.diameter && a === 0 ? place[a] * 2 : place[a], 4)}` : "")).filter(Boolean).join(" ");
   const radius = path.radii[m], feed = path.feeds[m];
   const arc = radius ? ` R${short(Math.abs(radius), 4)} ${radius > 0 ? "counter-clockwise" : "clockwise"}` : "";
   const unit = way & 4 ? "mm/rev" : way & 8 ? "moves/min" : "mm/min";
@@ -209,7 +209,8 @@ function showMade(made) {
     plot.show(state.path, state.isNew);
     if (!state.isNew) plot.choose([...state.path.movesOf(blockOf(editor.line()))]);
     state.isNew = false;
-    output.set(made.code);
+    // The picture comes first.
+    requestAnimationFrame(() => setTimeout(() => { if (state.made === made) output.set(made.code); }));
     views();
     legend();
     slide(null);
@@ -237,7 +238,9 @@ function showFindings() {
 function showChecked(checked) {
   if (!checked.findings) return;
   state.checked = checked;
-  editor.places(checked.places);
+  // As the program of a lathe counts X, and marked as a diameter: a hint stands where no word says which it is.
+  const { places } = checked;
+  editor.places(state.made.diameter ? places.replace(/\tX(-?[\d.]+)/g, (_, x) => `\tX\u2300${short(2 * x, 3)}`) : places);
   showFindings();
 }
 

@@ -73,30 +73,41 @@ export class Plot {
     const { box, whole } = this.path;
     const empty = box.high.every((high, a) => high - box.low[a] < 1e-6);
     // A retract far away makes no small picture.
-    this.camera.fit(this.path, empty || (this.rapids && span(whole) < 2.5 * span(box)));
+    this.camera.fit(this.path, empty || (this.rapids && span(whole) < 1.5 * span(box)));
     this.ask();
   }
 
   theme(style) { this.style = style; this.ask(); }
 
   ask(moving = false) {
+    this.goesOn = false;
+    this.stale = true;
     if (moving) {
       this.moving = true;
       clearTimeout(this.rest);
-      this.rest = setTimeout(() => { this.moving = false; this.ask(); }, 160);
+      this.rest = null;
     }
-    this.asked ??= requestAnimationFrame((time) => { this.asked = null; this.draw(time); });
+    this.frame();
   }
+
+  frame() { this.asked ??= requestAnimationFrame((time) => { this.asked = null; this.draw(time); }); }
 
   draw(time) {
     if (!this.style) return;
     const { style, camera } = this;
     const now = this.at === null ? ALL : Math.floor(this.at);
-    this.lines.draw(camera, {
+    if (this.stale || this.goesOn) this.goesOn = this.lines.draw(camera, {
       ratio: Math.min(window.devicePixelRatio || 1, 2), width: 1.7, now, hidden: this.hidden, rapids: this.rapids,
       ranges: this.ranges.slice(0, 4000), colours: style.colours, select: style.select,
-    }, this.moving);
+    }, this.moving || !!this.playing, this.goesOn);
+    this.stale = false;
+    if (this.goesOn) this.frame();
     this.overlay.draw(this, style);
+    // The whole is drawn once the picture rests, however long a frame took.
+    if (this.moving && !this.goesOn) {
+      clearTimeout(this.rest);
+      this.rest = setTimeout(() => { this.moving = false; this.ask(); }, 250);
+    }
     if (this.path) this.first ??= performance.now();
     this.frames.push(time);
     if (this.frames.length > 120) this.frames.shift();
@@ -244,7 +255,7 @@ export class Plot {
         return;
       }
       this.hover = [x, y];
-      if (this.measuring && this.path) { this.marks.free = this.snap(x, y); this.ask(); }
+      if (this.measuring && this.path) { this.marks.free = this.snap(x, y); this.frame(); }
       if (this.path && this.path.segments < 400000) this.tell(this.pick(x, y, 6)); else this.tell(null);
     });
     const up = (event) => {
@@ -255,7 +266,7 @@ export class Plot {
     };
     place.addEventListener("pointerup", up);
     place.addEventListener("pointercancel", up);
-    place.addEventListener("pointerleave", () => { this.tell(null); this.marks.free = null; this.ask(); });
+    place.addEventListener("pointerleave", () => { this.tell(null); this.marks.free = null; this.frame(); });
     place.addEventListener("dblclick", () => { this.touched = false; this.fit(); });
     place.addEventListener("wheel", (event) => {
       event.preventDefault();

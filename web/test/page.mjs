@@ -174,6 +174,7 @@ async function heavy() {
   const { segments, frames } = await page.evaluate(async () => {
     const { plot, state } = window.partc;
     plot.look("3-D");
+    await new Promise((resolve) => setTimeout(resolve, 6000));
     const gl = plot.lines.gl;
     const times = [];
     for (let i = 0; i < 12; i++) {

@@ -64,6 +64,44 @@ fn length(strokes: &Strokes, from: Point2, of: &[super::strokes::Stroke]) -> f64
     sum
 }
 
+/// Cells of the longer side of a picture in which strokes are looked for.
+const CELLS: f64 = 60.0;
+/// Places of a stroke that are looked at.
+const PLACES: f64 = 200.0;
+
+/// About the area that cuts take up, or rapids where nothing is cut.
+pub(super) fn covered(strokes: &Strokes) -> f64 {
+    let Some((low, high)) = strokes.rect.0 else { return 0.0 };
+    let cell = ((high - low).amax() / CELLS).max(1e-9);
+    let row = CELLS as usize + 2;
+    let count = |rapid: bool| {
+        let mut cells = vec![false; row * row];
+        for (run, of) in strokes.runs().filter(|(run, _)| (run.pen == Pen::Rapid) == rapid) {
+            let mut from = run.from;
+            for stroke in of {
+                let bend = strokes.bend(stroke);
+                let way = bend.map_or(distance(from, stroke.to), |bend| distance(from, bend.center) * bend.sweep.abs());
+                let places = (libm::ceil(2.0 * way / cell) + 1.0).min(PLACES) as u32;
+                for i in 0..=places {
+                    let t = f64::from(i) / f64::from(places);
+                    let at = match bend {
+                        Some(bend) => bend.center + turned(from - bend.center, bend.sweep * t),
+                        None => from + (stroke.to - from) * t,
+                    };
+                    let p = (at - low) / cell;
+                    if let Some(cell) = cells.get_mut(p.y as usize * row + p.x as usize) {
+                        *cell = true;
+                    }
+                }
+                from = stroke.to;
+            }
+        }
+        cells.iter().filter(|cell| **cell).count() as f64 * cell * cell
+    };
+    let cut = count(false);
+    if cut > 0.0 { cut } else { count(true) }
+}
+
 /// Lengths of the path by pen: cuts, rapids.
 pub(super) fn lengths(strokes: &Strokes) -> (f64, f64) {
     let mut sums = (0.0, 0.0);

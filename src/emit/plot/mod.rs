@@ -285,8 +285,9 @@ pub fn rounded_up(value: f64) -> String {
     if value <= 0.0 {
         return "0".to_owned();
     }
-    let unit = libm::pow(10.0, libm::floor(libm::log10(value.max(1e-6))) - 1.0);
-    let digits = (1.0 - libm::floor(libm::log10(value.max(1e-6)))).clamp(0.0, 7.0) as usize;
+    let value = value.max(1e-6);
+    let unit = libm::pow(10.0, libm::floor(libm::log10(value)) - 1.0);
+    let digits = (1.0 - libm::floor(libm::log10(value))).clamp(0.0, 7.0) as usize;
     let text = format!("{:.digits$}", libm::ceil(value / unit - 1e-9) * unit);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

@@ -72,10 +72,7 @@ impl Scene<'_> {
         let first = Layout::new(&rect, needs(1));
         let lines = self.legend(&first).iter().map(|(line, ..)| line + 1).max().unwrap_or(0);
         let layout = Layout::new(&rect, needs(lines.max(1)));
-        let area = self.cut.0.or(self.strokes.rect.0).map_or(1.0, |(low, high)| {
-            let least = 0.05 * (layout.high - layout.low).amax();
-            (high.x - low.x).max(least) * (high.y - low.y).max(least)
-        });
+        let area = marks::covered(self.strokes);
         let (cut, rapid) = marks::lengths(self.strokes);
         let pixel = layout.pixel;
         (layout, Widths::of(cut / pixel, rapid / pixel, area / pixel / pixel))
@@ -308,7 +305,10 @@ impl Scene<'_> {
             text(layout.high.x, layout.low.y - 2.4 * font, Anchor::End, font, &self.axis_name(right));
         }
         let base = self.base(layout);
-        text(layout.low.x, base, Anchor::Start, font, &self.sizes());
+        let sizes = self.sizes();
+        // In a narrow picture the letters are smaller.
+        let wide = (layout.high.x - layout.low.x + 1.5 * font) / (LETTER * sizes.chars().count().max(1) as f64);
+        text(layout.low.x, base, Anchor::Start, font.min(wide), &sizes);
         let bar = layout.step() * 2.0;
         text(
             layout.high.x - bar - 0.4 * font,

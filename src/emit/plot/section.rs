@@ -201,7 +201,10 @@ impl Outline<'_> {
             let middle = element.middle();
             let Some(way) = element.ending_at(middle).end_direction() else { return false };
             let normal = crate::geo::left(way) * aside;
-            solid.holds(middle + normal) != solid.holds(middle - normal)
+            let sides = [middle + normal, middle - normal];
+            let [a, b] = sides.map(|p| solid.holds(p));
+            // A face at the end of what is described has material on a side of which nothing is said.
+            a != b || sides.iter().any(|p| !solid.says(*p))
         };
         let pieces = self.contour.elements.iter().flat_map(|element| solid.cut(element));
         pieces.filter(|piece| piece.length() > SAME_POINT && is_edge(piece)).collect()
@@ -218,6 +221,11 @@ struct Solid {
 impl Solid {
     fn holds(&self, p: Point2) -> bool {
         self.bodies.iter().any(|body| is_inside(body, p)) && !self.holes.iter().any(|hole| is_inside(hole, p))
+    }
+
+    /// Is anything said of this place?
+    fn says(&self, p: Point2) -> bool {
+        self.bodies.iter().chain(&self.holes).any(|polygon| is_inside(polygon, p))
     }
 
     fn sides(&self) -> impl Iterator<Item = (Point2, Point2)> {
@@ -335,6 +343,19 @@ mod tests {
         let lengths: f64 = section.edges.iter().map(Element::length).sum();
         // 30 + 10 + 20 + groove 20 + bore 25.
         assert!((lengths - 105.0).abs() < 1e-6, "{lengths} {:?}", section.edges);
+    }
+
+    #[test]
+    fn a_shoulder_at_the_end_of_a_contour_is_an_edge() {
+        for (into, points) in [
+            (Towards::MinusX, [(0.0, 10.0), (-30.0, 10.0), (-30.0, 20.0)]),
+            (Towards::PlusX, [(0.0, 20.0), (-30.0, 20.0), (-30.0, 10.0)]),
+        ] {
+            let mut parts = Parts::default();
+            parts.finished(chain(&points), into);
+            let lengths: f64 = parts.section().edges.iter().map(Element::length).sum();
+            assert!((lengths - 40.0).abs() < 1e-6, "{into:?} {lengths}");
+        }
     }
 
     #[test]

@@ -13,6 +13,9 @@ const KEPT: usize = 4 * ALL_DRAWN;
 /// Strokes that one may stand for: what it costs to look at them again.
 const WINDOW: usize = 48;
 
+/// How often they are made fewer in the end.
+const PASSES: u32 = 4;
+
 /// How a stretch of the path is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Pen {
@@ -175,7 +178,14 @@ impl Strokes {
     /// Makes strokes fewer where there are very many. Gives how far the path is at most away from what is drawn.
     pub(super) fn finish(&mut self) -> Option<f64> {
         if self.taken > ALL_DRAWN as u64 {
-            self.thin(tolerance(self.rect.size()));
+            // A stroke stands for a few others each time.
+            for _ in 0..PASSES {
+                let before = self.all.len();
+                self.thin(tolerance(self.rect.size()));
+                if self.all.len() > before / 10 * 9 {
+                    break;
+                }
+            }
             let error = self.all.iter().map(|stroke| f64::from(stroke.error)).fold(0.0, f64::max);
             return ((self.all.len() as u64) < self.taken).then_some(error);
         }

@@ -13,6 +13,8 @@ use super::layout::Layout;
 pub const MARK: &str = "<!-- (partc plot) -->\n";
 /// Bytes collected before the output gets them.
 const CHUNK: usize = 64 * 1024;
+/// Size of most words beside the title, in that of the title.
+const SMALL: f64 = 0.8;
 
 /// Writes a picture.
 pub(super) struct Svg<'a> {
@@ -155,7 +157,12 @@ impl Canvas for Svg<'_> {
 
     fn words(&mut self, words: &Words<'_>) {
         self.paths(false);
-        let small = if words.font < self.font { " class=\"small\"" } else { "" };
+        let is = |size: f64| (words.font - size * self.font).abs() < 1e-9 * self.font;
+        let size = match words.font {
+            _ if is(1.0) => String::new(),
+            _ if is(SMALL) => " class=\"small\"".to_owned(),
+            font => format!(" style=\"font-size:{}px\"", show(font)),
+        };
         let anchor = match words.anchor {
             Anchor::Start => "",
             Anchor::Middle => " text-anchor=\"middle\"",
@@ -163,7 +170,7 @@ impl Canvas for Svg<'_> {
         };
         let (x, y) = (show(words.at.x), show(-words.at.y));
         let turn = if words.upright { format!(" transform=\"rotate(-90 {x} {y})\"") } else { String::new() };
-        let _ = writeln!(self.text, "<text{small} x=\"{x}\" y=\"{y}\"{anchor}{turn}>{}</text>", escaped(words.text));
+        let _ = writeln!(self.text, "<text{size} x=\"{x}\" y=\"{y}\"{anchor}{turn}>{}</text>", escaped(words.text));
     }
 }
 
@@ -191,7 +198,7 @@ fn names(class: Class) -> String {
 }
 
 fn style(s: &mut String, layout: &Layout, widths: Widths, used: &Used) {
-    let (font, small) = (show(layout.font), show(layout.font * 0.8));
+    let (font, small) = (show(layout.font), show(layout.font * SMALL));
     let _ = write!(
         s,
         "<style>\n.back{{fill:#fff}} text{{font:{font}px sans-serif;fill:#333}} .small{{font-size:{small}px}}\n\

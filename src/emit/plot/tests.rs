@@ -195,7 +195,9 @@ fn any_move(plot: &mut Plot, (kind, x, y, z): (u8, f64, f64, f64)) {
 
 #[test]
 fn errors_are_rounded_up() {
-    for (value, text) in [(0.0412, "0.042"), (0.04, "0.04"), (1.21, "1.3"), (123.0, "130"), (0.0, "0")] {
+    for (value, text) in
+        [(0.0412, "0.042"), (0.04, "0.04"), (1.21, "1.3"), (123.0, "130"), (0.0, "0"), (1e-9, "0.000001")]
+    {
         assert_eq!(rounded_up(value), text, "{value}");
     }
 }
