@@ -50,6 +50,9 @@ impl fmt::Display for Failure {
 
 impl std::error::Error for Failure {}
 
+/// What an editor sees of a run, and whether the run is to go on.
+type Watched<'w> = (&'w mut Seen, &'w dyn Fn() -> bool);
+
 /// One run: its files, findings and call paths.
 #[derive(Debug, Default)]
 pub struct Session {
@@ -90,7 +93,7 @@ impl Session {
         settings: &Settings,
         files: &dyn Files,
         out: &mut dyn motion::Sink,
-        (watch, seen): (Option<&Watching<'_>>, Option<&mut Seen>),
+        (watch, seen): (Option<&Watching<'_>>, Option<Watched<'_>>),
     ) -> u64 {
         let settings = dialect.settings(settings);
         let settings = settings.as_ref();
@@ -100,7 +103,7 @@ impl Session {
             None => (dialect.run)(&job, sink),
         };
         let run = |sink: &mut dyn contour::Sink| match seen {
-            Some(seen) => watched(&mut Looks { seen, trail: &self.trail, next: sink }),
+            Some((seen, goes_on)) => watched(&mut Looks { seen, trail: &self.trail, next: sink, goes_on }),
             None => watched(sink),
         };
         if cfg!(debug_assertions) {
@@ -190,17 +193,23 @@ impl Session {
         (dialect.check_form)(&self.job(settings, files));
         self.diags.begin_run();
         let checks = Checks::new(settings, &self.sources, dialect.survey, &policy, &self.diags);
-        let mut nowhere = While { goes_on };
+        let mut nowhere = Nowhere;
         // An output of the target finds what only shows in printed numbers.
         let mut printer = Printer::new(settings, "", &self.diags, &mut nowhere, None);
         let hash = match checks.watch() {
             Some(watch) => {
                 let mut on_motion = OnMotion { watch: Rc::clone(&watch), next: &mut printer };
-                let hash = self.run_watched(dialect, settings, files, &mut on_motion, (Some(&watch), seen));
+                let hash = self.run_watched(
+                    dialect,
+                    settings,
+                    files,
+                    &mut on_motion,
+                    (Some(&watch), seen.map(|seen| (seen, goes_on))),
+                );
                 watch.borrow_mut().finish();
                 hash
             }
-            None => self.run_watched(dialect, settings, files, &mut printer, (None, seen)),
+            None => self.run_watched(dialect, settings, files, &mut printer, (None, seen.map(|seen| (seen, goes_on)))),
         };
         let _ = printer.finish(hash);
         if !goes_on() {
@@ -335,21 +344,6 @@ struct Nowhere;
 impl Output for Nowhere {
     fn append(&mut self, _: &[u8]) -> io::Result<()> {
         Ok(())
-    }
-
-    fn patch(&mut self, _: u64, _: &[u8]) -> io::Result<()> {
-        Ok(())
-    }
-}
-
-/// One that keeps nothing, and takes no more where nobody waits for it any longer.
-struct While<'w> {
-    goes_on: &'w dyn Fn() -> bool,
-}
-
-impl Output for While<'_> {
-    fn append(&mut self, _: &[u8]) -> io::Result<()> {
-        if (self.goes_on)() { Ok(()) } else { Err(io::ErrorKind::Interrupted.into()) }
     }
 
     fn patch(&mut self, _: u64, _: &[u8]) -> io::Result<()> {

@@ -168,6 +168,8 @@ pub struct Looks<'s> {
     pub seen: &'s mut Seen,
     pub trail: &'s Trail,
     pub next: &'s mut dyn Sink,
+    /// Where it does not, the run ends.
+    pub goes_on: &'s dyn Fn() -> bool,
 }
 
 impl Sink for Looks<'_> {
@@ -208,7 +210,8 @@ impl Sink for Looks<'_> {
     }
 
     fn load(&self) -> Load {
-        self.next.load()
+        let load = self.next.load();
+        Load { full: load.full || !(self.goes_on)(), ..load }
     }
 
     fn contour_begins(&mut self, limit: usize, ctx: &CtxRef, origin: &Origin) {

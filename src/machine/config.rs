@@ -164,8 +164,9 @@ impl Reader {
             let small = |most: i64| u8::try_from(whole(node)).ok().filter(|n| (1..=most).contains(&i64::from(*n)));
             match name.as_str() {
                 "number" => {
-                    tool.number =
-                        Some(u32::try_from(whole(node)).map_err(|_| node.fail("a tool number is 0 or more"))?);
+                    let number = u32::try_from(whole(node)).ok().filter(|number| *number > 0);
+                    // T0 is no tool.
+                    tool.number = Some(number.ok_or_else(|| node.fail("the number of a tool is 1 or more"))?);
                 }
                 "name" => tool.name = Some(text(node).to_owned()),
                 "kind" => tool.kind = Some(text(node).to_owned()),

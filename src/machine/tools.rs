@@ -64,6 +64,29 @@ pub struct Tool {
     pub reference: Corner,
 }
 
+impl Tool {
+    /// Is all that is known of it known of `other`, too, and the same?
+    fn adds_nothing_to(&self, other: &Tool) -> bool {
+        let none = Tool::default();
+        let with = Tool {
+            number: other.number,
+            name: other.name.clone(),
+            kind: self.kind.clone().or_else(|| other.kind.clone()),
+            radius: self.radius.or(other.radius),
+            length: self.length.or(other.length),
+            corner_radius: self.corner_radius.or(other.corner_radius),
+            tip_angle: self.tip_angle.or(other.tip_angle),
+            plunge_angle: self.plunge_angle.or(other.plunge_angle),
+            deltas: if self.deltas == none.deltas { other.deltas } else { self.deltas },
+            orientation: self.orientation.or(other.orientation),
+            clearance: self.clearance.or(other.clearance),
+            width: self.width.or(other.width),
+            reference: if self.reference == none.reference { other.reference } else { self.reference },
+        };
+        with == *other
+    }
+}
+
 /// The known tools.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Tools {
@@ -115,6 +138,33 @@ impl Tools {
         self.table.get(&ToolKey::Number(number, index))
     }
 
+    /// The tool that a program counts as `own`: the one of this number, or else the named one that is printed by it.
+    pub fn called(&self, own: u32) -> Option<&Tool> {
+        let named = |(key, tool): (&ToolKey, &'_ Tool)| matches!(key, ToolKey::Name(_)) && tool.number == Some(own);
+        self.by_number(own, 0).or_else(|| self.table.iter().find(|entry| named(*entry)).map(|(_, tool)| tool))
+    }
+
+    /// Radius of the tool that a program counts as `own`.
+    pub fn radius_of_called(&self, own: u32) -> Option<f64> {
+        let tool = self.called(own)?;
+        Some(tool.radius? + tool.deltas[1])
+    }
+
+    /// The tool of exactly this name, if `exact`; or one that differs in upper and lower case only if there is no other.
+    pub fn key_of_name(&self, name: &str, exact: bool) -> Option<&ToolKey> {
+        let other_case = || self.named(|other| other.eq_ignore_ascii_case(name)).filter(|_| !exact);
+        self.named(|other| other == name).or_else(other_case).map(|(key, _)| key)
+    }
+
+    /// The tool that has the number of the named one as its own, and is another one.
+    pub fn other_of_number(&self, key: &ToolKey) -> Option<u32> {
+        let tool = self.table.get(key).filter(|_| matches!(key, ToolKey::Name(_)))?;
+        let number = tool.number?;
+        let own = self.own_number(number);
+        let is_other = own != number || self.by_number(own, 0).is_some_and(|other| !tool.adds_nothing_to(other));
+        is_other.then_some(own)
+    }
+
     /// The tool that is printed as `number`.
     pub fn by_printed(&self, number: u32) -> Option<&Tool> {
         self.by_number(self.own_number(number), 0)
@@ -158,12 +208,22 @@ impl Tools {
 
     /// The tool of this name and its number; one that differs in upper and lower case only if there is no other.
     pub fn by_name(&self, name: &str) -> Option<(Option<u32>, &Tool)> {
-        self.named(|other| other == name).or_else(|| self.named(|other| other.eq_ignore_ascii_case(name)))
+        self.numbered(
+            self.named(|other| other == name).or_else(|| self.named(|other| other.eq_ignore_ascii_case(name))),
+        )
     }
 
     /// The tool of exactly this name and its number.
     pub fn by_exact_name(&self, name: &str) -> Option<(Option<u32>, &Tool)> {
-        self.named(|other| other == name)
+        self.numbered(self.named(|other| other == name))
+    }
+
+    /// A tool with the number to print.
+    fn numbered<'t>(&self, found: Option<(&ToolKey, &'t Tool)>) -> Option<(Option<u32>, &'t Tool)> {
+        found.map(|(key, tool)| match key {
+            ToolKey::Number(own, _) => (Some(tool.number.unwrap_or(*own)), tool),
+            ToolKey::Name(_) => (tool.number, tool),
+        })
     }
 
     /// A name that differs from `name` in nothing but case, blanks, `_` and `-`. Anything else would be another tool.
@@ -199,23 +259,16 @@ impl Tools {
     }
 
     /// A tool that partc.toml has under this name, or the only one of the table that has it.
-    fn named(&self, is_it: impl Fn(&str) -> bool) -> Option<(Option<u32>, &Tool)> {
-        let by_key = self.table.iter().find_map(|(key, tool)| match key {
-            ToolKey::Name(n) if is_it(n) => Some((tool.number, tool)),
-            _ => None,
-        });
+    fn named(&self, is_it: impl Fn(&str) -> bool) -> Option<(&ToolKey, &Tool)> {
+        let by_key = self.table.iter().find(|(key, _)| matches!(key, ToolKey::Name(name) if is_it(name)));
         by_key.or_else(|| {
-            let mut all = self.numbers_named(is_it);
-            let (number, tool) = all.next()?;
-            all.next().is_none().then_some((Some(tool.number.unwrap_or(number)), tool))
-        })
-    }
-
-    /// Tools of the table with a name: sister tools share one.
-    fn numbers_named(&self, is_it: impl Fn(&str) -> bool) -> impl Iterator<Item = (u32, &Tool)> {
-        self.table.iter().filter_map(move |(key, tool)| match key {
-            ToolKey::Number(n, 0) if tool.name.as_deref().is_some_and(&is_it) => Some((*n, tool)),
-            _ => None,
+            // Sister tools share one.
+            let mut all = self
+                .table
+                .iter()
+                .filter(|(key, tool)| matches!(key, ToolKey::Number(_, 0)) && tool.name.as_deref().is_some_and(&is_it));
+            let first = all.next()?;
+            all.next().is_none().then_some(first)
         })
     }
 }
@@ -236,9 +289,12 @@ impl Proposed {
 
     /// What to put into the configuration for the tool `name`: each name gets a number of its own.
     pub fn help(&mut self, name: &str, tools: &Tools) -> Help {
+        let has_name = |tool: &Tool| tool.name.as_deref().is_some_and(|other| other.eq_ignore_ascii_case(name));
         let sisters: Vec<String> = tools
-            .numbers_named(|other| other.eq_ignore_ascii_case(name))
-            .map(|(number, _)| number.to_string())
+            .table
+            .iter()
+            .filter(|(key, tool)| matches!(key, ToolKey::Number(_, 0)) && has_name(tool))
+            .map(|(key, _)| key.to_string())
             .collect();
         if sisters.len() > 1 {
             let which = sisters.join(" and ");

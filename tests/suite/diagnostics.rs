@@ -176,6 +176,16 @@ const BUILT: &[Built] = &[
         fires: || on("linuxcnc", "G95 G1 X5 F0.0012", INCHES),
         silent: || on("linuxcnc", "G95 G1 X5 F0.127", INCHES),
     },
+    Built {
+        code: "O1006",
+        fires: || on("linuxcnc", "G33 Z-10 K0.35", THREE),
+        silent: || on("linuxcnc", "G33 Z-10 K1.27", THREE),
+    },
+    Built {
+        code: "O1007",
+        fires: || on("linuxcnc", "G33 Z-10 K0.02", THREE),
+        silent: || on("linuxcnc", "G33 Z-10 K1.27", THREE),
+    },
     Built { code: "O1007", fires: || on("fanuc", "S0.5 M3", ""), silent: || on("linuxcnc", "S0.5 M3", "") },
     Built {
         code: "O1007",

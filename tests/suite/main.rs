@@ -85,6 +85,7 @@ mod sweep;
 mod tamper;
 #[path = "../../fuzz/src/targets.rs"]
 mod targets;
+mod tool_numbers;
 #[allow(dead_code, reason = "the closing line of a run uses more of it")]
 mod tools;
 mod transformations;

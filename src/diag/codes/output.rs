@@ -23,11 +23,11 @@ O1005 Error "wait-prints-as-zero" "wait is shorter than its last printed place"
 "The receiver would not wait at all. The wait of the program is above zero and less than half of what the selected target, or `[output] decimals`, can say: half a millisecond where waits are \
 whole milliseconds. Look at the number behind the wait and at its unit, program a wait that can be said, or leave it out."
 
-O1006 Warning "feed-or-speed-rounded" "rounding changes a feed or a speed by more than one per cent"
+O1006 Warning "feed-or-speed-rounded" "rounding changes a feed, a speed or a lead by more than one per cent"
 "The target reads so many places behind F and S, or `[output] decimals` says so many, and the number of the program has more: 0.01 mm a turn are 0.00039 inch, and 0.0004 with four places. The first \
 one of a program is told. Print more places where the target reads them, or program a number that it can say."
 
-O1007 Error "feed-or-speed-becomes-another" "rounding makes another feed or speed of it"
+O1007 Error "feed-or-speed-becomes-another" "rounding makes another feed, speed or lead of it"
 "The number that is printed would differ from that of the program by more than ten per cent: S0.5 would become S1 where the target counts whole turns, which is twice as fast. Print more \
 places where the target reads them (`[output] decimals.feed` and `decimals.speed`), or program a number that it can say."
 

@@ -133,10 +133,14 @@ impl Printer<'_> {
             self.lacks(codes::O9322, origin, "a thread along two axes", help);
             return self.pretend(mv);
         };
-        let lead = self.measures.lead.units(lead).filter(|units| *units > 0);
+        let programmed = lead;
+        let lead = self.measures.lead.units(programmed).filter(|units| *units > 0);
         let Some(lead) = lead else {
             return self.report(codes::O1003, origin, "the lead of this thread prints as zero or not at all");
         };
+        if !self.is_near("lead", programmed, lead, self.measures.lead, origin) {
+            return self.pretend(mv);
+        }
         if self.length.waits && mv.axes.contains(Axis::Z) {
             return self.lacks_form(mv, origin);
         }

@@ -201,9 +201,13 @@ impl Printer<'_> {
             let (percent, more) = (off.abs() * 100.0, if off > 0.0 { "more" } else { "less" });
             let message =
                 format!("the {what} prints as {printed}, which is {percent:.1} % {more} than the program says");
-            let key = if what == "speed" { "speed" } else { "feed" };
+            let key = match what {
+                "speed" => "decimals.speed",
+                "lead" => "decimals",
+                _ => "decimals.feed",
+            };
             let help = format!(
-                "print more places where the target reads them (`[output] decimals.{key}`), or program a {what} that can be said"
+                "print more places where the target reads them (`[output] {key}`), or program a {what} that can be said"
             );
             self.diags.push(Diagnostic::new(code, origin.loc, message).help(help).called(origin.call));
         }

@@ -7,6 +7,8 @@ use crate::text::Loc;
 pub(super) struct ActiveTool {
     /// Number to print.
     pub number: u32,
+    /// Number in the control's own table, where it is known.
+    pub own: Option<u32>,
     /// As called: the number without the index, or the name.
     pub called: String,
     pub radius: Option<f64>,

@@ -71,7 +71,7 @@ impl Run<'_> {
         let t = self.st.frames.transform();
         let known = match (r.id, r.nr) {
             // State of the machine as the program set it.
-            (20, 1) => self.st.tool.active().map(|tool| f64::from(tool.number)),
+            (20, 1) => self.st.tool.active().and_then(|tool| tool.own).map(f64::from),
             (20, 3) => self.st.tool.axis().map(|axis| match axis {
                 Axis::U => 6.0,
                 Axis::V => 7.0,

@@ -8,6 +8,7 @@ use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::function::{CutterData, Spindle};
 use crate::lexer::klartext::Value;
+use crate::machine::tools::ToolKey;
 use crate::machine::{Axis, Tool};
 use crate::parser::klartext::ast::{Addr, Block, Word};
 use crate::text::Span;
@@ -297,8 +298,16 @@ impl Run<'_> {
             self.change_deltas(call);
             return Ok(());
         }
+        let own = match tool {
+            Named::Number(own, _) => Some(*own),
+            Named::Name(name) => match self.job.settings.tools.key_of_name(name, false) {
+                Some(ToolKey::Number(own, _)) => Some(*own),
+                _ => None,
+            },
+        };
         self.st.tool.active = Some(ActiveTool {
             number,
+            own,
             called: tool.to_string(),
             radius,
             length,
@@ -472,7 +481,7 @@ impl Run<'_> {
                 let printed = data.number.or((*index == 0).then_some(*number));
                 match printed {
                     Some(printed) => {
-                        self.prints_tool(*number, printed, span)?;
+                        self.prints_tool(&ToolKey::Number(*number, *index), printed, span)?;
                         Ok((printed, data))
                     }
                     None => self.fail_help(
@@ -486,7 +495,9 @@ impl Run<'_> {
             }
             Named::Name(name) => match tools.by_name(name) {
                 Some((Some(number), data)) => {
-                    self.prints_tool(tools.own_number(number), number, span)?;
+                    if let Some(key) = tools.key_of_name(name, false) {
+                        self.prints_tool(key, number, span)?;
+                    }
                     Ok((number, data.clone()))
                 }
                 _ => {

@@ -8,6 +8,7 @@ use crate::geo::{Plane, Vec2};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
 use crate::ir::{self, Function, Side};
 use crate::machine::options::mtc200::{InchSpeed, Reading};
+use crate::machine::tools::ToolKey;
 use crate::machine::{Compensation, MachineKind, Unit};
 use crate::sema::common::compensation::edge_direction;
 use crate::text::Span;
@@ -225,7 +226,7 @@ impl Run<'_> {
         self.length_acts_along_z(self.st.plane, span)?;
         let own = number;
         let number = self.job.settings.tools.printed_number(own);
-        self.prints_tool(own, number, span)?;
+        self.prints_tool(&ToolKey::Number(own, 0), number, span)?;
         self.function(Function::ToolChange { number });
         self.function(Function::Cutter(CutterData { number, ..CutterData::default() }));
         self.forget_tip();

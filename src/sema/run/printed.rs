@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 
 use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::machine::tools::ToolKey;
 use crate::sema::{Outcome, Reported};
 use crate::text::Loc;
 
@@ -60,27 +61,35 @@ struct Printed {
 
 /// The tools that were printed: as what, and which they are to the program.
 #[derive(Debug, Default)]
-pub struct PrintedTools(RefCell<Vec<(u32, u32, Loc)>>);
+pub struct PrintedTools(RefCell<Vec<(u32, ToolKey, Loc)>>);
 
 impl<L: Language> Core<'_, L> {
-    /// The tool that the program counts as `own` is to be printed as `number`; refused where another one was: the machine
-    /// would bring the same tool for both.
-    pub fn prints_tool(&self, own: u32, number: u32, place: impl Into<Where>) -> Outcome {
+    /// The tool `own` of the program is to be printed as `number`; refused where another one was: the machine would bring
+    /// the same tool for both.
+    pub fn prints_tool(&self, own: &ToolKey, number: u32, place: impl Into<Where>) -> Outcome {
         let tools = &mut *self.printed_tools.0.borrow_mut();
         let place = place.into();
         let Some((_, other, at)) = tools.iter().find(|(printed, ..)| *printed == number) else {
-            tools.push((number, own, self.loc(place)));
+            tools.push((number, own.clone(), self.loc(place)));
             return Ok(());
         };
-        if *other == own {
+        if other == own {
             return Ok(());
         }
-        let message = format!("tool {own} is to be printed as T{number}, and so was tool {other}");
-        let mapped = if own == number { *other } else { own };
-        let help = format!("give it a number of its own in partc.toml: `number` in `[tools.{mapped}]`");
-        let found = Diagnostic::new(codes::P0203, self.loc(place), message).help(help);
+        let found = self.another_tool(own, other, number, place);
         self.report(found.also(*at, format!("tool {other} is printed as T{number}")));
         Err(Reported)
+    }
+
+    /// The finding where two tools would be printed by one number.
+    pub fn another_tool(&self, own: &ToolKey, other: &ToolKey, number: u32, place: impl Into<Where>) -> Diagnostic {
+        let message = format!("tool {own} is to be printed as T{number}, and so is tool {other}");
+        let mapped = if *own == ToolKey::Number(number, 0) { other } else { own };
+        let help = format!(
+            "give it a number of its own in partc.toml: `number` in `[tools.{mapped}]`; if both are one tool, describe it in \
+             one place: `[tools.{number}]` with its `name`"
+        );
+        Diagnostic::new(codes::P0203, self.loc(place.into()), message).help(help)
     }
 
     /// A work offset is to be printed by its number. Refused where the target has none of that number, or where

@@ -118,7 +118,7 @@ impl Channel<'_> {
     /// G41 or G42, once the edge is known: the radius, and where the centre lies.
     pub(super) fn compute_compensation(&mut self, number: u32, edge: u32, radius: Option<f64>, span: Span) -> Outcome {
         let listed = || {
-            let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1)?;
+            let tool = self.job.settings.tools.called(number).filter(|_| edge == 1)?;
             Some(tool.radius? + tool.deltas[1])
         };
         let Some(radius) = radius.or_else(listed) else {
@@ -308,7 +308,7 @@ impl Channel<'_> {
             let key = format!("$TC_DP{parameter}[{number},{edge}]");
             self.st.system.get(&key).and_then(Val::number)
         };
-        let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1);
+        let tool = self.job.settings.tools.called(number).filter(|_| edge == 1);
         let turns = match (written(1), tool.and_then(|tool| tool.kind.as_deref())) {
             (Some(kind), _) => kind >= TURNING_TOOLS,
             (None, Some(kind)) => !matches!(kind, "mill" | "drill" | "tap"),

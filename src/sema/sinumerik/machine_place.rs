@@ -50,7 +50,7 @@ impl Channel<'_> {
         let edge = tool.edge_or_first();
         let written = |parameter: u8| self.st.system.number(&format!("$TC_DP{parameter}[{number},{edge}]"));
         let listed = || {
-            let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1)?;
+            let tool = self.job.settings.tools.called(number).filter(|_| edge == 1)?;
             tool.length.map(|length| length + tool.deltas[0])
         };
         match written(3).or_else(listed) {

@@ -164,7 +164,7 @@ impl Channel<'_> {
                 self.fail_help(codes::S2043, span, format!("{name} has no argument {place}"), help)
             }
             Some(value) => match value.number().filter(|n| n.fract() == 0.0 && (0.0..=32_000.0).contains(n)) {
-                Some(number) => Ok(number as u32),
+                Some(number) => self.tool_by_number(number as u32, span),
                 None => self.fail(codes::S2043.alarm(17190), span, format!("argument {place} of {name} is no tool")),
             },
         }

@@ -257,7 +257,7 @@ impl Channel<'_> {
             ("$P_TOOLL", [1]) if active.1 == 1 => (active.0, 3),
             _ => return None,
         };
-        let tool = self.job.settings.tools.by_number(number, 0)?;
+        let tool = self.job.settings.tools.called(number)?;
         match parameter {
             3 => tool.length,
             6 => tool.radius,

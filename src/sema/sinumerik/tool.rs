@@ -5,7 +5,9 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::function::CutterData;
 use crate::ir::{Function, Side};
+use crate::machine::tools::ToolKey;
 use crate::machine::{Axis, AxisSet, ChangeCall, StandIn, Tool, Unit};
+use crate::sema::Reported;
 use crate::sema::run::Where;
 use crate::text::Span;
 
@@ -134,7 +136,9 @@ impl Channel<'_> {
     pub(super) fn tool_word_given(&mut self, t: Given, w: &mut Words) -> Outcome {
         let number = match w.tool_name.take() {
             Some(name) => self.tool_by_name(&name, t.span)?,
-            None if t.value.fract() == 0.0 && (0.0..=32_000.0).contains(&t.value) => t.value as u32,
+            None if t.value.fract() == 0.0 && (0.0..=32_000.0).contains(&t.value) => {
+                self.tool_by_number(t.value as u32, t.span)?
+            }
             None => return self.fail(codes::S2043.alarm(17190), t.span, format!("T{} is no tool number", t.value)),
         };
         self.proposed.call(number);
@@ -144,7 +148,7 @@ impl Channel<'_> {
         }
         self.st.tool.choose(number);
         let settings = &self.job.settings.tools;
-        if settings.complete && number != 0 && settings.by_number(number, 0).is_none() {
+        if settings.complete && number != 0 && settings.called(number).is_none() {
             let found =
                 Diagnostic::new(codes::S8009, self.loc(t.span), format!("tool {number} is not in the tool table"));
             self.report(found.help("add it to the table, or check the number"));
@@ -167,10 +171,27 @@ impl Channel<'_> {
         settings.control.sinumerik.tool_change_by_t.unwrap_or_else(|| self.st.machine.lathe && !by_program())
     }
 
+    pub(super) fn tool_by_number(&mut self, number: u32, span: Span) -> Outcome<u32> {
+        if number != 0 {
+            let printed = self.job.settings.tools.printed_number(number);
+            self.prints_tool(&ToolKey::Number(number, 0), printed, span)?;
+        }
+        Ok(number)
+    }
+
     pub(super) fn tool_by_name(&mut self, name: &str, span: Span) -> Outcome<u32> {
         let tools = &self.job.settings.tools;
         match tools.by_exact_name(name) {
-            Some((Some(printed), _)) => Ok(tools.own_number(printed)),
+            Some((Some(printed), _)) => {
+                let Some(key) = tools.key_of_name(name, true) else { return Ok(printed) };
+                if let Some(other) = tools.other_of_number(key) {
+                    self.report(self.another_tool(key, &ToolKey::Number(other, 0), printed, span));
+                    return Err(Reported);
+                }
+                self.prints_tool(key, printed, span)?;
+                // What has no number of its own is known by the printed one.
+                Ok(if let ToolKey::Number(own, _) = key { *own } else { printed })
+            }
             _ => {
                 let help = self.proposed.help(name, tools);
                 self.fail_help(codes::S2043.alarm(17191), span, format!("the tool `{name}` has no number"), &help)
@@ -191,7 +212,6 @@ impl Channel<'_> {
             );
         }
         let printed = self.job.settings.tools.printed_number(number);
-        self.prints_tool(number, printed, Where::Block)?;
         self.st.tool.change_to(number);
         self.function(Function::ToolChange { number: printed });
         // A tool of another length.
@@ -272,7 +292,7 @@ impl Channel<'_> {
 
     pub(super) fn active_tool(&self) -> Option<Tool> {
         let number = self.st.tool.active?;
-        let mut tool = self.job.settings.tools.by_number(number, 0).cloned().unwrap_or_default();
+        let mut tool = self.job.settings.tools.called(number).cloned().unwrap_or_default();
         let edge = self.st.tool.edge_or_first();
         let written = self.st.system.number(&format!("$TC_DP6[{number},{edge}]"));
         let wear = self.st.system.number(&format!("$TC_DP15[{number},{edge}]"));
@@ -289,7 +309,7 @@ impl Channel<'_> {
         }
         let written = |parameter: u8| self.st.system.number(&format!("$TC_DP{parameter}[{number},{edge}]"));
         // A tool that is called by its name stands under that in the table.
-        let listed = || self.job.settings.tools.radius_of_printed(number).filter(|_| edge == 1);
+        let listed = || self.job.settings.tools.radius_of_called(number).filter(|_| edge == 1);
         Some(written(6).or_else(listed)? + written(15).unwrap_or(0.0))
     }
 
@@ -395,7 +415,7 @@ impl Channel<'_> {
             self.st.system.number(&key)
         };
         let listed = || {
-            let tool = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1);
+            let tool = self.job.settings.tools.called(number).filter(|_| edge == 1);
             tool.and_then(|tool| tool.radius)
         };
         match (written(6), written(15).filter(|wear| *wear != 0.0)) {

@@ -4,6 +4,7 @@ use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::Vec2;
 use crate::ir::function::{CutterData, Spindle, Turn};
 use crate::ir::{self, Feed, Function, Side};
+use crate::machine::tools::ToolKey;
 use crate::machine::{Compensation, Unit};
 use crate::sema::common::compensation::edge_direction;
 use crate::sema::common::feed::FeedKind;
@@ -321,7 +322,7 @@ impl Run<'_> {
                 );
             }
         };
-        self.prints_tool(number, printed, num.span)?;
+        self.prints_tool(&ToolKey::Number(number, edge), printed, num.span)?;
         self.function(Function::ToolChange { number: printed });
         self.function(Function::Cutter(CutterData { number: printed, ..CutterData::default() }));
         self.st.tool = Some(ActiveTool { number, edge, name });

@@ -367,7 +367,7 @@ impl CycleCall<'_, '_> {
             return self.cycle_fault(args.span, 61000, "no tool offset is active", "program D1 before the cycle");
         }
         let edge = self.st.tool.edge_or_first();
-        let listed = self.job.settings.tools.by_number(number, 0).filter(|_| edge == 1);
+        let listed = self.job.settings.tools.called(number).filter(|_| edge == 1);
         let missing = |what: &str, help: Help| {
             let message = format!("{}: {what} of tool {number} D{edge} is not known", args.name());
             self.fail_help(codes::S2221.alarm(61000), args.span, message, &help)
