@@ -184,12 +184,15 @@ impl Session {
         dialect: &Dialect,
         settings: &Settings,
         files: &dyn Files,
-        seen: Option<&mut Seen>,
+        mut seen: Option<&mut Seen>,
         goes_on: &dyn Fn() -> bool,
     ) -> Vec<Fix> {
         let policy = self.judge(dialect, settings);
         let settings = dialect.settings(settings);
         let settings = settings.as_ref();
+        if let Some(seen) = &mut seen {
+            seen.diameter = settings.machine.shown_diameter();
+        }
         (dialect.check_form)(&self.job(settings, files));
         self.diags.begin_run();
         let checks = Checks::new(settings, &self.sources, dialect.survey, &policy, &self.diags);

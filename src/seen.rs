@@ -7,6 +7,7 @@ use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{Coords, Corner, CtxRef, Load, Move, Path, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::machine::Axis;
 use crate::text::{FileId, Span};
 
 /// Most blocks that are remembered.
@@ -18,6 +19,8 @@ pub struct Seen {
     /// In the order in which the blocks first ran.
     pub stops: Vec<Stop>,
     pub tools: Vec<Tool>,
+    /// The axis of a lathe that is shown in diameters.
+    pub diameter: Option<Axis>,
     by_block: FxHashMap<(FileId, u32), usize>,
     at: Pos,
     tool: Option<u32>,
@@ -73,8 +76,8 @@ impl Way {
 
 impl Stop {
     /// The known axes behind the block, and how often it ran; `cut_off` where the program was given up before its end.
-    pub fn place(&self, cut_off: bool) -> String {
-        let mut text = coordinates(&self.end);
+    pub fn place(&self, cut_off: bool, diameter: Option<Axis>) -> String {
+        let mut text = coordinates(&self.end, diameter);
         if text.is_empty() {
             text.push('?');
         }
@@ -89,10 +92,13 @@ impl Stop {
     }
 }
 
-/// `X10 Y-2.5`: three places, without zeros at the end.
-pub fn coordinates(pos: &Pos) -> String {
-    let words: Vec<String> = pos.iter().map(|(axis, value)| format!("{}{}", axis.letter(), number(value))).collect();
-    words.join(" ")
+/// `X10 Y-2.5`: three places, without zeros at the end; a diameter is marked, for no word stands there that says it.
+pub fn coordinates(pos: &Pos, diameter: Option<Axis>) -> String {
+    let word = |(axis, value): (Axis, f64)| match diameter {
+        Some(turned) if turned == axis => format!("{}\u{2300}{}", axis.letter(), number(2.0 * value)),
+        _ => format!("{}{}", axis.letter(), number(value)),
+    };
+    pos.iter().map(word).collect::<Vec<_>>().join(" ")
 }
 
 /// Three places, without zeros at the end and without a minus zero.

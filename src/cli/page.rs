@@ -1,6 +1,7 @@
 //! `partc report`: one page with what came of a program.
 
 use std::collections::BTreeSet;
+use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -30,6 +31,10 @@ pub(super) fn report(args: &Page) -> Result<Exit, Trouble> {
     let trouble = |error: io::Error| format!("{shown}: {error}");
     if same_file(&args.input, &target) {
         return Err(format!("{shown}: the report would replace the program"));
+    }
+    let is_page = |extension: &OsStr| ["html", "htm"].iter().any(|known| extension.eq_ignore_ascii_case(known));
+    if target.extension().is_some_and(|extension| !is_page(extension)) {
+        return Err(format!("{shown}: a report is .html or .htm; name another file"));
     }
     if is_foreign(&target, Made::Report) && !args.force {
         return Err(format!("{shown}: not written by partc; use --force to replace it, or another name"));

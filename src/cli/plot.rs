@@ -61,8 +61,12 @@ pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
 
 /// The form that the name of a picture asks for.
 pub(super) fn form(path: &Path) -> Result<Form, Trouble> {
-    let is_png = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
-    made(if is_png { PictureForm::Png } else { PictureForm::Svg })
+    let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+    match extension.as_deref() {
+        None | Some("svg") => made(PictureForm::Svg),
+        Some("png") => made(PictureForm::Png),
+        Some(_) => Err(format!("{}: a picture is .svg or .png; another name, or --as, says which", path.display())),
+    }
 }
 
 fn made(form: PictureForm) -> Result<Form, Trouble> {

@@ -21,7 +21,7 @@ use crate::emit::stats::{Counter, Model, SMOOTH_DEG};
 use crate::ir::motion::{Move, Sink};
 use crate::ir::{Function, Origin, Pos};
 use crate::machine::tools::{Tool, ToolKey};
-use crate::machine::{MachineKind, Settings};
+use crate::machine::{Axis, MachineKind, Settings};
 use crate::seen::Seen;
 use crate::text::{FileId, Files, Sources};
 
@@ -63,7 +63,7 @@ pub fn made(session: &Session, dialect: &Dialect, settings: &Settings, files: &d
         "target": target.name,
         "extension": target.extension,
         "lathe": lathe,
-        "diameter": lathe && settings.machine.diameter_axis.is_some(),
+        "diameter": settings.machine.shown_diameter() == Some(Axis::X),
         "failed": failed,
         "findings": findings(&session.diags, &session.sources, &session.trail),
         "dropped": session.diags.dropped(),
@@ -89,7 +89,7 @@ pub fn checked(session: &Session, dialect: &Dialect, settings: &Settings, files:
     let cut_off = session.diags.any(|found| found.code.id == codes::P4001.id);
     let mut places = String::new();
     for stop in seen.stops.iter().filter(|stop| stop.file == FileId(0)) {
-        let _ = writeln!(places, "{}\t{}", stop.line, stop.place(cut_off));
+        let _ = writeln!(places, "{}\t{}", stop.line, stop.place(cut_off, seen.diameter));
     }
     let about = json!({
         "findings": findings(&session.diags, &session.sources, &session.trail),

@@ -2,6 +2,7 @@
 
 use lsp_types::{InlayHint, InlayHintLabel, InlayHintTooltip, Range};
 
+use crate::machine::Axis;
 use crate::seen::{Stop, Way};
 use crate::text::FileId;
 
@@ -18,10 +19,10 @@ pub fn hints(document: &Document, range: Range) -> Vec<InlayHint> {
     let moving = blocks.filter_map(|block| Some((block, study.seen.stop(FileId(0), block.words.start)?)));
     let hint = |(block, stop): (&super::study::BlockPlace, &Stop)| InlayHint {
         position: document.text.position(block.words.end),
-        label: InlayHintLabel::String(stop.place(study.cut_off)),
+        label: InlayHintLabel::String(stop.place(study.cut_off, study.seen.diameter)),
         kind: None,
         text_edits: None,
-        tooltip: Some(InlayHintTooltip::String(tooltip(stop))),
+        tooltip: Some(InlayHintTooltip::String(tooltip(stop, study.seen.diameter))),
         padding_left: Some(true),
         padding_right: None,
         data: None,
@@ -29,12 +30,18 @@ pub fn hints(document: &Document, range: Range) -> Vec<InlayHint> {
     moving.map(hint).collect()
 }
 
-fn tooltip(stop: &Stop) -> String {
+fn tooltip(stop: &Stop, diameter: Option<Axis>) -> String {
     let system =
-        if stop.machine { "coordinates of the machine" } else { "coordinates of the workpiece, as programmed" };
+        if stop.machine { "coordinates of the machine" } else { "coordinates of the workpiece, before compensation" };
+    let turned = turned(stop, diameter).map(|axis| format!("; {} is a diameter", axis.letter())).unwrap_or_default();
     let what = if stop.path == Way::Cycle { "where the cycle leaves the tool" } else { "end of the block" };
     match stop.passes {
-        1 => format!("{what}, in {system}"),
-        passes => format!("{what} in its first pass of {passes}, in {system}"),
+        1 => format!("{what}, in {system}{turned}"),
+        passes => format!("{what} in its first pass of {passes}, in {system}{turned}"),
     }
+}
+
+/// The axis whose diameter is shown.
+pub fn turned(stop: &Stop, diameter: Option<Axis>) -> Option<Axis> {
+    diameter.filter(|axis| stop.end.get(*axis).is_some())
 }

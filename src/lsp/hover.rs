@@ -6,11 +6,12 @@ use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind, Position};
 
 use crate::diag::trail::{Assigned, MOST_ASSIGNED};
 use crate::ir::{Feed, Side};
+use crate::machine::Axis;
 use crate::seen::Stop;
 use crate::sema::cycle_table::{Name as ParameterName, Parameter, Signature};
 use crate::text::{FileId, Span};
 
-use super::hints::{coordinates, number};
+use super::hints::{coordinates, number, turned};
 use super::names;
 use super::server::Document;
 use super::study::Study;
@@ -44,7 +45,7 @@ pub fn hover(document: &Document, position: Position) -> Option<Hover> {
         }
     }
     if let Some(stop) = study.seen.stop(FileId(0), block.words.start) {
-        parts.push(leads_to(stop));
+        parts.push(leads_to(stop, study.seen.diameter));
     }
     if parts.is_empty() {
         return None;
@@ -69,8 +70,11 @@ pub fn word_at(text: &str, offset: usize) -> (usize, usize) {
     (start, end)
 }
 
-fn leads_to(stop: &Stop) -> String {
-    let mut text = format!("**{}** ({}", coordinates(&stop.end), stop.path.name());
+fn leads_to(stop: &Stop, diameter: Option<Axis>) -> String {
+    let mut text = format!("**{}** ({}", coordinates(&stop.end, diameter), stop.path.name());
+    if let Some(axis) = turned(stop, diameter) {
+        _ = write!(text, ", {} is a diameter", axis.letter());
+    }
     if stop.machine {
         text.push_str(", coordinates of the machine");
     }

@@ -114,6 +114,13 @@ pub struct Machine {
     pub swivel_retract_most: BTreeMap<Axis, f64>,
 }
 
+impl Machine {
+    /// The axis of a lathe of which people are shown diameters, whatever a block counts in.
+    pub fn shown_diameter(&self) -> Option<Axis> {
+        self.diameter_axis.filter(|_| self.kind == MachineKind::Lathe)
+    }
+}
+
 impl Default for Machine {
     fn default() -> Machine {
         Machine {

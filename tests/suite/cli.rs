@@ -324,6 +324,10 @@ fn plot_draws_beside_the_program_and_replaces_nothing_foreign() {
     folder.run(&["plot", "T.H"]).exits(0);
     folder.run(&["plot", "T.H", "-o", "T.H"]).exits(2);
     folder.run(&["plot", "T.H", "-o", "BAD.H"]).exits(2);
+    // A name that promises another form gets nothing, unless the form is said.
+    let other = folder.run(&["plot", "T.H", "-o", "t.pdf"]).exits(2);
+    assert!(other.err.contains(".svg or .png") && !folder.0.join("t.pdf").exists(), "{}", other.err);
+    folder.run(&["plot", "T.H", "-o", "t.xml", "--as", "svg"]).exits(0);
     folder.run(&["plot", "BAD.H", "-o", "bad.svg"]).exits(1);
     folder.run(&["plot", "bad.svg", "-o", "-"]).exits(2);
 }
@@ -496,4 +500,7 @@ fn a_report_shows_results_or_errors_and_replaces_nothing_foreign() {
     folder.run(&["report", "T.H"]).exits(0);
     folder.run(&["report", "T.H", "-o", "T.H"]).exits(2);
     folder.run(&["report", "T.H", "-o", "BAD.H"]).exits(2);
+    let other = folder.run(&["report", "T.H", "-o", "t.ngc"]).exits(2);
+    assert!(other.err.contains(".html or .htm") && !folder.0.join("t.ngc").exists(), "{}", other.err);
+    folder.run(&["report", "T.H", "-o", "t.HTM"]).exits(0);
 }

@@ -195,6 +195,21 @@ fn hints_show_where_blocks_lead() {
     client.end();
 }
 
+/// X of a lathe is shown as its diameter and marked so, also under DIAMOF.
+#[test]
+fn hints_and_hover_of_a_lathe_show_diameters() {
+    let config = "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n";
+    let folder = Folder::new("lsp_diameter").with(&[("partc.toml", config)]);
+    let mut client = Client::start(&folder, json!({}));
+    let text = "G18 G90 G71 DIAMON\nT1 D1\nG97 S1000 M4\nG0 X70 Z2\nG1 X20 F0.2\nDIAMOF\nG1 X12.5\nM30\n";
+    let uri = client.open(&folder, "L.MPF", text);
+    let wanted = [(3, "X\u{2300}70 Z2"), (4, "X\u{2300}20 Z2"), (6, "X\u{2300}25 Z2")];
+    assert_eq!(client.hints(&uri), wanted.map(|(line, label)| (line, label.to_owned())));
+    let text = client.hover(&uri, 3, 4);
+    assert!(text.contains("**X\u{2300}70 Z2** (rapid traverse, X is a diameter"), "{text}");
+    client.end();
+}
+
 #[test]
 fn hover_explains_words_parameters_and_values() {
     let folder = Folder::new("lsp_hover").with(&[]);

@@ -207,6 +207,103 @@ fn the_pixels_are_the_same_on_every_system() {
     assert_eq!(fs::read_to_string(&path).unwrap_or_default(), seen.concat());
 }
 
+/// The SVG of a program that is written here.
+fn svg(text: &str, dialect: &str, config: &str, options: Options) -> String {
+    let main = partc::internals::text::Opened {
+        name: "P".into(),
+        identity: "P".into(),
+        text: Box::new(partc::internals::text::Memory::new(text.as_bytes().to_vec())),
+    };
+    let session = partc::internals::driver::Session::new(main);
+    let mut out: Vec<u8> = Vec::new();
+    let dialect = partc::internals::dialect::find(dialect).expect("a dialect");
+    let files = partc::internals::text::files::NoFiles;
+    session.plot(dialect, &settings(config), &files, options, &mut out).expect("a picture");
+    assert!(!session.diags.has_errors());
+    String::from_utf8(out).expect("text")
+}
+
+/// The words of a picture, each with where it begins and ends in letters of a broad font; all lie within the frame.
+fn words(svg: &str) -> Vec<String> {
+    let value = |text: &str, name: &str| -> f64 {
+        let from = text.find(name).expect("an attribute") + name.len();
+        text[from..].split(|c: char| c == '"' || c == 'p').next().and_then(|v| v.parse().ok()).expect("a number")
+    };
+    let frame = svg.split_once("viewBox=\"").expect("a frame").1.split('"').next().expect("a frame");
+    let frame: Vec<f64> = frame.split(' ').map(|v| v.parse().expect("a number")).collect();
+    let font = value(svg, "text{font:");
+    let mut all = Vec::new();
+    for line in svg.lines().filter(|line| line.starts_with("<text")) {
+        let (head, rest) = line.split_once('>').expect("words");
+        let text = rest.trim_end_matches("</text>");
+        let small = if head.contains("class=\"small\"") { 0.8 } else { 1.0 };
+        let size = if head.contains("font-size:") { value(head, "font-size:") } else { font * small };
+        let long = 0.64 * size * text.chars().count() as f64;
+        let back = if head.contains("\"end\"") {
+            1.0
+        } else if head.contains("\"middle\"") {
+            0.5
+        } else {
+            0.0
+        };
+        let from = value(head, " x=\"") - back * long;
+        if !head.contains("rotate") {
+            let right = frame[0] + frame[2];
+            assert!(from >= frame[0] - 0.01 * font && from + long <= right + 0.01 * font, "cut off: {line} {frame:?}");
+        }
+        all.push(text.to_owned());
+    }
+    all
+}
+
+const LATHE: &str = "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n[tools.1]\nradius = 0.4\norientation = 3\n";
+const TURNED: &str =
+    "G18 G90 G71 DIAMON\nT1 D1\nG97 S1000 M4\nG0 X70 Z2\nG1 X20 F0.2\nG1 Z-20\nG1 X30 Z-30\nG1 X60\nG0 X70 Z2\nM30\n";
+
+/// Where the axis says diameters, all numbers along it are diameters.
+#[test]
+fn all_numbers_of_a_diameter_axis_are_diameters() {
+    let sized = |view| Options { view: Some(view), dimensions: true, ..Options::default() };
+    let seen = words(&svg(TURNED, "sinumerik", LATHE, sized(plot::Side::Xy)));
+    let has = |text: &str| seen.iter().any(|word| word == text);
+    assert!(has("X diameter") && has("50") && has("20, 0") && !has("25") && !has("10, 0"), "{seen:?}");
+    assert!(has("X diameter 20 to 70, Y 0 to 0") || has("X diameter 20 to 70, Z -30 to 2"), "{seen:?}");
+    for view in [plot::Side::Yz, plot::Side::Xz, plot::Side::Iso] {
+        let seen = words(&svg(TURNED, "sinumerik", LATHE, sized(view)));
+        assert!(seen.iter().any(|word| word.contains("X diameter 20 to 70")), "{seen:?}");
+    }
+}
+
+/// Half a number is a false one.
+#[test]
+fn no_words_are_cut_off() {
+    let long = "0 BEGIN PGM N MM\n1 TOOL CALL 1 Z S2000\n2 L X+123.456 Y-1234.567 Z+5 R0 FMAX M3\n3 L Z-1 F200\n4 L Y+1234.567\n5 L Z+5 FMAX\n\
+                9 END PGM N MM\n";
+    let hole = "0 BEGIN PGM N MM\n1 TOOL CALL 1 Z S2000\n2 L X+0 Y+0 Z+5 R0 FMAX M3\n3 L Z-1 F200\n4 L Z+5 FMAX\n5 L X+1234.5678 Y+100.1234 FMAX\n\
+                6 L Z-1 F200\n7 L X+1234.5678 Y+1234.5678\n8 L Z+5 FMAX M91\n9 END PGM N MM\n";
+    for view in [None, Some(plot::Side::Xy), Some(plot::Side::Xz), Some(plot::Side::Yz), Some(plot::Side::Iso)] {
+        for dimensions in [false, true] {
+            let options = Options { view, dimensions, ..Options::default() };
+            assert!(!words(&svg(TURNED, "sinumerik", LATHE, options)).is_empty());
+            let seen = words(&svg(long, "klartext", "", options));
+            assert!(seen.iter().any(|word| word.contains("-1234.567 to 1234.567")), "{seen:?}");
+            assert!(!words(&svg(hole, "klartext", "", options)).is_empty());
+        }
+    }
+}
+
+/// Numbers that are rounded to each other tell nothing.
+#[test]
+fn small_parts_have_different_numbers_on_their_grid() {
+    let tiny = "0 BEGIN PGM T MM\n1 TOOL CALL 1 Z S2000\n2 L X+0 Y+0 Z+0.002 R0 FMAX M3\n3 L Z+0 F100\n4 L X+0.001\n5 L Y+0.001\n6 L X+0 Y+0\n\
+                9 END PGM T MM\n";
+    let point = "0 BEGIN PGM P MM\n1 TOOL CALL 1 Z S2000\n2 L X+7 Y+3 Z+5 R0 FMAX M3\n3 L Z-2 F100\n9 END PGM P MM\n";
+    let seen = words(&svg(tiny, "klartext", "", Options::default()));
+    assert!(seen.iter().any(|word| word == "0.004 mm") && seen.iter().any(|word| word == "0.02"), "{seen:?}");
+    let seen = words(&svg(point, "klartext", "", Options::default()));
+    assert!(seen.iter().any(|word| word == "1 mm") && seen.iter().any(|word| word == "7"), "{seen:?}");
+}
+
 /// A full circle, a helix, a drill and a move whose start is not known.
 #[test]
 fn what_a_picture_shows() {

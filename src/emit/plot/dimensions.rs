@@ -11,6 +11,8 @@ use super::svg::show;
 
 /// Width of a letter, in heights of the font.
 pub(super) const LETTER: f64 = 0.56;
+/// The same in the broadest of the usual fonts: what must not be cut off counts with it.
+pub(super) const BROAD: f64 = 0.64;
 /// Labels of a picture; more would hide it.
 const MOST: usize = 60;
 
@@ -68,6 +70,8 @@ pub(super) struct Measured<'a> {
     pub section: &'a Section,
     /// The second axis is a radius, of which diameters are written.
     pub turning: bool,
+    /// What is written for a millimetre to the right and up.
+    pub factors: (f64, f64),
 }
 
 impl Measured<'_> {
@@ -98,14 +102,14 @@ impl Measured<'_> {
         if high.x - low.x > SAME_POINT {
             self.line(canvas, up(low.x), up(high.x));
             let at = Point2::new((low.x + high.x) / 2.0, layout.high.y + 2.35 * font);
-            labels.place(at, Anchor::Middle, 0.9 * font, show(high.x - low.x));
+            labels.place(at, Anchor::Middle, 0.9 * font, show((high.x - low.x) * self.factors.0));
         }
         if high.y - low.y > SAME_POINT && !self.turning {
             let line = layout.high.x + 2.0 * font;
             let right = |y: f64| (Point2::new(high.x, y), Point2::new(line, y));
             self.line(canvas, right(low.y), right(high.y));
             let at = Point2::new(line - 0.35 * font, (low.y + high.y) / 2.0);
-            let text = show(high.y - low.y);
+            let text = show((high.y - low.y) * self.factors.1);
             labels.placed.push(Label { at, anchor: Anchor::Middle, font: 0.9 * font, upright: true, text });
         }
     }
@@ -184,8 +188,15 @@ impl Measured<'_> {
                 continue;
             }
             seen.push(run.from);
-            let at = run.from + Vec2::new(0.5, 0.5) * font;
-            labels.place(at, Anchor::Start, font, format!("{}, {}", show(run.from.x), show(run.from.y)));
+            let text = format!("{}, {}", show(run.from.x * self.factors.0), show(run.from.y * self.factors.1));
+            let long = BROAD * font * text.chars().count() as f64;
+            // At the left of the hole where the edge of the picture would cut it off.
+            let (side, anchor) = if run.from.x + 0.5 * font + long <= self.layout.low.x + self.layout.broad() {
+                (0.5, Anchor::Start)
+            } else {
+                (-0.5, Anchor::End)
+            };
+            labels.place(run.from + Vec2::new(side, 0.5) * font, anchor, font, text);
         }
     }
 

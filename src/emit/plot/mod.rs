@@ -80,7 +80,8 @@ pub struct Plot {
     options: Options,
     title: String,
     lathe: bool,
-    diameter: bool,
+    /// The axis that is labelled in diameters.
+    diameter: Option<Axis>,
     /// Chosen by the first move.
     view: Option<View>,
     strokes: Strokes,
@@ -110,7 +111,7 @@ impl Plot {
             // The folder a program lies in is of no interest.
             title: title.rsplit(['/', '\\']).next().unwrap_or(title).to_owned(),
             lathe,
-            diameter: lathe && settings.machine.diameter_axis.is_some(),
+            diameter: settings.machine.shown_diameter(),
             view: None,
             strokes: Strokes::default(),
             contour: Strokes::default(),

@@ -7,7 +7,7 @@ use crate::machine::Axis;
 use crate::text::{FileId, Loc, Sources};
 
 use super::canvas::{Anchor, Canvas, Class, Part, Widths, Words};
-use super::dimensions::{LETTER, Labels, Measured};
+use super::dimensions::{BROAD, LETTER, Labels, Measured};
 use super::layout::{Layout, Needs};
 use super::marks;
 use super::section::Section;
@@ -21,14 +21,16 @@ const TITLES: usize = 4000;
 const SHOWN: usize = 100;
 /// Colours in the legend.
 const NAMED: usize = 16;
+/// Letters of a title or a name.
+const MOST_LETTERS: usize = 60;
 
 /// What the picture shows.
 #[derive(Debug)]
 pub(super) struct Scene<'a> {
     pub title: &'a str,
     pub view: View,
-    /// X is labelled in diameters.
-    pub diameter: bool,
+    /// The axis that is labelled in diameters.
+    pub diameter: Option<Axis>,
     pub dimensions: bool,
     pub strokes: &'a Strokes,
     /// The programmed contour beside which the tool travels.
@@ -68,10 +70,12 @@ impl Scene<'_> {
             let corners = [(a.0, b.0), (a.0, b.1), (a.1, b.0), (a.1, b.1)];
             corners.into_iter().for_each(|(s, t)| rect.take(Point2::from(u * s + v * t)));
         }
-        let needs = |lines| Needs { turning: self.view.is_turning(), dimensions: self.dimensions, lines };
-        let first = Layout::new(&rect, needs(1));
-        let lines = self.legend(&first).iter().map(|(line, ..)| line + 1).max().unwrap_or(0);
-        let layout = Layout::new(&rect, needs(lines.max(1)));
+        let needs = Needs { turning: self.view.is_turning(), dimensions: self.dimensions, ..Needs::default() };
+        let first = Layout::new(&rect, needs);
+        let needs = Needs { left: self.left_of(&first), ..needs };
+        let needs = Needs { broad: self.broad(&Layout::new(&rect, needs)), ..needs };
+        let lines = self.below(&Layout::new(&rect, needs));
+        let layout = Layout::new(&rect, Needs { lines, ..needs });
         let area = marks::covered(self.strokes);
         let (cut, rapid) = marks::lengths(self.strokes);
         let pixel = layout.pixel;
@@ -93,7 +97,9 @@ impl Scene<'_> {
         if self.dimensions && self.view.axes().is_some() {
             let turning = self.view.is_turning();
             let (cut, strokes, section) = (&self.cut, self.strokes, &self.section);
-            Measured { layout, cut, strokes, section, turning }.draw(canvas, &mut labels);
+            let (right, up) = self.view.axes().unwrap_or((Axis::X, Axis::Y));
+            let factors = (self.factor(right), self.factor(up));
+            Measured { layout, cut, strokes, section, turning, factors }.draw(canvas, &mut labels);
         }
         let legend = self.legend(layout);
         self.samples(canvas, layout, &legend);
@@ -225,7 +231,7 @@ impl Scene<'_> {
     }
 
     fn floor_axes(&self) -> (Axis, Axis) {
-        if self.diameter || self.extents[1].is_none() { (Axis::Z, Axis::X) } else { (Axis::X, Axis::Y) }
+        if self.diameter.is_some() || self.extents[1].is_none() { (Axis::Z, Axis::X) } else { (Axis::X, Axis::Y) }
     }
 
     /// Arrows along X, Y and Z from the zero.
@@ -266,20 +272,24 @@ impl Scene<'_> {
             text(x, low.y - 1.1 * font, Anchor::Middle, &show(x * self.factor(right)));
         }
         for y in layout.marks(low.y, high.y) {
-            // Below the centre of a turned part the same diameters stand.
-            let value = y * self.factor(up);
-            let value = if self.view.is_turning() && !self.section.edges.is_empty() { value.abs() } else { value };
-            text(low.x - 0.4 * font, y - 0.3 * font, Anchor::End, &show(value));
+            text(low.x - 0.4 * font, y - 0.3 * font, Anchor::End, &self.number_at(y, up));
         }
+    }
+
+    /// The number beside a line of the grid.
+    fn number_at(&self, y: f64, up: Axis) -> String {
+        let value = y * self.factor(up);
+        // Below the centre of a turned part the same diameters stand.
+        show(if self.view.is_turning() && !self.section.edges.is_empty() { value.abs() } else { value })
     }
 
     /// What is written for a millimetre of this axis.
     fn factor(&self, axis: Axis) -> f64 {
-        if self.diameter && axis == Axis::X { 2.0 } else { 1.0 }
+        if self.diameter == Some(axis) { 2.0 } else { 1.0 }
     }
 
     fn axis_name(&self, axis: Axis) -> String {
-        match (self.diameter && axis == Axis::X, self.view.is_turning() && axis == Axis::X) {
+        match (self.diameter == Some(axis), self.view.is_turning() && axis == Axis::X) {
             (true, _) => format!("{} diameter", axis.letter()),
             (false, true) => format!("{} radius", axis.letter()),
             (false, false) => axis.letter().to_string(),
@@ -299,24 +309,17 @@ impl Scene<'_> {
         let mut text = |x: f64, y: f64, anchor: Anchor, font: f64, text: &str| {
             canvas.words(&Words { at: Point2::new(x, y), anchor, font, upright: false, text });
         };
-        text(x + 0.6 * font, self.title_line(layout), Anchor::Start, font, self.title);
+        text(x + 0.6 * font, self.title_line(layout), Anchor::Start, font, &shortened(self.title));
         if let Some((right, up)) = self.view.axes() {
             text(x + 0.6 * font, layout.high.y + 0.6 * font, Anchor::Start, font, &self.axis_name(up));
             text(layout.high.x, layout.low.y - 2.4 * font, Anchor::End, font, &self.axis_name(right));
         }
         let base = self.base(layout);
-        let sizes = self.sizes();
-        // In a narrow picture the letters are smaller.
-        let wide = (layout.high.x - layout.low.x + 1.5 * font) / (LETTER * sizes.chars().count().max(1) as f64);
-        text(layout.low.x, base, Anchor::Start, font.min(wide), &sizes);
-        let bar = layout.step() * 2.0;
-        text(
-            layout.high.x - bar - 0.4 * font,
-            self.title_line(layout),
-            Anchor::End,
-            0.8 * font,
-            &format!("{} mm", show(bar)),
-        );
+        for (line, sizes) in self.size_lines(layout).iter().enumerate() {
+            text(layout.low.x, base - 1.7 * font * line as f64, Anchor::Start, font, sizes);
+        }
+        let bar = self.bar_end(layout) - layout.step() * 2.0 - 0.4 * font;
+        text(bar, self.title_line(layout), Anchor::End, 0.8 * font, &bar_name(layout));
         for (line, x, sample, name) in legend {
             let after = if matches!(sample, Sample::None) { 0.0 } else { 2.4 * font };
             text(layout.low.x + x + after, self.legend_line(layout, *line), Anchor::Start, 0.8 * font, name);
@@ -325,7 +328,7 @@ impl Scene<'_> {
     }
 
     /// From where to where is cut.
-    fn sizes(&self) -> String {
+    fn sizes(&self) -> Vec<String> {
         let order = match self.view.axes() {
             Some((right, up)) => {
                 let third = Axis::ALL.iter().take(3).copied().find(|axis| *axis != right && *axis != up);
@@ -340,7 +343,59 @@ impl Scene<'_> {
         };
         // A turned part has no third axis to speak of.
         let is_told = |axis: &Axis| !(self.view.is_turning() && *axis == Axis::Y);
-        order.into_iter().flatten().filter(is_told).filter_map(size).collect::<Vec<_>>().join(", ")
+        order.into_iter().flatten().filter(is_told).filter_map(size).collect()
+    }
+
+    /// The same in lines that are not longer than the picture is broad.
+    fn size_lines(&self, layout: &Layout) -> Vec<String> {
+        let most = layout.broad() / (BROAD * layout.font);
+        let mut lines: Vec<String> = Vec::new();
+        for size in self.sizes() {
+            match lines.last_mut() {
+                Some(line) if (line.chars().count() + size.chars().count() + 2) as f64 <= most => {
+                    line.push_str(", ");
+                    line.push_str(&size);
+                }
+                _ => lines.push(size),
+            }
+        }
+        lines
+    }
+
+    /// What the numbers at the left need, in font sizes.
+    fn left_of(&self, layout: &Layout) -> f64 {
+        let Some((_, up)) = self.view.axes() else { return 0.0 };
+        let letters = |y: f64| self.number_at(y, up).chars().count();
+        let most = layout.marks(layout.low.y, layout.high.y).map(letters).max().unwrap_or(0);
+        0.6 + 0.8 * BROAD * most as f64
+    }
+
+    /// What the words that stand on a line of their own need, from the left of the picture, in font sizes.
+    fn broad(&self, layout: &Layout) -> f64 {
+        let letters = |text: &str| BROAD * text.chars().count() as f64;
+        let sizes = self.sizes().iter().map(|size| letters(size)).fold(0.0, f64::max);
+        let entries = self.legend(layout).iter().map(|(.., name)| 2.4 + 0.8 * letters(name)).fold(0.0, f64::max);
+        let bar = (self.bar_end(layout) - layout.low.x) / layout.font;
+        sizes.max(entries).max(bar)
+    }
+
+    /// Lines of the legend and of what stands above it.
+    fn below(&self, layout: &Layout) -> usize {
+        self.legend(layout)
+            .iter()
+            .map(|(line, ..)| line + 1)
+            .max()
+            .unwrap_or(0)
+            .max(self.size_lines(layout).len())
+            .max(1)
+    }
+
+    /// Where the scale bar ends: at the right of the picture, or so far from the title that they do not touch.
+    fn bar_end(&self, layout: &Layout) -> f64 {
+        let letters = |text: &str| BROAD * text.chars().count() as f64;
+        let words = 0.6 + letters(&shortened(self.title)) + 1.0 + 0.8 * letters(&bar_name(layout)) + 0.4;
+        let (left, ..) = layout.frame();
+        layout.high.x.max(left + words * layout.font + 2.0 * layout.step())
     }
 
     /// The line of the title and of the scale bar.
@@ -366,7 +421,7 @@ impl Scene<'_> {
         let mut entries: Vec<(Sample, String)> = Vec::new();
         for i in drawn.iter().take(NAMED) {
             let name = match (self.names.get(*i), self.tools.get(*i)) {
-                (Some(name), _) => name.clone(),
+                (Some(name), _) => shortened(name),
                 (None, Some(Some(number))) => format!("T{number}"),
                 (None, _) => "path".to_owned(),
             };
@@ -391,17 +446,17 @@ impl Scene<'_> {
             entries.extend([(Sample::Ring, "start".to_owned()), (Sample::Square, "end".to_owned())]);
         }
         entries.extend(self.notes.iter().map(|note| (Sample::None, note.clone())));
-        let wide = layout.high.x - layout.low.x + 2.0 * font;
-        let (mut line, mut x) = (0, 0.0);
+        let wide = layout.broad();
+        let (mut line, mut x) = (self.size_lines(layout).len().saturating_sub(1), 0.0);
         let mut placed = Vec::new();
         for (sample, name) in entries {
             let before = if matches!(sample, Sample::None) { 0.0 } else { 2.4 * font };
-            let long = before + 0.8 * LETTER * font * name.chars().count() as f64 + 1.6 * font;
-            if x > 0.0 && x + long > wide {
+            let letters = font * name.chars().count() as f64;
+            if x > 0.0 && x + before + 0.8 * BROAD * letters > wide {
                 (line, x) = (line + 1, 0.0);
             }
             placed.push((line, x, sample, name));
-            x += long;
+            x += before + 0.8 * LETTER * letters + 1.6 * font;
         }
         placed
     }
@@ -424,7 +479,7 @@ impl Scene<'_> {
 
     fn scale_bar(&self, canvas: &mut dyn Canvas, layout: &Layout) {
         let (length, tick) = (layout.step() * 2.0, 0.3 * layout.font);
-        let (x, y) = (layout.high.x - length, self.title_line(layout));
+        let (x, y) = (self.bar_end(layout) - length, self.title_line(layout));
         let at = |x: f64, y: f64| Point2::new(x, y);
         let parts = [
             Part::Move(at(x, y + tick)),
@@ -434,6 +489,18 @@ impl Scene<'_> {
         ];
         canvas.path(Class::Axis, None, &parts);
     }
+}
+
+fn bar_name(layout: &Layout) -> String {
+    format!("{} mm", show(2.0 * layout.step()))
+}
+
+fn shortened(name: &str) -> String {
+    if name.chars().count() <= MOST_LETTERS {
+        return name.to_owned();
+    }
+    let front: String = name.chars().take(MOST_LETTERS - 3).collect();
+    format!("{front}...")
 }
 
 fn class(run: &Run) -> Class {
