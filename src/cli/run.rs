@@ -337,7 +337,10 @@ fn present(look: Look, session: Session, path: &Path, common: &Common, alone: bo
     let small = session.sources.size(FileId(0)) <= LARGEST_TRIED;
     let mut presented = look.present(session);
     if alone && small && path != Path::new("-") && presented.asks() {
-        presented.ask(super::init::requests_of(path, common)?);
+        // Values that are no configuration (preset -1) leave what is to be pasted unsaid; the findings stand for themselves.
+        if let Ok(requests) = super::init::requests_of(path, common) {
+            presented.ask(requests);
+        }
     }
     Ok(presented)
 }

@@ -212,3 +212,20 @@ fn inches_leave_no_digits_in_a_trace() {
     let out = folder.run(&["trace", "A.H"]).exits(0).out;
     assert!(out.contains("\"X\":152.4,") && !out.contains("99999"), "{out}");
 }
+
+#[test]
+fn what_no_configuration_can_say_is_a_finding_all_the_same() {
+    for (block, code) in [
+        ("CYCL DEF 247 DATUM SETTING ~\n  Q339=-1", "K2505"),
+        ("TOOL CALL \"A\\B\" Z S100", "K2005"),
+        ("L X+1 M99999", ""),
+    ] {
+        let program = format!("0 BEGIN PGM A MM\n1 L X+0 Y+0 R0 FMAX\n2 {block}\n3 END PGM A MM\n");
+        let folder = Folder::new("init_odd").with(&[("A.H", &program)]);
+        for command in ["check", "compile"] {
+            let ran = folder.run(&[command, "A.H", "--format", "concise"]);
+            let said = format!("{}{}", ran.out, ran.err);
+            assert!(ran.code == Some(1) && said.contains("A.H:3") && said.contains(code), "{block}: {ran:?}");
+        }
+    }
+}
