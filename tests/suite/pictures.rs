@@ -227,7 +227,7 @@ fn svg(text: &str, dialect: &str, config: &str, options: Options) -> String {
 fn words(svg: &str) -> Vec<String> {
     let value = |text: &str, name: &str| -> f64 {
         let from = text.find(name).expect("an attribute") + name.len();
-        text[from..].split(|c: char| c == '"' || c == 'p').next().and_then(|v| v.parse().ok()).expect("a number")
+        text[from..].split(['"', 'p']).next().and_then(|v| v.parse().ok()).expect("a number")
     };
     let frame = svg.split_once("viewBox=\"").expect("a frame").1.split('"').next().expect("a frame");
     let frame: Vec<f64> = frame.split(' ').map(|v| v.parse().expect("a number")).collect();
