@@ -31,7 +31,7 @@ pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
         dimensions: args.dimensions,
         form: match args.form {
             Some(asked) => made(asked)?,
-            None => form(&target)?,
+            None => form(&target).map_err(|error| format!("{error}, or say the form with --as"))?,
         },
     };
     let Loaded { session, dialect, settings, files, place } = load(&args.input, &args.common)?;
@@ -65,7 +65,7 @@ pub(super) fn form(path: &Path) -> Result<Form, Trouble> {
     match extension.as_deref() {
         None | Some("svg") => made(PictureForm::Svg),
         Some("png") => made(PictureForm::Png),
-        Some(_) => Err(format!("{}: a picture is .svg or .png; another name, or --as, says which", path.display())),
+        Some(_) => Err(format!("{}: a picture is .svg or .png; name another file", path.display())),
     }
 }
 
