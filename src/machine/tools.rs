@@ -160,6 +160,17 @@ impl Tools {
     pub fn other_of_number(&self, key: &ToolKey) -> Option<u32> {
         let tool = self.table.get(key).filter(|_| matches!(key, ToolKey::Name(_)))?;
         let number = tool.number?;
+        if let (ToolKey::Name(name), own) = (key, self.own_number(number)) {
+            // Its row in the table of the control.
+            let rows = |(key, row): (&ToolKey, &Tool)| match key {
+                ToolKey::Number(own, 0) if row.name.as_deref() == Some(name) => Some(*own),
+                _ => None,
+            };
+            let other = self.table.iter().filter_map(rows).find(|row| *row != own);
+            if other.is_some() {
+                return other;
+            }
+        }
         let own = self.own_number(number);
         let is_other = own != number || self.by_number(own, 0).is_some_and(|other| !tool.adds_nothing_to(other));
         is_other.then_some(own)

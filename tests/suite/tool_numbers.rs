@@ -88,6 +88,20 @@ fn a_named_tool_has_its_own_data() {
     assert!(!found.contains(&"P0203") && output.contains("X-1 "), "{found:?} {output}");
 }
 
+/// The control knows the name under another number, from its table or from the program.
+#[test]
+fn a_name_has_one_number_on_the_control() {
+    let program = "T=\"MILL\" M6 D1\nS1000 M3 F200\nG0 X-20 Y-10 Z0\nG41 G1 X0 Y0\nY20\nG40 X-20\nM30\n";
+    let written = format!("$TC_TP2[800]=\"MILL\"\n$TC_DP6[800,1]=1\n$TC_DP6[7,1]=2\n{program}");
+    let row = "[tools.800]\nname = \"MILL\"\nradius = 1.0\n";
+    for (program, config) in [(written.as_str(), ""), (program, row)] {
+        let (found, output) = codes("sinumerik", "A.MPF", program, &format!("[tools.MILL]\nnumber = 7\n{config}"));
+        assert!(found.contains(&"P0203") && output.is_empty(), "{found:?} {output}");
+    }
+    let (found, output) = codes("sinumerik", "A.MPF", program, &format!("{row}number = 7\n"));
+    assert!(output.contains("T7 M6") && output.contains("X-1 "), "{found:?} {output}");
+}
+
 #[test]
 fn a_named_tool_and_a_numbered_one_are_two() {
     let config = "[tools.MILL]\nnumber = 7\nradius = 1.0\n";

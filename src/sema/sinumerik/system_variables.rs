@@ -29,6 +29,17 @@ impl SystemVariables {
         self.get(key).and_then(Val::number)
     }
 
+    /// The tool that the program gave this name, `$TC_TP2[number]`.
+    pub fn tool_named(&self, name: &str) -> Option<u32> {
+        let named = |(key, value): (&String, &Val)| match value {
+            Val::Text(text) if **text == *name.as_bytes() => {
+                key.strip_prefix("$TC_TP2[")?.strip_suffix(']')?.parse::<u32>().ok()
+            }
+            _ => None,
+        };
+        self.written.iter().find_map(named)
+    }
+
     pub fn set(&mut self, key: String, value: Val) {
         self.written.insert(key, value);
     }

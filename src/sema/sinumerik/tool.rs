@@ -184,7 +184,8 @@ impl Channel<'_> {
         match tools.by_exact_name(name) {
             Some((Some(printed), _)) => {
                 let Some(key) = tools.key_of_name(name, true) else { return Ok(printed) };
-                if let Some(other) = tools.other_of_number(key) {
+                let written = self.st.system.tool_named(name).filter(|own| tools.printed_number(*own) != printed);
+                if let Some(other) = tools.other_of_number(key).or(written) {
                     self.report(self.another_tool(key, &ToolKey::Number(other, 0), printed, span));
                     return Err(Reported);
                 }
