@@ -242,8 +242,13 @@ impl<'a> Printer<'a> {
                 }
             }
             Preparation::Nothing => {}
-            Preparation::Switch if words.with_move => return self.switches_in_move(words, mv, origin),
-            Preparation::Switch => self.switch_side(mv, origin),
+            Preparation::Switch => {
+                self.begins_at_rapid(mv, origin);
+                if words.with_move {
+                    return self.switches_in_move(words, mv, origin);
+                }
+                self.switch_side(mv, origin);
+            }
             Preparation::Refuse(found) => {
                 if let Some(found) = found {
                     self.diags.push(*found);

@@ -147,6 +147,11 @@ const BUILT: &[Built] = &[
         fires: || on("uccnc", "G18 G2 X10 Z5 I5 K0 F100", LINES),
         silent: || on("uccnc", "G17 G2 X10 Y0 I5 J0 F100", LINES),
     },
+    Built {
+        code: "O4005",
+        fires: || on("linuxcnc", "T1 M6\nG0 G41 X20 Y0 Z0\nG1 Y30 F100\nG40 X50", FAR_TOOL),
+        silent: || on("linuxcnc", "T1 M6\nG1 G41 X20 Y0 Z0 F100\nY30\nG40 X50", FAR_TOOL),
+    },
     Built { code: "O2002", fires: || on("mach3", "G55", ""), silent: || on("fanuc", "G55", "") },
     Built { code: "O9331", fires: || on("mach3", "G4 F1", ""), silent: || on("mach3", "G4 F1", SECONDS) },
     Built {

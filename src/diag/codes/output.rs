@@ -56,6 +56,11 @@ all are G15 H1 to H9."
 O4004 Note "arc-as-lines-within-tolerance" "arc that the target cannot say is printed as lines"
 "`[output] arc_fallback_tolerance` allows lines for arcs that the selected target cannot say, and says how far they may leave the arc. The ends are exact."
 
+O4005 Warning "compensation-begins-at-rapid" "radius compensation of the target begins in a rapid move"
+"`[output] compensation = \"control\"`, and the move that leads to the contour is a rapid one. Each control has its own way to the first element: LinuxCNC \
+for one goes at rapid traverse to a place beside the contour that may lie farther along it, where the tool cuts already. Lead to the contour at a feed (F in the block of \
+G41, G42, RL or RR), or have partc compute the path: `compensation = \"resolve\"`."
+
 O9001 Error "word-unknown-to-target" "the target has no word for this"
 "The program asks for something that the selected target cannot express. Choose another target or change the program."
 

@@ -36,6 +36,11 @@ S8010 Note "siemens-edges" "tool data of the control are not printed"
 "A tool of the target has one set of offsets, in a table of its own. Edges D2 and higher, and lengths that the program writes ($TC_DP3), are \
 not printed; the target has to be told them. Under G41 and G42 the radius of the edge counts: where it is not known the block is refused."
 
+S8254 Warning "siemens-edge-without-length" "lengths of a cutting edge are not known"
+"A tool of the target has one set of lengths, those of D1. The program takes another edge, and neither it nor the tool data say what lengths \
+that has: where they differ, every position behind it is off by the difference. Give the edge a tool number of its own, or tell both lengths \
+($TC_DP3 to $TC_DP5); lengths that differ are refused (S9021)."
+
 S8011 Note "siemens-g500" "how positions under G500 are printed"
 "G500 switches the work offset off, so that positions count from the basic system: the machine zero, shifted by the basic frame. Where the program uses no offset \
 of the machine they are printed as they stand; the offset that is active on the target has to be zero or to lie there. Beside offsets of the machine they are \

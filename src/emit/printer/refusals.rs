@@ -1,7 +1,7 @@
 //! What the target has no word for: each refused with its place, and with what to do.
 
 use crate::diag::{Answer, Code, Diagnostic, codes};
-use crate::ir::motion::Move;
+use crate::ir::motion::{Move, Path};
 use crate::ir::{Origin, Side};
 use crate::machine::settings::Quantity;
 use crate::machine::{Axis, AxisSet};
@@ -182,6 +182,15 @@ impl Printer<'_> {
         let help = "set `[output] dwell_unit` as the receiver is set";
         let help = Answer::key("output", "dwell_unit").one_of(&["\"seconds\"", "\"milliseconds\""]).help(help);
         self.diags.push(Diagnostic::new(codes::O9331, origin.loc, message).help(help).called(origin.call));
+    }
+
+    /// The target may choose a place farther along the contour as the end of its way there.
+    pub(super) fn begins_at_rapid(&self, mv: &Move, origin: &Origin) {
+        if mv.side != Side::None && matches!(mv.path, Path::Rapid) && self.diags.first_time(codes::O4005) {
+            let message = "radius compensation begins in a rapid move: where the target goes beside the contour is its own choice";
+            let help = "lead to the contour at a feed, or set `[output] compensation = \"resolve\"`";
+            self.diags.push(Diagnostic::new(codes::O4005, origin.loc, message).help(help).called(origin.call));
+        }
     }
 
     /// Does a printed feed or speed say what the program says? Reported where rounding to its places takes or adds much

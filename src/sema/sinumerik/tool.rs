@@ -271,14 +271,28 @@ impl Channel<'_> {
         }
         self.refuse_other_length(edge, span)?;
         self.st.tool.select_edge(edge);
-        if edge > 1 {
+        if edge > 1 && self.has_length_of_first(edge) {
             self.note_once(
                 codes::S8010,
                 span,
                 "cutting edges other than D1 are not printed: the target knows one offset a tool",
             );
+        } else if edge > 1 && self.job.diags.first_time(codes::S8254) {
+            let message = format!(
+                "D{edge} is not printed, and its lengths are not known: the target takes those of D1, and goes wrong by the \
+                 difference"
+            );
+            let help = "give the edge a tool number of its own, or tell its lengths: `$TC_DP3` to `$TC_DP5` in the tool data";
+            self.report(Diagnostic::new(codes::S8254, self.loc(span), message).help(help));
         }
         Ok(())
+    }
+
+    /// Is it known that the edge has the lengths of D1?
+    fn has_length_of_first(&self, edge: u32) -> bool {
+        let Some(number) = self.st.tool.active else { return false };
+        let length = |edge: u32, parameter: u8| self.st.system.number(&format!("$TC_DP{parameter}[{number},{edge}]"));
+        length(1, 3).is_some() && (3..=5).all(|parameter| length(1, parameter) == length(edge, parameter))
     }
 
     /// The program writes `$TC_…`: what the radius compensation takes from the edge in use counts from the next selection.
