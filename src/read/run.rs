@@ -253,6 +253,7 @@ impl Reader {
                 return Err(Fault::new("a feed in machine coordinates"));
             }
             1 => Path::Line,
+            33 if block.machine => return Err(Fault::new("a thread in machine coordinates")),
             33 => {
                 let lead = block.take(self.rules.lead).filter(|lead| *lead > 0);
                 if self.rules.lead == b'F' {

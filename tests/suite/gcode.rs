@@ -77,3 +77,14 @@ fn far_places_are_read() {
         assert!(compiled.has_errors() || !compiled.output.is_empty(), "{program}");
     }
 }
+
+/// G53 is for straight ways.
+#[test]
+fn threads_and_arcs_in_machine_coordinates_are_refused() {
+    for block in ["G53 G33 Z-10 K1.5", "G33 G53 Z-10 K30", "G53 G2 X5 Y5 I5 J0 F100"] {
+        let program = format!("G90 G21 G17 G94 G91.1\nG0 X0 Y0 Z5\nS1000 M3\n{block}\nM30\n");
+        let settings = dialect::find("gcode").expect("a dialect").settings(&Default::default()).into_owned();
+        let compiled = compile_bytes("far.ngc", program.into_bytes(), "gcode", &settings, &NoFiles);
+        assert!(compiled.has_errors() && compiled.output.is_empty(), "{block}: {:?}", compiled.rendered);
+    }
+}

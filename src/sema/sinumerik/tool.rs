@@ -282,7 +282,8 @@ impl Channel<'_> {
                 "D{edge} is not printed, and its lengths are not known: the target takes those of D1, and goes wrong by the \
                  difference"
             );
-            let help = "give the edge a tool number of its own, or tell its lengths: `$TC_DP3` to `$TC_DP5` in the tool data";
+            let help =
+                "give the edge a tool number of its own, or tell its lengths: `$TC_DP3` to `$TC_DP5` in the tool data";
             self.report(Diagnostic::new(codes::S8254, self.loc(span), message).help(help));
         }
         Ok(())
