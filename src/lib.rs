@@ -77,6 +77,14 @@ pub mod output {
     pub use crate::target::{ALL as TARGETS, Target};
 }
 
+/// What a program comes to: figures, pictures, and what two programs do differently.
+pub mod results {
+    pub use crate::compare::{Difference, Step, Steps, Stop, steps_of_text};
+    pub use crate::emit::is_printed;
+    pub use crate::emit::plot::{Form, Options, Plot, Side};
+    pub use crate::emit::stats::{Model, Stats};
+}
+
 /// The languages that partc reads.
 pub mod languages {
     pub use crate::dialect::{ALL, Dialect, find, guess};
