@@ -60,7 +60,7 @@ pub mod files {
 
 /// What the user can say about a run: `partc.toml` as data.
 pub mod settings {
-    pub use crate::machine::config::from_toml;
+    pub use crate::machine::config::{from_toml, read};
     pub use crate::machine::settings::*;
     pub use crate::machine::tree::ConfigError;
     pub use crate::machine::{schema, show, table, tools, tree};

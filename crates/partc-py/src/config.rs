@@ -77,14 +77,14 @@ fn made(tree: &Table, tables: &Named) -> Result<partc::Settings, Fault> {
         let why = "`extend` names a file: read the configuration with Config.from_file";
         return Err(Fault::Config(node.fail(why).to_string()));
     }
-    let all = |errors: Vec<ConfigError>| {
-        Fault::Config(errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))
-    };
+    let all =
+        |errors: Vec<ConfigError>| Fault::Config(errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"));
     let mut settings = settings::read(&tree).map_err(all)?;
     let trouble = |name: &str, why: String| Fault::Config(format!("{name}: {why}"));
     for name in host::table_paths(&tree) {
         let Some(bytes) = find(tables, &name) else { continue };
-        let contents = table::read(&String::from_utf8_lossy(bytes)).map_err(|error| trouble(&name, error.to_string()))?;
+        let contents =
+            table::read(&String::from_utf8_lossy(bytes)).map_err(|error| trouble(&name, error.to_string()))?;
         if contents.has_tools() {
             settings.tools.add(contents).map_err(|why| trouble(&name, why))?;
         } else if contents.kind == Kind::Datums {

@@ -25,7 +25,10 @@ const PLAIN: [&str; 6] = ["ngc", "gcode", "nc", "tap", "cnc", "gc"];
 /// Where a program is.
 #[derive(Debug, Clone)]
 enum Source {
-    Bytes { name: String, bytes: Arc<[u8]> },
+    Bytes {
+        name: String,
+        bytes: Arc<[u8]>,
+    },
     /// On disk, with the programs and the configuration around it.
     Path(PathBuf),
 }
@@ -202,8 +205,8 @@ impl Job {
     /// The steps of the program, or of plain G-code; findings where it has errors.
     fn steps(&self, tolerance: f64) -> Result<(Vec<Step>, bool, Vec<Finding>), Fault> {
         if let Some(text) = self.plain()? {
-            let steps = steps_of_text(&text, tolerance)
-                .map_err(|stop| Fault::Config(format!("{}: {stop}", self.name())))?;
+            let steps =
+                steps_of_text(&text, tolerance).map_err(|stop| Fault::Config(format!("{}: {stop}", self.name())))?;
             return Ok((steps, true, Vec::new()));
         }
         let opened = self.open()?;
@@ -228,8 +231,7 @@ impl Job {
         let head = &text[..text.len().min(PLAIN_HEAD)];
         let extension = name.rsplit_once('.').map(|(_, extension)| extension.to_lowercase());
         let named = extension.is_some_and(|extension| PLAIN.contains(&extension.as_str()));
-        let is_plain = is_printed(head)
-            || languages::guess(&name, head).map_or(named, |dialect| dialect.id == "gcode");
+        let is_plain = is_printed(head) || languages::guess(&name, head).map_or(named, |dialect| dialect.id == "gcode");
         Ok(is_plain.then_some(text))
     }
 
