@@ -4,6 +4,11 @@ use std::fmt;
 use std::io;
 use std::rc::Rc;
 
+#[cfg(feature = "arrow")]
+use arrow_array::RecordBatch;
+
+#[cfg(feature = "arrow")]
+use crate::columns::{self, Columns};
 use crate::diag::{Diags, Judge, Trail};
 use crate::dialect::Dialect;
 use crate::emit::plot::{self, Plot};
@@ -302,6 +307,23 @@ impl Session {
         let mut trace = Trace::new(&self.sources, &self.trail, out);
         self.run(dialect, settings, files, &mut trace);
         trace.finish()
+    }
+
+    /// Gives the resolved moves as record batches to `take`, which says whether it wants more. With an error among the
+    /// findings none of them must be used.
+    #[cfg(feature = "arrow")]
+    pub fn trace_batches(
+        &self,
+        dialect: &Dialect,
+        settings: &Settings,
+        files: &dyn Files,
+        options: columns::Options,
+        take: &mut dyn FnMut(RecordBatch) -> bool,
+    ) {
+        self.judge(dialect, settings);
+        let mut columns = Columns::new(&self.sources, &self.trail, options, take);
+        self.run(dialect, settings, files, &mut columns);
+        columns.finish();
     }
 }
 

@@ -18,6 +18,8 @@
 
 #[cfg(feature = "cli")]
 pub mod cli;
+#[cfg(feature = "arrow")]
+mod columns;
 mod compare;
 mod diag;
 mod dialect;
@@ -46,6 +48,8 @@ mod validated;
 
 pub use dialect::Dialect;
 pub use driver::{Failure, Session};
+#[cfg(feature = "arrow")]
+pub use facade::trace_batches;
 pub use facade::{Outcome, Program, Trouble, check, compile, trace};
 pub use machine::Settings;
 
@@ -75,6 +79,13 @@ pub mod diagnostics {
 pub mod output {
     pub use crate::emit::{LineMap, Output};
     pub use crate::target::{ALL as TARGETS, Target};
+}
+
+/// The moves of a program as record batches of Arrow.
+#[cfg(feature = "arrow")]
+pub mod table {
+    pub use crate::columns::{COLUMNS, Column, Kind, Options, VERSION, VERSION_KEY, schema};
+    pub use crate::emit::stats::Model;
 }
 
 /// The languages that partc reads.
