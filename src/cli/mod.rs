@@ -4,6 +4,7 @@ mod answers;
 mod args;
 mod bundle;
 mod config;
+mod deps;
 mod diff;
 mod disk;
 mod edit;
@@ -12,8 +13,10 @@ mod golden;
 mod ignores;
 mod init;
 mod inputs;
+mod key;
 mod listing;
 mod lsp;
+mod merge;
 mod output;
 mod page;
 mod pending;
@@ -26,14 +29,13 @@ mod stats;
 mod summary;
 mod targets;
 mod tools;
+mod trace;
 mod unified;
 mod watch;
 
 use std::io::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
-
-use clap::Parser as _;
 
 use crate::text::decode::harmless_lines;
 
@@ -57,7 +59,7 @@ type Trouble = String;
 
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
-    let args = match Args::try_parse() {
+    let args = match Args::read() {
         Ok(args) => args,
         Err(error) => {
             // The text quotes arguments; colours only where it brings nothing else along.
@@ -95,7 +97,7 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
         Command::Compile(compile) => run::compile(compile),
         Command::Check(check) => run::check(check),
         Command::Init(init) => init::init(init),
-        Command::Trace(trace) => run::trace(trace),
+        Command::Trace(trace) => trace::trace(trace),
         Command::Plot(plot) => plot::plot(plot),
         Command::Report(args) => page::report(args),
         Command::Stats(args) => stats::stats(args),
@@ -104,6 +106,8 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
         Command::Config(show) => config::command(show),
         Command::Explain { code, format } => listing::explain(code, *format),
         Command::Rules { format } => listing::rules(*format),
+        Command::Key(args) => key::key(args),
+        Command::Merge(args) => merge::merge(args),
         Command::Watch(args) => watch::watch(args),
         Command::Tools(args) => tools::tools(args),
         Command::Lsp(common) => lsp::serve(common),
