@@ -1,5 +1,6 @@
 //! The arguments.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, TypedValueParser};
@@ -502,6 +503,24 @@ pub(super) struct Common {
     pub stdin_filename: Option<PathBuf>,
 }
 
+impl Common {
+    /// The options of a caller that is no command line.
+    pub fn asking(dialect: Option<&str>, target: Option<&str>) -> Common {
+        let report = Report { format: None, select: None, ignore: None, quiet: true, color: Color::Never };
+        Common {
+            dialect: dialect.unwrap_or("auto").to_owned(),
+            target: target.map(str::to_owned),
+            numbers: None,
+            config: None,
+            isolated: false,
+            tools: None,
+            compensation: None,
+            report,
+            stdin_filename: None,
+        }
+    }
+}
+
 /// How findings are shown.
 #[derive(Debug, Clone, ClapArgs)]
 pub(super) struct Report {
@@ -647,12 +666,12 @@ pub(super) fn command() -> clap::Command {
 }
 
 impl Args {
-    /// The arguments of this process.
+    /// Reads a command line, the name of the program in front.
     ///
     /// # Errors
     /// What clap has to say, help included.
-    pub fn read() -> Result<Args, clap::Error> {
-        Args::from_arg_matches(&command().try_get_matches()?)
+    pub fn read(arguments: impl IntoIterator<Item = OsString>) -> Result<Args, clap::Error> {
+        Args::from_arg_matches(&command().try_get_matches_from(arguments)?)
     }
 }
 
