@@ -240,7 +240,7 @@ fn values_between_commas() {
     assert!(!text.replace("\r\n", "").contains(['\r', '\n']) && text.ends_with("\r\n"));
     assert_eq!(
         lines[2],
-        "line,0,0,10,,,,,,,3,0.3,10,,,,,,,,,,,,,,200,per_minute,2000,speed,,cw,3,,false,3.0149626863362675,0.9077822392342136,\
+        "line,0,0,10,,,,,,,3,0.3,10,,,,,,,,,,,,,,200,per_minute,2000,speed,,cw,3,,false,3.014962686336267,0.9061554725675467,\
          \"LATE, \"\"B\"\".H\",4,3,"
     );
     assert!(lines[39].contains(",B.H,2,1,\"LATE, \"\"B\"\".H:41\""), "{}", lines[39]);
