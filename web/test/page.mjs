@@ -192,6 +192,25 @@ async function heavy() {
   await context.close();
 }
 
+/** On paper every table is whole, and what is dark on the screen is on white. */
+async function printed(page) {
+  await page.emulateMedia({ media: "print" });
+  await page.setViewportSize({ width: 720, height: 1000 });
+  await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  await picture(page, "printed");
+  const { wide, tables, white } = await page.evaluate(() => {
+    const tables = [...document.querySelectorAll(".pages table")];
+    const shown = tables.filter((table) => table.getBoundingClientRect().height > 0);
+    return { wide: shown.map((table) => table.getBoundingClientRect().right), tables: [tables.length, shown.length], white: getComputedStyle(document.querySelector(".pages > div:not([hidden])") ?? document.body).color };
+  });
+  assert.deepEqual(tables, [2, 2]);
+  assert.ok(wide.every((right) => right <= 720), `tables end at ${wide}`);
+  assert.equal(white, "rgb(27, 32, 36)");
+  await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
+  await page.emulateMedia({ media: "screen", colorScheme: "dark" });
+  await page.setViewportSize({ width: 1500, height: 900 });
+}
+
 async function reports() {
   const page = readFileSync(new URL("../dist/report.html", import.meta.url));
   figure("report without data", Math.round(page.length / 1000), 400, "KB", page.length <= 400_000);
@@ -202,6 +221,7 @@ async function reports() {
   const code = await opened.page.evaluate(() => window.partc.state.made.code);
   assert.equal(code, execFileSync(partc, ["compile", program, "-o", "-"], { stdio: ["ignore", "pipe", "ignore"] }).toString());
   await picture(opened.page, "report");
+  await printed(opened.page);
   assert.deepEqual(await serious(opened.page), [], "axe, report");
   assert.deepEqual(opened.heard, { requests: [], errors: [] });
   await opened.context.close();
