@@ -4,6 +4,11 @@ use std::fmt;
 use std::io;
 use std::rc::Rc;
 
+#[cfg(feature = "arrow")]
+use arrow_array::RecordBatch;
+
+#[cfg(feature = "arrow")]
+use crate::columns::{self, Columns};
 use crate::diag::{Diags, Judge, Trail};
 use crate::dialect::Dialect;
 use crate::emit::plot::{self, Plot};
@@ -141,7 +146,24 @@ impl Session {
         self.compile_beside(dialect, settings, files, out, map, None)
     }
 
-    /// The same, and shows each item to `beside` once it is printed.
+    /// Compiles without a source map, and counts as [`Session::stats`] does.
+    ///
+    /// # Errors
+    /// As [`Session::compile`].
+    pub fn compile_counted<'a>(
+        &'a self,
+        dialect: &Dialect,
+        settings: &'a Settings,
+        files: &dyn Files,
+        out: &'a mut dyn Output,
+        model: Model,
+    ) -> Result<Stats, Failure> {
+        let mut counter = Counter::new(model);
+        self.compile_beside(dialect, settings, files, out, None, Some(&mut counter))?;
+        Ok(counter.finish())
+    }
+
+    /// Compiles, and shows each item to `beside` once it is printed.
     pub(crate) fn compile_beside<'a>(
         &'a self,
         dialect: &Dialect,
@@ -302,6 +324,23 @@ impl Session {
         let mut trace = Trace::new(&self.sources, &self.trail, out);
         self.run(dialect, settings, files, &mut trace);
         trace.finish()
+    }
+
+    /// Gives the resolved moves as record batches to `take`, which says whether it wants more. With an error among the
+    /// findings none of them must be used.
+    #[cfg(feature = "arrow")]
+    pub fn trace_batches(
+        &self,
+        dialect: &Dialect,
+        settings: &Settings,
+        files: &dyn Files,
+        options: columns::Options,
+        take: &mut dyn FnMut(RecordBatch) -> bool,
+    ) {
+        self.judge(dialect, settings);
+        let mut columns = Columns::new(&self.sources, &self.trail, options, take);
+        self.run(dialect, settings, files, &mut columns);
+        columns.finish();
     }
 }
 

@@ -111,6 +111,23 @@ pub fn trace(program: &Program<'_>, settings: &Settings, files: &dyn Files) -> R
     Ok(outcome(session, out))
 }
 
+/// The resolved moves of a program as record batches of [`table::schema`](crate::table::schema), in order.
+///
+/// Each goes to `take`, which says whether it wants more. Batches come before the findings are known: with an error among
+/// these none of them must be used.
+#[cfg(feature = "arrow")]
+pub fn trace_batches(
+    program: &Program<'_>,
+    settings: &Settings,
+    files: &dyn Files,
+    options: crate::table::Options,
+    take: &mut dyn FnMut(arrow_array::RecordBatch) -> bool,
+) -> Vec<Finding> {
+    let session = program.session();
+    session.trace_batches(program.dialect, settings, files, options, take);
+    findings(session)
+}
+
 /// Everything there is to say of a program, also of blocks that never run.
 pub fn check(program: &Program<'_>, settings: &Settings, files: &dyn Files) -> Vec<Finding> {
     let session = program.session();

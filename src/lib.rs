@@ -18,6 +18,8 @@
 
 #[cfg(feature = "cli")]
 pub mod cli;
+#[cfg(feature = "arrow")]
+mod columns;
 mod compare;
 mod diag;
 mod dialect;
@@ -46,6 +48,8 @@ mod validated;
 
 pub use dialect::Dialect;
 pub use driver::{Failure, Session};
+#[cfg(feature = "arrow")]
+pub use facade::trace_batches;
 pub use facade::{Outcome, Program, Trouble, check, compile, trace};
 pub use machine::Settings;
 
@@ -56,7 +60,7 @@ pub mod files {
 
 /// What the user can say about a run: `partc.toml` as data.
 pub mod settings {
-    pub use crate::machine::config::from_toml;
+    pub use crate::machine::config::{from_toml, read};
     pub use crate::machine::settings::*;
     pub use crate::machine::tree::ConfigError;
     pub use crate::machine::{schema, show, table, tools, tree};
@@ -75,6 +79,21 @@ pub mod diagnostics {
 pub mod output {
     pub use crate::emit::{LineMap, Output};
     pub use crate::target::{ALL as TARGETS, Target};
+}
+
+/// What a program comes to: figures, pictures, and what two programs do differently.
+pub mod results {
+    pub use crate::compare::{Difference, Step, Steps, Stop, steps_of_text};
+    pub use crate::emit::is_printed;
+    pub use crate::emit::plot::{Form, Options, Plot, Side};
+    pub use crate::emit::stats::{Model, Stats};
+}
+
+/// The moves of a program as record batches of Arrow.
+#[cfg(feature = "arrow")]
+pub mod table {
+    pub use crate::columns::{COLUMNS, Column, Kind, Options, VERSION, VERSION_KEY, schema};
+    pub use crate::emit::stats::Model;
 }
 
 /// The languages that partc reads.

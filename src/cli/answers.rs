@@ -14,6 +14,8 @@ const WIDTH: usize = 34;
 const QUOTED: usize = 60;
 /// Numbers handed out while a program is tried that calls tools by name.
 const FIRST_TRIED: u32 = 9001;
+/// Work offsets handed out while a program is tried, from the last on: programs name the first ones themselves.
+const TRIED_OFFSETS: [&str; 9] = ["G59.3", "G59.2", "G59.1", "G59", "G58", "G57", "G56", "G55", "G54"];
 
 /// A block that asks for a key.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -161,6 +163,18 @@ impl Needs {
         }
     }
 
+    /// The tool that is called by name and was tried with this number, as TOML writes it.
+    pub fn name_of(&self, number: u32) -> Option<&str> {
+        self.names.get(number.checked_sub(FIRST_TRIED)? as usize).map(String::as_str)
+    }
+
+    /// Is this word one that a program was tried with?
+    pub fn is_tried_offset(&self, word: &str) -> bool {
+        let datums = |need: &&Need| need.answer.section == "datums" && need.choices().is_empty();
+        let tried = self.map.values().filter(datums).count();
+        TRIED_OFFSETS.iter().take(tried).any(|given| *given == word)
+    }
+
     /// The request with the name of a tool in place of the number that it was tried with.
     pub fn by_its_name(&mut self, request: Request) -> Request {
         Request { answer: self.by_name(&request.answer), ..request }
@@ -179,9 +193,9 @@ impl Needs {
             }
             answer.path[0] = name;
         } else if let Ok(number) = answer.path[0].parse::<u32>()
-            && let Some(name) = number.checked_sub(FIRST_TRIED).and_then(|at| self.names.get(at as usize))
+            && let Some(name) = self.name_of(number)
         {
-            answer.path[0] = name.clone();
+            answer.path[0] = name.to_owned();
         }
         answer
     }
@@ -200,7 +214,13 @@ impl Needs {
                 continue;
             }
             let _ = writeln!(text, "{}[{}]", if text.is_empty() { "" } else { "\n" }, section.name);
+            let mut offsets = TRIED_OFFSETS.iter().chain(std::iter::repeat(&"G54"));
             for need in needs {
+                if form == Form::Tried && section.name == "datums" && need.choices().is_empty() {
+                    let word = offsets.next().unwrap_or(&"G54");
+                    let _ = writeln!(text, "{} = \"{word}\"", need.answer.place().1);
+                    continue;
+                }
                 line(&mut text, form, need, &|key| listed(section.name, key));
             }
         }
@@ -361,7 +381,6 @@ fn tried(answer: &Answer) -> &'static str {
         ("control", "feed" | "rapid_feed") => "1000.0",
         ("output", "rapid_feed") => "1000",
         ("control", "retract_max") | ("start" | "machine", _) => "0.0",
-        ("datums", _) => "\"G54\"",
         ("include", _) => "\".\"",
         ("control", "modulo") => "\"truncate\"",
         _ => "1.0",

@@ -139,12 +139,36 @@ fn index(folder: &Path) -> BTreeMap<String, BTreeSet<PathBuf>> {
 /// Something a program uses, with the place of its first use.
 type Seen<K> = BTreeMap<K, (Place, u32)>;
 
+/// How a program calls a tool.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+enum Called {
+    Number(u32),
+    /// In quotes.
+    Name(String),
+}
+
+impl Called {
+    /// The tool that was printed as `number` when a program was tried with `needs`.
+    fn of(number: u32, needs: &Needs) -> Called {
+        needs.name_of(number).map_or(Called::Number(number), |name| Called::Name(name.to_owned()))
+    }
+}
+
+impl std::fmt::Display for Called {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Called::Number(number) => write!(f, "{number}"),
+            Called::Name(name) => f.write_str(name),
+        }
+    }
+}
+
 /// What one program came to.
 struct Trial {
     dialect: &'static Dialect,
     needs: Needs,
-    /// Numbers of its tools, with what they do.
-    tools: Vec<(u32, Place, String)>,
+    /// Its tools, with what they do.
+    tools: Vec<(Called, Place, String)>,
     offsets: Vec<(u8, Place)>,
     cutting_speed: Option<Place>,
     /// Called programs that no key stands for.
@@ -166,6 +190,7 @@ impl Trial {
         let lists = lists(&config::settings_of(&base, common)?);
         let (mut trial, mut all): (Option<Trial>, Vec<Request>) = (None, Vec::new());
         for round in 0..MOST_ROUNDS {
+            let tried_with = needs.clone();
             let settings = tried(&base, &needs, &lists, folder, common)?;
             let Loaded { session, dialect, settings, files, .. } = load_with(path, common, settings)?;
             let uses = session.uses(dialect, &settings, &files);
@@ -183,10 +208,15 @@ impl Trial {
                     .map(|(number, tool)| {
                         let mut what: Vec<String> = tool.cycles.iter().map(|family| words(family)).collect();
                         what.extend(tool.compensated.then(|| "radius compensation".to_owned()));
-                        (*number, place(tool.first), what.join(", "))
+                        (Called::of(*number, &tried_with), place(tool.first), what.join(", "))
                     })
                     .collect(),
-                offsets: uses.offsets.iter().map(|(number, loc)| (*number, place(*loc))).collect(),
+                offsets: uses
+                    .offsets
+                    .iter()
+                    .filter(|(number, _)| !tried_with.is_tried_offset(&offset(**number)))
+                    .map(|(number, loc)| (*number, place(*loc)))
+                    .collect(),
                 cutting_speed: uses
                     .cutting_speed
                     .filter(|_| settings.machine.kind == MachineKind::Mill && !dialect.turns)
@@ -282,7 +312,7 @@ struct Programs {
     after: u32,
     dialects: BTreeMap<&'static str, u32>,
     needs: Needs,
-    tools: BTreeMap<u32, (Place, BTreeSet<String>, u32)>,
+    tools: BTreeMap<Called, (Place, BTreeSet<String>, u32)>,
     offsets: Seen<u8>,
     cutting_speed: Option<(Place, u32)>,
     missing: Seen<String>,
@@ -300,8 +330,8 @@ impl Programs {
             (false, _) => {}
         }
         self.needs.join(&trial.needs);
-        for (number, place, what) in trial.tools {
-            let tool = self.tools.entry(number).or_insert_with(|| (place, BTreeSet::new(), 0));
+        for (called, place, what) in trial.tools {
+            let tool = self.tools.entry(called).or_insert_with(|| (place, BTreeSet::new(), 0));
             tool.1.extend(what.split(", ").filter(|what| !what.is_empty()).map(str::to_owned));
             tool.2 += 1;
         }
@@ -331,7 +361,11 @@ impl Programs {
             text += &format!("\n# It held for these programs until now.\nextend = \"{above}\"\n");
         }
         self.seen(&mut text);
-        let taken = self.tools.keys().copied().filter(|number| *number < 9000).collect();
+        let number = |called: &Called| match called {
+            Called::Number(number) => Some(*number),
+            Called::Name(_) => None,
+        };
+        let taken = self.tools.keys().filter_map(number).collect();
         let listed = |section: &str, key: &str| {
             self.lists.get(&(section.to_owned(), key.to_owned())).cloned().unwrap_or_default()
         };
@@ -371,10 +405,10 @@ impl Programs {
         if !self.tools.is_empty() {
             *text += "#\n# Tools that are called:\n";
         }
-        for (number, (place, what, programs)) in self.tools.iter().filter(|(number, _)| **number < 9000) {
+        for (called, (place, what, programs)) in &self.tools {
             let what = what.iter().cloned().collect::<Vec<_>>().join(", ");
             let what = if what.is_empty() { "moves only".to_owned() } else { what };
-            let _ = writeln!(text, "#   {number}: {what}; {}{}", at(place), more(*programs));
+            let _ = writeln!(text, "#   {called}: {what}; {}{}", at(place), more(*programs));
         }
         if !self.offsets.is_empty() {
             *text += "#\n# Work offsets that are selected; their values are set on the machine:\n";

@@ -15,6 +15,7 @@ mod page;
 pub mod plot;
 pub mod printer;
 pub mod stats;
+pub mod told;
 pub mod trace;
 
 use std::io;

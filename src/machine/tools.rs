@@ -65,6 +65,11 @@ pub struct Tool {
 }
 
 impl Tool {
+    /// Is nothing known of it but what to print for it?
+    fn is_only_numbered(&self) -> bool {
+        self.number.is_some() && *self == Tool { number: self.number, ..Tool::default() }
+    }
+
     /// Is all that is known of it known of `other`, too, and the same?
     fn adds_nothing_to(&self, other: &Tool) -> bool {
         let none = Tool::default();
@@ -120,6 +125,11 @@ impl Tools {
         for (key, tool) in contents.tools {
             match (self.table.entry(key), contents.edges.is_empty()) {
                 (Entry::Vacant(free), _) => drop(free.insert(tool)),
+                // A number to print says nothing of the tool itself.
+                (Entry::Occupied(mut known), _) if known.get().is_only_numbered() => {
+                    let number = known.get().number;
+                    *known.get_mut() = Tool { number, ..tool };
+                }
                 // What partc.toml says of a tool is its edge 1.
                 (Entry::Occupied(known), false) => {
                     if let ToolKey::Number(number, 0) = *known.key() {
@@ -172,7 +182,9 @@ impl Tools {
             }
         }
         let own = self.own_number(number);
-        let is_other = own != number || self.by_number(own, 0).is_some_and(|other| !tool.adds_nothing_to(other));
+        let differs =
+            |other: &Tool| other.number.is_some_and(|printed| printed != number) || !tool.adds_nothing_to(other);
+        let is_other = own != number || self.by_number(own, 0).is_some_and(differs);
         is_other.then_some(own)
     }
 
@@ -195,7 +207,8 @@ impl Tools {
         self.table.iter().find_map(own).unwrap_or(printed)
     }
 
-    /// A tool that would be printed by the number of this one. A name may stand for a tool that has its number as key.
+    /// A tool that would be printed by the number of this one. A name may stand for a tool that has its number as key; where a
+    /// program counts the named one as that tool, it is refused there.
     pub fn rival(&self, key: &ToolKey, tool: &Tool) -> Option<&ToolKey> {
         let printed = |key: &ToolKey, tool: &Tool| match key {
             ToolKey::Number(number, 0) => Some(tool.number.unwrap_or(*number)),
@@ -207,11 +220,8 @@ impl Tools {
             match (key, *other) {
                 (ToolKey::Number(one, _), ToolKey::Number(two, _)) => same && one != two,
                 (ToolKey::Name(one), ToolKey::Name(two)) => same && one != two,
-                // Programs of a SINUMERIK know the named tool by its number.
-                (ToolKey::Name(_), ToolKey::Number(own, _)) => same && its.number.is_some() || *own == number && !same,
-                (ToolKey::Number(own, _), ToolKey::Name(_)) => {
-                    same && tool.number.is_some() || its.number == Some(*own) && !same
-                }
+                (ToolKey::Name(_), ToolKey::Number(..)) => same && its.number.is_some(),
+                (ToolKey::Number(..), ToolKey::Name(_)) => same && tool.number.is_some(),
             }
         };
         self.table.iter().find(rivals).map(|(other, _)| other)

@@ -3,6 +3,7 @@
 //! In: bytes of any encoding. Out: [`BlockText`] slices with their place. Never copies a block,
 //! never interprets a word, never opens a file itself (that is [`Files`]).
 
+pub mod block_numbers;
 pub mod blocks;
 pub mod decode;
 pub mod files;
@@ -10,6 +11,7 @@ mod holes;
 pub mod number;
 pub mod sources;
 
+pub use block_numbers::BlockNumbers;
 pub use blocks::{Cursor, Next, SplitRules};
 pub use files::{FileError, Files, Folder, Memory, Opened, ReadAt, Request};
 pub use sources::{FileId, Sources};

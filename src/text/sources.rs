@@ -170,6 +170,11 @@ impl Sources {
         }
     }
 
+    /// The byte that every line has whose block goes on, if some do.
+    pub fn joins_at(&self, id: FileId) -> Option<u8> {
+        self.files.borrow().get(id.0 as usize).and_then(|file| file.rules).map(|rules| rules.mark)
+    }
+
     /// The straight lines of a file, as far as somebody has noted them.
     pub fn straight(&self, id: FileId) -> Rc<[Stretch]> {
         self.files.borrow().get(id.0 as usize).map(|file| Rc::clone(&file.straight)).unwrap_or_default()

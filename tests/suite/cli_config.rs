@@ -94,6 +94,8 @@ fn tool_tables_of_both_kinds() {
         ("shop/A.H", RADIUS),
         ("both/partc.toml", "[tools]\ntable = \"../TOOL.T\"\n[tools.5]\nradius = 3.0\n"),
         ("both/A.H", RADIUS),
+        ("number/partc.toml", "[tools]\ntable = \"../TOOL.T\"\n[tools.5]\nnumber = 12\n"),
+        ("number/A.H", RADIUS),
     ]);
     let end = |args: &[&str]| -> String {
         let mut all = vec!["compile", "-o", "-"];
@@ -109,6 +111,9 @@ fn tool_tables_of_both_kinds() {
     // The option replaces the table of the configuration; a tool of the configuration wins over any table.
     assert_eq!(end(&["shop/A.H", "--tools", "tool.tbl"]), "G1 X54 F200");
     assert_eq!(end(&["both/A.H"]), "G1 X53 F200");
+    // A number to print leaves the rest to the table.
+    assert_eq!(end(&["number/A.H"]), "G1 X55 F200");
+    assert!(folder.run(&["compile", "number/A.H", "-o", "-"]).exits(0).out.contains("T12 M6"));
 }
 
 #[test]

@@ -18,6 +18,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("sema", &["parser", "lexer", "machine", "ir", "geo", "diag", "text", "standard", "read"]),
     ("lower", &["ir", "geo", "machine", "diag", "text"]),
     ("emit", &["ir", "machine", "target", "diag", "text", "geo"]),
+    ("columns", &["emit", "ir", "machine", "diag", "text", "geo"]),
     ("read", &[]),
     ("validate", &["read", "ir", "machine", "geo"]),
     ("compare", &["read", "sema", "ir", "machine", "geo", "text"]),

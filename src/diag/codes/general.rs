@@ -77,6 +77,10 @@ P0203 Error "tool-number-of-two" "two tools are printed by one number"
 "`number` in `[tools]` says what a tool is printed as, and the program calls another tool that is printed so, too: the machine would bring the same tool for both. Give each of them \
 a number of its own."
 
+P0204 Warning "moves-before-offset" "moves in front of the first work offset"
+"In front of the first work offset (cycle 247, G54) positions count from the one that is active on the control, which an earlier program or the operator selected. In the output these moves \
+run under the offset that is active on the target at the start, which may be another one. Select the work offset in front of the first move, or retract in machine coordinates (M91, G53)."
+
 P4001 Error "step-limit" "program runs too many blocks"
 "partc executes the program as the control would, and stops after `[limits] steps` blocks, counted from the first jump \
 or call on (10 million by default). \

@@ -1,7 +1,11 @@
 use core::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
+use super::clock::{along_arc, time_of};
 use super::*;
+use crate::geo::Plane;
 use crate::geo::Point2;
+use crate::ir::Feed;
+use crate::ir::function::Spindle;
 
 /// Speeds up and stops in no time: a way takes its length by its speed.
 const AT_ONCE: Model = Model { rapid: 6000.0, acceleration: 1e12, tool_change: 4.0 };

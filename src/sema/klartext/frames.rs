@@ -311,6 +311,24 @@ impl Run<'_> {
         }
     }
 
+    #[cold]
+    fn preset_without_offset(&mut self, number: f64, row: Option<u32>) -> Outcome {
+        let help = match row {
+            Some(_) if self.job.settings.output.target.offset_range().is_none() => {
+                "take the cycle out: positions count from where the part is set up on the machine".into()
+            }
+            Some(row) => {
+                let free = self.core.free_offset(&format!("preset.{row}"));
+                Answer::entry("datums", "preset", row)
+                    .help(format!("name one in partc.toml: `[datums]` with `preset.{row} = \"{free}\"`"))
+            }
+            None => "write the number of a row of the preset table, a whole number, into Q339".into(),
+        };
+        let message = format!("preset {number} has no work offset");
+        self.report(Diagnostic::new(codes::K2505, self.here.origin.loc, message).help(help));
+        Err(Reported)
+    }
+
     /// Cycle 247: a row of the preset table becomes a work offset.
     pub(super) fn preset(&mut self, open: &Open) -> Outcome {
         let Some(&(_, number)) = open.parameters.iter().find(|(q, _)| *q == 339) else {
@@ -325,16 +343,12 @@ impl Run<'_> {
         let configured = row.and_then(|row| self.job.settings.datums.presets.get(&row).copied());
         let offset = configured.or(row.filter(|row| (1..=9).contains(row)).map(|row| row as u8));
         let Some(offset) = offset else {
-            self.report(
-                Diagnostic::new(codes::K2505, self.here.origin.loc, format!("preset {number} has no work offset"))
-                    .help(
-                        Answer::entry("datums", "preset", number)
-                            .help(format!("name one in partc.toml: `[datums]` with `preset.{number} = \"G54\"`")),
-                    ),
-            );
-            return Err(Reported);
+            return self.preset_without_offset(number, row);
         };
         if let Some(row) = row {
+            if !self.st.frames.preset_selected {
+                self.core.moves_before_offset(offset, Where::Block);
+            }
             let name = OffsetName::Preset { row, mapped: configured.is_some() };
             self.core.prints_offset(name, offset, Where::Block)?;
         }

@@ -92,8 +92,10 @@ impl Run<'_> {
             let help = "set the programmed offset to 0 before: `G50 X0 Y0 Z0`";
             return self.fail_help(codes::M2101, span, "G53 while an offset of G50 or G51 is in force", help);
         }
-        if self.st.offsets.offset != Offset::Start {
-            self.st.position.end_start();
+        match (self.st.offsets.offset, offset) {
+            (Offset::Start, Offset::Work(number)) => self.core.moves_before_offset(number, span),
+            (Offset::Start, _) => {}
+            _ => self.st.position.end_start(),
         }
         self.st.offsets.offset = offset;
         if let Offset::Work(number) = offset {

@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::contour::{Corner, CtxRef, Move, Sink, TOO_LARGE, TOO_LARGE_HELP};
+use crate::ir::contour::{Coords, Corner, CtxRef, Move, Sink, TOO_LARGE, TOO_LARGE_HELP};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos};
 use crate::parser::problem::Problem;
@@ -41,6 +41,8 @@ pub struct Core<'a, L: Language> {
     /// A called program is missing: nobody knows what it would have changed.
     pub(super) in_doubt: bool,
     pub(super) printed_offsets: PrintedOffsets,
+    /// A move counted from the work offset that is selected.
+    pub(super) moved: bool,
     pub(super) printed_tools: PrintedTools,
     pub(super) errors: Cell<u32>,
 }
@@ -68,6 +70,7 @@ impl<'a, L: Language> Core<'a, L> {
             ended: Cell::new(false),
             in_doubt: false,
             printed_offsets: PrintedOffsets::default(),
+            moved: false,
             printed_tools: PrintedTools::default(),
             errors: Cell::new(0),
         }
@@ -259,6 +262,7 @@ impl<L: Language> Core<'_, L> {
         if mv.is_out_of_range() {
             return self.out_of_range(ctx, origin);
         }
+        self.moved |= mv.coords == Coords::Frame;
         self.out.movement(mv, ctx, origin);
     }
 
@@ -280,6 +284,7 @@ impl<L: Language> Core<'_, L> {
         if !self.budget.has(cycle.moves()) {
             return self.out_of_steps(self.here.origin.loc);
         }
+        self.moved = true;
         self.out.cycle(cycle, ctx, &self.here.origin);
     }
 

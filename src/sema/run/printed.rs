@@ -48,7 +48,13 @@ impl OffsetName<'_> {
 
 /// The work offsets that were printed, each with the name and the place that it was first printed for.
 #[derive(Debug, Default)]
-pub struct PrintedOffsets(Vec<Printed>);
+pub struct PrintedOffsets {
+    printed: Vec<Printed>,
+    /// Number of the one that is selected.
+    selected: Option<u8>,
+    /// Those that were proposed for a name without one.
+    proposed: Vec<(String, u8)>,
+}
 
 #[derive(Debug)]
 struct Printed {
@@ -57,6 +63,8 @@ struct Printed {
     /// The key that maps it, if one does.
     key: Option<String>,
     at: Loc,
+    /// A move counted from it.
+    used: bool,
 }
 
 /// The tools that were printed: as what, and which they are to the program.
@@ -83,7 +91,14 @@ impl<L: Language> Core<'_, L> {
 
     /// The finding where two tools would be printed by one number.
     pub fn another_tool(&self, own: &ToolKey, other: &ToolKey, number: u32, place: impl Into<Where>) -> Diagnostic {
-        let message = format!("tool {own} is to be printed as T{number}, and so is tool {other}");
+        let printed = |key: &ToolKey| match key {
+            ToolKey::Number(n, 0) => self.job.settings.tools.printed_number(*n),
+            ToolKey::Number(..) | ToolKey::Name(_) => number,
+        };
+        let message = match printed(other) {
+            n if n == number => format!("tool {own} is to be printed as T{number}, and so is tool {other}"),
+            n => format!("tool {own} has the number {number}, and so has tool {other}, which is printed as T{n}"),
+        };
         let mapped = if *own == ToolKey::Number(number, 0) { other } else { own };
         let help = format!(
             "give it a number of its own in partc.toml: `number` in `[tools.{mapped}]`; if both are one tool, describe it in \
@@ -100,29 +115,74 @@ impl<L: Language> Core<'_, L> {
         if self.job.settings.output.target.offset(number).is_none() {
             return self.lacks_offset(name, &said, number, place);
         }
-        let Some(other) = self.printed_offsets.0.iter().find(|printed| printed.number == number) else {
-            let key = name.is_mapped().then(|| name.key());
-            let at = self.loc(place);
-            self.printed_offsets.0.push(Printed { number, said, key, at });
+        let (moved, at) = (std::mem::take(&mut self.moved), self.loc(place));
+        let offsets = &mut self.printed_offsets;
+        let before = offsets.selected.replace(number);
+        if let Some(before) = offsets.printed.iter_mut().find(|printed| Some(printed.number) == before) {
+            before.used |= moved;
+        }
+        let key = name.is_mapped().then(|| name.key());
+        let Some(other) = offsets.printed.iter_mut().find(|printed| printed.number == number) else {
+            offsets.printed.push(Printed { number, said, key, at, used: false });
             return Ok(());
         };
         if other.said == said {
             return Ok(());
         }
+        if !other.used {
+            *other = Printed { number, said, key, at, used: false };
+            return Ok(());
+        }
+        let (theirs, other_at, other_key) = (other.said.clone(), other.at, other.key.clone());
         let word = self.offset_word(number);
-        let message = format!("{said} is to be printed as {word}, and so was {}", other.said);
-        let key = if name.is_mapped() { name.key() } else { other.key.clone().unwrap_or_else(|| name.key()) };
+        let message = format!("{said} is to be printed as {word}, and so was {theirs}");
+        let key = if name.is_mapped() { name.key() } else { other_key.unwrap_or_else(|| name.key()) };
         let help = format!(
             "name another work offset of the target in `[datums] {key}`, and set it up there; to the same values if both \
              are one place"
         );
         let found = Diagnostic::new(codes::P0202, self.loc(place), message).help(help);
-        self.report(found.also(other.at, format!("{} is printed as {word}", other.said)));
+        self.report(found.also(other_at, format!("{theirs} is printed as {word}")));
         Err(Reported)
     }
 
+    /// Moves in front of the first work offset count from whatever is active on the control.
+    pub fn moves_before_offset(&self, number: u8, place: impl Into<Where>) {
+        if !self.moved {
+            return;
+        }
+        let word = self.offset_word(number);
+        let message = format!(
+            "moves stand in front of {word}: they run under the offset that is active on the target at the start"
+        );
+        let help =
+            "select the work offset in front of the first move; a retraction may be programmed in machine coordinates";
+        self.report(Diagnostic::new(codes::P0204, self.loc(place.into()), message).help(help));
+    }
+
+    /// A work offset of the target that nothing else of the program is printed by, in words to put behind a key of `[datums]`:
+    /// each key gets one of its own.
+    pub fn free_offset(&mut self, key: &str) -> String {
+        let PrintedOffsets { printed, proposed, .. } = &self.printed_offsets;
+        if let Some((_, number)) = proposed.iter().find(|(known, _)| known == key) {
+            return self.offset_word(*number);
+        }
+        let output = &self.job.settings.output;
+        let datums = &self.job.settings.datums;
+        let is_free = |number: &u8| {
+            output.target.offset(*number).is_some()
+                && printed.iter().all(|printed| printed.number != *number)
+                && proposed.iter().all(|(_, given)| given != number)
+                && datums.words.values().chain(datums.presets.values()).all(|given| given != number)
+        };
+        // Where all are taken, any word shows the form, and P0202 says the rest.
+        let number = (1..=u8::MAX).find(is_free).unwrap_or(1);
+        self.printed_offsets.proposed.push((key.to_owned(), number));
+        self.offset_word(number)
+    }
+
     #[cold]
-    fn lacks_offset(&self, name: OffsetName<'_>, said: &str, number: u8, place: Where) -> Outcome {
+    fn lacks_offset(&mut self, name: OffsetName<'_>, said: &str, number: u8, place: Where) -> Outcome {
         let target = self.job.settings.output.target;
         let Some(range) = target.offset_range() else {
             let help = "take the word out: positions count from where the part is set up on the machine";
@@ -133,12 +193,13 @@ impl<L: Language> Core<'_, L> {
             if name.is_mapped() { format!(", which `[datums]` maps to number {number},") } else { String::new() };
         let message = format!("the target {} has no word for {said}{printed}: it has {range}", target.name);
         let key = name.key();
+        let free = self.free_offset(&key);
         let help: Help = match name {
             OffsetName::Word { .. } => {
-                Answer::key("datums", &key).help(format!("name one that it has: `[datums] {key} = \"G54\"`"))
+                Answer::key("datums", &key).help(format!("name one that it has: `[datums] {key} = \"{free}\"`"))
             }
             OffsetName::Preset { row, .. } => Answer::entry("datums", "preset", f64::from(row))
-                .help(format!("name one that it has: `[datums]` with `{key} = \"G54\"`")),
+                .help(format!("name one that it has: `[datums]` with `{key} = \"{free}\"`")),
             OffsetName::Fixed(_) => "set the part up in one of these, and select it in the program".into(),
         };
         self.fail_help(codes::O9310, place, message, help)

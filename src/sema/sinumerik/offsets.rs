@@ -109,11 +109,15 @@ impl Channel<'_> {
             (None, _) if self.job.settings.output.target.offset(number).is_some() => number,
             _ => {
                 let word = offset_word(number);
+                if self.job.settings.output.target.offset_range().is_none() {
+                    return self.core.prints_offset(OffsetName::Word { word: &word, mapped: false }, number, place);
+                }
+                let free = self.core.free_offset(&word);
                 return self.fail_help(
                     codes::S9014,
                     place,
                     format!("{word} has no counterpart on the target"),
-                    Answer::key("datums", &word).help(format!("name one: `[datums] {word} = \"G55\"`")),
+                    Answer::key("datums", &word).help(format!("name one: `[datums] {word} = \"{free}\"`")),
                 );
             }
         };

@@ -1,0 +1,285 @@
+//! How long each move takes.
+//!
+//! The time of a move is known when the next one shows how it ends. In: moves and functions in order. Out: the length of each
+//! move at once, its time when it has ended, by the number of the move.
+
+use crate::ir::function::Spindle;
+use crate::ir::motion::{Arc, Move, Path};
+use crate::ir::{Feed, Function, Pos};
+use crate::machine::Axis;
+
+use super::{Model, SMOOTH_DEG};
+
+/// Ways shorter than this are none, mm.
+const TINY: f64 = 1e-9;
+/// After so many moves without a way the machine stands: who waits for a time waits no longer.
+const MOST_STILL: u32 = 1 << 16;
+
+/// A move has ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ended {
+    /// Its number, from 0.
+    pub number: u64,
+    pub rapid: bool,
+    /// Seconds.
+    pub time: f64,
+}
+
+/// What is known of the time of a move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Time {
+    /// The next moves tell: see [`Ended`].
+    Later,
+    /// A move without a way takes none.
+    None,
+    /// Its start or its speed is not known.
+    Unknown,
+}
+
+/// A move has begun.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// The move before, if its time was still open.
+    pub ended: Option<Ended>,
+    /// Length of the way in mm, or degrees where only rotary axes move; `None` where its start is not known.
+    pub length: Option<f64>,
+    pub time: Time,
+}
+
+/// A move that waits for the next one: how it ends depends on that.
+#[derive(Debug, Clone, Copy)]
+struct Waiting {
+    number: u64,
+    length: f64,
+    /// mm/s
+    speed: f64,
+    from_speed: f64,
+    leaves: [f64; 3],
+    rapid: bool,
+}
+
+/// Follows the moves of a program.
+#[derive(Debug)]
+pub struct Clock {
+    model: Model,
+    at: Pos,
+    /// Moves so far.
+    moves: u64,
+    waiting: Option<Waiting>,
+    /// Moves without a way since the one that waits.
+    still: u32,
+    /// rev/min
+    speed: Option<f64>,
+    /// m/min and the limit in rev/min.
+    cutting_speed: Option<(f64, Option<f64>)>,
+}
+
+impl Clock {
+    pub fn new(model: Model) -> Clock {
+        Clock { model, at: Pos::UNKNOWN, moves: 0, waiting: None, still: 0, speed: None, cutting_speed: None }
+    }
+
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// Where the machine stands, in the workpiece.
+    pub fn at(&self) -> &Pos {
+        &self.at
+    }
+
+    /// The number of the move whose time is open.
+    #[cfg(feature = "arrow")]
+    pub fn open(&self) -> Option<u64> {
+        self.waiting.map(|waiting| waiting.number)
+    }
+
+    /// The move that waits ends at rest.
+    pub fn stop(&mut self) -> Option<Ended> {
+        self.end_at(0.0)
+    }
+
+    fn end_at(&mut self, speed: f64) -> Option<Ended> {
+        let waiting = self.waiting.take()?;
+        let acceleration = self.model.acceleration * 1000.0;
+        let time = time_of(waiting.length, waiting.from_speed, waiting.speed, speed, acceleration);
+        Some(Ended { number: waiting.number, rapid: waiting.rapid, time })
+    }
+
+    /// mm/s of a move; `None` where it is not known.
+    fn speed_of(&self, path: &Path, length: f64) -> Option<f64> {
+        let per_minute = match path {
+            Path::Rapid => self.model.rapid,
+            Path::Line(feed) | Path::Arc(_, feed) => match *feed {
+                Feed::PerMinute(feed) => feed,
+                Feed::PerRevolution(feed) => feed * self.turns()?,
+                Feed::InverseTime(moves) => length * moves,
+            },
+            Path::Carried { feed, length: along } => feed * length / along,
+            Path::Thread { lead } => lead * self.turns()?,
+        };
+        (per_minute > 0.0 && per_minute.is_finite()).then_some(per_minute / 60.0)
+    }
+
+    /// Turns of the spindle a minute.
+    fn turns(&self) -> Option<f64> {
+        let Some((speed, limit)) = self.cutting_speed else { return self.speed };
+        let radius = self.at.get(Axis::X)?.abs();
+        let turns = 1000.0 * speed / (2.0 * core::f64::consts::PI * radius).max(TINY);
+        Some(limit.map_or(turns, |limit| turns.min(limit)))
+    }
+
+    /// Takes a move.
+    pub fn movement(&mut self, mv: &Move) -> Step {
+        let number = self.moves;
+        self.moves += 1;
+        let step = self.step(mv, number);
+        if mv.machine {
+            mv.axes.iter().for_each(|axis| self.at.forget(axis));
+        } else {
+            self.at.update(&mv.end);
+        }
+        step
+    }
+
+    fn step(&mut self, mv: &Move, number: u64) -> Step {
+        let Some((length, enters, leaves)) = way(mv, &self.at) else {
+            return Step { ended: self.stop(), length: None, time: Time::Unknown };
+        };
+        if length < TINY {
+            self.still = self.still.saturating_add(1);
+            let ended = if self.still > MOST_STILL { self.stop() } else { None };
+            return Step { ended, length: Some(0.0), time: Time::None };
+        }
+        let Some(speed) = self.speed_of(&mv.path, length) else {
+            return Step { ended: self.stop(), length: Some(length), time: Time::Unknown };
+        };
+        let joint = match &self.waiting {
+            Some(before) if is_smooth(before.leaves, enters) => {
+                // No faster than the way before lets it become.
+                let reach = before.from_speed * before.from_speed + 2000.0 * self.model.acceleration * before.length;
+                before.speed.min(speed).min(libm::sqrt(reach))
+            }
+            _ => 0.0,
+        };
+        let ended = self.end_at(joint);
+        let rapid = matches!(mv.path, Path::Rapid);
+        self.waiting = Some(Waiting { number, length, speed, from_speed: joint, leaves, rapid });
+        self.still = 0;
+        Step { ended, length: Some(length), time: Time::Later }
+    }
+
+    /// Takes what is no move.
+    pub fn function(&mut self, function: &Function) -> Option<Ended> {
+        match function {
+            Function::ToolChange { .. }
+            | Function::Dwell(_)
+            | Function::Stop
+            | Function::OptionalStop
+            | Function::End { .. } => self.stop(),
+            Function::Spindle(Spindle::Speed(speed)) => {
+                self.speed = Some(*speed);
+                self.cutting_speed = None;
+                None
+            }
+            Function::Spindle(Spindle::CuttingSpeed { speed, limit }) => {
+                self.cutting_speed = Some((*speed, *limit));
+                None
+            }
+            Function::WorkOffset(_) => self.lost(),
+            Function::Plane(_)
+            | Function::Comment(_)
+            | Function::Aux(_)
+            | Function::Coolant(_)
+            | Function::Cutter(_)
+            | Function::FeedSpindle(_)
+            | Function::Spindle(_)
+            | Function::SpindleOf { .. }
+            | Function::ToolPrepare { .. }
+            | Function::Transformation(_) => None,
+        }
+    }
+
+    /// Nobody knows where the machine stands.
+    pub fn lost(&mut self) -> Option<Ended> {
+        self.at.clear();
+        self.stop()
+    }
+
+    /// Axes stand here although no move said so.
+    pub fn begins_at(&mut self, at: &Pos) {
+        self.at.update(at);
+    }
+}
+
+/// Seconds for a way between two speeds.
+pub(super) fn time_of(length: f64, from: f64, most: f64, to: f64, acceleration: f64) -> f64 {
+    let speeding = (most * most - from * from) / (2.0 * acceleration);
+    let slowing = (most * most - to * to) / (2.0 * acceleration);
+    let even = length - speeding - slowing;
+    if even >= 0.0 {
+        return (2.0 * most - from - to) / acceleration + even / most;
+    }
+    let peak = libm::sqrt(acceleration * length + (from * from + to * to) / 2.0);
+    if peak >= from.max(to) {
+        (2.0 * peak - from - to) / acceleration
+    } else {
+        // Too short to change its speed so much.
+        2.0 * length / (from + to).max(TINY)
+    }
+}
+
+/// Is the angle between two directions small?
+fn is_smooth(a: [f64; 3], b: [f64; 3]) -> bool {
+    let dot: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
+    dot > libm::cos(SMOOTH_DEG.to_radians())
+}
+
+/// Length of a move in mm, or degrees where only rotary axes move, with the directions at its ends; `None` where its start
+/// is not known.
+fn way(mv: &Move, from: &Pos) -> Option<(f64, [f64; 3], [f64; 3])> {
+    if mv.machine {
+        return None;
+    }
+    let delta = |axis: Axis| -> Option<f64> {
+        if !mv.axes.contains(axis) {
+            return Some(0.0);
+        }
+        Some(mv.end.get(axis)? - from.get(axis)?)
+    };
+    let mut linear = [delta(Axis::X)?, delta(Axis::Y)?, delta(Axis::Z)?];
+    if let Path::Arc(arc, _) = &mv.path {
+        return Some(along_arc(arc, linear));
+    }
+    let square: f64 = linear.iter().map(|d| d * d).sum();
+    let length = libm::sqrt(square);
+    if length > TINY {
+        linear.iter_mut().for_each(|d| *d /= length);
+        return Some((length, linear, linear));
+    }
+    let mut square = 0.0;
+    for axis in mv.axes.iter().filter(|axis| !matches!(axis, Axis::X | Axis::Y | Axis::Z)) {
+        let way = delta(axis)?;
+        square += way * way;
+    }
+    Some((libm::sqrt(square), [0.0; 3], [0.0; 3]))
+}
+
+pub(super) fn along_arc(arc: &Arc, linear: [f64; 3]) -> (f64, [f64; 3], [f64; 3]) {
+    let (first, second, third) = arc.plane.axes();
+    let to_start = arc.from - arc.center;
+    let radius = libm::hypot(to_start.x, to_start.y);
+    let flat = radius * arc.sweep.abs();
+    let length = libm::hypot(flat, linear[third]);
+    let tangent = |angle: f64| {
+        let sign = arc.sweep.signum();
+        let mut direction = [0.0; 3];
+        let share = if length > TINY { flat / length } else { 0.0 };
+        direction[first] = -libm::sin(angle) * sign * share;
+        direction[second] = libm::cos(angle) * sign * share;
+        direction[third] = if length > TINY { linear[third] / length } else { 0.0 };
+        direction
+    };
+    let start = libm::atan2(to_start.y, to_start.x);
+    (length, tangent(start), tangent(start + arc.sweep))
+}
