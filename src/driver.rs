@@ -146,7 +146,24 @@ impl Session {
         self.compile_beside(dialect, settings, files, out, map, None)
     }
 
-    /// The same, and shows each item to `beside` once it is printed.
+    /// Compiles without a source map, and counts as [`Session::stats`] does.
+    ///
+    /// # Errors
+    /// As [`Session::compile`].
+    pub fn compile_counted<'a>(
+        &'a self,
+        dialect: &Dialect,
+        settings: &'a Settings,
+        files: &dyn Files,
+        out: &'a mut dyn Output,
+        model: Model,
+    ) -> Result<Stats, Failure> {
+        let mut counter = Counter::new(model);
+        self.compile_beside(dialect, settings, files, out, None, Some(&mut counter))?;
+        Ok(counter.finish())
+    }
+
+    /// Compiles, and shows each item to `beside` once it is printed.
     pub(crate) fn compile_beside<'a>(
         &'a self,
         dialect: &Dialect,

@@ -60,7 +60,7 @@ pub mod files {
 
 /// What the user can say about a run: `partc.toml` as data.
 pub mod settings {
-    pub use crate::machine::config::from_toml;
+    pub use crate::machine::config::{from_toml, read};
     pub use crate::machine::settings::*;
     pub use crate::machine::tree::ConfigError;
     pub use crate::machine::{schema, show, table, tools, tree};
@@ -79,6 +79,14 @@ pub mod diagnostics {
 pub mod output {
     pub use crate::emit::{LineMap, Output};
     pub use crate::target::{ALL as TARGETS, Target};
+}
+
+/// What a program comes to: figures, pictures, and what two programs do differently.
+pub mod results {
+    pub use crate::compare::{Difference, Step, Steps, Stop, steps_of_text};
+    pub use crate::emit::is_printed;
+    pub use crate::emit::plot::{Form, Options, Plot, Side};
+    pub use crate::emit::stats::{Model, Stats};
 }
 
 /// The moves of a program as record batches of Arrow.

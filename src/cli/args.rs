@@ -428,6 +428,24 @@ pub(super) struct Common {
     pub stdin_filename: Option<PathBuf>,
 }
 
+impl Common {
+    /// The options of a caller that is no command line.
+    pub fn asking(dialect: Option<&str>, target: Option<&str>) -> Common {
+        let report = Report { format: None, select: None, ignore: None, quiet: true, color: Color::Never };
+        Common {
+            dialect: dialect.unwrap_or("auto").to_owned(),
+            target: target.map(str::to_owned),
+            numbers: None,
+            config: None,
+            isolated: false,
+            tools: None,
+            compensation: None,
+            report,
+            stdin_filename: None,
+        }
+    }
+}
+
 /// How findings are shown.
 #[derive(Debug, ClapArgs)]
 pub(super) struct Report {

@@ -89,6 +89,11 @@ fn file_for(input: &Path, common: &Common) -> Result<Table, Trouble> {
     load(&file, trust, 0)
 }
 
+/// A configuration that somebody names, with what it extends.
+pub(super) fn named(file: &Path) -> Result<Table, Trouble> {
+    load(file, Trust::Named, 0)
+}
+
 /// How a configuration came into force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Trust {

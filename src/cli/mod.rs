@@ -9,6 +9,7 @@ mod disk;
 mod edit;
 mod fix;
 mod golden;
+pub mod host;
 mod ignores;
 mod init;
 mod inputs;
@@ -29,6 +30,7 @@ mod tools;
 mod unified;
 mod watch;
 
+use std::ffi::OsString;
 use std::io::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
@@ -57,7 +59,12 @@ type Trouble = String;
 
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
-    let args = match Args::try_parse() {
+    ExitCode::from(run_line(std::env::args_os()))
+}
+
+/// Runs a command line; the first argument is the name of the program. Returns the exit code.
+fn run_line(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let args = match Args::try_parse_from(arguments) {
         Ok(args) => args,
         Err(error) => {
             // The text quotes arguments; colours only where it brings nothing else along.
@@ -67,7 +74,7 @@ pub fn main() -> ExitCode {
             } else {
                 say(plain.trim_end());
             }
-            return ExitCode::from(if error.use_stderr() { Exit::Usage as u8 } else { Exit::Clean as u8 });
+            return if error.use_stderr() { Exit::Usage as u8 } else { Exit::Clean as u8 };
         }
     };
     std::panic::set_hook(Box::new(|panic| {
@@ -82,7 +89,7 @@ pub fn main() -> ExitCode {
         }
         Err(_) => Exit::Internal,
     };
-    ExitCode::from(exit as u8)
+    exit as u8
 }
 
 /// A line on stderr. Names of files in it do nothing to a terminal; nobody listening there is no reason to stop.

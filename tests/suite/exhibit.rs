@@ -50,7 +50,7 @@ fn words(bytes: &[u8]) -> Vec<u32> {
 }
 
 /// Cases whose files a page finds by other rules than the folder of a test.
-fn finds_the_same(case: &Case) -> bool {
+pub(super) fn finds_the_same(case: &Case) -> bool {
     let mut names: Vec<String> = case.called.keys().map(|name| name.to_ascii_lowercase()).collect();
     names.dedup();
     case.called.is_empty() || (names.len() == case.called.len() && !case.name.starts_with("errors/"))

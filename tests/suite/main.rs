@@ -64,6 +64,7 @@ mod peer;
 mod pictures;
 mod printed_arcs;
 mod props;
+mod python;
 #[allow(dead_code, reason = "the measurement of a release uses more of it")]
 #[path = "../quality/mod.rs"]
 mod quality;

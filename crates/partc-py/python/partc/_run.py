@@ -1,0 +1,62 @@
+"""A call as a job of the native half."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any, Optional, Union
+
+from . import _partc
+from ._config import Config
+
+Program = Union[bytes, bytearray, memoryview, str, "os.PathLike[str]"]
+Files = Mapping[str, Union[bytes, str]]
+ConfigLike = Union[Config, Mapping[str, Any], str, "os.PathLike[str]"]
+
+
+def configured(config: Optional[ConfigLike]) -> Optional[Config]:
+    """A ``str`` is a path, as it is for a program."""
+    if config is None or isinstance(config, Config):
+        return config
+    if isinstance(config, Mapping):
+        return Config.from_dict(config)
+    if isinstance(config, (str, os.PathLike)):
+        return Config.from_file(config)
+    raise TypeError("a configuration is a Config, a dictionary, or the path of a partc.toml")
+
+
+def settings(config: Optional[ConfigLike]) -> Optional[_partc.Settings]:
+    made = configured(config)
+    return None if made is None else made._settings
+
+
+def encoded(text: Union[bytes, bytearray, memoryview, str]) -> bytes:
+    return text.encode() if isinstance(text, str) else bytes(text)
+
+
+def job(
+    program: Program,
+    *,
+    files: Optional[Files] = None,
+    config: Optional[ConfigLike] = None,
+    dialect: Optional[str] = None,
+    target: Optional[str] = None,
+    name: Optional[str] = None,
+) -> _partc.Job:
+    called = None if files is None else [(str(called), encoded(text)) for called, text in files.items()]
+    language = None if dialect in (None, "auto") else dialect
+    if isinstance(program, (bytes, bytearray, memoryview)):
+        return _partc.Job(None, name or "program", bytes(program), called, settings(config), language, target)
+    if not isinstance(program, (str, os.PathLike)):
+        raise TypeError("a program is bytes, or a path as str or PathLike")
+    path = os.fspath(program)
+    if not isinstance(path, str):
+        path = os.fsdecode(path)
+    if os.path.isdir(path):
+        raise IsADirectoryError(f"{path} is a folder")
+    if called is None:
+        os.stat(path)
+        return _partc.Job(path, path, None, None, settings(config), language, target)
+    with open(path, "rb") as file:
+        text = file.read()
+    return _partc.Job(None, name or os.path.basename(path), text, called, settings(config), language, target)
