@@ -318,10 +318,11 @@ impl Session {
         dialect: &Dialect,
         settings: &Settings,
         files: &dyn Files,
+        model: Model,
         out: &mut dyn io::Write,
     ) -> io::Result<()> {
         self.judge(dialect, settings);
-        let mut trace = Trace::new(&self.sources, &self.trail, out);
+        let mut trace = Trace::new(&self.sources, &self.trail, model, out);
         self.run(dialect, settings, files, &mut trace);
         trace.finish()
     }

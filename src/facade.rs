@@ -7,6 +7,7 @@ use std::io;
 use crate::diag::Finding;
 use crate::dialect::{self, Dialect};
 use crate::driver::{Failure, Session};
+use crate::emit::stats::Model;
 use crate::machine::Settings;
 use crate::text::{Files, Memory, Opened};
 use crate::validate::Mismatch;
@@ -107,7 +108,7 @@ pub fn compile(program: &Program<'_>, settings: &Settings, files: &dyn Files) ->
 pub fn trace(program: &Program<'_>, settings: &Settings, files: &dyn Files) -> Result<Outcome, Trouble> {
     let session = program.session();
     let mut out = Vec::new();
-    session.trace(program.dialect, settings, files, &mut out).map_err(Trouble::Output)?;
+    session.trace(program.dialect, settings, files, Model::default(), &mut out).map_err(Trouble::Output)?;
     Ok(outcome(session, out))
 }
 

@@ -93,6 +93,8 @@ pub mod results {
 #[cfg(feature = "arrow")]
 pub mod table {
     pub use crate::columns::{COLUMNS, Column, Kind, Options, VERSION, VERSION_KEY, schema};
+    #[cfg(feature = "columns")]
+    pub use crate::columns::{Form, Table};
     pub use crate::emit::stats::Model;
 }
 

@@ -1,8 +1,10 @@
 //! The arguments.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
-use clap::{Args as ClapArgs, CommandFactory, Parser, Subcommand, ValueEnum};
+use clap::builder::{PossibleValue, TypedValueParser};
+use clap::{Args as ClapArgs, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use crate::diag::{self, report::Kind};
 
@@ -25,7 +27,10 @@ pub(super) enum Command {
     /// Each line names the program and the block that asks for it. Nothing is guessed: what only you know is left empty and
     /// commented. Write the values, take the `#` away, and compile.
     Init(Init),
-    /// Print the resolved moves as JSON Lines, one move a line
+    /// Write the resolved moves as JSON Lines or as a table
+    ///
+    /// A row for each move: where it begins and ends, centre, feed, spindle, tool, length, time, block. The columns of csv, arrow and
+    /// parquet are those of docs/trace.md. `--format` is that of the moves here, and of the findings with human or concise.
     Trace(Trace),
     /// Count cutting and rapid ways, times, tools and extents
     ///
@@ -75,6 +80,16 @@ pub(super) enum Command {
     Tools(ToolsArgs),
     /// Check, and check again when a file changes
     Watch(Watch),
+    /// Print a key for each program: a hash of all that its results depend on
+    ///
+    /// That are the version of partc, the program, what it calls, the configuration and the tables by their contents, and which
+    /// files were looked for and not found. Neither times nor the folder count: the same on two machines.
+    Key(Key),
+    /// Put the reports of shards together: what `check --shard i/n` wrote becomes what `check` would have written
+    ///
+    /// Reports are json, sarif, junit, gitlab or checkstyle, all of one form, and ordered by the paths of their programs. The exit
+    /// code says whether they could be put together, not what they found.
+    Merge(Merge),
     /// Print completions for a shell
     Completions { shell: clap_complete::Shell },
     /// Print the manual page of partc, or of one of its commands
@@ -110,6 +125,8 @@ pub(super) struct Compile {
     #[command(flatten)]
     pub many: Many,
     #[command(flatten)]
+    pub deps: Deps,
+    #[command(flatten)]
     pub findings: Findings,
     #[command(flatten)]
     pub common: Common,
@@ -138,6 +155,8 @@ pub(super) struct Check {
     #[command(flatten)]
     pub many: Many,
     #[command(flatten)]
+    pub deps: Deps,
+    #[command(flatten)]
     pub findings: Findings,
     #[command(flatten)]
     pub common: Common,
@@ -147,6 +166,46 @@ pub(super) struct Check {
 pub(super) struct Watch {
     #[command(flatten)]
     pub check: Check,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(super) struct Key {
+    /// Part programs and folders; `-` reads standard input
+    #[arg(required_unless_present = "files_from")]
+    pub paths: Vec<PathBuf>,
+    #[command(flatten)]
+    pub many: Many,
+    #[command(flatten)]
+    pub common: Common,
+}
+
+#[derive(Debug, ClapArgs)]
+pub(super) struct Merge {
+    /// Reports of `partc check --shard`
+    #[arg(required = true)]
+    pub reports: Vec<PathBuf>,
+    /// File to write instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// The list of the files that were read.
+#[derive(Debug, Default, ClapArgs)]
+pub(super) struct Deps {
+    /// Write which files were read: programs, called ones, configuration and tables; only when the run succeeds
+    #[arg(long, value_name = "FILE")]
+    pub deps: Option<PathBuf>,
+    /// Form of that list: rules of make, which ninja reads, too, or json, which also names files that were looked for
+    #[arg(long, value_enum, default_value = "make", requires = "deps")]
+    pub deps_format: DepsFormat,
+}
+
+/// Forms of lists of files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Default)]
+pub(super) enum DepsFormat {
+    #[default]
+    Make,
+    Json,
 }
 
 #[derive(Debug, ClapArgs)]
@@ -199,6 +258,20 @@ fn shard(text: &str) -> Result<Shard, String> {
 pub(super) struct Trace {
     /// Part program; `-` reads standard input
     pub input: PathBuf,
+    /// File for the moves; `-`, the default, is standard output. Its extension is the default of `--format`
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Overwrite a file that is no trace
+    #[arg(long)]
+    pub force: bool,
+    /// Rapid traverse of the machine
+    #[arg(long, value_name = "MM/MIN", default_value_t = 10_000.0, value_parser = above_zero)]
+    pub rapid: f64,
+    /// Acceleration along the path
+    #[arg(long, value_name = "M/S²", default_value_t = 1.0, value_parser = above_zero)]
+    pub acceleration: f64,
+    #[command(flatten)]
+    pub deps: Deps,
     #[command(flatten)]
     pub findings: Findings,
     #[command(flatten)]
@@ -341,6 +414,8 @@ pub(super) struct Page {
     #[arg(long)]
     pub force: bool,
     #[command(flatten)]
+    pub deps: Deps,
+    #[command(flatten)]
     pub findings: Findings,
     #[command(flatten)]
     pub common: Common,
@@ -398,7 +473,7 @@ pub(super) struct Config {
     pub common: Common,
 }
 
-#[derive(Debug, ClapArgs)]
+#[derive(Debug, Clone, ClapArgs)]
 pub(super) struct Common {
     /// Language of the input
     #[arg(long, default_value = "auto", value_parser = dialects())]
@@ -447,7 +522,7 @@ impl Common {
 }
 
 /// How findings are shown.
-#[derive(Debug, ClapArgs)]
+#[derive(Debug, Clone, ClapArgs)]
 pub(super) struct Report {
     /// How findings are written [default: human; github in a workflow of GitHub Actions]
     #[arg(long, value_enum)]
@@ -520,13 +595,22 @@ pub(super) enum Format {
     Junit,
     /// Checkstyle XML
     Checkstyle,
+    /// Moves as comma-separated values
+    #[value(skip)]
+    Csv,
+    /// Moves as a stream or a file of Arrow
+    #[value(skip)]
+    Arrow,
+    /// Moves as a Parquet file
+    #[value(skip)]
+    Parquet,
 }
 
 impl Format {
     /// The document that is made, where it is none for people.
     pub fn kind(self) -> Option<Kind> {
         Some(match self {
-            Format::Human | Format::Concise => return None,
+            Format::Human | Format::Concise | Format::Csv | Format::Arrow | Format::Parquet => return None,
             Format::Json => Kind::Json,
             Format::Jsonl => Kind::JsonLines,
             Format::Github => Kind::GitHub,
@@ -570,9 +654,60 @@ pub(super) enum Color {
     Never,
 }
 
-/// The definition of the command line, for completions and the manual page.
+/// The definition of the command line, for completions and the manual page, too.
 pub(super) fn command() -> clap::Command {
-    Args::command()
+    Args::command().mut_subcommand("trace", |trace| {
+        trace.mut_arg("format", |format| {
+            format
+                .value_parser(TraceFormats)
+                .help("How the moves are written [default: by the extension of the output, or jsonl]; human, concise: the findings")
+        })
+    })
+}
+
+impl Args {
+    /// Reads a command line, the name of the program in front.
+    ///
+    /// # Errors
+    /// What clap has to say, help included.
+    pub fn read(arguments: impl IntoIterator<Item = OsString>) -> Result<Args, clap::Error> {
+        Args::from_arg_matches(&command().try_get_matches_from(arguments)?)
+    }
+}
+
+/// Values of `--format` of `partc trace`.
+#[derive(Debug, Clone)]
+struct TraceFormats;
+
+impl TraceFormats {
+    const ALL: [(&str, &str, Format); 6] = [
+        ("jsonl", "An object a move", Format::Jsonl),
+        ("csv", "Comma-separated values (RFC 4180)", Format::Csv),
+        ("arrow", "Arrow IPC: a file, and a stream on standard output", Format::Arrow),
+        ("parquet", "Parquet, compressed with Snappy", Format::Parquet),
+        ("human", "Moves as jsonl; findings with the block, for people", Format::Human),
+        ("concise", "Moves as jsonl; findings a line each", Format::Concise),
+    ];
+}
+
+impl TypedValueParser for TraceFormats {
+    type Value = Format;
+
+    fn parse_ref(
+        &self,
+        command: &clap::Command,
+        arg: Option<&clap::Arg>,
+        value: &std::ffi::OsStr,
+    ) -> Result<Format, clap::Error> {
+        // Its errors name the values.
+        let names = clap::builder::PossibleValuesParser::new(Self::ALL.map(|(name, _, _)| name));
+        let name = names.parse_ref(command, arg, value)?;
+        Ok(Self::ALL.into_iter().find(|known| known.0 == name).map_or(Format::Jsonl, |known| known.2))
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(Self::ALL.into_iter().map(|(name, help, _)| PossibleValue::new(name).help(help))))
+    }
 }
 
 /// `auto` and the name of every dialect.

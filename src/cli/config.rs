@@ -164,6 +164,51 @@ pub(super) fn settings_of(tree: &Table, common: &Common) -> Result<Settings, Tro
     Ok(settings)
 }
 
+/// Files that decide what is in force for a program.
+#[derive(Debug, Default)]
+pub(super) struct Read {
+    /// The configuration, what it extends, tool and datum table: each with what it is.
+    pub files: Vec<(&'static str, PathBuf)>,
+    /// Configurations that would be in force if they existed, the nearest first.
+    pub absent: Vec<PathBuf>,
+}
+
+/// What [`settings`] reads for `input`.
+pub(super) fn read_for(input: &Path, common: &Common) -> Result<Read, Trouble> {
+    let mut read = Read::default();
+    let mut file = match &common.config {
+        Some(file) => Some(file.clone()),
+        None if common.isolated => None,
+        None => {
+            let found = nearest(input);
+            let folder = found.as_deref().and_then(Path::parent);
+            let above = folder_of(input).map(|folder| folder.ancestors().map(Path::to_path_buf).collect::<Vec<_>>());
+            let nearer = above.unwrap_or_default().into_iter().take_while(|dir| Some(dir.as_path()) != folder);
+            read.absent = nearer.map(|dir| dir.join(NAME)).collect();
+            found
+        }
+    };
+    while let Some(path) = file.take().filter(|_| read.files.len() <= MOST_EXTENDS) {
+        let text = read_settings(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+        let text = String::from_utf8(text).map_err(|_| format!("{}: is not UTF-8 text", path.display()))?;
+        let tree = parse(&text, &path.display().to_string()).map_err(|error| error.to_string())?;
+        if let Some(Value::Text(other)) = tree.get("extend").map(|node| &node.value) {
+            file = Some(path.parent().unwrap_or(Path::new(".")).join(other));
+        }
+        read.files.push(("configuration", path));
+    }
+    let tree = tree_for(input, common)?;
+    let tables = [("tool table", table_path(&tree, common)), ("datum table", path_of(&tree, "control", "datum_table"))];
+    read.files.extend(tables.into_iter().filter_map(|(what, path)| Some((what, path?))));
+    Ok(read)
+}
+
+/// The folder of a program.
+fn folder_of(input: &Path) -> Option<PathBuf> {
+    let folder = if input == Path::new("-") { PathBuf::from(".") } else { input.parent()?.to_path_buf() };
+    fs::canonicalize(if folder.as_os_str().is_empty() { Path::new(".") } else { &folder }).ok()
+}
+
 /// The nearest configuration file above `folder`, as one in `folder` would name it.
 pub(super) fn above(folder: &Path) -> Option<String> {
     let folder = fs::canonicalize(folder).ok()?;
@@ -173,8 +218,7 @@ pub(super) fn above(folder: &Path) -> Option<String> {
 
 /// The nearest configuration file at or above the folder of `input`.
 fn nearest(input: &Path) -> Option<PathBuf> {
-    let folder = if input == Path::new("-") { PathBuf::from(".") } else { input.parent()?.to_path_buf() };
-    let folder = fs::canonicalize(if folder.as_os_str().is_empty() { Path::new(".") } else { &folder }).ok()?;
+    let folder = folder_of(input)?;
     folder.ancestors().map(|dir| dir.join(NAME)).find(|file| file.is_file())
 }
 

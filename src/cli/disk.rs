@@ -1,5 +1,6 @@
 //! Files of this computer: reading programs, and opening called ones inside the include roots only.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom};
@@ -147,11 +148,30 @@ pub(super) struct IncludeRoots {
     base: PathBuf,
     /// Prefix of the control's path, and folder.
     roots: BTreeMap<String, PathBuf>,
+    /// Files that were looked for.
+    looked: RefCell<BTreeMap<PathBuf, Looked>>,
+}
+
+/// What came of looking for a file.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Looked {
+    /// Its name below the folder that was looked in.
+    pub name: String,
+    pub found: bool,
 }
 
 impl IncludeRoots {
     pub(super) fn new(base: PathBuf, roots: BTreeMap<String, PathBuf>) -> IncludeRoots {
-        IncludeRoots { base, roots }
+        IncludeRoots { base, roots, looked: RefCell::default() }
+    }
+
+    /// Every file that was looked for so far: those that were found as they are called, the others as they would be.
+    pub(super) fn looked(&self) -> BTreeMap<PathBuf, Looked> {
+        self.looked.borrow().clone()
+    }
+
+    fn note(&self, path: PathBuf, name: &[String], found: bool) {
+        self.looked.borrow_mut().insert(path, Looked { name: name.join("/"), found });
     }
 
     /// The root whose prefix fits, and the rest of the name.
@@ -215,8 +235,13 @@ impl Files for IncludeRoots {
         for folder in &folders {
             for candidate in with_extensions(&parts, request.extensions) {
                 match find(folder, &candidate)? {
-                    Some(path) => return open_inside(&path, folder),
+                    Some(path) => {
+                        let opened = open_inside(&path, folder)?;
+                        self.note(path, &candidate, true);
+                        return Ok(opened);
+                    }
                     None => {
+                        self.note(folder.join(candidate.iter().collect::<PathBuf>()), &candidate, false);
                         let shown = candidate.join("/");
                         if !tried.contains(&shown) {
                             tried.push(shown);
@@ -306,7 +331,7 @@ fn open_inside(path: &Path, root: &Path) -> Result<Opened, FileError> {
 }
 
 /// The path as an editor or CI job opens it from here: relative where it lies below the current folder.
-fn shown(path: &Path) -> String {
+pub(super) fn shown(path: &Path) -> String {
     let here = std::env::current_dir().ok();
     let below = here.as_deref().and_then(|here| path.strip_prefix(here).ok()).unwrap_or(path);
     let plain: PathBuf = below.components().filter(|part| *part != Component::CurDir).collect();

@@ -4,6 +4,7 @@ mod answers;
 mod args;
 mod bundle;
 mod config;
+mod deps;
 mod diff;
 mod disk;
 mod edit;
@@ -13,8 +14,10 @@ pub mod host;
 mod ignores;
 mod init;
 mod inputs;
+mod key;
 mod listing;
 mod lsp;
+mod merge;
 mod output;
 mod page;
 mod pending;
@@ -27,6 +30,7 @@ mod stats;
 mod summary;
 mod targets;
 mod tools;
+mod trace;
 mod unified;
 mod watch;
 
@@ -34,8 +38,6 @@ use std::ffi::OsString;
 use std::io::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
-
-use clap::Parser as _;
 
 use crate::text::decode::harmless_lines;
 
@@ -64,7 +66,7 @@ pub fn main() -> ExitCode {
 
 /// Runs a command line; the first argument is the name of the program. Returns the exit code.
 fn run_line(arguments: impl IntoIterator<Item = OsString>) -> u8 {
-    let args = match Args::try_parse_from(arguments) {
+    let args = match Args::read(arguments) {
         Ok(args) => args,
         Err(error) => {
             // The text quotes arguments; colours only where it brings nothing else along.
@@ -102,7 +104,7 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
         Command::Compile(compile) => run::compile(compile),
         Command::Check(check) => run::check(check),
         Command::Init(init) => init::init(init),
-        Command::Trace(trace) => run::trace(trace),
+        Command::Trace(trace) => trace::trace(trace),
         Command::Plot(plot) => plot::plot(plot),
         Command::Report(args) => page::report(args),
         Command::Stats(args) => stats::stats(args),
@@ -111,6 +113,8 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
         Command::Config(show) => config::command(show),
         Command::Explain { code, format } => listing::explain(code, *format),
         Command::Rules { format } => listing::rules(*format),
+        Command::Key(args) => key::key(args),
+        Command::Merge(args) => merge::merge(args),
         Command::Watch(args) => watch::watch(args),
         Command::Tools(args) => tools::tools(args),
         Command::Lsp(common) => lsp::serve(common),

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use crate::emit::{Output, is_printed, plot};
 
-use super::page;
 use super::pending::{self, Pending, behind_links};
+use super::{page, trace};
 
 /// Bytes of standard output kept in memory before a temporary file takes over.
 const IN_MEMORY: usize = 8 << 20;
@@ -200,6 +200,7 @@ pub(super) enum Made {
     Map,
     Picture,
     Report,
+    Trace,
 }
 
 /// Would writing to `path` destroy a file that partc did not write? An empty file is nobody's.
@@ -220,6 +221,7 @@ fn begins(head: &[u8], made: Made) -> bool {
         Made::Picture if head.windows(plot::PNG_MARK.len()).any(|part| part == plot::PNG_MARK) => true,
         Made::Picture => head.starts_with(plot::MARK.as_bytes()),
         Made::Report => head.starts_with(page::MARK.as_bytes()),
+        Made::Trace => trace::MARKS.iter().any(|mark| head.starts_with(mark)),
     }
 }
 

@@ -44,6 +44,7 @@ pub(super) fn report(args: &Page) -> Result<Exit, Trouble> {
     let stdout = if target == Path::new("-") { Stdout::Taken } else { Stdout::Free };
     let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None);
     reporter.spares(&[Input::named(&args.input)], &BTreeSet::from([real(&target)]))?;
+    args.deps.spares(&[&args.input], &BTreeSet::from([real(&target)]))?;
     let mut out = Destination::open(&target).map_err(trouble)?;
     let ticker = Ticker::start(true, &place);
     let made = exhibit::made_unless(&session, dialect, &settings, &files, &|session| reporter.look().fails(session));
@@ -65,8 +66,10 @@ pub(super) fn report(args: &Page) -> Result<Exit, Trouble> {
             reporter.internal();
         }
     }
+    let rule = args.deps.rule(&args.input, &args.common, &files, &[&target])?;
     reporter.session(session);
-    reporter.finish()
+    let exit = reporter.finish()?;
+    args.deps.write(rule.into_iter().collect(), exit)
 }
 
 fn target(args: &Page) -> PathBuf {

@@ -19,7 +19,8 @@ use crate::machine::Settings;
 use crate::text::decode::{escaped_json, harmless_lines};
 use crate::text::{FileId, Span};
 
-use super::args::{Check, Common, Compile, Trace};
+use super::args::{Check, Common, Compile};
+use super::deps::Rule;
 use super::disk::{IncludeRoots, file_name, open_main};
 use super::inputs::{Input, inputs};
 use super::listing::print;
@@ -151,10 +152,12 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
     let stdout = if streams.is_empty() || document { Stdout::Free } else { Stdout::Taken };
     let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None);
     reporter.spares(&found.list, &outputs)?;
+    args.deps.spares(&paths_of(&found.list), &outputs)?;
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     let (look, inputs) = (reporter.look_at(found.list.len(), &args.common), found.list);
     let read = inputs.iter().filter_map(|input| fs::canonicalize(&input.path).ok()).collect();
     let work = Work { args, look, read, alone: inputs.len() == 1, group: Mutex::default() };
+    let mut rules = Vec::new();
     in_order(
         args.many.jobs,
         &inputs,
@@ -169,6 +172,7 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
                         reporter.internal();
                     }
                     reporter.take(done.presented);
+                    rules.extend(done.rule);
                 }
                 Err(trouble) => reporter.trouble(trouble),
             }
@@ -179,7 +183,12 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
     reporter.wrote(group.written);
     group.troubles.sort();
     group.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
-    reporter.finish()
+    let exit = reporter.finish()?;
+    args.deps.write(rules, exit)
+}
+
+fn paths_of(inputs: &[Input]) -> Vec<&Path> {
+    inputs.iter().map(|input| input.path.as_path()).collect()
 }
 
 /// Outputs that lie in a folder of programs are none.
@@ -230,6 +239,8 @@ struct Done {
     said: Vec<String>,
     /// The output was not what the program says; it was not written.
     is_wrong: bool,
+    /// What it was made of, where somebody wants to know.
+    rule: Option<Rule>,
 }
 
 impl Work<'_> {
@@ -327,8 +338,10 @@ impl Work<'_> {
                 said.push(format!("{} → {shown}, {bytes} bytes{}", input.path.display(), notes(&session)));
             }
         }
+        let made: Vec<&Path> = [Some(target.as_path()), args.map.as_deref()].into_iter().flatten().collect();
+        let rule = args.deps.rule(&input.path, &args.common, &files, &made)?;
         let presented = present(self.look, session, &input.path, &args.common, self.alone)?;
-        Ok(Done { presented, said, is_wrong })
+        Ok(Done { presented, said, is_wrong, rule })
     }
 }
 
@@ -381,6 +394,7 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
     let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Free, args.output.as_deref());
     let found = inputs(&args.paths, &args.many, &|path| is_program(path, &args.common))?;
     reporter.spares(&found.list, &BTreeSet::new())?;
+    args.deps.spares(&paths_of(&found.list), &args.output.as_deref().map(real).into_iter().collect())?;
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     if found.list.is_empty() && reporter.troubles().is_empty() && args.many.shard.is_none() {
         reporter.say("partc: no part program lies in the folders that are named");
@@ -410,16 +424,22 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
         let ticker = Ticker::start(alone, &place);
         session.check(dialect, &settings, &files);
         drop(ticker);
-        present(look, session, &input.path, &args.common, alone)
+        let rule = args.deps.rule(&input.path, &args.common, &files, &[])?;
+        Ok((present(look, session, &input.path, &args.common, alone)?, rule))
     };
-    in_order(args.many.jobs, &inputs, work, |done, result: Result<Presented, Trouble>| {
+    let mut rules = Vec::new();
+    in_order(args.many.jobs, &inputs, work, |done, result: Result<(Presented, Option<Rule>), Trouble>| {
         reporter.progress(done, inputs.len());
         match result {
-            Ok(presented) => reporter.take(presented),
+            Ok((presented, rule)) => {
+                reporter.take(presented);
+                rules.extend(rule);
+            }
             Err(trouble) => reporter.trouble(trouble),
         }
     });
-    reporter.finish()
+    let exit = reporter.finish()?;
+    args.deps.write(Rule::together(rules, args.output.as_deref()), exit)
 }
 
 /// `partc check --diff`: of a program with errors these are shown.
@@ -485,26 +505,6 @@ pub(super) fn dialect_of(path: &Path, common: &Common) -> Option<&'static str> {
         said_dialect(&identity, &settings).ok()?.map(|dialect| dialect.id)
     };
     named().or_else(said).or_else(|| dialect::guess(&name, &head).map(|dialect| dialect.id))
-}
-
-/// `partc trace`
-pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
-    if args.common.report.format.is_some_and(|format| format.kind().is_some()) {
-        return Err("the moves and the findings cannot both go to standard output".to_owned());
-    }
-    let Loaded { session, dialect, settings, files, .. } = load(&args.input, &args.common)?;
-    let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Taken, None);
-    reporter.spares(&[Input::named(&args.input)], &BTreeSet::new())?;
-    // Moves of a program with errors are not shown: they end where nobody knows.
-    let mut held = Destination::open(Path::new("-")).map_err(|error| format!("stdout: {error}"))?;
-    let mut writer = BufWriter::new(&mut held);
-    let result = session.trace(dialect, &settings, &files, &mut writer).and_then(|()| writer.flush());
-    drop(writer);
-    if !reporter.look().fails(&session) {
-        result.and_then(|()| held.commit()).or_else(ignore_closed_pipe).map_err(|error| format!("stdout: {error}"))?;
-    }
-    reporter.session(session);
-    reporter.finish()
 }
 
 /// The source map: a JSON document with one object for each output line that a block caused.

@@ -5,8 +5,14 @@
 //! distinct call paths. Decides nothing about geometry, and rounds nothing.
 
 mod arrays;
+#[cfg(feature = "columns")]
+mod arrow_file;
+#[cfg(feature = "columns")]
+mod csv;
 mod row;
 pub mod schema;
+#[cfg(feature = "columns")]
+mod table;
 
 use std::collections::VecDeque;
 
@@ -20,6 +26,8 @@ use crate::text::Sources;
 
 use row::{Rows, TIME};
 pub use schema::{COLUMNS, Column, Kind, VERSION, VERSION_KEY, schema};
+#[cfg(feature = "columns")]
+pub use table::{Form, Table};
 
 /// How the moves become batches.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,24 +1,33 @@
 //! The resolved moves as JSON Lines, one move a line.
 
+use std::collections::VecDeque;
 use std::io::Write;
 
 use serde_json::{Map, Value, json};
 
 use crate::diag::Trail;
-use crate::geo::{Plane, Point2};
+use crate::geo::{Plane, Point2, distance};
 use crate::ir::motion::{Move, Path, Sink};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::axis::Axis;
-use crate::text::Sources;
 use crate::text::decode::escaped_json;
+use crate::text::{BlockNumbers, Sources};
+
+use super::stats::{Clock, Ended, Model, Time};
+use super::told::{Sense, Speed, Told};
 
 /// Writes moves to `out`.
 pub struct Trace<'a> {
     sources: &'a Sources,
     trail: &'a Trail,
     out: &'a mut dyn Write,
-    at: Pos,
-    tool: Option<u32>,
+    clock: Clock,
+    told: Told,
+    numbers: BlockNumbers,
+    /// Moves so far.
+    moves: u64,
+    /// Lines from the first on whose time is still open.
+    waiting: VecDeque<Map<String, Value>>,
     error: Option<std::io::Error>,
 }
 
@@ -29,69 +38,95 @@ impl std::fmt::Debug for Trace<'_> {
 }
 
 impl<'a> Trace<'a> {
-    pub fn new(sources: &'a Sources, trail: &'a Trail, out: &'a mut dyn Write) -> Trace<'a> {
-        Trace { sources, trail, out, at: Pos::UNKNOWN, tool: None, error: None }
+    pub fn new(sources: &'a Sources, trail: &'a Trail, model: Model, out: &'a mut dyn Write) -> Trace<'a> {
+        Trace {
+            sources,
+            trail,
+            out,
+            clock: Clock::new(model),
+            told: Told::default(),
+            numbers: BlockNumbers::default(),
+            moves: 0,
+            waiting: VecDeque::new(),
+            error: None,
+        }
     }
 
     /// # Errors
     /// The first error of the output.
-    pub fn finish(self) -> std::io::Result<()> {
+    pub fn finish(mut self) -> std::io::Result<()> {
+        let ended = self.clock.stop();
+        self.settle(ended);
+        self.release(None);
         match self.error {
             Some(error) => Err(error),
             None => self.out.flush(),
         }
     }
 
+    /// A time that was open is known: all lines up to the next open one go out.
+    fn settle(&mut self, ended: Option<Ended>) {
+        let Some(Ended { number, time, .. }) = ended else { return };
+        let first = self.moves - self.waiting.len() as u64;
+        if let Some(line) = self.waiting.get_mut((number - first) as usize) {
+            line["time"] = json!(rounded(time));
+        }
+        self.release(self.clock.open());
+    }
+
+    fn release(&mut self, open: Option<u64>) {
+        while open != Some(self.moves - self.waiting.len() as u64)
+            && let Some(line) = self.waiting.pop_front()
+        {
+            self.write(&Value::Object(line));
+        }
+    }
+
     fn move_line(&mut self, mv: &Move, origin: &Origin) {
         let mut line = Map::new();
-        let kind = match &mv.path {
-            Path::Rapid => "rapid",
-            Path::Line(_) | Path::Carried { .. } => "line",
-            Path::Arc(..) => "arc",
-            Path::Thread { .. } => "thread",
-        };
-        line.insert("kind".to_owned(), json!(kind));
-        line.insert("start".to_owned(), position(&self.at));
-        self.at.update(&mv.end);
-        line.insert("end".to_owned(), position(if mv.machine { &mv.end } else { &self.at }));
-        if let Path::Arc(arc, _) = &mv.path {
-            line.insert("center".to_owned(), center(arc.plane, arc.center));
-            line.insert("plane".to_owned(), json!(plane_name(arc.plane)));
-            line.insert("sweep_deg".to_owned(), json!(rounded(arc.sweep.to_degrees())));
+        let mut say = |name: &str, value: Value| drop(line.insert(name.to_owned(), value));
+        let start = *self.clock.at();
+        let step = self.clock.movement(mv);
+        say("kind", json!(kind(&mv.path)));
+        say("start", position(&start));
+        let mut end = start;
+        end.update(&mv.end);
+        say("end", position(if mv.machine { &mv.end } else { &end }));
+        path(&mv.path, &mut say);
+        if !matches!(mv.path, Path::Carried { .. })
+            && let Some(length) = step.length
+        {
+            say("length", json!(rounded(length)));
         }
-        if let Path::Thread { lead } = &mv.path {
-            line.insert("lead".to_owned(), json!(rounded(*lead)));
+        match step.time {
+            Time::Later => say("time", Value::Null),
+            Time::None => say("time", json!(0.0)),
+            Time::Unknown => {}
         }
-        if let Path::Carried { feed, length } = &mv.path {
-            line.insert("feed".to_owned(), json!(rounded(*feed)));
-            line.insert("length".to_owned(), json!(rounded(*length)));
-        }
-        match mv.path.feed() {
-            Some(Feed::PerMinute(f)) => line.insert("feed".to_owned(), json!(rounded(f))),
-            Some(Feed::PerRevolution(f)) => line.insert("feed_per_rev".to_owned(), json!(rounded(f))),
-            Some(Feed::InverseTime(f)) => line.insert("feed_inverse_time".to_owned(), json!(rounded(f))),
-            None => None,
-        };
         if mv.side != Side::None {
-            line.insert("compensation".to_owned(), json!(if mv.side == Side::Left { "left" } else { "right" }));
+            say("compensation", json!(if mv.side == Side::Left { "left" } else { "right" }));
         }
         if mv.machine {
-            line.insert("machine".to_owned(), json!(true));
-            for axis in mv.axes.iter() {
-                self.at.forget(axis);
-            }
+            say("machine", json!(true));
         }
-        line.insert("tool".to_owned(), json!(self.tool));
-        line.insert("file".to_owned(), json!(self.sources.name(origin.loc.file)));
-        line.insert("line".to_owned(), json!(origin.loc.line));
+        say("tool", json!(self.told.tool));
+        spindle(&self.told, &mut say);
+        say("file", json!(self.sources.name(origin.loc.file)));
+        say("line", json!(origin.loc.line));
+        if let Some(block) = self.numbers.of(self.sources, origin.loc) {
+            say("block", json!(block));
+        }
         let stack: Vec<Value> = self
             .trail
             .sites(origin.call)
             .iter()
             .map(|site| json!({ "file": self.sources.name(site.file), "line": site.line }))
             .collect();
-        line.insert("stack".to_owned(), Value::Array(stack));
-        self.write(&Value::Object(line));
+        say("stack", Value::Array(stack));
+        self.settle(step.ended);
+        self.moves += 1;
+        self.waiting.push_back(line);
+        self.release(self.clock.open());
     }
 
     fn write(&mut self, line: &Value) {
@@ -100,6 +135,54 @@ impl<'a> Trace<'a> {
         {
             self.error = Some(error);
         }
+    }
+}
+
+fn kind(path: &Path) -> &'static str {
+    match path {
+        Path::Rapid => "rapid",
+        Path::Line(_) | Path::Carried { .. } => "line",
+        Path::Arc(..) => "arc",
+        Path::Thread { .. } => "thread",
+    }
+}
+
+fn path(path: &Path, say: &mut dyn FnMut(&str, Value)) {
+    match path {
+        Path::Arc(arc, _) => {
+            say("center", center(arc.plane, arc.center));
+            say("radius", json!(rounded(distance(arc.from, arc.center))));
+            say("plane", json!(plane_name(arc.plane)));
+            say("sweep_deg", json!(rounded(arc.sweep.to_degrees())));
+        }
+        Path::Thread { lead } => say("lead", json!(rounded(*lead))),
+        Path::Carried { feed, length } => {
+            say("feed", json!(rounded(*feed)));
+            say("length", json!(rounded(*length)));
+        }
+        Path::Rapid | Path::Line(_) => {}
+    }
+    match path.feed() {
+        Some(Feed::PerMinute(f)) => say("feed", json!(rounded(f))),
+        Some(Feed::PerRevolution(f)) => say("feed_per_rev", json!(rounded(f))),
+        Some(Feed::InverseTime(f)) => say("feed_inverse_time", json!(rounded(f))),
+        None => {}
+    }
+}
+
+fn spindle(told: &Told, say: &mut dyn FnMut(&str, Value)) {
+    match told.speed {
+        Some(Speed::Turns(speed)) => say("spindle", json!(rounded(speed))),
+        Some(Speed::Cutting(speed, limit)) => {
+            say("cutting_speed", json!(rounded(speed)));
+            if let Some(limit) = limit {
+                say("spindle_limit", json!(rounded(limit)));
+            }
+        }
+        None => {}
+    }
+    if let Some(sense) = told.sense {
+        say("spindle_direction", json!(Sense::name(sense)));
     }
 }
 
@@ -136,14 +219,17 @@ impl Sink for Trace<'_> {
     }
 
     fn function(&mut self, function: &Function, _: &Origin) {
-        if let Function::ToolChange { number } = function {
-            self.tool = Some(*number);
-        } else if let Function::WorkOffset(_) = function {
-            self.at.clear();
-        }
+        let ended = self.clock.function(function);
+        self.settle(ended);
+        self.told.function(function);
     }
 
     fn lost(&mut self, _: &Origin) {
-        self.at.clear();
+        let ended = self.clock.lost();
+        self.settle(ended);
+    }
+
+    fn begins_at(&mut self, at: &Pos) {
+        self.clock.begins_at(at);
     }
 }

@@ -29,8 +29,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
     (
         "cli",
         &[
-            "compare", "diag", "dialect", "driver", "emit", "exhibit", "ir", "lint", "lsp", "machine", "target",
-            "text", "validate",
+            "columns", "compare", "diag", "dialect", "driver", "emit", "exhibit", "ir", "lint", "lsp", "machine",
+            "target", "text", "validate",
         ],
     ),
 ];

@@ -14,7 +14,7 @@ fn cases_for_python() {
     let Some(file) = std::env::var_os("PARTC_CASES") else { return };
     let letters = |bytes: &[u8]| bytes.iter().map(|byte| char::from(*byte)).collect::<String>();
     let mut lines = String::new();
-    for case in book::cases("").into_iter().filter(finds_the_same) {
+    for case in book::cases("").into_iter().filter(|case| finds_the_same(case)) {
         let compiled = case.compile();
         let called: Vec<_> = case.called.iter().map(|(name, bytes)| json!([name, letters(bytes)])).collect();
         let line = json!({

@@ -7,6 +7,9 @@ use crate::text::decode::escaped_json;
 
 use super::{Checked, Document, Fingerprints, full_text, path_of};
 
+/// The program that calls the file of an issue; receivers pass over what they do not know.
+pub(super) const PROGRAM: &str = "partc_program";
+
 #[derive(Debug, Default)]
 pub struct GitLab {
     issues: Vec<Value>,
@@ -21,16 +24,21 @@ impl Document for GitLab {
                 Severity::Warning => "minor",
                 Severity::Note => "info",
             };
-            self.issues.push(json!({
+            let mut issue = json!({
                 "description": format!("{}: {}", found.code, full_text(found)),
                 "check_name": found.code,
-                "fingerprint": self.prints.of(found),
+                "fingerprint": self.prints.of(&checked.file, found),
                 "severity": severity,
                 "location": {
                     "path": path_of(&found.file),
                     "lines": { "begin": found.line, "end": found.end_line },
                 },
-            }));
+            });
+            // Shards are put together by their programs.
+            if found.file != checked.file {
+                issue[PROGRAM] = json!(path_of(&checked.file));
+            }
+            self.issues.push(issue);
         }
     }
 

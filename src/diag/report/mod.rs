@@ -6,6 +6,7 @@ mod gitlab;
 mod json;
 mod jsonl;
 mod junit;
+pub mod merge;
 mod sarif;
 pub mod xml;
 
@@ -126,16 +127,20 @@ fn path_of(file: &str) -> String {
     path.strip_prefix("./").map_or(path.clone(), str::to_owned)
 }
 
-/// Names the findings of one run so that they keep their names when lines are put in front of them: by file, code and text of
-/// the block, and counted where these are equal.
+/// Names the findings of one run so that they keep their names when lines are put in front of them, and when other programs
+/// come: by program, file, code and text of the block, and counted where these are equal.
 #[derive(Debug, Default)]
 struct Fingerprints {
     seen: rustc_hash::FxHashMap<u128, u32>,
 }
 
 impl Fingerprints {
-    fn of(&mut self, found: &Finding) -> String {
+    fn of(&mut self, program: &str, found: &Finding) -> String {
         let mut hash = xxhash_rust::xxh3::Xxh3::new();
+        if program != found.file {
+            hash.update(path_of(program).as_bytes());
+            hash.update(&[0]);
+        }
         for part in [path_of(&found.file).as_str(), found.code, without_number(&found.text)] {
             hash.update(part.as_bytes());
             hash.update(&[0]);
@@ -192,7 +197,7 @@ mod tests {
     fn fingerprints_survive_new_lines_and_numbers() {
         let of = |lines: &[(u32, &str)]| {
             let mut prints = Fingerprints::default();
-            lines.iter().map(|(line, text)| prints.of(&finding(*line, text))).collect::<Vec<_>>()
+            lines.iter().map(|(line, text)| prints.of("./a b/PART,1.H", &finding(*line, text))).collect::<Vec<_>>()
         };
         let before = of(&[(3, "12 LP PR+5"), (7, "N15 LP PR+6"), (9, "16 LP PR+5")]);
         let after = of(&[(30, "13 LP PR+5"), (70, "N160 LP PR+6"), (90, "LP PR+5")]);

@@ -35,7 +35,7 @@ impl Document for Sarif {
                     "endLine": found.end_line,
                     "endColumn": found.end_column,
                 }))],
-                "partialFingerprints": { "partcBlock/v1": self.prints.of(found) },
+                "partialFingerprints": { "partcBlock/v1": self.prints.of(&checked.file, found) },
             });
             let related = found.related.iter().map(|other| {
                 let region = json!({ "startLine": other.line, "startColumn": other.column });

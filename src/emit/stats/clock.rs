@@ -89,7 +89,6 @@ impl Clock {
     }
 
     /// The number of the move whose time is open.
-    #[cfg(feature = "arrow")]
     pub fn open(&self) -> Option<u64> {
         self.waiting.map(|waiting| waiting.number)
     }

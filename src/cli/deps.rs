@@ -1,0 +1,172 @@
+//! `--deps FILE`: which files an output was made of, for make, ninja and others.
+
+use std::collections::BTreeSet;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use serde_json::json;
+
+use crate::text::decode::escaped_json;
+
+use super::args::{Common, Deps, DepsFormat};
+use super::disk::{IncludeRoots, shown, text_of};
+use super::output::Destination;
+use super::run::{is_output, real};
+use super::{Exit, Trouble, config};
+
+/// What something was made of.
+#[derive(Debug, Default)]
+pub(super) struct Rule {
+    outputs: Vec<PathBuf>,
+    /// The program first, the others in order.
+    inputs: Vec<PathBuf>,
+    /// Files that were looked for: with one of them there would be another result.
+    absent: BTreeSet<PathBuf>,
+}
+
+impl Rule {
+    /// One of all: what a report of many programs was made of.
+    pub(super) fn together(rules: Vec<Rule>, output: Option<&Path>) -> Vec<Rule> {
+        let mut all = Rule::default();
+        all.outputs.extend(output.filter(|path| *path != Path::new("-")).map(Path::to_path_buf));
+        let mut seen = BTreeSet::new();
+        for rule in rules {
+            all.inputs.extend(rule.inputs.into_iter().filter(|path| seen.insert(path.clone())));
+            all.absent.extend(rule.absent);
+        }
+        vec![all]
+    }
+}
+
+/// What `outputs` were made of: a program with what it calls, and what was in force for it.
+fn rule(program: &Path, common: &Common, files: &IncludeRoots, outputs: &[&Path]) -> Result<Rule, Trouble> {
+    let named = outputs.iter().filter(|path| **path != Path::new("-")).map(|path| path.to_path_buf());
+    let mut rule = Rule { outputs: named.collect(), ..Rule::default() };
+    let stdin = program == Path::new("-");
+    if !stdin {
+        rule.inputs.push(program.to_path_buf());
+    }
+    let path = common.stdin_filename.as_deref().filter(|_| stdin).unwrap_or(program);
+    let read = config::read_for(path, common)?;
+    let mut others: BTreeSet<PathBuf> = read.files.into_iter().map(|(_, path)| path).collect();
+    rule.absent.extend(read.absent);
+    for (path, looked) in files.looked() {
+        if looked.found {
+            others.insert(path);
+        } else {
+            rule.absent.insert(path);
+        }
+    }
+    let own = real(program);
+    rule.inputs.extend(others.into_iter().filter(|path| real(path) != own));
+    Ok(rule)
+}
+
+impl Deps {
+    /// Keeps the file off what is something else.
+    ///
+    /// # Errors
+    /// A file that would be lost.
+    pub fn spares(&self, inputs: &[&Path], outputs: &BTreeSet<PathBuf>) -> Result<(), Trouble> {
+        let Some(file) = &self.deps else { return Ok(()) };
+        let own = real(file);
+        if outputs.contains(&own) || inputs.iter().any(|input| real(input) == own) || is_output(file) {
+            return Err(format!("{}: the list of files would replace a program or its output", file.display()));
+        }
+        Ok(())
+    }
+
+    /// What a program was made into `outputs` of, where somebody wants to know.
+    ///
+    /// # Errors
+    /// A configuration that can be read no more.
+    pub fn rule(
+        &self,
+        program: &Path,
+        common: &Common,
+        files: &IncludeRoots,
+        outputs: &[&Path],
+    ) -> Result<Option<Rule>, Trouble> {
+        self.deps.is_some().then(|| rule(program, common, files, outputs)).transpose()
+    }
+
+    /// Writes the file. After a run that failed there is nothing that was made of anything, and an older list stays.
+    ///
+    /// # Errors
+    /// A name that the form cannot hold; what the system reports.
+    pub fn write(&self, rules: Vec<Rule>, exit: Exit) -> Result<Exit, Trouble> {
+        let Some(file) = self.deps.as_deref().filter(|_| exit == Exit::Clean) else { return Ok(exit) };
+        let name = file.display();
+        let bytes = match self.deps_format {
+            DepsFormat::Make => make(file, &rules).map_err(|why| format!("{name}: {why}"))?,
+            DepsFormat::Json => json(&rules).into_bytes(),
+        };
+        let written = Destination::open(file).and_then(|mut out| out.write_all(&bytes).and_then(|()| out.commit()));
+        written.map_err(|error| format!("{name}: {error}"))?;
+        Ok(exit)
+    }
+}
+
+/// A rule of make for each. What goes to standard output has the list itself for its target.
+fn make(file: &Path, rules: &[Rule]) -> Result<Vec<u8>, Trouble> {
+    let mut text = Vec::new();
+    for rule in rules {
+        let outputs = if rule.outputs.is_empty() { vec![file.to_path_buf()] } else { rule.outputs.clone() };
+        for (at, output) in outputs.iter().enumerate() {
+            if at > 0 {
+                text.push(b' ');
+            }
+            escape(output, &mut text)?;
+        }
+        text.push(b':');
+        for input in &rule.inputs {
+            text.extend(b" \\\n  ");
+            escape(input, &mut text)?;
+        }
+        text.push(b'\n');
+    }
+    Ok(text)
+}
+
+/// A name as make, ninja and the compilers that write such lists have it.
+fn escape(path: &Path, text: &mut Vec<u8>) -> Result<(), Trouble> {
+    let name = relative(path);
+    for byte in name.as_os_str().as_encoded_bytes() {
+        match byte {
+            b' ' | b'\t' => {
+                // A backslash in front of a blank would be taken for its escape.
+                let before = text.iter().rev().take_while(|b| **b == b'\\').count();
+                text.resize(text.len() + before + 1, b'\\');
+            }
+            b'#' => text.push(b'\\'),
+            // On Windows the one behind a drive is known as such.
+            b':' if !cfg!(windows) => text.push(b'\\'),
+            b'$' => text.push(b'$'),
+            b'\n' | b'\r' => return Err(format!("no list of make can hold a name such as {:?}", text_of(&name))),
+            _ => {}
+        }
+        text.push(*byte);
+    }
+    Ok(())
+}
+
+/// The path from the current folder where it lies below that.
+fn relative(path: &Path) -> PathBuf {
+    let here = std::env::current_dir().ok();
+    here.as_deref().and_then(|here| path.strip_prefix(here).ok()).unwrap_or(path).to_path_buf()
+}
+
+fn json(rules: &[Rule]) -> String {
+    let names = |paths: &mut dyn Iterator<Item = &PathBuf>| paths.map(|path| shown(path)).collect::<Vec<_>>();
+    let list: Vec<_> = rules
+        .iter()
+        .map(|rule| {
+            json!({
+                "outputs": names(&mut rule.outputs.iter()),
+                "inputs": names(&mut rule.inputs.iter()),
+                "absent": names(&mut rule.absent.iter()),
+            })
+        })
+        .collect();
+    escaped_json(&json!({ "version": 1, "rules": list }).to_string()).into_owned() + "\n"
+}

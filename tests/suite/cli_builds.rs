@@ -1,0 +1,310 @@
+//! What build systems and fleets need: lists of what was read, keys, reports of shards put together, the same bytes.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use serde_json::{Value, json};
+
+use super::cli_run::{Folder, HOLE, PART, RADIUS, WARNED, WRONG, caller};
+
+const CONFIG: &str = "extend = \"base.toml\"\n[tools]\ntable = \"tool.t\"\n";
+const BASE: &str = "[output]\ndecimals = 3\n";
+const TABLE: &str = "[tools.5]\nradius = 5.0\n";
+
+/// A program that calls another one, under a configuration with a table.
+fn tree(test: &str) -> Folder {
+    Folder::new(test).with(&[
+        ("parts/A.H", &caller("HOLE")),
+        ("parts/HOLE.H", HOLE),
+        ("partc.toml", "extend = \"base.toml\"\n"),
+        ("base.toml", &format!("{BASE}{TABLE}")),
+    ])
+}
+
+#[test]
+fn lists_name_every_file_that_was_read() {
+    let folder = tree("deps");
+    folder.run(&["compile", "parts/A.H", "--out-dir", "out", "--deps", "a.d"]).exits(0);
+    let list = folder.read("a.d");
+    assert!(list.starts_with("out/A.ngc: \\\n  parts/A.H \\\n"), "{list}");
+    for file in ["parts/HOLE.H", "partc.toml", "base.toml"] {
+        assert!(list.lines().any(|line| line.trim_end_matches(" \\").trim().ends_with(file)), "{file}: {list}");
+    }
+    folder.run(&["check", "parts", "-o", "found.txt", "--deps", "c.json", "--deps-format", "json"]).exits(0);
+    let found: Value = serde_json::from_str(&folder.read("c.json")).expect("JSON");
+    assert_eq!((&found["version"], &found["rules"][0]["outputs"]), (&json!(1), &json!(["found.txt"])));
+    let names = |key: &str| -> BTreeSet<String> {
+        let list = found["rules"][0][key].as_array().expect("names");
+        list.iter().map(|name| name.as_str().expect("a name").to_owned()).collect()
+    };
+    let wanted = ["base.toml", "partc.toml", "parts/A.H", "parts/HOLE.H"].map(str::to_owned);
+    assert_eq!(names("inputs"), BTreeSet::from(wanted));
+    // A file of the very name would be called in its place; a nearer configuration would hold.
+    let absent = names("absent");
+    assert!(absent.contains("parts/HOLE") && absent.contains("parts/partc.toml"), "{absent:?}");
+    for command in [["trace", "parts/A.H", "-o", "a.csv"], ["report", "parts/A.H", "-o", "a.html"]] {
+        folder.run(&[&command[..], &["--deps", "d.d"]].concat()).exits(0);
+        let list = folder.read("d.d");
+        assert!(list.starts_with(&format!("{}: \\\n  parts/A.H", command[3])) && list.contains("HOLE.H"), "{list}");
+    }
+}
+
+#[test]
+fn a_run_that_fails_leaves_the_older_list() {
+    let folder = Folder::new("deps_failed").with(&[("A.H", PART), ("W.H", WRONG)]);
+    folder.write("a.d", "older");
+    folder.run(&["compile", "W.H", "--deps", "a.d"]).exits(1);
+    assert_eq!(folder.read("a.d"), "older");
+    folder.run(&["compile", "A.H", "--deps", "A.H"]).exits(2).says("would replace");
+    folder.run(&["compile", "A.H", "--deps", "A.ngc"]).exits(2).says("would replace");
+    folder.run(&["compile", "A.H", "--deps-format", "json"]).exits(2);
+    assert_eq!(folder.read("A.H"), PART);
+    folder.run(&["compile", "A.H", "--deps", "a.d"]).exits(0);
+    assert_eq!(folder.read("a.d"), "A.ngc: \\\n  A.H\n");
+}
+
+/// Make reads the names as they are, and builds again when one of them changes.
+#[cfg(unix)]
+#[test]
+fn make_understands_the_names() {
+    if Command::new("make").arg("--version").output().is_err() {
+        println!("skipped: make is not installed");
+        return;
+    }
+    let folder = Folder::new("deps_make");
+    let name = "a b#c$d:e\\ f.H";
+    folder.write(name, PART);
+    folder.run(&["compile", name, "-o", "x.ngc", "--deps", "x.d"]).exits(0);
+    assert_eq!(folder.read("x.d"), "x.ngc: \\\n  a\\ b\\#c$$d\\:e\\\\\\ f.H\n");
+    folder.write("Makefile", "all: x.ngc\nx.ngc:\n\ttouch made x.ngc\ninclude x.d\n");
+    let make = || {
+        let ran = Command::new("make").current_dir(&folder.0).env_remove("MAKEFLAGS").output().expect("make runs");
+        assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
+        folder.has("made")
+    };
+    let now = std::time::SystemTime::now();
+    let age = |name: &str, seconds: u64| {
+        let file = fs::File::options().append(true).open(folder.0.join(name)).expect("a file");
+        file.set_modified(now - std::time::Duration::from_secs(seconds)).expect("a time");
+    };
+    age(name, 100);
+    age("x.ngc", 50);
+    assert!(!make(), "nothing has changed");
+    age(name, 10);
+    assert!(make(), "the program has changed");
+}
+
+fn key(folder: &Folder, args: &[&str]) -> String {
+    let out = folder.run(&[&["key"], args].concat()).exits(0).out;
+    let (key, _) = out.split_once("  ").expect("a key and a name");
+    assert!(key.len() == 32 && key.bytes().all(|b| b.is_ascii_hexdigit()), "{out}");
+    key.to_owned()
+}
+
+#[test]
+fn a_key_is_the_same_in_every_folder() {
+    let (one, other) = (tree("key_here"), tree("key_there/below/another"));
+    assert_eq!(key(&one, &["parts/A.H"]), key(&other, &["parts/A.H"]));
+    // By whatever path it is named, and whenever it was written.
+    let absolute = one.0.join("parts/A.H").display().to_string();
+    assert_eq!(key(&one, &["./parts/A.H"]), key(&one, &[&absolute]));
+    one.write("parts/A.H", &caller("HOLE"));
+    assert_eq!(key(&one, &["parts/A.H"]), key(&other, &["parts/A.H"]));
+    let all = one.run(&["key", "parts", "-j", "2"]).exits(0).out;
+    assert_eq!(all, one.run(&["key", "parts", "-j", "1"]).exits(0).out);
+    let names: Vec<&str> = all.lines().map(|line| &line[34..]).collect();
+    assert_eq!(names, ["parts/A.H", "parts/HOLE.H"]);
+    assert_eq!(key(&one, &["parts/A.H"]), all[..32]);
+}
+
+#[test]
+fn a_key_changes_with_everything_that_counts() {
+    let folder = tree("key_changes");
+    folder.write("tool.t", &tool_t(3));
+    folder.write("partc.toml", CONFIG);
+    let mut keys = BTreeSet::from([key(&folder, &["parts/A.H"])]);
+    let mut is_new = |what: &str, key: String| assert!(keys.insert(key), "the key does not show {what}");
+    for (name, text) in [
+        ("parts/A.H", caller("HOLE").replace("X+10", "X+11")),
+        ("parts/HOLE.H", HOLE.replace("F150", "F151")),
+        ("base.toml", BASE.replace('3', "4")),
+        ("tool.t", tool_t(4)),
+        ("partc.toml", format!("{CONFIG}radius = 1\n").replace("radius = 1\n", "[output]\nunits = \"inch\"\n")),
+        // They were looked for.
+        ("parts/HOLE", HOLE.to_owned()),
+        ("parts/partc.toml", BASE.to_owned()),
+    ] {
+        folder.write(name, &text);
+        is_new(name, key(&folder, &["parts/A.H"]));
+    }
+    is_new("the target", key(&folder, &["parts/A.H", "--target", "fanuc"]));
+    is_new("block numbers", key(&folder, &["parts/A.H", "--numbers", "10"]));
+    is_new("compensation", key(&folder, &["parts/A.H", "--compensation", "control"]));
+    is_new("selected findings", key(&folder, &["parts/A.H", "--select", "all"]));
+    is_new("no configuration", key(&folder, &["parts/A.H", "--isolated"]));
+    fs::rename(folder.0.join("parts/A.H"), folder.0.join("parts/B.H")).expect("another name");
+    is_new("the name", key(&folder, &["parts/B.H"]));
+    // Neither does what nobody reads.
+    let before = key(&folder, &["parts/B.H"]);
+    folder.write("parts/UNUSED.H", PART);
+    folder.write("README", "text");
+    assert_eq!(key(&folder, &["parts/B.H"]), before);
+    folder.run(&["key", "parts/NONE.H"]).exits(2);
+}
+
+/// A program that lacks what it calls has a key, and another one when that is there.
+#[test]
+fn a_called_program_that_appears_changes_the_key() {
+    let folder = Folder::new("key_absent").with(&[("A.H", &caller("HOLE"))]);
+    let before = key(&folder, &["A.H"]);
+    folder.write("HOLE.H", HOLE);
+    assert_ne!(key(&folder, &["A.H"]), before);
+}
+
+fn tool_t(radius: u32) -> String {
+    format!(
+        "BEGIN TOOL.T MM\nT    NAME             L          R          R2\n5    MILL             +50        +{radius}         +0\n[END]\n"
+    )
+}
+
+const FORMS: [&str; 5] = ["json", "sarif", "gitlab", "junit", "checkstyle"];
+
+/// Programs with findings of their own and in what they call.
+fn fleet(test: &str) -> Folder {
+    let folder = Folder::new(test).with(&[("ZZ.H", &HOLE.replace("F150", "R5")), ("partc.toml", "")]);
+    for n in 0..24 {
+        let folders = ["a", "a b", "a-b", "a&b/c", "ä"];
+        let text = match n % 6 {
+            0 => PART.to_owned(),
+            1 => WRONG.to_owned(),
+            2 => WARNED.to_owned(),
+            3 => RADIUS.to_owned(),
+            4 => "N10 G1 X5\nN20 M30\n".to_owned(),
+            _ => caller("YY"),
+        };
+        let extension = if n % 6 == 4 { "MPF" } else { "H" };
+        let place = folders[n % folders.len()];
+        folder.write(&format!("fleet/{place}/P{n}.{extension}"), &text);
+        folder.write(&format!("fleet/{place}/YY.H"), &HOLE.replace("F150", "R5"));
+    }
+    folder
+}
+
+#[test]
+fn shards_put_together_are_the_whole() {
+    let folder = fleet("merge");
+    for form in FORMS {
+        folder.run(&["check", "fleet", "--format", form, "-o", "whole"]).exits(1);
+        for of in [1, 3, 7] {
+            let mut parts: Vec<String> = Vec::new();
+            for part in 1..=of {
+                let (name, shard) = (format!("part{part}"), format!("{part}/{of}"));
+                let ran = folder.run(&["check", "fleet", "--format", form, "-o", &name, "--shard", &shard]);
+                assert!(ran.code == Some(0) || ran.code == Some(1), "{}", ran.err);
+                parts.push(name);
+            }
+            // In whatever order they come.
+            parts.reverse();
+            let names: Vec<&str> = parts.iter().map(String::as_str).collect();
+            let merged = folder.run(&[&["merge"], &names[..]].concat()).exits(0).quietly().out;
+            assert!(merged == folder.read("whole"), "{form} of {of} shards:\n{merged}\n{}", folder.read("whole"));
+            folder.run(&[&["merge", "-o", "merged"], &names[..]].concat()).exits(0);
+            assert_eq!(folder.read("merged"), merged);
+        }
+    }
+}
+
+#[test]
+fn what_is_no_report_is_not_put_together() {
+    let folder = Folder::new("merge_refused").with(&[("A.H", PART), ("b.json", "{\"a\":1}"), ("c.xml", "<a/>")]);
+    folder.run(&["check", "A.H", "--format", "json", "-o", "a.json"]).exits(0);
+    folder.run(&["check", "A.H", "--format", "junit", "-o", "a.xml"]).exits(0);
+    for file in ["A.H", "b.json", "c.xml"] {
+        folder.run(&["merge", "a.json", file]).exits(2).says(file);
+    }
+    folder.run(&["merge", "a.json", "a.xml"]).exits(2).says("another form");
+    folder.run(&["merge", "a.json", "-o", "a.json"]).exits(2).says("would be replaced");
+    folder.run(&["merge", "none.json"]).exits(2);
+    folder.run(&["merge"]).exits(2);
+}
+
+#[test]
+fn trouble_of_all_shards_is_told_once() {
+    let folder = Folder::new("merge_trouble").with(&[("A.H", PART)]);
+    for form in FORMS {
+        folder.run(&["check", "A.H", "none.H", "--format", form, "-o", "whole"]).exits(2);
+        let parts = ["one", "two"];
+        for (name, shard) in parts.iter().zip(["1/2", "2/2"]) {
+            folder.run(&["check", "A.H", "none.H", "--format", form, "-o", name, "--shard", shard]);
+        }
+        assert_eq!(folder.run(&["merge", "one", "two"]).exits(0).out, folder.read("whole"), "{form}");
+    }
+}
+
+/// All outputs of a folder of programs, by name.
+fn outputs(folder: &Folder, jobs: &str) -> Vec<(String, Vec<u8>)> {
+    let run = |args: &[&str]| folder.run(&[args, &["--jobs", jobs]].concat());
+    run(&["compile", "parts", "--out-dir", "out", "--report", "sarif=out/found.sarif"]).exits(0);
+    run(&["check", "parts", "--format", "json", "-o", "out/found.json"]).exits(0);
+    run(&["stats", "parts", "--as", "csv"]).exits(0);
+    folder.run(&["compile", "parts/A.H", "--out-dir", "out", "--map", "out/a.map"]).exits(0);
+    for form in ["jsonl", "csv", "arrow", "parquet"] {
+        folder.run(&["trace", "parts/A.H", "-o", &format!("out/a.{form}")]).exits(0);
+    }
+    folder.run(&["report", "parts/A.H", "-o", "out/a.html"]).exits(0);
+    folder.run(&["plot", "parts/A.H", "-o", "out/a.svg"]).exits(0);
+    let names = folder.names().into_iter().filter(|name| name.starts_with("out/"));
+    names.map(|name| (name.clone(), fs::read(folder.0.join(&name)).expect("a file"))).collect()
+}
+
+#[test]
+fn outputs_are_the_same_in_every_folder_and_on_any_number_of_threads() {
+    let one = outputs(&tree("same_here"), "1");
+    let other = outputs(&tree("same_there/further/below"), "4");
+    assert!(one.len() >= 10, "{}", one.len());
+    for ((name, one), (other_name, other)) in one.iter().zip(&other) {
+        assert_eq!(name, other_name);
+        assert!(one == other, "{name} differs");
+    }
+}
+
+/// What the rule for Bazel runs, in a folder as Bazel makes it: inputs are links, the output is named.
+#[cfg(unix)]
+#[test]
+fn the_commands_of_the_bazel_rule_work() {
+    let rule = Path::new(env!("CARGO_MANIFEST_DIR")).join("ci/bazel/partc.bzl");
+    let rule = fs::read_to_string(rule).expect("the rule");
+    let (_, script) = rule.split_once("_COMPILE = \"\"\"").expect("the script");
+    let (script, _) = script.split_once("\"\"\"").expect("its end");
+    let source = tree("bazel_source");
+    let box_ = Folder::new("bazel_box");
+    fs::create_dir_all(box_.0.join("parts")).expect("a folder");
+    let files = ["parts/A.H", "parts/HOLE.H", "partc.toml", "base.toml"];
+    for file in files {
+        std::os::unix::fs::symlink(source.0.join(file), box_.0.join(file)).expect("a link");
+    }
+    let run = |out: &str| {
+        let ran = Command::new("bash")
+            .args(["-c", script, "partc_compile", env!("CARGO_BIN_EXE_partc"), "parts/A.H", out, "linuxcnc"])
+            .args(files)
+            .current_dir(&box_.0)
+            .output()
+            .expect("bash runs");
+        assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
+        fs::read(box_.0.join(out)).expect("an output")
+    };
+    fs::create_dir_all(box_.0.join("bin/parts")).expect("a folder");
+    source.run(&["compile", "parts/A.H", "-o", "A.ngc"]).exits(0);
+    assert_eq!(String::from_utf8_lossy(&run("bin/parts/A.ngc")), source.read("A.ngc"));
+    // A program with an error has no output, and the action fails.
+    source.write("parts/A.H", WRONG);
+    let ran = Command::new("bash")
+        .args(["-c", script, "partc_compile", env!("CARGO_BIN_EXE_partc"), "parts/A.H", "bin/W.ngc", "linuxcnc"])
+        .args(files)
+        .current_dir(&box_.0)
+        .output()
+        .expect("bash runs");
+    assert!(!ran.status.success() && !box_.has("bin/W.ngc"));
+}
