@@ -61,12 +61,14 @@ pub fn open(path: &Path, asked: &Asked<'_>) -> Result<Opened, String> {
     Ok(Opened { session, dialect, settings, files: Box::new(files) })
 }
 
-/// A configuration file with what it extends, paths in it from the root, and the bytes of the tables that it names, by
-/// their paths.
+/// A configuration, and the bytes of the tables that it names, by their paths.
+pub type WithTables = (Table, Vec<(String, Vec<u8>)>);
+
+/// A configuration file with what it extends, paths in it from the root.
 ///
 /// # Errors
 /// What cannot be read, or is no TOML.
-pub fn configuration(file: &Path) -> Result<(Table, Vec<(String, Vec<u8>)>), String> {
+pub fn configuration(file: &Path) -> Result<WithTables, String> {
     let folder = std::path::absolute(file).map_err(|error| format!("{}: {error}", file.display()))?;
     let tree = config::named(&folder)?;
     let mut tables = Vec::new();

@@ -80,8 +80,10 @@ fn text_of(value: &Value) -> String {
 }
 
 type Merged<'a> = Result<String, (usize, &'a str)>;
+/// One report of several, or which of them is none and why.
+type One<'a> = Result<Value, (usize, &'a str)>;
 
-fn of_values<'a>(texts: &[&str], merge: fn(Vec<Value>) -> Result<Value, (usize, &'a str)>) -> Merged<'a> {
+fn of_values<'a>(texts: &[&str], merge: fn(Vec<Value>) -> One<'a>) -> Merged<'a> {
     let mut values = Vec::new();
     for (at, text) in texts.iter().enumerate() {
         values.push(serde_json::from_str(text).map_err(|_| (at, NO_REPORT))?);
@@ -194,8 +196,8 @@ fn sarif<'a>(reports: Vec<Value>) -> Result<Value, (usize, &'a str)> {
 
 /// The program of a result of SARIF: that of the outermost call, or its own file.
 fn program_of(result: &Value) -> String {
-    let calls = result["relatedLocations"].as_array().into_iter().flatten();
-    let outermost = calls.filter(|place| place["message"]["text"] == "called from here").last();
+    let mut calls = result["relatedLocations"].as_array().into_iter().flatten();
+    let outermost = calls.rfind(|place| place["message"]["text"] == "called from here");
     let place = outermost.unwrap_or(&result["locations"][0]);
     let uri = text_of(&place["physicalLocation"]["artifactLocation"]["uri"]);
     let path = uri.strip_prefix("file://").unwrap_or(&uri);

@@ -78,11 +78,10 @@ impl Printer<'_> {
     /// Takes these places for lengths, and for X whether it is a diameter.
     pub(super) fn set_places(&mut self, places: Places, diameter: bool) {
         (self.places, self.diameter) = (places, diameter);
-        self.by_axis = Axis::ALL.map(|axis| match axis {
-            axis if axis.is_rotary() => self.measures.angle,
-            Axis::X if diameter => places.of(0.5),
-            _ => places,
-        });
+        self.by_axis = Axis::ALL.map(|axis| if axis.is_rotary() { self.measures.angle } else { places });
+        if diameter {
+            self.by_axis[Axis::X.index()] = places.of(0.5);
+        }
     }
 
     /// The units of the axes of a plane.
