@@ -164,7 +164,7 @@ mod tests {
         sources.add(Opened { name: "a.H".into(), identity: "a".into(), text: Box::new(text) }).unwrap();
         sources.read_by(FileId(0), SplitRules { mark: b'~', continues: |line, _| line.ends_with(b"~") });
         let mut numbers = BlockNumbers::default();
-        let step = |i: usize| if i % 3 == 0 { i } else { starts.len() - 1 - i };
+        let step = |i: usize| if i.is_multiple_of(3) { i } else { starts.len() - 1 - i };
         for i in (0..starts.len()).chain((0..starts.len()).step_by(97).map(step)) {
             let (start, line) = starts[i];
             let loc = Loc { file: FileId(0), line, span: Span::at(start + 1, 1) };
