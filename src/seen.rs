@@ -60,6 +60,8 @@ pub enum Way {
     Thread,
     /// Where the cycle leaves the tool.
     Cycle,
+    /// A corner that is rounded or chamfered.
+    Corner,
 }
 
 impl Way {
@@ -70,6 +72,7 @@ impl Way {
             Way::Arc => "arc",
             Way::Thread => "thread",
             Way::Cycle => "cycle",
+            Way::Corner => "corner",
         }
     }
 }
@@ -83,6 +86,9 @@ impl Stop {
         }
         if self.machine {
             text.push_str(" machine");
+        }
+        if self.path == Way::Corner {
+            text.push_str(" corner");
         }
         if self.passes > 1 {
             let least = if cut_off { "\u{2265}" } else { "" };
@@ -140,6 +146,14 @@ impl Seen {
         self.goes(&end, (path, feed, mv.side, machine), origin, step);
     }
 
+    /// A corner stands where the element in front of it ends. In a block that also moves, the move is what counts.
+    fn corner(&mut self, origin: &Origin, step: u64) {
+        if self.stop(origin.loc.file, origin.loc.span.start).is_none_or(|stop| stop.path == Way::Corner) {
+            let at = self.at;
+            self.goes(&at, (Way::Corner, None, Side::None, false), origin, step);
+        }
+    }
+
     fn goes(&mut self, end: &Pos, how: (Way, Option<Feed>, Side, bool), origin: &Origin, step: u64) {
         let (path, feed, side, machine) = how;
         if machine {
@@ -185,6 +199,7 @@ impl Sink for Looks<'_> {
     }
 
     fn corner(&mut self, corner: &Corner, ctx: &CtxRef, origin: &Origin) {
+        self.seen.corner(origin, self.trail.steps());
         self.next.corner(corner, ctx, origin);
     }
 

@@ -1,12 +1,16 @@
 //! `partc lsp`: the language server on standard input and output.
 
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
+use std::thread;
 
 use lsp_server::{Connection, Message};
 use serde_json::json;
 
 use crate::dialect;
+use crate::lsp::frames::{self, Frame};
 use crate::lsp::{Server, Setting, World};
 
 use super::args::Common;
@@ -19,11 +23,40 @@ const HEAD: usize = 64 * 1024;
 
 /// `partc lsp`
 pub(super) fn serve(common: &Common) -> Result<Exit, Trouble> {
-    let (connection, threads) = Connection::stdio();
+    let (connection, Connection { sender, receiver }) = Connection::memory();
+    let broken = Arc::new(OnceLock::new());
+    // It ends with its input: nobody waits for an editor that is silent.
+    let reason = Arc::clone(&broken);
+    thread::spawn(move || {
+        if let Err(error) = hear(|message| sender.send(message).is_ok()) {
+            let _ = reason.set(format!("messages of the editor: {error}"));
+        }
+    });
+    let writer = thread::spawn(move || receiver.iter().try_for_each(|message| message.write(&mut io::stdout().lock())));
     let ended = talk(&connection, common);
     drop(connection);
-    threads.join().map_err(|error| error.to_string())?;
-    ended
+    match (broken.get(), writer.join()) {
+        (Some(reason), _) => Err(reason.clone()),
+        (None, Ok(Err(error))) => Err(format!("stdout: {error}")),
+        (None, _) => ended,
+    }
+}
+
+/// Hands on what the editor says, and answers what is no message.
+fn hear(mut hand_on: impl FnMut(Message) -> bool) -> io::Result<()> {
+    let mut input = io::stdin().lock();
+    while let Some(frame) = frames::read(&mut input)? {
+        match frame {
+            Frame::Wrong(answer) => frames::write(&mut io::stdout().lock(), &answer)?,
+            Frame::Message(message) => {
+                let is_last = matches!(&message, Message::Notification(said) if said.method == "exit");
+                if !hand_on(message) || is_last {
+                    break;
+                }
+            }
+        }
+    }
+    Ok(())
 }
 
 fn talk(connection: &Connection, common: &Common) -> Result<Exit, Trouble> {

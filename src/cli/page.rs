@@ -24,7 +24,8 @@ const RESULT: &str = "@@RESULT@@";
 /// How every report begins.
 pub(super) const MARK: &str = "<!doctype html>\n<!-- (partc report) -->\n";
 
-/// Writes the page of one program. That of a program with errors shows them, and neither path nor code.
+/// Writes the page of one program. That of a program with errors, or what `--fail-on` makes of findings, shows them, and neither path
+/// nor code.
 pub(super) fn report(args: &Page) -> Result<Exit, Trouble> {
     let target = target(args);
     let shown = target.display().to_string();
@@ -46,7 +47,7 @@ pub(super) fn report(args: &Page) -> Result<Exit, Trouble> {
     args.deps.spares(&[&args.input], &BTreeSet::from([real(&target)]))?;
     let mut out = Destination::open(&target).map_err(trouble)?;
     let ticker = Ticker::start(true, &place);
-    let made = exhibit::made(&session, dialect, &settings, &files);
+    let made = exhibit::made_unless(&session, dialect, &settings, &files, &|session| reporter.look().fails(session));
     // Standard input is read once.
     let size = u32::try_from(session.sources.size(FileId(0))).unwrap_or(u32::MAX);
     let source = session.sources.bytes(FileId(0), Span { start: 0, end: size });

@@ -10,6 +10,8 @@ pub struct Request {
     /// Printed start and end.
     pub from: [i64; 2],
     pub to: [i64; 2],
+    /// Units between two places of the centre.
+    pub step: i64,
     /// Exact centre in units.
     pub center: Point2,
     /// Exact sweep in rad, counter-clockwise positive.
@@ -42,12 +44,12 @@ pub enum Printed {
 
 /// Fits the arc to the printed grid.
 pub fn fit(request: &Request) -> Printed {
-    let Request { from, to, center, sweep, .. } = *request;
+    let Request { from, to, sweep, .. } = *request;
     if from == to {
         if sweep.abs() < core::f64::consts::PI {
             return Printed::Nothing;
         }
-        let offset = [rounded(center.x) - from[0], rounded(center.y) - from[1]];
+        let offset = nearest(request);
         let turns = libm::round(sweep.abs() / TAU).max(1.0);
         if offset == [0, 0] || !takes_radius(offset, request) {
             return Printed::Lines;
@@ -92,6 +94,16 @@ fn rounded(v: f64) -> i64 {
     libm::round(v) as i64
 }
 
+/// The offset to the place that lies nearest to the centre.
+fn nearest(request: &Request) -> [i64; 2] {
+    let Request { from, center, step, .. } = *request;
+    let of = |center: f64, from: i64| match step {
+        1 => rounded(center) - from,
+        _ => step * rounded((center - from as f64) / step as f64),
+    };
+    [of(center.x, from[0]), of(center.y, from[1])]
+}
+
 /// How far the arc around the printed centre leaves the exact one between their ends, in units, or a bound of it that is
 /// within what is allowed.
 ///
@@ -126,8 +138,8 @@ fn leaves(offset: [i64; 2], request: &Request) -> f64 {
 /// The rounded centre, or the neighbour on the grid that lies nearest to the exact one and fits; else what the radii of
 /// the rounded one differ by.
 fn best_offset(request: &Request) -> Result<[i64; 2], f64> {
-    let Request { from, to, center, tolerance, .. } = *request;
-    let naive = [rounded(center.x) - from[0], rounded(center.y) - from[1]];
+    let Request { from, to, center, tolerance, step, .. } = *request;
+    let naive = nearest(request);
     let off = mismatch(from, to, naive);
     if off <= tolerance {
         return Ok(naive);
@@ -135,7 +147,7 @@ fn best_offset(request: &Request) -> Result<[i64; 2], f64> {
     let mut best: Option<(f64, [i64; 2])> = None;
     for dx in -1..=1 {
         for dy in -1..=1 {
-            let offset = [naive[0] + dx, naive[1] + dy];
+            let offset = [naive[0] + step * dx, naive[1] + step * dy];
             if mismatch(from, to, offset) > tolerance {
                 continue;
             }
@@ -170,6 +182,7 @@ mod tests {
         let center = Point2::new(cx, cy);
         let point = |a: f64| [rounded(cx + r * libm::cos(a)), rounded(cy + r * libm::sin(a))];
         Request {
+            step: 1,
             from: point(start),
             to: point(start + sweep),
             center,

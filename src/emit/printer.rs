@@ -38,6 +38,8 @@ pub struct Printer<'a> {
     tools: &'a Tools,
     /// X words are diameters.
     diameter: bool,
+    /// Places of the coordinates of each axis.
+    by_axis: [Places; AXES],
     places: Places,
     measures: Measures,
     diags: &'a Diags,
@@ -117,7 +119,8 @@ impl<'a> Printer<'a> {
             target,
             settings: &settings.output,
             tools: &settings.tools,
-            diameter: lathe && settings.output.prints_diameters(),
+            diameter: false,
+            by_axis: [places; AXES],
             places,
             measures,
             diags,
@@ -139,6 +142,7 @@ impl<'a> Printer<'a> {
             doubted: false,
             running: Running::default(),
         };
+        printer.set_places(places, lathe && settings.output.prints_diameters());
         printer.head(source, lathe);
         #[cfg(test)]
         if source.ends_with(disturb::DISTURBED) {
@@ -264,7 +268,7 @@ impl<'a> Printer<'a> {
         let (first, second, _) = mv.plane.axes();
         matches!(mv.path, Path::Arc(..))
             || [first, second].iter().map(|i| Axis::ALL[*i]).filter(|axis| mv.axes.contains(*axis)).any(|axis| {
-                let units = mv.end.get(axis).and_then(|value| self.places.units(value));
+                let units = mv.end.get(axis).and_then(|value| self.places_of(axis).units(value));
                 let place = self.modal.place(axis);
                 place.is_none() || units != place
             })
@@ -278,8 +282,9 @@ impl<'a> Printer<'a> {
             let axis = Axis::ALL[i];
             let end = mv.end.get(axis).filter(|_| mv.axes.contains(axis));
             let Some(end) = end else { continue };
-            let (to, from) = self.places.units(end).zip(self.modal.place(axis))?;
-            *way = (to - from) as f64 / self.places.scale();
+            let places = self.places_of(axis);
+            let (to, from) = places.units(end).zip(self.modal.place(axis))?;
+            *way = (to - from) as f64 / places.scale();
         }
         Some(libm::hypot(way[0], way[1]))
     }

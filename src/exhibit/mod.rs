@@ -21,7 +21,7 @@ use crate::emit::stats::{Counter, Model, SMOOTH_DEG};
 use crate::ir::motion::{Move, Sink};
 use crate::ir::{Function, Origin, Pos};
 use crate::machine::tools::{Tool, ToolKey};
-use crate::machine::{Axis, MachineKind, Settings};
+use crate::machine::{MachineKind, Settings};
 use crate::seen::Seen;
 use crate::text::{FileId, Files, Sources};
 
@@ -36,6 +36,20 @@ use path::Recorder;
 /// # Errors
 /// As [`Session::compile`].
 pub fn made(session: &Session, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> Result<Vec<u8>, Failure> {
+    made_unless(session, dialect, settings, files, &|session| session.diags.has_errors())
+}
+
+/// The same; with findings that `fails` does not let pass there is neither code nor path.
+///
+/// # Errors
+/// As [`Session::compile`].
+pub fn made_unless(
+    session: &Session,
+    dialect: &Dialect,
+    settings: &Settings,
+    files: &dyn Files,
+    fails: &dyn Fn(&Session) -> bool,
+) -> Result<Vec<u8>, Failure> {
     let mut code = Vec::new();
     let printed = Cell::new(0);
     let mut lines = Lines { blocks: Blocks::new(&session.trail), printed: &printed, lines: Vec::new() };
@@ -45,7 +59,7 @@ pub fn made(session: &Session, dialect: &Dialect, settings: &Settings, files: &d
     };
     session.compile_beside(dialect, settings, files, &mut code, Some(&mut lines), Some(&mut look))?;
     let Look { recorder, counter } = look;
-    let failed = session.diags.has_errors();
+    let failed = fails(session);
     if failed {
         code.clear();
         lines.lines.clear();
@@ -63,7 +77,7 @@ pub fn made(session: &Session, dialect: &Dialect, settings: &Settings, files: &d
         "target": target.name,
         "extension": target.extension,
         "lathe": lathe,
-        "diameter": settings.machine.shown_diameter() == Some(Axis::X),
+        "diameter": settings.machine.shown_diameter().map(|axis| axis.letter().to_string()),
         "failed": failed,
         "findings": findings(&session.diags, &session.sources, &session.trail),
         "dropped": session.diags.dropped(),

@@ -34,7 +34,11 @@ fn tooltip(stop: &Stop, diameter: Option<Axis>) -> String {
     let system =
         if stop.machine { "coordinates of the machine" } else { "coordinates of the workpiece, before compensation" };
     let turned = turned(stop, diameter).map(|axis| format!("; {} is a diameter", axis.letter())).unwrap_or_default();
-    let what = if stop.path == Way::Cycle { "where the cycle leaves the tool" } else { "end of the block" };
+    let what = match stop.path {
+        Way::Cycle => "where the cycle leaves the tool",
+        Way::Corner => "the corner that is cut",
+        Way::Rapid | Way::Line | Way::Arc | Way::Thread => "end of the block",
+    };
     match stop.passes {
         1 => format!("{what}, in {system}{turned}"),
         passes => format!("{what} in its first pass of {passes}, in {system}{turned}"),

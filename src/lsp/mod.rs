@@ -5,6 +5,7 @@
 
 mod actions;
 mod completion;
+pub mod frames;
 mod hints;
 mod hover;
 mod names;

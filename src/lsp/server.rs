@@ -263,7 +263,12 @@ impl<W: World> Server<W> {
 
     /// The document, with a study of its text where there can be one.
     fn study(&mut self, uri: &str) -> Option<&Document> {
-        self.study_while(uri, &|| true)
+        self.study_while(uri, &|| true)?;
+        let document = self.documents.get_mut(uri)?;
+        if let (Some(study), Some(dialect)) = (&mut document.study, document.dialect) {
+            study.look_up(document.text.as_str(), dialect);
+        }
+        Some(document)
     }
 
     /// The same, with no study where it does not go on to its end.

@@ -20,7 +20,9 @@ pub struct Study {
     pub findings: Vec<Found>,
     pub fixes: Vec<Fix>,
     pub seen: Seen,
+    /// Empty until somebody asks: findings do not wait for it.
     pub survey: Survey,
+    is_surveyed: bool,
     /// The program was given up before its end.
     pub cut_off: bool,
     /// What variables got, in order.
@@ -90,7 +92,6 @@ pub fn study(
     if !goes_on() {
         return None;
     }
-    lead(&session.sources, FileId(0), dialect.survey, &mut study.survey);
     let Session { sources, diags, trail } = session;
     study.values = trail.take_values();
     study.files =
@@ -123,6 +124,17 @@ pub fn study(
         });
     }
     Some(study)
+}
+
+impl Study {
+    /// Looks up the blocks and names of the text that was studied.
+    pub fn look_up(&mut self, text: &str, dialect: &Dialect) {
+        if !std::mem::replace(&mut self.is_surveyed, true) {
+            let text = Box::new(Memory::new(text.as_bytes()));
+            let session = Session::new(Opened { name: String::new(), identity: String::new(), text });
+            lead(&session.sources, FileId(0), dialect.survey, &mut self.survey);
+        }
+    }
 }
 
 impl Visitor for Survey {

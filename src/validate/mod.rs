@@ -94,6 +94,8 @@ pub struct Validator {
     /// A unit of the last printed place, and half of it.
     unit: f64,
     half: f64,
+    /// That of X: a diameter tells places that lie half a unit apart.
+    half_of_x: f64,
     /// What the radii at both ends of a printed arc may differ by.
     most_off: f64,
     /// How far the middle of a line may leave the arc that it stands for.
@@ -145,6 +147,7 @@ impl Validator {
             ),
             unit,
             half: unit / 2.0,
+            half_of_x: if lathe && output.prints_diameters() { unit / 4.0 } else { unit / 2.0 },
             most_off: (arcs::MOST_OFF * unit).min(output.arc_mismatch() * SCALE as f64),
             chord: output.arc_fallback.map_or(0.0, |most| f64::from(most) * MILLIONTH).max(arcs::CHORD * unit),
             grain,

@@ -155,7 +155,11 @@ impl Validator {
     /// Does an axis stand where the move ends?
     #[inline(always)]
     fn stands(&self, mv: &Move, axis: usize) -> bool {
-        let half = if (3..6).contains(&axis) { self.grain.angle } else { self.half };
+        let half = match axis {
+            0 => self.half_of_x,
+            3..6 => self.grain.angle,
+            _ => self.half,
+        };
         is_rounding(self.reader.at()[axis], mv.end.values()[axis], half)
     }
 

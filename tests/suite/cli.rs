@@ -338,7 +338,10 @@ fn plot_takes_a_side_sizes_and_a_form() {
     let bad = "0 BEGIN PGM T MM\n1 L X+10 R5\n2 END PGM T MM\n";
     let folder = Folder::new("plot_sides").with(&[("T.H", text), ("BAD.H", bad)]);
     let front = folder.run(&["plot", "T.H", "--view", "xz", "-o", "-"]).exits(0).out;
-    assert!(front.contains("M10 2L50 -3") && front.contains(">Z<") && !front.contains(">Y<"), "{front}");
+    assert!(
+        front.contains("M10 2L50 -3") && front.contains(">Z<") && front.contains(">X in mm<") && !front.contains(">Y<"),
+        "{front}"
+    );
     let sized = folder.run(&["plot", "T.H", "--view", "xz", "--dimensions", "-o", "-"]).exits(0).out;
     assert!(sized.contains(">40<") && sized.contains(">5<"), "{sized}");
     let iso = folder.run(&["plot", "T.H", "--view", "iso", "-o", "-"]).exits(0).out;
@@ -496,6 +499,12 @@ fn a_report_shows_results_or_errors_and_replaces_nothing_foreign() {
     // The folder of a program goes nowhere with its page.
     let named = folder.run(&["report", &folder.0.join("BAD.H").display().to_string(), "-o", "-"]).exits(1).out;
     assert_eq!(named, broken);
+    // What fails the run lets no output pass: the page shows the finding, and neither path nor code.
+    std::fs::write(folder.0.join("W.H"), text.replace("L X+50", "L X\u{2212}50")).expect("a program");
+    let lenient = folder.run(&["report", "W.H", "-o", "-"]).exits(0).out;
+    let strict = folder.run(&["report", "W.H", "-o", "-", "--fail-on", "warning"]).exits(1).out;
+    assert!(strict.ends_with("</html>\n") && strict.len() < lenient.len(), "{} {}", strict.len(), lenient.len());
+    folder.run(&["report", "W.H", "-o", "-", "--fail-on", "warning", "--exit-zero"]).exits(0);
     // A second time it is our own page; a program is not.
     folder.run(&["report", "T.H"]).exits(0);
     folder.run(&["report", "T.H", "-o", "T.H"]).exits(2);

@@ -195,6 +195,40 @@ fn hints_show_where_blocks_lead() {
     client.end();
 }
 
+/// A block that rounds or chamfers moves nothing by itself: its place is the corner.
+#[test]
+fn hints_of_corners_show_the_corner() {
+    let folder = Folder::new("lsp_corners").with(&[]);
+    let mut client = Client::start(&folder, json!({}));
+    let text = "0 BEGIN PGM T MM\n1 L X+0 Y+0 Z+5 R0 FMAX\n2 L X+20 F200\n3 RND R5\n4 L Y+20\n5 CHF 2\n6 L X+0\n7 END PGM T MM\n";
+    let uri = client.open(&folder, "T.H", text);
+    let list = client.hints(&uri);
+    let corners: Vec<&(u64, String)> = list.iter().filter(|(line, _)| [3, 5].contains(line)).collect();
+    assert_eq!(corners, [&(3, "X20 Y0 Z5 corner".to_owned()), &(5, "X20 Y20 Z5 corner".to_owned())]);
+    // SINUMERIK writes the corner into the block that moves.
+    let inside = client.open(&folder, "S.MPF", "G17 G90 G71\nG0 X0 Y0 Z5\nG1 X20 F200 RND=5\nY20 CHF=2\nX0\nM30\n");
+    let labels: Vec<String> = client.hints(&inside).into_iter().map(|(_, label)| label).collect();
+    assert_eq!(labels, ["X0 Y0 Z5", "X20 Y0 Z5", "X20 Y20 Z5", "X0 Y20 Z5"]);
+    client.end();
+}
+
+/// What is no message is answered and the next one counts; where none can be found any more, the server says so and ends.
+#[test]
+fn broken_messages_are_answered_or_end_the_server() {
+    let folder = Folder::new("lsp_broken").with(&[]);
+    let mut client = Client::start(&folder, json!({}));
+    for (body, id, code) in [("{\"method\":", Value::Null, -32700), ("{\"id\":77}", json!(77), -32600)] {
+        write!(client.to, "Content-Length: {}\r\n\r\n{body}", body.len()).expect("the server reads");
+        let answer = client.receive();
+        assert_eq!((&answer["id"], &answer["error"]["code"]), (&id, &json!(code)), "{answer}");
+    }
+    let uri = client.open(&folder, "T.H", POLAR);
+    assert_eq!(client.findings(&uri, 1).len(), 1);
+    write!(client.to, "Content-Length: 99999999999\r\n\r\n{{}}").expect("the server reads");
+    client.to.flush().expect("the server reads");
+    assert_eq!(client.server.wait().expect("an end").code(), Some(2));
+}
+
 /// X of a lathe is shown as its diameter and marked so, also under DIAMOF.
 #[test]
 fn hints_and_hover_of_a_lathe_show_diameters() {

@@ -6,8 +6,8 @@ use partc::internals::machine::settings::Quantity;
 use partc::internals::ir::function::{Coolant, CutterData, Spindle, Turn};
 use partc::internals::ir::motion::{self, Path, Sink};
 use partc::internals::ir::{Feed, Function, Origin, Side};
-use partc::internals::machine::Settings;
 use partc::internals::machine::axis::AXES;
+use partc::internals::machine::{MachineKind, Settings};
 
 /// Where the machine stands before a program: nowhere that a program names, so that an axis word that is missing shows.
 pub const BEFORE: [f64; AXES] = [-7771.0, -7772.0, -7773.0, -774.0, -775.0, -776.0, -7777.0, -7778.0, -7779.0];
@@ -151,11 +151,15 @@ pub struct Recorder {
     tool_length: bool,
     /// Units in a millimetre.
     scale: f64,
+    /// The same of X, which may be a diameter.
+    scale_of_x: f64,
     ended: bool,
 }
 
 impl Recorder {
     pub fn new(settings: &Settings) -> Recorder {
+        let scale = 10f64.powi(i32::from(settings.output.places(Quantity::Length)));
+        let diameters = settings.machine.kind == MachineKind::Lathe && settings.output.prints_diameters();
         Recorder {
             items: Vec::new(),
             at: [None; AXES],
@@ -164,7 +168,8 @@ impl Recorder {
             offset: 1,
             length: 0,
             tool_length: settings.output.prints_tool_length(),
-            scale: 10f64.powi(i32::from(settings.output.places(Quantity::Length))),
+            scale,
+            scale_of_x: if diameters { 2.0 * scale } else { scale },
             ended: false,
         }
     }
@@ -226,9 +231,12 @@ impl Recorder {
 
     /// How far axes go, as printed.
     fn way(&self, before: &[Option<f64>; AXES], axes: std::ops::Range<usize>) -> f64 {
-        let printed = |v: Option<f64>| (v.expect("a known start") * self.scale).round() / self.scale;
+        let printed = |axis: usize, v: Option<f64>| {
+            let scale = if axis == 0 { self.scale_of_x } else { self.scale };
+            (v.expect("a known start") * scale).round() / scale
+        };
         let moved = axes.filter(|i| self.at[*i] != before[*i]);
-        moved.map(|i| printed(self.at[i]) - printed(before[i])).map(|d| d * d).sum::<f64>().sqrt()
+        moved.map(|i| printed(i, self.at[i]) - printed(i, before[i])).map(|d| d * d).sum::<f64>().sqrt()
     }
 
     fn length(&mut self, number: u32) {
@@ -251,8 +259,9 @@ impl Sink for Recorder {
             }
             _ => None,
         };
-        let printed = |v: Option<f64>| v.map(|v| (v * 1e4).round());
-        let same = (0..AXES).all(|i| printed(before[i]) == printed(self.at[i]));
+        let finer = |axis: usize| if axis == 0 { self.scale_of_x / self.scale } else { 1.0 };
+        let printed = |axis: usize, v: Option<f64>| v.map(|v| (v * 1e4 * finer(axis)).round());
+        let same = (0..AXES).all(|i| printed(i, before[i]) == printed(i, self.at[i]));
         if arc.is_some() || !same || mv.machine && mv.axes.iter().next().is_some() {
             let (rapid, mut how) = (mv.path == Path::Rapid, self.how(mv));
             if let Path::Carried { feed, length } = mv.path {

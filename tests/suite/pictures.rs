@@ -266,7 +266,7 @@ fn all_numbers_of_a_diameter_axis_are_diameters() {
     let sized = |view| Options { view: Some(view), dimensions: true, ..Options::default() };
     let seen = words(&svg(TURNED, "sinumerik", LATHE, sized(plot::Side::Xy)));
     let has = |text: &str| seen.iter().any(|word| word == text);
-    assert!(has("X diameter") && has("50") && has("20, 0") && !has("25") && !has("10, 0"), "{seen:?}");
+    assert!(has("X diameter in mm") && has("50") && has("20, 0") && !has("25") && !has("10, 0"), "{seen:?}");
     assert!(has("X diameter 20 to 70, Y 0 to 0") || has("X diameter 20 to 70, Z -30 to 2"), "{seen:?}");
     for view in [plot::Side::Yz, plot::Side::Xz, plot::Side::Iso] {
         let seen = words(&svg(TURNED, "sinumerik", LATHE, sized(view)));

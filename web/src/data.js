@@ -29,6 +29,7 @@ export function unpack(bytes) {
   return about;
 }
 
+export const AXES = ["X", "Y", "Z"];
 export const BEGINS = 0xff;
 export const RAPID = 0, LINE = 1, ARC = 2, THREAD = 3;
 
@@ -49,6 +50,9 @@ export class Path {
     this.box = this.extents(false);
     this.whole = this.extents(true);
   }
+
+  /** What is shown for a millimetre of an axis: of a diameter axis two. */
+  factor(axis) { return this.diameter === AXES[axis] ? 2 : 1; }
 
   get segments() { return this.kinds.length; }
   get moves() { return this.blocks.length; }

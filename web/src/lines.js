@@ -49,6 +49,8 @@ void main() {
 
 /** Elements up to which nothing is left out while the picture moves. */
 const FEW = 60000;
+/** The same where a frame of those takes longer than so many ms, as without a graphics card. */
+const FEWER = 12000, LONG = 90;
 /** Elements of one frame: where no graphics card helps, the page stays awake. */
 const SLICE = 250000;
 /** From so many elements on lines lie on lines: they are thin, and show the form by light. */
@@ -103,13 +105,20 @@ export class Lines {
         if (coarse.n < 0.7 * this.levels.at(-1).n) this.levels.push(coarse); else coarse.free?.();
       }
       const coarse = this.levels.at(-1);
-      this.quick = coarse.n > FEW ? this.sparse(coarse) : coarse;
+      this.quick = coarse.n > FEW ? this.sparse(coarse, FEW) : coarse;
+      this.quicker = this.sparse(coarse, FEWER);
     }, 50);
   }
 
-  /** Stretches of a level, so that about `FEW` elements are left: what is seen of very long paths while they move. */
-  sparse({ points, what, ids, n, error }) {
-    const stretch = 64, every = Math.ceil(n / FEW), keep = [];
+  /** A frame that moved took so long: two long ones behind each other are no accident. */
+  lasted(ms) {
+    this.late = ms > LONG ? this.late + 1 : 0;
+    this.slow ||= this.late > 1;
+  }
+
+  /** Stretches of a level, so that about so many elements are left: what is seen of very long paths while they move. */
+  sparse({ points, what, ids, n, error }, most) {
+    const stretch = 64, every = Math.ceil(n / most), keep = [];
     for (let i = 0; i < n; i++) if (Math.floor(i / stretch) % every === 0) keep.push(i);
     const fewer = { points: new Float32Array(3 * keep.length), what: new Uint8Array(2 * keep.length), ids: new Uint32Array(keep.length) };
     keep.forEach((i, k) => {
@@ -121,9 +130,11 @@ export class Lines {
   }
 
   clear() {
-    [...(this.levels ?? []), this.quick].forEach((level) => level?.free?.());
+    [...(this.levels ?? []), this.quick, this.quicker].forEach((level) => level?.free?.());
     this.levels = [];
-    this.path = this.quick = null;
+    this.path = this.quick = this.quicker = null;
+    this.late = 0;
+    this.slow = false;
   }
 
   level(points, what, ids, error) {
@@ -169,7 +180,8 @@ export class Lines {
     let level = levels[0];
     for (const coarse of levels) if (coarse.error * camera.scale < (moving ? 3 : 0.8)) level = coarse;
     // Near by, few elements lie in the picture, and a graphics card finds them soon.
-    if (moving && this.quick && level.n > this.quick.n) level = this.quick;
+    const quick = this.slow ? this.quicker : this.quick;
+    if (moving && quick && level.n > quick.n) level = quick;
     if (!this.gl) { this.drawFlat(camera, style, level); return false; }
     const gl = this.gl, at = this.places;
     gl.viewport(0, 0, w, h);

@@ -1,10 +1,10 @@
 // The page: a program, its findings, its path and its G-code, each leading to the others.
 
-import { Path, lower, shade, unpack } from "./data.js";
+import { AXES, Path, lower, shade, unpack } from "./data.js";
 import { code, program } from "./editor.js";
 import { EXAMPLE } from "./example.js";
 import { bytesOf, decode, read, save } from "./files.js";
-import { clock, el, figures, problems, together, toolName, tools } from "./panels.js";
+import { clock, counted, el, figures, problems, together, toolName, tools } from "./panels.js";
 import { Plot, VIEWS } from "./plot.js";
 import { short } from "./overlay.js";
 import { split } from "./split.js";
@@ -121,7 +121,7 @@ function told() { plot.tell(null); }
 function describe(m) {
   const { path } = state;
   const place = path.place(Math.max(path.ends[m] - 1, 0)), way = path.ways[m];
-  const at = ["X", "Y", "Z"].map((name, a) => (path.known[a] ? `${name}${path.diameter && a === 0 ? "\u2300" : ""}${short(path.diameter && a === 0 ? place[a] * 2 : place[a], 4)}` : "")).filter(Boolean).join(" ");
+  const at = AXES.map((name, a) => (path.known[a] ? `${name}${path.factor(a) === 2 ? "\u2300" : ""}${short(place[a] * path.factor(a), 4)}` : "")).filter(Boolean).join(" ");
   const radius = path.radii[m], feed = path.feeds[m];
   const arc = radius ? ` R${short(Math.abs(radius), 4)} ${radius > 0 ? "counter-clockwise" : "clockwise"}` : "";
   const unit = way & 4 ? "mm/rev" : way & 8 ? "moves/min" : "mm/min";
@@ -201,7 +201,8 @@ function showMade(made) {
     return says("error", "not compiled");
   }
   if (stale) {
-    $("veil").textContent = state.path ? "The program has errors. The picture is that of the last program without any." : "The program has errors: there is no path.";
+    const few = made.findings.every(({ severity }) => severity !== "error");
+    $("veil").textContent = few ? "The findings let no output pass (--fail-on): there is no path." : state.path ? "The program has errors. The picture is that of the last program without any." : "The program has errors: there is no path.";
     output.set("");
   } else {
     state.path = new Path(made);
@@ -217,7 +218,7 @@ function showMade(made) {
   }
   tools(toolsPage, made, colour);
   figures(figuresPage, made);
-  $("facts").textContent = [made.dialect, made.target, made.stats ? `${made.stats.moves} moves` : "", made.stats ? clock(made.stats.time_s) : ""].filter(Boolean).join(" · ");
+  $("facts").textContent = [made.dialect, made.target, made.stats ? counted(state.path.moves + made.left_out, "move") : "", made.stats ? clock(made.stats.time_s) : ""].filter(Boolean).join(" · ");
   showFindings();
 }
 
@@ -229,18 +230,16 @@ function showFindings() {
   editor.findings(own);
   const count = (severity) => list.filter((found) => found.severity === severity).length;
   const [errors, warnings] = [count("error"), count("warning")];
-  const many = (n, word) => `${n} ${word}${n === 1 ? "" : "s"}`;
-  if (errors) says("error", `${many(errors, "error")}: no G-code`);
-  else if (warnings) says("warning", many(warnings, "warning"));
+  if (errors) says("error", `${counted(errors, "error")}: no G-code`);
+  else if (made.failed) says("error", `${counted(list.length, "finding")}: no G-code`);
+  else if (warnings) says("warning", counted(warnings, "warning"));
   else says("ok", "no errors");
 }
 
 function showChecked(checked) {
   if (!checked.findings) return;
   state.checked = checked;
-  // As the program of a lathe counts X, and marked as a diameter: a hint stands where no word says which it is.
-  const { places } = checked;
-  editor.places(state.made.diameter ? places.replace(/\tX(-?[\d.]+)/g, (_, x) => `\tX\u2300${short(2 * x, 3)}`) : places);
+  editor.places(checked.places);
   showFindings();
 }
 
@@ -263,6 +262,10 @@ function theme(name) {
   plot.theme({ colours: names.map(rgb), select: rgb("select"), selectCss: css("select"), soft: css("soft"), axis: css("axis"), text: css("text"), panel: css("panel"), line: css("line") });
   probe.remove();
 }
+// Paper is white.
+let shown;
+addEventListener("beforeprint", () => { shown = document.documentElement.dataset.theme; theme("light"); plot.draw(performance.now()); });
+addEventListener("afterprint", () => theme(shown));
 dark.addEventListener("change", () => theme(dark.matches ? "dark" : "light"));
 $("theme").addEventListener("click", () => theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"));
 theme(dark.matches ? "dark" : "light");

@@ -36,7 +36,7 @@ export class Overlay {
   }
 
   /** The numbers of a lathe's X are those of the program. */
-  label(plot, axis, value) { return short(plot.path.diameter && axis === 0 ? value * 2 : value, 4); }
+  label(plot, axis, value) { return short(value * plot.path.factor(axis), 4); }
 
   rulers(plot, style) {
     const { camera, path } = plot, { c } = this, s = camera.scale, every = step(70 / s);
@@ -44,7 +44,7 @@ export class Overlay {
     const first = camera.unproject(0, camera.height), last = camera.unproject(camera.width, 0);
     c.fillStyle = style.soft;
     const each = (axis, draw) => {
-      const o = path.origin[axis], by = path.diameter && axis === 0 ? every / 2 : every;
+      const o = path.origin[axis], by = every / path.factor(axis);
       for (let n = Math.ceil((first[axis] + o) / by); n * by <= last[axis] + o; n++) {
         const at = [...camera.center];
         at[axis] = n * by - o;

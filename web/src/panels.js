@@ -43,8 +43,10 @@ export function problems(place, list, dropped, name, go) {
       el("span", {}, found.message + times, small ? el("small", {}, small) : null)));
   }
   const left = list.length - Math.min(list.length, MOST) + dropped;
-  if (left > 0) place.append(el("div", { class: "none" }, `${left} more are not shown.`));
+  if (left > 0) place.append(el("div", { class: "none" }, `${counted(left, "more finding")} not shown.`));
 }
+
+export const counted = (n, word) => `${n} ${word}${n === 1 ? "" : "s"}`;
 
 const number = (value, places = 1) => (value === null || value === undefined ? "" : short(value, places));
 
@@ -90,13 +92,13 @@ export function figures(place, made) {
     ["Dwell", clock(stats.dwell_s)], ["Tool changes", String(stats.tool_changes)], ["Moves", String(stats.moves)],
   ];
   for (const [axis, [low, high]] of Object.entries(stats.extents)) {
-    const two = axis === "X" && made.diameter ? 2 : 1;
+    const two = axis === made.diameter ? 2 : 1;
     rows.push([`Cuts in ${axis}`, `${number(low * two, 4)} to ${number(high * two, 4)}${two === 2 ? " (diameter)" : ""}`]);
   }
   place.append(table([t("Figure"), n("")], rows));
   const { rapid, acceleration, smooth } = model;
   place.append(el("p", {}, `Times of a simple machine: rapid ${rapid} mm/min, acceleration ${acceleration} m/s², stops between moves that turn by more than ${smooth}°, tool changes take no time.`));
-  if (stats.unknown_moves) place.append(el("p", {}, `${stats.unknown_moves} moves begin nobody knows where: they are not in the figures.`));
-  if (stats.untimed_moves) place.append(el("p", {}, `${stats.untimed_moves} moves have no speed that is known: their time is missing.`));
-  if (made.left_out) place.append(el("p", {}, `The picture ends before the program: ${made.left_out} moves are not drawn.`));
+  if (stats.unknown_moves) place.append(el("p", {}, `${counted(stats.unknown_moves, "move")} from or to a place that nobody knows: not in the figures.`));
+  if (stats.untimed_moves) place.append(el("p", {}, `${counted(stats.untimed_moves, "move")} without a speed that is known: the time is missing.`));
+  if (made.left_out) place.append(el("p", {}, `The picture ends before the program: ${counted(made.left_out, "move")} not drawn.`));
 }

@@ -101,6 +101,7 @@ export class Plot {
       ranges: this.ranges.slice(0, 4000), colours: style.colours, select: style.select,
     }, this.moving || !!this.playing, this.goesOn);
     this.stale = false;
+    if (this.moving) { const began = performance.now(); requestAnimationFrame(() => this.lines.lasted(performance.now() - began)); }
     if (this.goesOn) this.frame();
     this.overlay.draw(this, style);
     // The whole is drawn once the picture rests, however long a frame took.

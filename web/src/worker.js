@@ -1,12 +1,18 @@
 // Runs partc beside the page, so that a long program does not stop it. One request at a time; an answer is its bytes.
 
+import { unpacked } from "./lzma.js";
+
 let module;
+
+/** The module: packed by gzip where it was made without `xz`. */
+async function bytesOf(packed) {
+  if (packed[0] !== 0x1f) return unpacked(packed);
+  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+}
 
 onmessage = async ({ data }) => {
   if (data.module) {
-    const stream = new Blob([data.module]).stream().pipeThrough(new DecompressionStream("gzip"));
-    const bytes = await new Response(stream).arrayBuffer();
-    module = (await WebAssembly.instantiate(bytes, {})).instance.exports;
+    module = (await WebAssembly.instantiate(await bytesOf(data.module), {})).instance.exports;
     postMessage({ ready: ask({ what: "about", files: [] }, []) });
     return;
   }

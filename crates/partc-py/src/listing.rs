@@ -35,7 +35,7 @@ pub fn targets() -> String {
             target.abilities().into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect();
         json!({ "name": target.name, "about": target.about, "extension": target.extension, "abilities": abilities })
     };
-    json!(TARGETS.iter().map(|target| object(target)).collect::<Vec<_>>()).to_string()
+    json!(TARGETS.iter().map(object).collect::<Vec<_>>()).to_string()
 }
 
 /// Runs the command line; returns its exit code.

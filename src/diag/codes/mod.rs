@@ -67,7 +67,8 @@ pub struct Code {
     pub on: bool,
     /// One line: what it is about.
     pub title: &'static str,
-    /// The text of `partc explain`: what it means on the machine, how to mend it, where it comes from.
+    /// The text of `partc explain`: what it means on the machine, how to mend it, where it comes from; empty without the feature
+    /// `explain`.
     pub explain: &'static str,
 }
 
@@ -111,6 +112,11 @@ impl From<&'static Code> for Raised {
     }
 }
 
+/// Texts of `partc explain` are a twelfth of what a page loads, which shows none of them.
+const fn told(text: &'static str) -> &'static str {
+    if cfg!(feature = "explain") { text } else { "" }
+}
+
 /// Writes a table of codes as constants plus the list of them all. Behind the severity `off` says that a code is found where
 /// somebody asks for it only.
 macro_rules! codes {
@@ -123,7 +129,7 @@ macro_rules! codes {
             severity: $crate::diag::Severity::$severity,
             on: $crate::diag::codes::codes!(@on $($off)?),
             title: $title,
-            explain: $explain,
+            explain: $crate::diag::codes::told($explain),
         };)*
         pub(super) const $list: &[&$crate::diag::Code] = &[$($id),*];
     };

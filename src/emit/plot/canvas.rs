@@ -5,8 +5,13 @@ use crate::geo::Point2;
 /// Colours of tools, in order of appearance: distinct on white and on black, also for the colour-blind.
 pub(super) const COLOURS: [u32; 8] = [0x0b78c1, 0xd9480f, 0x2b8a3e, 0x9c36b5, 0xb8860b, 0x0c8599, 0xc2255c, 0x6b7a2f];
 
-/// The same on a dark ground.
+/// The same on a dark ground. The page has both, too (`web/src/style.css`).
 pub(super) const ON_DARK: [u32; 8] = [0x5bb8ff, 0xff8f5e, 0x69d17a, 0xd9a3f0, 0xecc94b, 0x4fd1e0, 0xff7fa8, 0xb7cc6a];
+
+/// The colour of a tool by its place in the list, which begins with no tool.
+pub(super) fn shade(tool: usize) -> usize {
+    (tool + COLOURS.len() - 1) % COLOURS.len()
+}
 
 /// A part of a path, in mm of the part with y upwards.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,7 +105,7 @@ impl Class {
             round: false,
             filled: false,
         };
-        let tool = |index: usize| Ink::Tool(index % COLOURS.len());
+        let tool = |index: usize| Ink::Tool(shade(index));
         match self {
             Class::Grid => Look { width: 0.6, ink: Ink::Fixed(0x888888, 0x888888), opacity: 0.3, ..plain },
             Class::Axis => plain,
@@ -150,4 +155,20 @@ pub(super) trait Canvas {
     /// A path; `title` is shown where somebody points at it.
     fn path(&mut self, class: Class, title: Option<&str>, parts: &[Part]);
     fn words(&mut self, words: &Words<'_>);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_page_has_the_same_colours() {
+        let style = include_str!("../../../web/src/style.css");
+        for (list, which) in [(COLOURS, 0), (ON_DARK, 1)] {
+            let of = |i: usize| style.split(&format!("--t{i}: #")).nth(1 + which).and_then(|rest| rest.get(..6));
+            let page: Vec<_> =
+                (0..list.len()).map(|i| of(i).and_then(|hex| u32::from_str_radix(hex, 16).ok())).collect();
+            assert_eq!(page, list.map(Some), "{list:06x?}");
+        }
+    }
 }

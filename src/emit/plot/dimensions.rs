@@ -13,6 +13,8 @@ use super::svg::show;
 pub(super) const LETTER: f64 = 0.56;
 /// The same in the broadest of the usual fonts: what must not be cut off counts with it.
 pub(super) const BROAD: f64 = 0.64;
+/// Left free behind a word, in heights of the font.
+const GAP: f64 = 0.6;
 /// Labels of a picture; more would hide it.
 const MOST: usize = 60;
 
@@ -21,6 +23,8 @@ const MOST: usize = 60;
 pub(super) struct Labels {
     placed: Vec<Label>,
     taken: Vec<(Point2, Point2)>,
+    /// Least and greatest X at which there is something of a word.
+    room: (f64, f64),
     /// For want of room.
     pub left_out: u32,
 }
@@ -35,16 +39,23 @@ struct Label {
 }
 
 impl Labels {
+    pub(super) fn within(layout: &Layout) -> Labels {
+        let (left, _, broad, _) = layout.frame();
+        Labels { room: (left, left + broad), ..Labels::default() }
+    }
+
+    /// Does a word of so many letters lie in the picture, in whatever font?
+    fn fits(&self, at: Point2, anchor: Anchor, font: f64, text: &str) -> bool {
+        let (left, right) = extent(at.x, anchor, BROAD * font * text.chars().count() as f64);
+        self.room.0 <= left && right <= self.room.1
+    }
+
     pub(super) fn place(&mut self, at: Point2, anchor: Anchor, font: f64, text: String) -> bool {
         let long = LETTER * font * text.chars().count() as f64;
-        let left = match anchor {
-            Anchor::Start => at.x,
-            Anchor::Middle => at.x - long / 2.0,
-            Anchor::End => at.x - long,
-        };
-        let (low, high) = (Point2::new(left, at.y - 0.2 * font), Point2::new(left + long, at.y + 0.8 * font));
+        let (left, right) = extent(at.x, anchor, long);
+        let (low, high) = (Point2::new(left, at.y - 0.2 * font), Point2::new(right + GAP * font, at.y + 0.8 * font));
         let meets = |(a, b): &(Point2, Point2)| a.x < high.x && low.x < b.x && a.y < high.y && low.y < b.y;
-        if self.placed.len() >= MOST || self.taken.iter().any(meets) {
+        if self.placed.len() >= MOST || !self.fits(at, anchor, font, &text) || self.taken.iter().any(meets) {
             self.left_out += 1;
             return false;
         }
@@ -58,6 +69,16 @@ impl Labels {
             canvas.words(&Words { at: *at, anchor: *anchor, font: *font, upright: *upright, text });
         }
     }
+}
+
+/// From where to where a word reaches.
+fn extent(at: f64, anchor: Anchor, long: f64) -> (f64, f64) {
+    let left = match anchor {
+        Anchor::Start => at,
+        Anchor::Middle => at - long / 2.0,
+        Anchor::End => at - long,
+    };
+    (left, left + long)
 }
 
 /// What there is to measure.
@@ -110,6 +131,8 @@ impl Measured<'_> {
             self.line(canvas, right(low.y), right(high.y));
             let at = Point2::new(line - 0.35 * font, (low.y + high.y) / 2.0);
             let text = show((high.y - low.y) * self.factors.1);
+            let half = LETTER * 0.9 * font * text.chars().count() as f64 / 2.0;
+            labels.taken.push((at - Vec2::new(0.9 * font, half), at + Vec2::new(0.2 * font, half)));
             labels.placed.push(Label { at, anchor: Anchor::Middle, font: 0.9 * font, upright: true, text });
         }
     }
@@ -171,9 +194,16 @@ impl Measured<'_> {
                 Part::Line(center + Vec2::new(0.0, arm)),
             ];
             canvas.path(Class::Dimension, None, &cross);
-            let on = center + Vec2::new(1.0, 1.0) * (radius * core::f64::consts::FRAC_1_SQRT_2);
-            let to = on + Vec2::new(0.8, 0.8) * font;
-            if labels.place(to, Anchor::Start, font, format!("⌀{}", show(2.0 * radius))) {
+            let text = format!("⌀{}", show(2.0 * radius));
+            // To the left where the edge of the picture would cut it off.
+            let ways = [(1.0, Anchor::Start), (-1.0, Anchor::End)].map(|(side, anchor)| {
+                let way = Vec2::new(side, 1.0);
+                let on = center + way * (radius * core::f64::consts::FRAC_1_SQRT_2);
+                (on, on + way * (0.8 * font), anchor)
+            });
+            let fits = ways.iter().find(|(_, to, anchor)| labels.fits(*to, *anchor, font, &text));
+            let (on, to, anchor) = *fits.unwrap_or(&ways[0]);
+            if labels.place(to, anchor, font, text) {
                 canvas.path(Class::Dimension, None, &[Part::Move(on), Part::Line(to)]);
             }
         }
@@ -189,14 +219,12 @@ impl Measured<'_> {
             }
             seen.push(run.from);
             let text = format!("{}, {}", show(run.from.x * self.factors.0), show(run.from.y * self.factors.1));
-            let long = BROAD * font * text.chars().count() as f64;
             // At the left of the hole where the edge of the picture would cut it off.
-            let (side, anchor) = if run.from.x + 0.5 * font + long <= self.layout.low.x + self.layout.broad() {
-                (0.5, Anchor::Start)
-            } else {
-                (-0.5, Anchor::End)
-            };
-            labels.place(run.from + Vec2::new(side, 0.5) * font, anchor, font, text);
+            let ways = [(0.5, Anchor::Start), (-0.5, Anchor::End)]
+                .map(|(side, anchor)| (run.from + Vec2::new(side, 0.5) * font, anchor));
+            let fits = ways.iter().find(|(at, anchor)| labels.fits(*at, *anchor, font, &text));
+            let (at, anchor) = *fits.unwrap_or(&ways[0]);
+            labels.place(at, anchor, font, text);
         }
     }
 
@@ -220,9 +248,14 @@ impl Measured<'_> {
         }
         let low = self.section.edges.iter().map(|edge| edge.from().y.min(edge.to().y)).fold(0.0, f64::min);
         for z in shoulders {
-            let at = Point2::new(z, self.layout.low.y + 0.4 * font);
-            if labels.place(at, Anchor::Middle, font, show(z)) {
-                let (from, to) = (Point2::new(z, low - 0.3 * font), at + Vec2::new(0.0, 0.9 * font));
+            let text = show(z);
+            let below = Point2::new(z, self.layout.low.y + 0.4 * font);
+            // The vertical axis would strike the word out.
+            let half = LETTER * font * text.chars().count() as f64 / 2.0;
+            let beside = Point2::new(0.4 * font, below.y);
+            let (at, anchor) = if z.abs() <= half { (beside, Anchor::Start) } else { (below, Anchor::Middle) };
+            if labels.place(at, anchor, font, text) {
+                let (from, to) = (Point2::new(z, low - 0.3 * font), below + Vec2::new(0.0, 0.9 * font));
                 canvas.path(Class::Dimension, None, &[Part::Move(from), Part::Line(to)]);
             }
         }

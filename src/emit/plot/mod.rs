@@ -89,10 +89,10 @@ pub struct Plot {
     contour: Strokes,
     parts: Parts,
     at: Pos,
-    /// Index of the tool's colour and the tools in order of appearance.
+    /// Place of the tool, and the tools in order of appearance behind no tool.
     colour: usize,
     tools: Vec<Option<u32>>,
-    /// Programs instead of tools have colours.
+    /// Programs instead of tools have colours, from place 1 on.
     names: Vec<String>,
     cut: Rect,
     /// The least and greatest coordinates of X, Y and Z that are cut.
@@ -132,13 +132,10 @@ impl Plot {
     pub fn program(&mut self, name: &str) {
         self.strokes.lift();
         self.at.clear();
-        if self.names.is_empty() {
-            self.tools.clear();
-        }
         let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
         self.tools.push(Some(self.names.len() as u32));
-        self.colour = self.names.len();
         self.names.push(name.to_owned());
+        self.colour = self.names.len();
     }
 
     /// Writes the picture; what is pointed at in an SVG shows its line of `sources`.
@@ -383,10 +380,6 @@ impl Sink for Plot {
             self.colour = match self.tools.iter().position(|known| *known == tool) {
                 Some(index) => index,
                 None => {
-                    // The place of the unknown first tool is free if nothing was drawn with it.
-                    if self.tools == [None] && self.strokes.is_empty() {
-                        self.tools.clear();
-                    }
                     self.tools.push(tool);
                     self.tools.len() - 1
                 }

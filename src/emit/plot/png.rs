@@ -87,7 +87,7 @@ impl Png {
         let Some(path) = path.finish() else { return };
         let mut paint = Paint { anti_alias: true, ..Paint::default() };
         let rgb = match look.ink {
-            Ink::Tool(i) => COLOURS.get(i % COLOURS.len()).copied().unwrap_or_default(),
+            Ink::Tool(i) => COLOURS.get(i).copied().unwrap_or_default(),
             Ink::Fixed(light, _) => light,
         };
         let [_, r, g, b] = rgb.to_be_bytes();

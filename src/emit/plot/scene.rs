@@ -93,7 +93,7 @@ impl Scene<'_> {
         if let Some((start, end)) = self.ends {
             marks::ends(canvas, start, end, layout.pixel);
         }
-        let mut labels = Labels::default();
+        let mut labels = Labels::within(layout);
         if self.dimensions && self.view.axes().is_some() {
             let turning = self.view.is_turning();
             let (cut, strokes, section) = (&self.cut, self.strokes, &self.section);
@@ -312,7 +312,7 @@ impl Scene<'_> {
         text(x + 0.6 * font, self.title_line(layout), Anchor::Start, font, &shortened(self.title));
         if let Some((right, up)) = self.view.axes() {
             text(x + 0.6 * font, layout.high.y + 0.6 * font, Anchor::Start, font, &self.axis_name(up));
-            text(layout.high.x, layout.low.y - 2.4 * font, Anchor::End, font, &self.axis_name(right));
+            text(layout.high.x, layout.low.y - 2.4 * font, Anchor::End, font, &in_mm(&self.axis_name(right)));
         }
         let base = self.base(layout);
         for (line, sizes) in self.size_lines(layout).iter().enumerate() {
@@ -420,7 +420,8 @@ impl Scene<'_> {
         let drawn: BTreeSet<usize> = self.strokes.runs().map(|(run, _)| run.colour).collect();
         let mut entries: Vec<(Sample, String)> = Vec::new();
         for i in drawn.iter().take(NAMED) {
-            let name = match (self.names.get(*i), self.tools.get(*i)) {
+            let named = i.checked_sub(1).and_then(|i| self.names.get(i));
+            let name = match (named, self.tools.get(*i)) {
                 (Some(name), _) => shortened(name),
                 (None, Some(Some(number))) => format!("T{number}"),
                 (None, _) => "path".to_owned(),
@@ -430,14 +431,15 @@ impl Scene<'_> {
         if drawn.len() > NAMED {
             entries.push((Sample::None, format!("{} more tools", drawn.len() - NAMED)));
         }
+        let first = drawn.first().copied().unwrap_or(0);
         if pens(Pen::Thread) {
-            entries.push((Sample::Line(Class::Thread(0)), "thread".to_owned()));
+            entries.push((Sample::Line(Class::Thread(first)), "thread".to_owned()));
         }
         if !self.contour.is_empty() {
             entries.push((Sample::Line(Class::Contour), "contour".to_owned()));
         }
         if pens(Pen::Rapid) {
-            entries.push((Sample::Line(Class::Rapid(drawn.first().copied().unwrap_or(0))), "rapid".to_owned()));
+            entries.push((Sample::Line(Class::Rapid(first)), "rapid".to_owned()));
         }
         if !self.section.edges.is_empty() {
             entries.push((Sample::Line(Class::Edge), "finished part, cut open".to_owned()));
@@ -489,6 +491,11 @@ impl Scene<'_> {
         ];
         canvas.path(Class::Axis, None, &parts);
     }
+}
+
+/// Pictures are in millimetres, whatever the program counts in.
+fn in_mm(axis: &str) -> String {
+    format!("{axis} in mm")
 }
 
 fn bar_name(layout: &Layout) -> String {

@@ -6,7 +6,7 @@ use std::io::{self, Write as _};
 use crate::geo::{Point2, SAME_POINT, distance, turned};
 
 use super::super::Output;
-use super::canvas::{Anchor, COLOURS, Canvas, Class, Ink, Look, ON_DARK, Part, Widths, Words};
+use super::canvas::{Anchor, COLOURS, Canvas, Class, Ink, Look, ON_DARK, Part, Widths, Words, shade};
 use super::layout::Layout;
 
 /// How every picture begins.
@@ -194,7 +194,7 @@ fn names(class: Class) -> String {
         Class::Dimension => ("g", None),
         Class::DimensionArrow => ("ga", None),
     };
-    tool.map_or(name.to_owned(), |i| format!("{name} t{}", i % COLOURS.len()))
+    tool.map_or(name.to_owned(), |i| format!("{name} t{}", shade(i)))
 }
 
 fn style(s: &mut String, layout: &Layout, widths: Widths, used: &Used) {

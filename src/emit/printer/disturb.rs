@@ -34,7 +34,7 @@ impl Printer<'_> {
     pub fn disturb(&mut self, disturbance: Disturbance) {
         match disturbance {
             Disturbance::Place(axis, value) => {
-                if let Some(units) = self.places.units(value) {
+                if let Some(units) = self.places_of(axis).units(value) {
                     let mut ends = *self.modal.at();
                     ends[axis.index()] = units;
                     self.modal.reach(crate::machine::AxisSet::of(axis), &ends);
@@ -47,8 +47,8 @@ impl Printer<'_> {
                 }
             }
             Disturbance::FeedKind(feed) => drop(self.modal.feed_kind_changes(FeedKind::of(feed))),
-            Disturbance::Diameter => self.diameter = !self.diameter,
-            Disturbance::Decimals(places) => self.places = Places::new(places),
+            Disturbance::Diameter => self.set_places(self.places, !self.diameter),
+            Disturbance::Decimals(places) => self.set_places(Places::new(places), self.diameter),
             Disturbance::Side(side) => self.compensation.side = side,
             Disturbance::CuttingSpeed(on) => self.modal.cutting_speed = on,
             Disturbance::Trusted => {

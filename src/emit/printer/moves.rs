@@ -92,9 +92,7 @@ impl Printer<'_> {
         let length = if self.length.waits { self.length_word(mv, changed) } else { None };
         let changed = if self.special { self.spelled_out(mv, changed, &mut ends) } else { changed };
         for axis in changed.iter() {
-            let units = ends[axis.index()];
-            let units = if self.diameter && axis == Axis::X { 2 * units } else { units };
-            self.page.text.hot_number(axis.letter() as u8, units, self.places_of(axis));
+            self.page.text.hot_number(axis.letter() as u8, ends[axis.index()], self.places_of(axis));
         }
         if let Some((address, tool)) = length {
             self.page.text.whole(address, u64::from(tool));
@@ -117,7 +115,6 @@ impl Printer<'_> {
 
     /// An axis with its coordinate in units.
     pub(super) fn axis_word(&mut self, axis: Axis, units: i64) {
-        let units = if self.diameter && axis == Axis::X { 2 * units } else { units };
         self.page.text.number(axis.letter() as u8, units, self.places_of(axis));
     }
 
@@ -215,7 +212,8 @@ impl Printer<'_> {
 
     pub(super) fn arc(&mut self, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
         let (first, second, _) = arc.plane.axes();
-        let scale = self.places.scale();
+        let grid = self.grid(arc.plane);
+        let scale = self.places.scale() * grid.step as f64;
         let (x, y) = (Axis::ALL[first], Axis::ALL[second]);
         let from = self.modal.place(x).zip(self.modal.place(y));
         let (Some(to), Some(from)) = (mv.end.in_plane(arc.plane), from) else {
@@ -225,7 +223,7 @@ impl Printer<'_> {
             }
             return;
         };
-        let (Some(to_x), Some(to_y)) = (self.places.units(to.x), self.places.units(to.y)) else {
+        let Some(to) = self.on_grid(arc.plane, to) else {
             return self.unprintable(origin);
         };
         let (Some(_), Some(_)) = (self.places.units(arc.center.x), self.places.units(arc.center.y)) else {
@@ -233,13 +231,14 @@ impl Printer<'_> {
         };
         let words = &self.target.arcs;
         let request = arc::Request {
-            from: [from.0, from.1],
-            to: [to_x, to_y],
+            from: grid.of([from.0, from.1]),
+            to,
+            step: grid.step,
             center: Point2::new(arc.center.x * scale, arc.center.y * scale),
             sweep: arc.sweep,
             radius: crate::geo::distance(arc.from, arc.center) * scale,
-            most_off: ROUNDED + LEAVES * scale,
-            tolerance: words.tolerance.min(self.settings.arc_mismatch() * scale),
+            most_off: ROUNDED * grid.step as f64 + LEAVES * scale,
+            tolerance: (words.tolerance * grid.step as f64).min(self.settings.arc_mismatch() * scale),
             least_radius: words.least_radius * scale,
             most_radius: words.most_radius * scale,
             least_chord: words.least_chord * scale,
@@ -311,7 +310,7 @@ impl Printer<'_> {
             self.lacks_form(mv, origin);
             return None;
         }
-        [ends[first], ends[second]] = request.to;
+        [ends[first], ends[second]] = self.grid(arc.plane).places(request.to);
         Some((printed, ends))
     }
 
@@ -327,7 +326,8 @@ impl Printer<'_> {
             self.axis_word(axis, ends[axis.index()]);
         }
         let (first, second, _) = arc.plane.axes();
-        let mut offsets = [(first, offset[0]), (second, offset[1])];
+        let step = self.grid(arc.plane).step;
+        let mut offsets = [(first, offset[0] / step), (second, offset[1] / step)];
         offsets.sort_by_key(|(axis, _)| *axis);
         for (axis, units) in offsets {
             self.page.text.number(words.center[axis], units, self.places);
@@ -379,7 +379,7 @@ impl Printer<'_> {
                 let (from, to) = (start[axis.index()], last[axis.index()]);
                 ends[axis.index()] = from + libm::round((to - from) as f64 * share) as i64;
             }
-            [ends[first], ends[second]] = part.to;
+            [ends[first], ends[second]] = self.grid(arc.plane).places(part.to);
             self.arc_block(arc, &ArcBlock { printed, ends, offset, turns: 1 }, feed, origin);
             from = part.to;
         }
@@ -395,7 +395,7 @@ impl Printer<'_> {
         } else if (libm::round(turns) - turns).abs() < WHOLE {
             whole.from
         } else {
-            [self.places.units(end.x)?, self.places.units(end.y)?]
+            self.on_grid(arc.plane, end)?
         };
         Some(arc::Request { from, to, sweep: arc.sweep / f64::from(blocks), ..*whole })
     }
