@@ -84,6 +84,7 @@ pub mod output {
 /// What a program comes to: figures, pictures, and what two programs do differently.
 pub mod results {
     pub use crate::compare::{Difference, Step, Steps, Stop, steps_of_text};
+    #[cfg(feature = "cli")]
     pub use crate::emit::is_printed;
     pub use crate::emit::plot::{Form, Options, Plot, Side};
     pub use crate::emit::stats::{Model, Stats};

@@ -80,7 +80,7 @@ pub const COLUMNS: &[Column] = &[
     column("sweep", Kind::Number, "deg", "angle of the arc, counter-clockwise positive; may exceed a turn", NO_ARC),
     column("plane", Kind::Word, "", "plane of the arc: `XY`, `ZX` or `YZ`", NO_ARC),
     column("lead", Kind::Number, "mm", "way along the path a turn of the spindle", "no thread"),
-    column("feed", Kind::Number, "see feed_mode", "feed along the path", "rapid or thread"),
+    column("feed", Kind::Number, "", "feed along the path; `feed_mode` says its unit", "rapid or thread"),
     column(
         "feed_mode",
         Kind::Word,
@@ -88,7 +88,7 @@ pub const COLUMNS: &[Column] = &[
         "`per_minute` (mm/min; deg/min where only rotary axes move), `per_revolution` (mm) or `inverse_time` (moves a minute)",
         "rapid or thread",
     ),
-    column("spindle", Kind::Number, "see spindle_mode", "S of the first spindle", "not said yet"),
+    column("spindle", Kind::Number, "", "S of the first spindle; `spindle_mode` says its unit", "not said yet"),
     column(
         "spindle_mode",
         Kind::Word,

@@ -21,6 +21,7 @@ pub enum Sense {
 }
 
 impl Sense {
+    #[cfg(feature = "arrow")]
     pub const ALL: [Sense; 3] = [Sense::Clockwise, Sense::CounterClockwise, Sense::Off];
 
     pub fn name(self) -> &'static str {

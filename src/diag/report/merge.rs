@@ -38,9 +38,8 @@ pub fn merge(reports: &[(String, String)]) -> Result<String, String> {
             return Err(format!("{name}: is a report of another form than {}", reports[0].0));
         }
     }
-    let named = |merged: Result<String, (usize, &str)>| {
-        merged.map_err(|(at, why)| format!("{}: {why}", reports.get(at).map_or("", |(name, _)| name)))
-    };
+    let named =
+        |merged: Merged| merged.map_err(|(at, why)| format!("{}: {why}", reports.get(at).map_or("", |(name, _)| name)));
     let texts: Vec<&str> = reports.iter().map(|(_, text)| text.as_str()).collect();
     named(match common {
         Some(Form::Json) => of_values(&texts, json_report),
@@ -79,11 +78,19 @@ fn text_of(value: &Value) -> String {
     value.as_str().unwrap_or_default().to_owned()
 }
 
+<<<<<<< HEAD
 type Merged<'a> = Result<String, (usize, &'a str)>;
 /// One report of several, or which of them is none and why.
 type One<'a> = Result<Value, (usize, &'a str)>;
 
 fn of_values<'a>(texts: &[&str], merge: fn(Vec<Value>) -> One<'a>) -> Merged<'a> {
+=======
+type Merged = Result<String, Fault>;
+/// The number of a report, and what is wrong with it.
+type Fault = (usize, &'static str);
+
+fn of_values(texts: &[&str], merge: fn(Vec<Value>) -> Result<Value, Fault>) -> Merged {
+>>>>>>> origin/cycles
     let mut values = Vec::new();
     for (at, text) in texts.iter().enumerate() {
         values.push(serde_json::from_str(text).map_err(|_| (at, NO_REPORT))?);
@@ -92,7 +99,7 @@ fn of_values<'a>(texts: &[&str], merge: fn(Vec<Value>) -> One<'a>) -> Merged<'a>
 }
 
 /// The elements of a list; a report that has none of this name is none of ours.
-fn list(value: &mut Value, at: usize) -> Result<Vec<Value>, (usize, &'static str)> {
+fn list(value: &mut Value, at: usize) -> Result<Vec<Value>, Fault> {
     match value.take() {
         Value::Array(list) => Ok(list),
         _ => Err((at, NO_REPORT)),
@@ -107,7 +114,7 @@ fn without_repeats(all: &mut Vec<Value>, more: Vec<Value>) {
     }
 }
 
-fn json_report<'a>(reports: Vec<Value>) -> Result<Value, (usize, &'a str)> {
+fn json_report(reports: Vec<Value>) -> Result<Value, Fault> {
     let (mut found, mut troubles, mut sums) = (Vec::new(), Vec::new(), BTreeMap::new());
     for (at, mut report) in reports.into_iter().enumerate() {
         for diagnostic in list(&mut report["diagnostics"], at)? {
@@ -142,7 +149,7 @@ fn json_report<'a>(reports: Vec<Value>) -> Result<Value, (usize, &'a str)> {
     Ok(report)
 }
 
-fn code_quality<'a>(reports: Vec<Value>) -> Result<Value, (usize, &'a str)> {
+fn code_quality(reports: Vec<Value>) -> Result<Value, Fault> {
     let mut issues = Vec::new();
     for (at, mut report) in reports.into_iter().enumerate() {
         for issue in list(&mut report, at)? {
@@ -154,7 +161,7 @@ fn code_quality<'a>(reports: Vec<Value>) -> Result<Value, (usize, &'a str)> {
     Ok(issues.into_iter().map(|(_, issue)| issue).collect())
 }
 
-fn sarif<'a>(reports: Vec<Value>) -> Result<Value, (usize, &'a str)> {
+fn sarif(reports: Vec<Value>) -> Result<Value, Fault> {
     let (mut results, mut notifications) = (Vec::new(), Vec::new());
     let mut known: BTreeMap<String, Value> = BTreeMap::new();
     let mut frame: Option<Value> = None;
@@ -196,8 +203,13 @@ fn sarif<'a>(reports: Vec<Value>) -> Result<Value, (usize, &'a str)> {
 
 /// The program of a result of SARIF: that of the outermost call, or its own file.
 fn program_of(result: &Value) -> String {
+<<<<<<< HEAD
     let mut calls = result["relatedLocations"].as_array().into_iter().flatten();
     let outermost = calls.rfind(|place| place["message"]["text"] == "called from here");
+=======
+    let calls = result["relatedLocations"].as_array();
+    let outermost = calls.and_then(|calls| calls.iter().rfind(|place| place["message"]["text"] == "called from here"));
+>>>>>>> origin/cycles
     let place = outermost.unwrap_or(&result["locations"][0]);
     let uri = text_of(&place["physicalLocation"]["artifactLocation"]["uri"]);
     let path = uri.strip_prefix("file://").unwrap_or(&uri);
@@ -220,7 +232,7 @@ fn program_of(result: &Value) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-fn junit<'a>(texts: &[&str]) -> Merged<'a> {
+fn junit(texts: &[&str]) -> Merged {
     const CASE: &str = "    <testcase classname=\"partc\" name=\"";
     const END: &str = "    </testcase>\n";
     let (mut cases, mut troubles): (Vec<Part<String>>, Vec<String>) = (Vec::new(), Vec::new());
@@ -249,7 +261,7 @@ fn junit<'a>(texts: &[&str]) -> Merged<'a> {
     ))
 }
 
-fn of_checkstyle<'a>(texts: &[&str]) -> Merged<'a> {
+fn of_checkstyle(texts: &[&str]) -> Merged {
     const OPEN: &str = "<checkstyle version=\"8.0\">\n";
     const FILE: &str = "  <file name=\"";
     let mut files: Vec<Part<String>> = Vec::new();
