@@ -78,19 +78,11 @@ fn text_of(value: &Value) -> String {
     value.as_str().unwrap_or_default().to_owned()
 }
 
-<<<<<<< HEAD
-type Merged<'a> = Result<String, (usize, &'a str)>;
-/// One report of several, or which of them is none and why.
-type One<'a> = Result<Value, (usize, &'a str)>;
-
-fn of_values<'a>(texts: &[&str], merge: fn(Vec<Value>) -> One<'a>) -> Merged<'a> {
-=======
 type Merged = Result<String, Fault>;
 /// The number of a report, and what is wrong with it.
 type Fault = (usize, &'static str);
 
 fn of_values(texts: &[&str], merge: fn(Vec<Value>) -> Result<Value, Fault>) -> Merged {
->>>>>>> origin/cycles
     let mut values = Vec::new();
     for (at, text) in texts.iter().enumerate() {
         values.push(serde_json::from_str(text).map_err(|_| (at, NO_REPORT))?);
@@ -203,13 +195,8 @@ fn sarif(reports: Vec<Value>) -> Result<Value, Fault> {
 
 /// The program of a result of SARIF: that of the outermost call, or its own file.
 fn program_of(result: &Value) -> String {
-<<<<<<< HEAD
-    let mut calls = result["relatedLocations"].as_array().into_iter().flatten();
-    let outermost = calls.rfind(|place| place["message"]["text"] == "called from here");
-=======
     let calls = result["relatedLocations"].as_array();
     let outermost = calls.and_then(|calls| calls.iter().rfind(|place| place["message"]["text"] == "called from here"));
->>>>>>> origin/cycles
     let place = outermost.unwrap_or(&result["locations"][0]);
     let uri = text_of(&place["physicalLocation"]["artifactLocation"]["uri"]);
     let path = uri.strip_prefix("file://").unwrap_or(&uri);

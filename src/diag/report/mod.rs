@@ -6,6 +6,7 @@ mod gitlab;
 mod json;
 mod jsonl;
 mod junit;
+#[cfg(feature = "cli")]
 pub mod merge;
 mod sarif;
 pub mod xml;
