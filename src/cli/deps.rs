@@ -1,11 +1,12 @@
 //! `--deps FILE`: which files an output was made of, for make, ninja and others.
 
 use std::collections::BTreeSet;
-use std::io::Write as _;
+use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
+use crate::dialect;
 use crate::text::decode::escaped_json;
 
 use super::args::{Common, Deps, DepsFormat};
@@ -13,6 +14,11 @@ use super::disk::{IncludeRoots, shown, text_of};
 use super::output::Destination;
 use super::run::{is_output, real};
 use super::{Exit, Trouble, config};
+
+/// How a list in JSON begins.
+const JSON_HEAD: &[u8] = b"{\"version\":1,\"rules\":";
+/// Bytes that are looked at to tell a list.
+const HEAD: u64 = 1 << 16;
 
 /// What something was made of.
 #[derive(Debug, Default)]
@@ -70,8 +76,12 @@ impl Deps {
     pub fn spares(&self, inputs: &[&Path], outputs: &BTreeSet<PathBuf>) -> Result<(), Trouble> {
         let Some(file) = &self.deps else { return Ok(()) };
         let own = real(file);
-        if outputs.contains(&own) || inputs.iter().any(|input| real(input) == own) || is_output(file) {
-            return Err(format!("{}: the list of files would replace a program or its output", file.display()));
+        let taken = outputs.contains(&own) || inputs.iter().any(|input| real(input) == own) || is_output(file);
+        if taken || named_otherwise(file) || !may_be_replaced(file) {
+            return Err(format!(
+                "{}: the list of files would replace what is no such list; name another file",
+                file.display()
+            ));
         }
         Ok(())
     }
@@ -105,6 +115,30 @@ impl Deps {
         written.map_err(|error| format!("{name}: {error}"))?;
         Ok(exit)
     }
+}
+
+/// Is its name that of a program, a configuration or a table?
+pub(super) fn named_otherwise(file: &Path) -> bool {
+    let extension = file.extension().map(|name| name.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+    // `x.d` is what compilers call such a list; a datum table is told by what it holds.
+    let of_table = extension != "d" && super::watch::TABLES.contains(&extension.as_str());
+    of_table || dialect::guess(&file.to_string_lossy(), b"").is_some()
+}
+
+/// Nothing is there, or a list: rules of make, or ours in JSON.
+fn may_be_replaced(file: &Path) -> bool {
+    let Ok(meta) = std::fs::metadata(file) else { return true };
+    if !meta.is_file() || meta.len() == 0 {
+        return true;
+    }
+    let mut head = Vec::new();
+    let read = std::fs::File::open(file).and_then(|file| file.take(HEAD).read_to_end(&mut head));
+    if read.is_err() {
+        return false;
+    }
+    // A rule: the colon stands behind its first name, at the end of a line that goes on.
+    let first = head.split(|byte| *byte == b'\n').next().unwrap_or_default();
+    head.starts_with(JSON_HEAD) || first.ends_with(b": \\") || first.ends_with(b":")
 }
 
 /// A rule of make for each. What goes to standard output has the list itself for its target.

@@ -34,13 +34,23 @@ pub(super) fn key(args: &Key) -> Result<Exit, Trouble> {
         &found.list,
         |input| of(input, &args.common),
         |done, result: Result<String, Trouble>| match result {
-            Ok(key) => lines += &format!("{key}  {}\n", found.list[done].path.display()),
+            Ok(key) => lines += &line(&key, &found.list[done].path),
             Err(trouble) => troubles.push(trouble),
         },
     );
     print(harmless_lines(&lines).as_bytes())?;
     troubles.iter().for_each(|trouble| say(&format!("partc: {trouble}")));
     Ok(if troubles.is_empty() { Exit::Clean } else { Exit::Usage })
+}
+
+/// As `sha256sum` has it: a name that would break the line is escaped, and the line begins with a backslash.
+fn line(key: &str, path: &Path) -> String {
+    let name = path.display().to_string();
+    if !name.contains(['\n', '\r', '\\']) {
+        return format!("{key}  {name}\n");
+    }
+    let escaped = name.replace('\\', "\\\\").replace('\n', "\\n").replace('\r', "\\r");
+    format!("\\{key}  {escaped}\n")
 }
 
 /// Everything goes in with its length in front, so that no two lists are one.

@@ -7,6 +7,7 @@ use std::path::Path;
 use crate::diag::report::merge::merge as merged;
 
 use super::args::Merge;
+use super::deps::named_otherwise;
 use super::listing::print;
 use super::output::Destination;
 use super::run::{is_output, real};
@@ -25,7 +26,8 @@ pub(super) fn merge(args: &Merge) -> Result<Exit, Trouble> {
         return print(text.as_bytes());
     };
     let name = file.display();
-    if args.reports.iter().any(|report| real(report) == real(file)) || is_output(file) {
+    let taken = args.reports.iter().any(|report| real(report) == real(file)) || is_output(file);
+    if taken || named_otherwise(file) {
         return Err(format!("{name}: one of the reports, or a program, would be replaced; name another file"));
     }
     let written =

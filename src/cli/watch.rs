@@ -18,7 +18,7 @@ use super::{Exit, Trouble, say};
 const PAUSE: Duration = Duration::from_millis(400);
 
 /// Extensions of files with tools, datums, points and settings.
-const TABLES: [&str; 10] = ["t", "tbl", "d", "pr", "pnt", "ini", "toa", "ufr", "csv", "toml"];
+pub(super) const TABLES: [&str; 10] = ["t", "tbl", "d", "pr", "pnt", "ini", "toa", "ufr", "csv", "toml"];
 
 /// When each file was written last, and how large it is.
 type State = BTreeMap<PathBuf, (Option<SystemTime>, u64)>;

@@ -255,7 +255,8 @@ mod tests {
             ("[tools.A]\nnumber = 7\n[tools.B]\nnumber = 7", true),
             // The data of the named tool.
             ("[tools.A]\nnumber = 7\n[tools.7]\nradius = 4", false),
-            ("[tools.A]\nnumber = 7\n[tools.7]\nnumber = 8", true),
+            // Where a program counts tool A as its tool 7, it is refused there.
+            ("[tools.A]\nnumber = 7\n[tools.7]\nnumber = 8", false),
             ("[tools.A]\nnumber = 7\n[tools.5]\nnumber = 7", true),
             // Two edges of one tool.
             ("[tools.\"3.1\"]\nnumber = 3\n[tools.\"3.2\"]\nnumber = 3", false),

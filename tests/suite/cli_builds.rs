@@ -54,11 +54,21 @@ fn lists_name_every_file_that_was_read() {
 #[test]
 fn a_run_that_fails_leaves_the_older_list() {
     let folder = Folder::new("deps_failed").with(&[("A.H", PART), ("W.H", WRONG)]);
-    folder.write("a.d", "older");
+    folder.write("a.d", "older.ngc: \\\n  A.H\n");
     folder.run(&["compile", "W.H", "--deps", "a.d"]).exits(1);
-    assert_eq!(folder.read("a.d"), "older");
+    assert!(folder.read("a.d").starts_with("older.ngc"));
     folder.run(&["compile", "A.H", "--deps", "A.H"]).exits(2).says("would replace");
     folder.run(&["compile", "A.H", "--deps", "A.ngc"]).exits(2).says("would replace");
+    // Neither a program nor a configuration that has nothing to do with it, nor any other text.
+    folder.write("notes.txt", "Ask about the fixture.\n");
+    for other in ["W.H", "partc.toml", "notes.txt"] {
+        folder.run(&["compile", "A.H", "-o", "b.ngc", "--deps", other]).exits(2).says("would replace");
+    }
+    folder.run(&["check", "A.H", "--format", "json", "-o", "r.json"]).exits(0);
+    folder.run(&["merge", "r.json", "-o", "W.H"]).exits(2).says("would be replaced");
+    let other = folder.read("r.json").replace("{\"version\":1", "{\"version\":2");
+    folder.write("v2.json", &other);
+    folder.run(&["merge", "v2.json"]).exits(2).says("another version");
     folder.run(&["compile", "A.H", "--deps-format", "json"]).exits(2);
     assert_eq!(folder.read("A.H"), PART);
     folder.run(&["compile", "A.H", "--deps", "a.d"]).exits(0);

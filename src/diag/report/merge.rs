@@ -109,6 +109,9 @@ fn without_repeats(all: &mut Vec<Value>, more: Vec<Value>) {
 fn json_report(reports: Vec<Value>) -> Result<Value, Fault> {
     let (mut found, mut troubles, mut sums) = (Vec::new(), Vec::new(), BTreeMap::new());
     for (at, mut report) in reports.into_iter().enumerate() {
+        if report["version"] != 1 {
+            return Err((at, "is a report of another version"));
+        }
         for diagnostic in list(&mut report["diagnostics"], at)? {
             // The outermost call stands in the program.
             let outermost = diagnostic["stack"].as_array().and_then(|stack| stack.last());

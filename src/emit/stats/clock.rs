@@ -106,26 +106,30 @@ impl Clock {
     }
 
     /// mm/s of a move; `None` where it is not known.
-    fn speed_of(&self, path: &Path, length: f64) -> Option<f64> {
-        let per_minute = match path {
+    fn speed_of(&self, mv: &Move, length: f64) -> Option<f64> {
+        let per_minute = match &mv.path {
             Path::Rapid => self.model.rapid,
             Path::Line(feed) | Path::Arc(_, feed) => match *feed {
                 Feed::PerMinute(feed) => feed,
-                Feed::PerRevolution(feed) => feed * self.turns()?,
+                Feed::PerRevolution(feed) => feed * self.turns(mv)?,
                 Feed::InverseTime(moves) => length * moves,
             },
             Path::Carried { feed, length: along } => feed * length / along,
-            Path::Thread { lead } => lead * self.turns()?,
+            Path::Thread { lead } => lead * self.turns(mv)?,
         };
         (per_minute > 0.0 && per_minute.is_finite()).then_some(per_minute / 60.0)
     }
 
-    /// Turns of the spindle a minute.
-    fn turns(&self) -> Option<f64> {
+    /// Turns of the spindle a minute; under constant cutting speed those that give the time of a straight move to another
+    /// radius.
+    fn turns(&self, mv: &Move) -> Option<f64> {
         let Some((speed, limit)) = self.cutting_speed else { return self.speed };
-        let radius = self.at.get(Axis::X)?.abs();
-        let turns = 1000.0 * speed / (2.0 * core::f64::consts::PI * radius).max(TINY);
-        Some(limit.map_or(turns, |limit| turns.min(limit)))
+        let from = self.at.get(Axis::X)?;
+        let to = mv.end.get(Axis::X).filter(|_| mv.axes.contains(Axis::X)).unwrap_or(from);
+        // At this radius and below the spindle turns at its limit.
+        let per_turn = 1000.0 * speed / core::f64::consts::TAU;
+        let least = limit.map_or(0.0, |limit| per_turn / limit.max(TINY));
+        Some(per_turn / mean_radius(from, to, least).max(TINY))
     }
 
     /// Takes a move.
@@ -150,7 +154,7 @@ impl Clock {
             let ended = if self.still > MOST_STILL { self.stop() } else { None };
             return Step { ended, length: Some(0.0), time: Time::None };
         }
-        let Some(speed) = self.speed_of(&mv.path, length) else {
+        let Some(speed) = self.speed_of(mv, length) else {
             return Step { ended: self.stop(), length: Some(length), time: Time::Unknown };
         };
         let joint = match &self.waiting {
@@ -209,6 +213,17 @@ impl Clock {
     pub fn begins_at(&mut self, at: &Pos) {
         self.at.update(at);
     }
+}
+
+/// Mean of the radius on the way from one X to another, where a smaller one than `least` counts as that.
+fn mean_radius(from: f64, to: f64, least: f64) -> f64 {
+    let sum = |x: f64| {
+        let radius = x.abs();
+        let half = if radius <= least { least * radius } else { (radius * radius + least * least) / 2.0 };
+        half.copysign(x)
+    };
+    let way = to - from;
+    if way.abs() < TINY { from.abs().max(least) } else { (sum(to) - sum(from)) / way }
 }
 
 /// Seconds for a way between two speeds.

@@ -148,6 +148,19 @@ fn feeds_become_speeds() {
     assert!(is(seconds(&[surface(None)], line(Feed::PerRevolution(0.2))), 3.0));
     assert!(is(seconds(&[surface(Some(500.0))], line(Feed::PerRevolution(0.2))), 6.0));
     assert!(is(seconds(&[surface(Some(2000.0))], line(Feed::PerRevolution(0.2))), 3.0));
+    // From radius 5 to 50 the spindle slows down: 45 mm of a mean circumference of 55·pi, either way.
+    let face = |from: f64, to_x: f64, limit| {
+        let from = [(Axis::X, from), (Axis::Y, 0.0), (Axis::Z, 0.0)];
+        let functions = [Function::Spindle(Spindle::CuttingSpeed { speed: 200.0, limit })];
+        counted(AT_ONCE, &from, &functions, &[to(&[(Axis::X, to_x)], line(Feed::PerRevolution(0.2)))]).time()
+    };
+    let expected = 45.0 * PI * 55.0 / (200.0 * 1000.0 / 60.0 * 0.2);
+    assert!(is_near(face(5.0, 50.0, None), expected), "{}", face(5.0, 50.0, None));
+    assert!(is_near(face(50.0, 5.0, None), expected));
+    // Through the centre, and at the limit of 100 / (40 pi) turns up to radius 20: 20 mm there, and a mean of 25 mm for the others.
+    let limit = Some(200_000.0 / (40.0 * PI));
+    let part = |way: f64, radius: f64| way * 2.0 * PI * radius / (200.0 * 1000.0 / 60.0 * 0.2);
+    assert!(is_near(face(-10.0, 30.0, limit), part(30.0, 20.0) + part(10.0, 25.0)), "{}", face(-10.0, 30.0, limit));
     // A speed behind it holds again.
     assert!(is(seconds(&[surface(None), speed], line(Feed::PerRevolution(0.2))), 6.0));
 }
