@@ -81,8 +81,10 @@ def test_batches_can_be_taken_once() -> None:
 def test_no_move_of_a_program_with_errors_gets_out() -> None:
     wrong = b"G17 G90\nG0 X0 Y0 Z0\nG1 X10 F100\nG1 X<20\nM30\n"
     trace = partc.trace(wrong, name="A.MPF")
-    assert not trace.ok and trace.diagnostics and trace.to_rows() == []
-    assert pyarrow.table(trace).num_rows == 0
+    assert not trace.ok and trace.diagnostics
+    for ask in (trace.to_rows, trace.batches, lambda: pyarrow.table(trace), lambda: polars.DataFrame(trace)):
+        with pytest.raises(partc.ProgramError, match="A.MPF:4"):
+            ask()
     with pytest.raises(partc.ProgramError, match="A.MPF:4"):
         list(partc.trace_batches([("A.MPF", wrong)]))
     with pytest.raises(partc.ConfigError):

@@ -19,7 +19,8 @@ class Trace:
     """The moves of a program, a row each, for anything that takes streams of Arrow.
 
     ``polars.DataFrame(trace)``, ``pyarrow.table(trace)``, ``pandas.DataFrame.from_arrow(trace)``, ``duckdb.sql("FROM trace")``. Each
-    use begins with the first move. A program with errors has no rows: its moves end where nobody knows.
+    use begins with the first move. A program with errors has no rows, for its moves end where nobody knows: whoever asks for them gets
+    ``ProgramError``. ``ok`` and ``diagnostics`` say it before.
     """
 
     def __init__(self, *_: Any) -> None:
@@ -52,6 +53,9 @@ class Trace:
         """The moves from the first one on, so many rows at a time."""
         if rows is not None and rows < 1:
             raise _partc.ConfigError("a batch has at least one row")
+        if not self.ok:
+            first = next(found for found in self.diagnostics if found.severity == "error")
+            raise _partc.ProgramError(str(first))
         return self._traced.batches(rows or self._rows)
 
     def to_rows(self) -> list[dict[str, Any]]:
@@ -85,11 +89,7 @@ def trace_batches(
     for program in cast("Iterable[Named]", [programs] if alone else programs):
         name, text = program if isinstance(program, tuple) else (None, program)
         made = job(text, files=files, config=config, dialect=dialect, name=name)
-        trace = Trace._of(made, rows)
-        if not trace.ok:
-            first = next(found for found in trace.diagnostics if found.severity == "error")
-            raise _partc.ProgramError(str(first))
-        yield from trace.batches()
+        yield from Trace._of(made, rows).batches()
 
 
 def compile_table(
