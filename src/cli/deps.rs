@@ -6,13 +6,12 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
-use crate::dialect;
 use crate::text::decode::escaped_json;
 
 use super::args::{Common, Deps, DepsFormat};
 use super::disk::{IncludeRoots, shown, text_of};
 use super::output::Destination;
-use super::run::{is_output, real};
+use super::run::{is_output, is_source_name, real};
 use super::{Exit, Trouble, config};
 
 /// How a list in JSON begins.
@@ -117,12 +116,11 @@ impl Deps {
     }
 }
 
-/// Is its name that of a program, a configuration or a table?
-pub(super) fn named_otherwise(file: &Path) -> bool {
-    let extension = file.extension().map(|name| name.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+/// Is its name that of something else?
+fn named_otherwise(file: &Path) -> bool {
     // `x.d` is what compilers call such a list; a datum table is told by what it holds.
-    let of_table = extension != "d" && super::watch::TABLES.contains(&extension.as_str());
-    of_table || dialect::guess(&file.to_string_lossy(), b"").is_some()
+    let may_be_list = file.extension().is_some_and(|name| name.eq_ignore_ascii_case("d"));
+    !may_be_list && is_source_name(file)
 }
 
 /// Nothing is there, or a list: rules of make, or ours in JSON.

@@ -7,10 +7,9 @@ use std::path::Path;
 use crate::diag::report::merge::merge as merged;
 
 use super::args::Merge;
-use super::deps::named_otherwise;
 use super::listing::print;
 use super::output::Destination;
-use super::run::{is_output, real};
+use super::run::{is_output, is_source_name, real};
 use super::{Exit, Trouble};
 
 /// Puts the reports of shards together.
@@ -27,7 +26,7 @@ pub(super) fn merge(args: &Merge) -> Result<Exit, Trouble> {
     };
     let name = file.display();
     let taken = args.reports.iter().any(|report| real(report) == real(file)) || is_output(file);
-    if taken || named_otherwise(file) {
+    if taken || is_source_name(file) {
         return Err(format!("{name}: one of the reports, or a program, would be replaced; name another file"));
     }
     let written =

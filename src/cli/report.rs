@@ -20,7 +20,7 @@ use super::inputs::Input;
 use super::listing::print;
 use super::output::Destination;
 use super::progress::{AGAIN, CLEARED, QUIET};
-use super::run::{is_output, real, same_file};
+use super::run::{is_output, is_source_name, real, same_file};
 use super::summary::{Line, Summary, USUAL};
 use super::{Exit, Trouble, say};
 
@@ -295,9 +295,10 @@ impl Reporter {
                 return Err(format!("{shown}: the report would replace what is made of a program; name another file"));
             }
             // By its name only: a report for people quotes blocks.
-            let named_so = dialect::guess(&file.to_string_lossy(), b"").is_some();
-            if named_so || inputs.iter().any(|input| same_file(&input.path, file)) || is_output(file) {
-                return Err(format!("{shown}: the report would replace a part program; name another file"));
+            if is_source_name(file) || inputs.iter().any(|input| same_file(&input.path, file)) || is_output(file) {
+                return Err(format!(
+                    "{shown}: the report would replace a part program, a table or a configuration; name another file"
+                ));
             }
         }
         Ok(())

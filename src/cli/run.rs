@@ -28,6 +28,7 @@ use super::output::{Destination, Group, MAP_MARK, Made, ignore_closed_pipe, is_f
 use super::pool::in_order;
 use super::progress::{Place, Ticker};
 use super::report::{Look, Presented, Reporter, Stdout, counted};
+use super::watch::TABLES;
 use super::{Exit, Trouble, bundle, config, fix, ignores};
 
 /// A program with everything that is needed to run it.
@@ -468,6 +469,12 @@ fn show_fixes(args: &Check, inputs: &[Input], mut reporter: Reporter) -> Result<
         (true, true) => Exit::Errors,
         (true, false) => Exit::Clean,
     })
+}
+
+/// Is this the name of a program, a table or a configuration? No report belongs there.
+pub(super) fn is_source_name(file: &Path) -> bool {
+    let extension = file.extension().map(|name| name.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+    TABLES.contains(&extension.as_str()) || dialect::guess(&file.to_string_lossy(), b"").is_some()
 }
 
 /// A file of a folder whose extension or content some dialect knows; plain G-code is taken where it is named, for outputs

@@ -109,7 +109,9 @@ fn table(name: &str, stats: &Stats, model: &Model) -> String {
         model.rapid, model.acceleration, model.tool_change
     );
     if stats.unknown_moves > 0 {
-        let _ = writeln!(text, "  {} moves begin nobody knows where: they are not in the figures", stats.unknown_moves);
+        let begin =
+            if stats.unknown_moves == 1 { "1 move begins" } else { &format!("{} moves begin", stats.unknown_moves) };
+        let _ = writeln!(text, "  {begin} nobody knows where: not in the figures");
     }
     if stats.untimed_moves > 0 {
         let _ = writeln!(text, "  {} moves have no speed that is known: their time is missing", stats.untimed_moves);

@@ -65,7 +65,9 @@ fn a_run_that_fails_leaves_the_older_list() {
         folder.run(&["compile", "A.H", "-o", "b.ngc", "--deps", other]).exits(2).says("would replace");
     }
     folder.run(&["check", "A.H", "--format", "json", "-o", "r.json"]).exits(0);
-    folder.run(&["merge", "r.json", "-o", "W.H"]).exits(2).says("would be replaced");
+    for other in ["W.H", "partc.toml", "DATUMS.D"] {
+        folder.run(&["merge", "r.json", "-o", other]).exits(2).says("would be replaced");
+    }
     let other = folder.read("r.json").replace("{\"version\":1", "{\"version\":2");
     folder.write("v2.json", &other);
     folder.run(&["merge", "v2.json"]).exits(2).says("another version");

@@ -243,6 +243,9 @@ fn a_report_replaces_no_program() {
         ["check", "a/PART.H", "--report", "sarif=a/PART.H"],
         ["compile", "a/PART.H", "--report", "sarif=b/WRONG.H"],
         ["trace", "a/PART.H", "--report", "sarif=b/WRONG.H"],
+        // Nor what the programs are read with.
+        ["check", "a/PART.H", "-o", "partc.toml"],
+        ["check", "a/PART.H", "--report", "json=TOOL.T"],
     ] {
         let ran = folder.run(&args).exits(2);
         assert!(ran.err.contains("would replace a part program"), "{args:?}: {}", ran.err);
