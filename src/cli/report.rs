@@ -9,7 +9,6 @@ use crate::diag::render::terminal::Style;
 use crate::diag::render::{brief, concise};
 use crate::diag::report::{Checked, Counts, Document};
 use crate::diag::{Answer, Diagnostic, Severity, Trail, Values, codes};
-use crate::dialect;
 use crate::driver::Session;
 use crate::text::decode::harmless_lines;
 use crate::text::{FileId, Sources};
