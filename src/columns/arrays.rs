@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use arrow_array::cast::AsArray;
 use arrow_array::types::Int32Type;
 use arrow_array::{
     Array, ArrayRef, BooleanArray, DictionaryArray, Float64Array, Int32Array, Int64Array, StringArray, new_null_array,
@@ -9,74 +10,168 @@ use arrow_array::{
 use arrow_buffer::{BooleanBufferBuilder, NullBuffer, NullBufferBuilder, ScalarBuffer};
 use arrow_schema::DataType;
 
-/// Values of which some are missing. Where all are, nothing is kept but their number.
+/// Values of which some are missing. Where all are, nothing is kept.
 #[derive(Debug)]
 pub struct Values<T> {
     values: Vec<T>,
     nulls: NullBufferBuilder,
-    /// Missing values at the end that are not in `values` yet.
-    missing: usize,
+    /// The array of the last batch, if it held nothing.
+    empty: Option<ArrayRef>,
 }
 
 impl<T: Copy + Default> Values<T> {
     pub fn new() -> Values<T> {
-        Values { values: Vec::new(), nulls: NullBufferBuilder::new(0), missing: 0 }
+        Values { values: Vec::new(), nulls: NullBufferBuilder::new(0), empty: None }
     }
 
+    /// The value of a row; rows in front of it without one have none.
     #[inline]
-    pub fn push(&mut self, value: Option<T>) {
-        match value {
-            Some(value) => {
-                if self.missing > 0 {
-                    self.fill();
-                }
-                self.values.push(value);
-                self.nulls.append_non_null();
-            }
-            None => self.missing += 1,
+    pub fn put(&mut self, row: usize, value: T) {
+        if self.values.len() < row {
+            self.fill(row);
         }
+        self.values.push(value);
+        self.nulls.append_non_null();
     }
 
-    fn fill(&mut self) {
-        self.values.resize(self.values.len() + self.missing, T::default());
-        self.nulls.append_n_nulls(std::mem::take(&mut self.missing));
+    /// The same value in all rows up to this one.
+    fn put_up_to(&mut self, row: usize, value: T) {
+        self.nulls.append_n_non_nulls(row.saturating_sub(self.values.len()));
+        self.values.resize(row.max(self.values.len()), value);
     }
 
-    /// What was pushed; `None` where nothing but missing values were, so many.
-    fn take(&mut self) -> Result<(Vec<T>, Option<NullBuffer>), usize> {
+    fn fill(&mut self, rows: usize) {
+        self.nulls.append_n_nulls(rows - self.values.len());
+        self.values.resize(rows, T::default());
+    }
+
+    /// What so many rows hold; nothing where no row has a value.
+    fn take(&mut self, rows: usize) -> Option<(Vec<T>, Option<NullBuffer>)> {
         if self.values.is_empty() {
-            return Err(std::mem::take(&mut self.missing));
+            return None;
         }
-        self.fill();
+        if self.values.len() < rows {
+            self.fill(rows);
+        }
         let nulls = self.nulls.finish();
         // The next batch is as long.
-        let capacity = self.values.len();
-        Ok((std::mem::replace(&mut self.values, Vec::with_capacity(capacity)), nulls))
+        Some((std::mem::replace(&mut self.values, Vec::with_capacity(rows)), nulls))
     }
-}
 
-impl Values<f64> {
-    pub fn finish(&mut self) -> ArrayRef {
-        match self.take() {
-            Ok((values, nulls)) => Arc::new(Float64Array::new(ScalarBuffer::from(values), nulls)),
-            Err(missing) => new_null_array(&DataType::Float64, missing),
+    /// An array of so many rows without a value.
+    fn nothing(&mut self, rows: usize, data: &DataType) -> ArrayRef {
+        match &self.empty {
+            Some(empty) if empty.len() == rows => Arc::clone(empty),
+            _ => Arc::clone(self.empty.insert(new_null_array(data, rows))),
         }
     }
 }
 
-impl Values<i64> {
-    pub fn finish(&mut self) -> ArrayRef {
-        match self.take() {
-            Ok((values, nulls)) => Arc::new(Int64Array::new(ScalarBuffer::from(values), nulls)),
-            Err(missing) => new_null_array(&DataType::Int64, missing),
+/// What a column of an Arrow table can hold.
+pub trait Cell: Copy + Default {
+    const DATA: DataType;
+
+    /// No difference, not in a single bit.
+    fn is(self, other: Self) -> bool;
+
+    fn array(values: Vec<Self>, nulls: Option<NullBuffer>) -> ArrayRef;
+}
+
+macro_rules! cell {
+    ($cell:ty, $data:expr, $array:ty, $is:expr) => {
+        impl Cell for $cell {
+            const DATA: DataType = $data;
+
+            #[inline(always)]
+            fn is(self, other: Self) -> bool {
+                let is: fn(Self, Self) -> bool = $is;
+                is(self, other)
+            }
+
+            fn array(values: Vec<Self>, nulls: Option<NullBuffer>) -> ArrayRef {
+                Arc::new(<$array>::new(ScalarBuffer::from(values), nulls))
+            }
         }
+    };
+}
+
+cell!(f64, DataType::Float64, Float64Array, |a, b| a.to_bits() == b.to_bits());
+cell!(i64, DataType::Int64, Int64Array, |a, b| a == b);
+cell!(i32, DataType::Int32, Int32Array, |a, b| a == b);
+
+impl<T: Cell> Values<T> {
+    pub fn finish(&mut self, rows: usize) -> ArrayRef {
+        match self.take(rows) {
+            Some((values, nulls)) => T::array(values, nulls),
+            None => self.nothing(rows, &T::DATA),
+        }
+    }
+}
+
+/// Values that hold on for many rows.
+#[derive(Debug)]
+pub struct Held<T> {
+    /// The value that holds, since this row.
+    value: Option<T>,
+    since: usize,
+    values: Values<T>,
+    /// The array of the last batch, if one value held through it.
+    even: Option<(T, ArrayRef)>,
+}
+
+impl<T: Cell> Held<T> {
+    pub fn new() -> Held<T> {
+        Held { value: None, since: 0, values: Values::new(), even: None }
+    }
+
+    /// The value of a row.
+    #[inline]
+    pub fn put(&mut self, row: usize, value: Option<T>) {
+        let same = match (self.value, value) {
+            (None, None) => true,
+            (Some(a), Some(b)) => a.is(b),
+            _ => false,
+        };
+        if !same {
+            self.change(row, value);
+        }
+    }
+
+    fn change(&mut self, row: usize, value: Option<T>) {
+        self.settle(row);
+        (self.value, self.since) = (value, row);
+    }
+
+    /// Writes down what held up to `row`.
+    fn settle(&mut self, row: usize) {
+        if let Some(value) = self.value.filter(|_| row > self.since) {
+            if self.values.values.len() < self.since {
+                self.values.fill(self.since);
+            }
+            self.values.put_up_to(row, value);
+        }
+    }
+
+    pub fn finish(&mut self, rows: usize) -> ArrayRef {
+        let all = self.value.filter(|_| self.since == 0);
+        if let (Some(value), Some((held, array))) = (all, &self.even)
+            && held.is(value)
+            && array.len() == rows
+        {
+            return Arc::clone(array);
+        }
+        self.settle(rows);
+        self.since = 0;
+        let array = self.values.finish(rows);
+        self.even = all.map(|value| (value, Arc::clone(&array)));
+        array
     }
 }
 
 /// Words of which each different one is kept once, for all batches.
 #[derive(Debug)]
 pub struct Words {
-    keys: Values<i32>,
+    keys: Held<i32>,
     words: Vec<String>,
     /// `words` as the last batch had them.
     array: ArrayRef,
@@ -85,7 +180,7 @@ pub struct Words {
 impl Words {
     pub fn new(words: &[&str]) -> Words {
         let array = Arc::new(StringArray::from(words.to_vec()));
-        Words { keys: Values::new(), words: words.iter().map(|word| (*word).to_owned()).collect(), array }
+        Words { keys: Held::new(), words: words.iter().map(|word| (*word).to_owned()).collect(), array }
     }
 
     /// A new word, and its key.
@@ -95,18 +190,15 @@ impl Words {
     }
 
     #[inline]
-    pub fn push(&mut self, key: Option<i32>) {
-        self.keys.push(key);
+    pub fn put(&mut self, row: usize, key: Option<i32>) {
+        self.keys.put(row, key);
     }
 
-    pub fn finish(&mut self) -> ArrayRef {
+    pub fn finish(&mut self, rows: usize) -> ArrayRef {
         if self.array.len() < self.words.len() {
             self.array = Arc::new(StringArray::from_iter_values(&self.words));
         }
-        let keys = match self.keys.take() {
-            Ok((values, nulls)) => Int32Array::new(ScalarBuffer::from(values), nulls),
-            Err(missing) => Int32Array::new_null(missing),
-        };
+        let keys = self.keys.finish(rows).as_primitive::<Int32Type>().clone();
         // Every key is the place of a word.
         Arc::new(DictionaryArray::<Int32Type>::new(keys, Arc::clone(&self.array)))
     }

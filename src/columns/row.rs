@@ -6,12 +6,12 @@ use rustc_hash::FxHashMap;
 use crate::diag::{CallPath, Trail};
 use crate::emit::told::{Sense, Speed, Told};
 use crate::geo::{Plane, distance};
-use crate::ir::motion::{Move, Path};
+use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
-use crate::machine::axis::{AXES, Axis};
+use crate::machine::axis::AXES;
 use crate::text::{BlockNumbers, FileId, Sources};
 
-use super::arrays::{Texts, Truths, Values, Words};
+use super::arrays::{Held, Texts, Truths, Values, Words};
 
 /// Place of the time among the columns.
 pub(super) const TIME: usize = 36;
@@ -23,6 +23,8 @@ const SPEEDS: &[&str] = &["speed", "cutting_speed"];
 const SIDES: &[&str] = &["left", "right"];
 
 pub(super) struct Rows<'a> {
+    /// Of the open batch.
+    row: usize,
     sources: &'a Sources,
     trail: &'a Trail,
     told: Told,
@@ -33,14 +35,14 @@ pub(super) struct Rows<'a> {
     radius: Values<f64>,
     sweep: Values<f64>,
     plane: Words,
-    lead: Values<f64>,
-    feed: Values<f64>,
+    lead: Held<f64>,
+    feed: Held<f64>,
     feed_mode: Words,
-    spindle: Values<f64>,
+    spindle: Held<f64>,
     spindle_mode: Words,
-    spindle_limit: Values<f64>,
+    spindle_limit: Held<f64>,
     spindle_direction: Words,
-    tool: Values<i64>,
+    tool: Held<i64>,
     compensation: Words,
     machine: Truths,
     length: Values<f64>,
@@ -59,6 +61,7 @@ pub(super) struct Rows<'a> {
 impl<'a> Rows<'a> {
     pub fn new(sources: &'a Sources, trail: &'a Trail) -> Rows<'a> {
         Rows {
+            row: 0,
             sources,
             trail,
             told: Told::default(),
@@ -69,14 +72,14 @@ impl<'a> Rows<'a> {
             radius: Values::new(),
             sweep: Values::new(),
             plane: Words::new(PLANES),
-            lead: Values::new(),
-            feed: Values::new(),
+            lead: Held::new(),
+            feed: Held::new(),
             feed_mode: Words::new(FEEDS),
-            spindle: Values::new(),
+            spindle: Held::new(),
             spindle_mode: Words::new(SPEEDS),
-            spindle_limit: Values::new(),
+            spindle_limit: Held::new(),
             spindle_direction: Words::new(&Sense::ALL.map(Sense::name)),
-            tool: Values::new(),
+            tool: Held::new(),
             compensation: Words::new(SIDES),
             machine: Truths::new(),
             length: Values::new(),
@@ -100,49 +103,50 @@ impl<'a> Rows<'a> {
         self.places(mv, from);
         self.path(&mv.path, length);
         self.told();
-        self.compensation.push(match mv.side {
+        let side = match mv.side {
             Side::None => None,
             Side::Left => Some(0),
             Side::Right => Some(1),
-        });
+        };
+        self.compensation.put(self.row, side);
         self.machine.push(mv.machine);
         self.origin(origin);
+        self.row += 1;
     }
 
     fn places(&mut self, mv: &Move, from: &Pos) {
-        for (axis, column) in Axis::ALL.into_iter().zip(&mut self.start) {
-            column.push(from.get(axis));
+        let row = self.row;
+        for (axis, value) in from.iter() {
+            self.start[axis.index()].put(row, value);
         }
-        for (axis, column) in Axis::ALL.into_iter().zip(&mut self.end) {
-            // In machine coordinates the others are somewhere else.
-            let stays = if mv.machine { None } else { from.get(axis) };
-            column.push(mv.end.get(axis).or(stays));
+        // In machine coordinates the others are somewhere else.
+        let mut end = if mv.machine { Pos::UNKNOWN } else { *from };
+        end.update(&mv.end);
+        for (axis, value) in end.iter() {
+            self.end[axis.index()].put(row, value);
         }
     }
 
     fn path(&mut self, path: &Path, length: Option<f64>) {
+        let row = self.row;
         let kind = match path {
             Path::Rapid => 0,
             Path::Line(_) | Path::Carried { .. } => 1,
             Path::Arc(..) => 2,
             Path::Thread { .. } => 3,
         };
-        self.kind.push(Some(kind));
-        let mut center = [None; 3];
-        let (mut radius, mut sweep, mut plane, mut lead) = (None, None, None, None);
+        self.kind.put(row, Some(kind));
+        let (mut plane, mut lead) = (None, None);
         let mut along = length;
         let mut feed = path.feed();
         match path {
             Path::Arc(arc, _) => {
-                let (first, second, _) = arc.plane.axes();
-                (center[first], center[second]) = (Some(arc.center.x), Some(arc.center.y));
-                radius = Some(distance(arc.from, arc.center));
-                sweep = Some(arc.sweep.to_degrees());
                 plane = Some(match arc.plane {
                     Plane::Xy => 0,
                     Plane::Zx => 1,
                     Plane::Yz => 2,
                 });
+                self.arc(arc);
             }
             Path::Carried { feed: per_minute, length } => {
                 feed = Some(Feed::PerMinute(*per_minute));
@@ -151,42 +155,51 @@ impl<'a> Rows<'a> {
             Path::Thread { lead: turn } => lead = Some(*turn),
             Path::Rapid | Path::Line(_) => {}
         }
-        for (column, value) in self.center.iter_mut().zip(center) {
-            column.push(value);
+        self.plane.put(row, plane);
+        self.lead.put(row, lead);
+        if let Some(along) = along {
+            self.length.put(row, along);
         }
-        self.radius.push(radius);
-        self.sweep.push(sweep);
-        self.plane.push(plane);
-        self.lead.push(lead);
-        self.length.push(along);
-        self.feed.push(feed.map(Feed::value));
-        self.feed_mode.push(feed.map(|feed| match feed {
+        self.feed.put(row, feed.map(Feed::value));
+        let mode = feed.map(|feed| match feed {
             Feed::PerMinute(_) => 0,
             Feed::PerRevolution(_) => 1,
             Feed::InverseTime(_) => 2,
-        }));
+        });
+        self.feed_mode.put(row, mode);
+    }
+
+    fn arc(&mut self, arc: &Arc) {
+        let row = self.row;
+        let (first, second, _) = arc.plane.axes();
+        self.center[first].put(row, arc.center.x);
+        self.center[second].put(row, arc.center.y);
+        self.radius.put(row, distance(arc.from, arc.center));
+        self.sweep.put(row, arc.sweep.to_degrees());
     }
 
     fn told(&mut self) {
+        let row = self.row;
         let (speed, mode, limit) = match self.told.speed {
             None => (None, None, None),
             Some(Speed::Turns(speed)) => (Some(speed), Some(0), None),
             Some(Speed::Cutting(speed, limit)) => (Some(speed), Some(1), limit),
         };
-        self.spindle.push(speed);
-        self.spindle_mode.push(mode);
-        self.spindle_limit.push(limit);
-        self.spindle_direction.push(self.told.sense.map(|sense| sense as i32));
-        self.tool.push(self.told.tool.map(i64::from));
+        self.spindle.put(row, speed);
+        self.spindle_mode.put(row, mode);
+        self.spindle_limit.put(row, limit);
+        self.spindle_direction.put(row, self.told.sense.map(|sense| sense as i32));
+        self.tool.put(row, self.told.tool.map(i64::from));
     }
 
     fn origin(&mut self, origin: &Origin) {
+        let row = self.row;
         let file = self.file_key(origin.loc.file);
-        self.file.push(Some(file));
-        self.line.push(Some(i64::from(origin.loc.line)));
+        self.file.put(row, Some(file));
+        self.line.put(row, i64::from(origin.loc.line));
         self.block.push(self.numbers.of(self.sources, origin.loc));
         let path = self.path_key(origin.call);
-        self.call_path.push(path);
+        self.call_path.put(row, path);
     }
 
     fn file_key(&mut self, id: FileId) -> i32 {
@@ -216,29 +229,30 @@ impl<'a> Rows<'a> {
 
     /// The columns in order, without the time; the next batch begins.
     pub fn finish(&mut self) -> Vec<ArrayRef> {
-        let mut all = vec![self.kind.finish()];
-        all.extend(self.start.iter_mut().map(Values::<f64>::finish));
-        all.extend(self.end.iter_mut().map(Values::<f64>::finish));
-        all.extend(self.center.iter_mut().map(Values::<f64>::finish));
+        let rows = std::mem::take(&mut self.row);
+        let mut all = vec![self.kind.finish(rows)];
+        all.extend(self.start.iter_mut().map(|values| values.finish(rows)));
+        all.extend(self.end.iter_mut().map(|values| values.finish(rows)));
+        all.extend(self.center.iter_mut().map(|values| values.finish(rows)));
         all.extend([
-            self.radius.finish(),
-            self.sweep.finish(),
-            self.plane.finish(),
-            self.lead.finish(),
-            self.feed.finish(),
-            self.feed_mode.finish(),
-            self.spindle.finish(),
-            self.spindle_mode.finish(),
-            self.spindle_limit.finish(),
-            self.spindle_direction.finish(),
-            self.tool.finish(),
-            self.compensation.finish(),
+            self.radius.finish(rows),
+            self.sweep.finish(rows),
+            self.plane.finish(rows),
+            self.lead.finish(rows),
+            self.feed.finish(rows),
+            self.feed_mode.finish(rows),
+            self.spindle.finish(rows),
+            self.spindle_mode.finish(rows),
+            self.spindle_limit.finish(rows),
+            self.spindle_direction.finish(rows),
+            self.tool.finish(rows),
+            self.compensation.finish(rows),
             self.machine.finish(),
-            self.length.finish(),
-            self.file.finish(),
-            self.line.finish(),
+            self.length.finish(rows),
+            self.file.finish(rows),
+            self.line.finish(rows),
             self.block.finish(),
-            self.call_path.finish(),
+            self.call_path.finish(rows),
         ]);
         all
     }

@@ -1,4 +1,4 @@
-//! The straight block: a line of the file with X, Y, Z, a feed and nothing else, decoded where it stands.
+//! The straight block: a line of the file with X, Y, Z, a feed, G0 or G1 and nothing else, decoded where it stands.
 //!
 //! In: the text of the file from the next block on. Out: what the words of its first line say, or nothing where it holds
 //! anything else, or does not end in the text. `of_line` of a dialect decodes the bytes, `of_block` looks at a block that was
@@ -18,6 +18,8 @@ pub struct Straight {
     pub axes: AxisSet,
     /// As written, above zero.
     pub feed: Option<f64>,
+    /// G0 or G1 stands in the block, by its number.
+    pub motion: Option<u8>,
     /// `FMAX`
     pub rapid: bool,
     /// `R0`
@@ -36,6 +38,20 @@ impl Straight {
         *self.values.get_mut(axis.index())? = value;
         self.axes.insert(axis);
         (!named).then_some(())
+    }
+
+    /// Takes a G code; `None` where it is neither G0 nor G1, or not the only one.
+    #[inline(always)]
+    pub(super) fn code(&mut self, number: f64) -> Option<()> {
+        let first = self.motion.is_none();
+        self.motion = Some(if number == 0.0 {
+            0
+        } else if number == 1.0 {
+            1
+        } else {
+            return None;
+        });
+        first.then_some(())
     }
 
     /// Takes F; `None` where there is a feed already, or where the number is none.

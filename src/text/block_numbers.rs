@@ -49,7 +49,8 @@ impl BlockNumbers {
                 let text = self.number.get_or_insert_default();
                 text.clear();
                 let window = self.windows.first().map_or(&[][..], |window| &window.text);
-                text.extend(window[digits.0..digits.1].iter().map(|b| *b as char));
+                // Letters and digits of ASCII.
+                text.push_str(std::str::from_utf8(&window[digits.0..digits.1]).unwrap_or_default());
             }
             Some(None) => self.number = None,
             None => self.number = sources.block_number(loc),
@@ -76,7 +77,9 @@ impl BlockNumbers {
                 place
             }
         };
-        self.windows[..=place].rotate_right(1);
+        if place > 0 {
+            self.windows[..=place].rotate_right(1);
+        }
         let window = &mut self.windows[0];
         if window.text.is_empty() || !holds(window) {
             window.start = at.saturating_sub(BEFORE);
@@ -109,7 +112,9 @@ fn number_at(
         None if is_whole => 0,
         None => return None,
     };
-    if start > 0 {
+    // The mark of languages whose lines never join.
+    let joins = sources.joins_at(file).filter(|mark| *mark != 0xff);
+    if let Some(mark) = joins.filter(|_| start > 0) {
         // A line that may go on: where its block begins is for others to say.
         let end = start - 1;
         let line_before = match memchr::memrchr(feed, &text[..end]) {
@@ -117,7 +122,7 @@ fn number_at(
             None if is_whole => &text[..end],
             None => return None,
         };
-        if sources.joins_at(file).is_some_and(|mark| line_before.contains(&mark)) {
+        if memchr::memchr(mark, line_before).is_some() {
             return None;
         }
     }

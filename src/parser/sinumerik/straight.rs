@@ -3,7 +3,6 @@
 use crate::machine::Axis;
 use crate::parser::literal::{self, Shape};
 use crate::parser::straight::{self, Straight};
-use crate::text::Span;
 use crate::text::number::leading_digits;
 
 use super::ast::{Block, Stmt, Target, Value};
@@ -14,18 +13,6 @@ use super::literal::Plain;
 pub fn of_line(text: &[u8], line_end: u8) -> Option<Straight> {
     let from = behind_number(text)?;
     straight::read::<Line>(text, from, from, line_end)
-}
-
-/// Length and words of the line at the start of `text`, if it is a straight block, with or without G0 or G1 in front.
-#[inline]
-pub fn with_path(text: &[u8], line_end: u8) -> Option<(usize, Span)> {
-    let from = behind_number(text)?;
-    let at = match text.get(from..)? {
-        [b'G' | b'g', b'0' | b'1', b' ', ..] => from + 3,
-        [b'G' | b'g', b'0', b'0' | b'1', b' ', ..] => from + 4,
-        _ => from,
-    };
-    straight::read::<Line>(text, from, at, line_end).map(|line| (line.len, line.words))
 }
 
 /// Where the words begin, behind the block number.
@@ -63,6 +50,7 @@ impl Shape for Line {
             b'Y' => line.go(Axis::Y, number.value)?,
             b'Z' => line.go(Axis::Z, number.value)?,
             b'F' => line.feed(number.value)?,
+            b'G' if number.is_digits(text) => line.code(number.value)?,
             _ => return None,
         }
         Some(number.end)
@@ -80,9 +68,12 @@ impl Shape for Line {
 pub fn of_block(block: &Block) -> Option<Straight> {
     let mut line = Straight { words: block.span, ..Straight::default() };
     for word in &block.words {
-        let (Target::Letter(letter), Value::Literal { value, .. }) = (word.target, word.value) else { return None };
+        let (Target::Letter(letter), Value::Literal { value, digits, .. }) = (word.target, word.value) else {
+            return None;
+        };
         match letter {
             b'F' => line.feed(value)?,
+            b'G' if digits > 0 => line.code(value)?,
             _ if value.is_finite() => line.go(Axis::of(letter)?, value)?,
             _ => return None,
         }
@@ -114,7 +105,7 @@ mod tests {
             let words: String = words.iter().flat_map(|(word, blank)| [word.as_str(), blank]).collect();
             says_the_same(format!("{head}{words}{end}{rest}").as_bytes(), line_end);
             for g in ["G0 ", "g1 ", "G01 ", "G1"] {
-                has_nothing_else(format!("{head}{g}{words}{end}{rest}").as_bytes(), line_end);
+                says_the_same(format!("{head}{g}{words}{end}{rest}").as_bytes(), line_end);
             }
         }
     }
@@ -128,7 +119,7 @@ mod tests {
             ("N10 F5\n", None),
             ("X1:\n", None),
             ("X5 X6\n", None),
-            ("X5 G1\n", None),
+            ("X5 G1\n", Some(6)),
             ("X5 F-1\n", None),
             ("X1EX2\n", None),
             ("X1;\n", None),
@@ -139,44 +130,20 @@ mod tests {
     }
 
     #[test]
-    fn a_line_with_g1_is_passed_over() {
-        for (text, len) in [
-            ("N10 G1 X1 F5\nN20", Some(13)),
-            ("g00 z5\r\n", Some(8)),
-            ("X1\n", Some(3)),
-            ("G1 F5\n", None),
-            ("G2 X5\n", None),
-            ("G1 G0 X5\n", None),
-            ("G1X5\n", None),
+    fn a_straight_block_may_name_its_interpolation() {
+        for (text, motion) in [
+            ("N10 G1 X1 F5\nN20", Some(1)),
+            ("g00 z5\r\n", Some(0)),
+            ("X1 G01\n", Some(1)),
+            ("G1X5\n", Some(1)),
+            ("X1\n", None),
         ] {
-            assert_eq!(with_path(text.as_bytes(), b'\n').map(|(len, _)| len), len, "{text:?}");
-            has_nothing_else(text.as_bytes(), b'\n');
+            assert_eq!(of_line(text.as_bytes(), b'\n').map(|line| line.motion), Some(motion), "{text:?}");
+            says_the_same(text.as_bytes(), b'\n');
         }
-    }
-
-    /// A line that is passed over is a block of G0 or G1, axes and F, with nothing wrong in it.
-    fn has_nothing_else(text: &[u8], line_end: u8) {
-        let Some((len, words)) = with_path(text, line_end) else { return };
-        let line = &text[..len - 1];
-        let line = line.strip_suffix(b"\r").unwrap_or(line);
-        let (mut block, mut problems) = (Block::default(), Vec::new());
-        parse_block(line, &mut block, &mut Symbols::default(), &mut problems);
-        assert!(problems.is_empty(), "{problems:?}");
-        assert_eq!(words, block.span);
-        let (mut letters, mut g) = (Vec::new(), 0);
-        for word in &block.words {
-            let (Target::Letter(letter), Value::Literal { value, .. }) = (word.target, word.value) else {
-                panic!("{word:?}")
-            };
-            assert!(b"XYZF".contains(&letter) || letter == b'G' && (value == 0.0 || value == 1.0), "{word:?}");
-            g += usize::from(letter == b'G');
-            letters.push(letter);
+        for text in ["G1 F5\n", "G2 X5\n", "G1 G0 X5\n", "G1 G1 X5\n", "G1.0 X5\n", "G+1 X5\n", "G1=1 X5\n"] {
+            assert_eq!(of_line(text.as_bytes(), b'\n'), None, "{text:?}");
         }
-        letters.sort_unstable();
-        letters.dedup();
-        assert!(letters.len() == block.words.len() && g <= 1 && letters.iter().any(|letter| b"XYZ".contains(letter)));
-        let plain = block.skip.is_none() && block.comment.is_none() && block.label.is_none();
-        assert!(plain && block.stmt == Stmt::Words, "{}", String::from_utf8_lossy(line));
     }
 
     fn says_the_same(text: &[u8], line_end: u8) {

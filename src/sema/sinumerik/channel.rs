@@ -12,6 +12,7 @@ use crate::sema::run::runs_on;
 use super::Core;
 use super::axis_names::AxisNames;
 use super::capture::Capture;
+use super::lane::Lane;
 use super::soft_approach::Soft;
 use super::state::State;
 
@@ -28,8 +29,8 @@ pub(super) struct Channel<'a> {
     pub soft: Option<Box<Soft>>,
     /// Blocks are of the ISO dialect, up to G290.
     pub iso: bool,
-    /// A straight block may take the lane.
-    pub plain: bool,
+    /// Straight blocks that may take the lane.
+    pub lane: Lane,
 }
 
 impl<'a> Channel<'a> {
@@ -42,7 +43,7 @@ impl<'a> Channel<'a> {
             capture: None,
             soft: None,
             iso: false,
-            plain: false,
+            lane: Lane::Closed,
         }
     }
 }

@@ -14,25 +14,34 @@ use crate::parser::straight::Straight;
 use super::Channel;
 use super::g_groups::{GCode, Group};
 
+/// The straight blocks that do nothing but move.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Lane {
+    /// None of them.
+    Closed,
+    /// Those of G0: the feed is not known well enough for G1.
+    Rapid,
+    /// All.
+    Open,
+}
+
 impl Channel<'_> {
-    /// Does a straight block do nothing but move?
-    pub(super) fn is_plain(&mut self) -> bool {
-        self.moves_straight() && self.nothing_waits() && self.program_level().executed
+    /// Which straight blocks do nothing but move?
+    pub(super) fn open_lane(&mut self) -> Lane {
+        if !(self.moves_straight() && self.nothing_waits() && self.program_level().executed) {
+            return Lane::Closed;
+        }
+        let feed = &self.st.feed;
+        let known = matches!(feed.word(), Some(Feed::PerMinute(_))) && !feed.is_lost() && !feed.is_kind_open();
+        if known { Lane::Open } else { Lane::Rapid }
     }
 
-    /// The codes and settings under which a block of axes is a straight move in the plane XY.
+    /// The codes and settings under which a block of axes with G0 or G1 is a straight move in the plane XY.
     fn moves_straight(&self) -> bool {
         let st = &self.st;
-        let straight = match st.codes.of(Group::Motion) {
-            GCode::G0 => true,
-            GCode::G1 => {
-                matches!(st.feed.word(), Some(Feed::PerMinute(_))) && !st.feed.is_lost() && !st.feed.is_kind_open()
-            }
-            _ => false,
-        };
         let letters = [(b'X', Some(Axis::X)), (b'Y', Some(Axis::Y)), (b'Z', Some(Axis::Z)), (b'F', None)];
         let named = |(letter, axis)| self.axis_names.letter(letter).and_then(|named| named.axis) == axis;
-        straight
+        matches!(st.codes.of(Group::Motion), GCode::G0 | GCode::G1 | GCode::G2 | GCode::G3)
             && st.offsets.are_noted()
             && !st.is(GCode::G91)
             && !st.is(GCode::G93)
@@ -66,29 +75,43 @@ impl Channel<'_> {
     /// Executes the next block where it stands, if it is one of X, Y, Z and F while nothing else is on.
     #[inline]
     pub(super) fn straight_line(&mut self) -> bool {
-        if !self.plain {
+        if self.lane == Lane::Closed {
             return false;
         }
         let Some(line) = self.core.straight_ahead(straight::of_line) else { return false };
+        let Some(code) = self.interpolation(&line) else { return false };
         self.core.take_straight(&line);
-        self.go_straight(&line);
+        self.go_straight(&line, code);
         true
     }
 
     /// The same for a block that was read; false if it is another one.
     pub(super) fn straight_block(&mut self, block: &Block) -> bool {
-        let line = if self.plain { straight::of_block(block) } else { None };
-        let Some(line) = line else { return false };
-        self.go_straight(&line);
+        let line = if self.lane == Lane::Closed { None } else { straight::of_block(block) };
+        let Some((line, code)) = line.and_then(|line| Some((line, self.interpolation(&line)?))) else { return false };
+        self.go_straight(&line, code);
         true
     }
 
+    /// The code a block moves under, its own or the one in force; `None` where it cannot take the lane.
     #[inline(always)]
-    fn go_straight(&mut self, line: &Straight) {
+    fn interpolation(&self, line: &Straight) -> Option<GCode> {
+        let code = match line.motion {
+            Some(0) => GCode::G0,
+            Some(_) => GCode::G1,
+            None => self.st.codes.of(Group::Motion),
+        };
+        let open = code == GCode::G0 || code == GCode::G1 && self.lane == Lane::Open;
+        open.then_some(code)
+    }
+
+    #[inline(always)]
+    fn go_straight(&mut self, line: &Straight, code: GCode) {
+        self.st.codes.activate(code);
         if let Some(feed) = line.feed {
             self.st.feed.program(self.st.feed_of(feed));
         }
-        let path = if self.st.is(GCode::G0) { Path::Rapid } else { Path::straight(self.st.feed.word()) };
+        let path = if code == GCode::G0 { Path::Rapid } else { Path::straight(self.st.feed.word()) };
         let mm = self.st.length_unit();
         let end = Pos::of_main(line.values.map(|value| value * mm), line.axes);
         self.note_heading(&end, &path);

@@ -87,6 +87,7 @@ use super::{Job, Outcome, Reported};
 use calls::Frame;
 use channel::Channel;
 use g_groups::GCodes;
+use lane::Lane;
 use macros::Sinumerik;
 use programs::{Listed, UnitKind, Units};
 use vars::Vars;
@@ -148,7 +149,7 @@ impl Language for Sinumerik {
         if self.has_macros() {
             return None;
         }
-        straight::with_path(text, line_end)
+        straight::of_line(text, line_end).map(|line| (line.len, line.words))
     }
 
     #[inline]
@@ -241,9 +242,9 @@ impl<'a> Interpreter<'a> for Run<'a> {
     fn execute(&mut self, block: &Block, text: &[u8]) {
         if !self.straight_block(block) {
             // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
-            self.plain = false;
+            self.lane = Lane::Closed;
             self.execute_any(block, text);
-            self.plain = self.is_plain();
+            self.lane = self.open_lane();
         }
     }
 
@@ -253,12 +254,12 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn end_of_file(&mut self) {
-        self.plain = false;
+        self.lane = Lane::Closed;
         self.file_over();
     }
 
     fn unread_block(&mut self) {
-        self.plain = false;
+        self.lane = Lane::Closed;
         self.lose_all();
     }
 
@@ -266,12 +267,12 @@ impl<'a> Interpreter<'a> for Run<'a> {
     fn level_ends(&mut self) -> bool {
         let at = self.place().at;
         if self.levels.len() > 1 && self.ends_here(at) {
-            self.plain = false;
+            self.lane = Lane::Closed;
             return true;
         }
         let over = at >= self.units.list[self.unit()].end;
         if over {
-            self.plain = false;
+            self.lane = Lane::Closed;
             self.file_over();
         }
         over
