@@ -173,6 +173,15 @@ pub(super) struct Key {
     /// Part programs and folders; `-` reads standard input
     #[arg(required_unless_present = "files_from")]
     pub paths: Vec<PathBuf>,
+    /// Rapid traverse of the machine, as `trace` and `stats` have it
+    #[arg(long, value_name = "MM/MIN", default_value_t = 10_000.0, value_parser = above_zero)]
+    pub rapid: f64,
+    /// Acceleration along the path, as `trace` and `stats` have it
+    #[arg(long, value_name = "M/S²", default_value_t = 1.0, value_parser = above_zero)]
+    pub acceleration: f64,
+    /// Time of a tool change, as `stats` has it
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.0, value_parser = seconds)]
+    pub tool_change: f64,
     #[command(flatten)]
     pub many: Many,
     #[command(flatten)]
@@ -181,7 +190,7 @@ pub(super) struct Key {
 
 #[derive(Debug, ClapArgs)]
 pub(super) struct Merge {
-    /// Reports of `partc check --shard`
+    /// Reports of `partc check --shard`; `-` reads standard input
     #[arg(required = true)]
     pub reports: Vec<PathBuf>,
     /// File to write instead of standard output
@@ -258,7 +267,7 @@ fn shard(text: &str) -> Result<Shard, String> {
 pub(super) struct Trace {
     /// Part program; `-` reads standard input
     pub input: PathBuf,
-    /// File for the moves; `-`, the default, is standard output. Its extension is the default of `--format`
+    /// File for the moves; `-`, the default, is standard output. Its extension decides the form; `--format` is needed for one that is not known
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Overwrite a file that is no trace

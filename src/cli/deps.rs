@@ -85,6 +85,11 @@ impl Deps {
         Ok(())
     }
 
+    /// The list, where one is written.
+    pub fn file(&self) -> Option<&Path> {
+        self.deps.as_deref()
+    }
+
     /// What a program was made into `outputs` of, where somebody wants to know.
     ///
     /// # Errors
@@ -188,15 +193,29 @@ fn relative(path: &Path) -> PathBuf {
     here.as_deref().and_then(|here| path.strip_prefix(here).ok()).unwrap_or(path).to_path_buf()
 }
 
+/// The one path of a file that does not exist, in folders that may not exist, either.
+fn anchored(path: &Path) -> PathBuf {
+    let known = path.ancestors().skip(1).find_map(|folder| {
+        let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        Some(std::fs::canonicalize(here).ok()?.join(path.strip_prefix(folder).ok()?))
+    });
+    known.unwrap_or_else(|| path.to_path_buf())
+}
+
 fn json(rules: &[Rule]) -> String {
-    let names = |paths: &mut dyn Iterator<Item = &PathBuf>| paths.map(|path| shown(path)).collect::<Vec<_>>();
+    let names = |paths: &mut dyn Iterator<Item = &PathBuf>| {
+        let mut seen = BTreeSet::new();
+        paths.map(|path| shown(path)).filter(|name| seen.insert(name.clone())).collect::<Vec<_>>()
+    };
+    // A folder may have been looked in by two of its names.
+    let sorted = |paths: &BTreeSet<PathBuf>| paths.iter().map(|path| shown(&anchored(path))).collect::<BTreeSet<_>>();
     let list: Vec<_> = rules
         .iter()
         .map(|rule| {
             json!({
                 "outputs": names(&mut rule.outputs.iter()),
                 "inputs": names(&mut rule.inputs.iter()),
-                "absent": names(&mut rule.absent.iter()),
+                "absent": sorted(&rule.absent),
             })
         })
         .collect();

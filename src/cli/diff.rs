@@ -1,7 +1,8 @@
 //! `partc diff`: two programs as motion.
 
+use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
@@ -15,7 +16,8 @@ use crate::machine::Settings;
 use crate::text::decode::{escaped_json, harmless_lines};
 
 use super::args::{Common, Diff, Findings, Format};
-use super::disk::file_name;
+use super::closure::Targets;
+use super::disk::{IncludeRoots, file_name};
 use super::listing::print;
 use super::output::{Destination, Made, is_foreign};
 use super::report::{Reporter, Stdout};
@@ -109,6 +111,15 @@ pub(super) fn diff(args: &Diff) -> Result<Exit, Trouble> {
     let programs = [Program::load(&args.a, &args.common)?, Program::load(&args.b, &args.common)?];
     let [a, b] = [0, 1].map(|i| programs[i].steps(paths[i], args.tolerance));
     let (a, b) = (a?, b?);
+    let targets = Targets::new(args.plot.as_deref());
+    for (program, path) in programs.iter().zip(paths) {
+        match program {
+            Program::Part(part) => targets.spare(path, &args.common, &part.files)?,
+            Program::Plain(..) => {
+                targets.spare(path, &args.common, &IncludeRoots::new(PathBuf::new(), BTreeMap::new()))?
+            }
+        }
+    }
     let mut reporter = Reporter::new(&args.common, &Findings::SHOWN, Stdout::Taken, None);
     let failed = programs.iter().any(|program| match program {
         Program::Part(part) => reporter.look().fails(&part.session),

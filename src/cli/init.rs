@@ -14,6 +14,7 @@ use crate::text::decode::harmless_lines;
 
 use super::answers::{Form, Needs, Place, Request, requests};
 use super::args::{Common, Init};
+use super::closure::Targets;
 use super::inputs::{Ignored, Input, inputs, walk};
 use super::listing::print;
 use super::output::Destination;
@@ -40,6 +41,7 @@ pub(super) fn init(args: &Init) -> Result<Exit, Trouble> {
             target.display()
         ));
     }
+    let targets = Targets::new([target.as_path()]);
     let found = inputs(&args.paths, &args.many, &|path| is_program(path, &args.common) && !is_output(path))?;
     let mut reporter = Reporter::new(&args.common, &super::args::Findings::SHOWN, Stdout::Taken, None);
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
@@ -50,6 +52,12 @@ pub(super) fn init(args: &Init) -> Result<Exit, Trouble> {
         all.extends = config::above(folder);
     }
     let base = Base { folder: folder.to_path_buf(), lies_in: index(folder) };
+    // The older configuration is what `--force` is about.
+    for input in &inputs {
+        let read = config::read_for(&input.path, &args.common).map(|read| read.files).unwrap_or_default();
+        let tables = read.into_iter().filter(|(what, _)| *what != "configuration").map(|(_, path)| path);
+        targets.none_of(&input.path, tables.chain([input.path.clone()]))?;
+    }
     let work = |input: &Input| Trial::of(&input.path, &base, &args.common);
     in_order(args.many.jobs, &inputs, work, |done, trial| {
         reporter.progress(done, inputs.len());

@@ -22,7 +22,7 @@ use super::run::{Loaded, is_program, load};
 use super::{Exit, Trouble, config, say};
 
 /// Raised where the same inputs shall have another key.
-const VERSION: &str = "1";
+const VERSION: &str = "2";
 
 /// Prints a line for each program: its key and its path, as `sha256sum` would.
 pub(super) fn key(args: &Key) -> Result<Exit, Trouble> {
@@ -32,7 +32,7 @@ pub(super) fn key(args: &Key) -> Result<Exit, Trouble> {
     in_order(
         args.many.jobs,
         &found.list,
-        |input| of(input, &args.common),
+        |input| of(input, args),
         |done, result: Result<String, Trouble>| match result {
             Ok(key) => lines += &line(&key, &found.list[done].path),
             Err(trouble) => troubles.push(trouble),
@@ -83,8 +83,8 @@ impl Hash {
     }
 }
 
-fn of(input: &Input, common: &Common) -> Result<String, Trouble> {
-    let path = &input.path;
+fn of(input: &Input, args: &Key) -> Result<String, Trouble> {
+    let (path, common) = (&input.path, &args.common);
     let trouble = |path: &Path, error: io::Error| format!("{}: {error}", path.display());
     let Loaded { session, dialect, settings, files, .. } = load(path, common)?;
     // What is called shows in a run only.
@@ -94,6 +94,7 @@ fn of(input: &Input, common: &Common) -> Result<String, Trouble> {
     hash.text(env!("CARGO_PKG_VERSION"));
     hash.text(dialect.id);
     said(&mut hash, common);
+    [args.rapid, args.acceleration, args.tool_change].iter().for_each(|value| hash.text(&value.to_string()));
     let named = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
     hash.text(&file_name(named));
     main_program(&mut hash, &session.sources);

@@ -1,8 +1,9 @@
 //! `partc merge`
 
-use std::fs;
+use std::collections::BTreeSet;
 use std::io::Write as _;
 use std::path::Path;
+use std::{fs, io};
 
 use crate::diag::report::merge::merge as merged;
 
@@ -14,10 +15,17 @@ use super::{Exit, Trouble};
 
 /// Puts the reports of shards together.
 pub(super) fn merge(args: &Merge) -> Result<Exit, Trouble> {
-    let mut reports = Vec::new();
+    let (mut reports, mut given) = (Vec::new(), BTreeSet::new());
     for path in &args.reports {
         let name = path.display().to_string();
-        let text = fs::read_to_string(path).map_err(|error| format!("{name}: {error}"))?;
+        if !given.insert(real(path)) {
+            return Err(format!("{name}: this report is given twice; its findings would count twice"));
+        }
+        let text =
+            if path == Path::new("-") { io::read_to_string(io::stdin().lock()) } else { fs::read_to_string(path) };
+        let text = text.map_err(|error| format!("{name}: {error}"))?;
+        // Some editors and shells put a byte-order mark in front.
+        let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text);
         reports.push((name, text));
     }
     let text = merged(&reports)?;

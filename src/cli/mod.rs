@@ -3,6 +3,7 @@
 mod answers;
 mod args;
 mod bundle;
+mod closure;
 mod config;
 mod deps;
 mod diff;

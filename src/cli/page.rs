@@ -10,6 +10,7 @@ use crate::exhibit;
 use crate::text::{FileId, Memory, Opened, Span};
 
 use super::args::Page;
+use super::closure::Targets;
 use super::disk::file_name;
 use super::inputs::Input;
 use super::output::{Destination, Made, ignore_closed_pipe, is_foreign};
@@ -45,6 +46,7 @@ pub(super) fn report(args: &Page) -> Result<Exit, Trouble> {
     let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None);
     reporter.spares(&[Input::named(&args.input)], &BTreeSet::from([real(&target)]))?;
     args.deps.spares(&[&args.input], &BTreeSet::from([real(&target)]))?;
+    let targets = Targets::new([target.as_path()].into_iter().chain(reporter.files()).chain(args.deps.file()));
     let mut out = Destination::open(&target).map_err(trouble)?;
     let ticker = Ticker::start(true, &place);
     let made = exhibit::made_unless(&session, dialect, &settings, &files, &|session| reporter.look().fails(session));
@@ -55,6 +57,7 @@ pub(super) fn report(args: &Page) -> Result<Exit, Trouble> {
     let again = Session::new(Opened { name, identity, text: Box::new(Memory::new(source.as_slice())) });
     let checked = exhibit::checked(&again, dialect, &settings, &files);
     drop(ticker);
+    targets.spare(&args.input, &args.common, &files)?;
     match made {
         Ok(made) => write(&mut out, &[("source", &source), ("made", &made), ("checked", &checked)])
             .and_then(|()| out.commit())

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::emit::plot::{Form, Options, Side, Thinned, rounded_up};
 
 use super::args::{PictureForm, Plot, View};
+use super::closure::Targets;
 use super::disk::file_name;
 use super::inputs::Input;
 use super::output::{Destination, Made, ignore_closed_pipe, is_foreign, set_aside};
@@ -38,10 +39,12 @@ pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
     let stdout = if target == Path::new("-") { Stdout::Taken } else { Stdout::Free };
     let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None);
     reporter.spares(&[Input::named(&args.input)], &BTreeSet::from([real(&target)]))?;
+    let targets = Targets::new([target.as_path()].into_iter().chain(reporter.files()));
     let mut out = Destination::open(&target).map_err(trouble)?;
     let ticker = Ticker::start(true, &place);
     let result = session.plot(dialect, &settings, &files, options, &mut out);
     drop(ticker);
+    targets.spare(&args.input, &args.common, &files)?;
     if reporter.look().fails(&session) {
         drop(out);
         if let Some(stale) = set_aside(&target, Made::Picture).map_err(trouble)? {

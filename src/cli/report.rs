@@ -303,6 +303,11 @@ impl Reporter {
         Ok(())
     }
 
+    /// Files of its reports.
+    pub(super) fn files(&self) -> impl Iterator<Item = &Path> {
+        self.output.iter().chain(self.more.iter().map(|(_, file)| file)).map(PathBuf::as_path)
+    }
+
     /// Takes what a session found.
     pub(super) fn session(&mut self, session: Session) {
         self.take(self.look.present(session));

@@ -20,6 +20,7 @@ use crate::text::decode::{escaped_json, harmless_lines};
 use crate::text::{FileId, Span};
 
 use super::args::{Check, Common, Compile};
+use super::closure::Targets;
 use super::deps::Rule;
 use super::disk::{IncludeRoots, file_name, open_main};
 use super::inputs::{Input, inputs};
@@ -157,7 +158,9 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     let (look, inputs) = (reporter.look_at(found.list.len(), &args.common), found.list);
     let read = inputs.iter().filter_map(|input| fs::canonicalize(&input.path).ok()).collect();
-    let work = Work { args, look, read, alone: inputs.len() == 1, group: Mutex::default() };
+    let files = outputs.iter().map(PathBuf::as_path).chain(reporter.files()).chain(args.deps.file());
+    let targets = Targets::new(files);
+    let work = Work { args, look, read, targets: &targets, alone: inputs.len() == 1, group: Mutex::default() };
     let mut rules = Vec::new();
     in_order(
         args.many.jobs,
@@ -184,6 +187,9 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
     reporter.wrote(group.written);
     group.troubles.sort();
     group.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
+    if targets.was_hit() {
+        return Ok(Exit::Usage);
+    }
     let exit = reporter.finish()?;
     args.deps.write(rules, exit)
 }
@@ -227,6 +233,8 @@ struct Work<'a> {
     look: Look,
     /// The files of the inputs, links followed.
     read: BTreeSet<PathBuf>,
+    /// What the run will replace.
+    targets: &'a Targets,
     /// There is one input only.
     alone: bool,
     /// The outputs of several inputs.
@@ -288,6 +296,7 @@ impl Work<'_> {
         let ticker = Ticker::start(self.alone, &place);
         let result = session.compile(dialect, &settings, &files, &mut out, line_map);
         drop(ticker);
+        self.targets.spare(&input.path, &args.common, &files)?;
         let map = map.map(SourceMap::finish);
         let mut said = Vec::new();
         let wrong = match &result {
@@ -420,11 +429,13 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
         }
     }
     let alone = inputs.len() == 1;
+    let targets = Targets::new(reporter.files().chain(args.deps.file()));
     let work = |input: &Input| {
         let Loaded { session, dialect, settings, files, place } = load(&input.path, &args.common)?;
         let ticker = Ticker::start(alone, &place);
         session.check(dialect, &settings, &files);
         drop(ticker);
+        targets.spare(&input.path, &args.common, &files)?;
         let rule = args.deps.rule(&input.path, &args.common, &files, &[])?;
         Ok((present(look, session, &input.path, &args.common, alone)?, rule))
     };
@@ -439,6 +450,9 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
             Err(trouble) => reporter.trouble(trouble),
         }
     });
+    if targets.was_hit() {
+        return Ok(Exit::Usage);
+    }
     let exit = reporter.finish()?;
     args.deps.write(Rule::together(rules, args.output.as_deref()), exit)
 }

@@ -8,6 +8,7 @@ use crate::emit::stats::{Figures, Model, SMOOTH_DEG, Stats, short};
 use crate::text::decode::{escaped_json, harmless_lines};
 
 use super::args::{Stats as Args, StatsFormat};
+use super::closure::Targets;
 use super::inputs::inputs;
 use super::listing::print;
 use super::progress::Ticker;
@@ -22,6 +23,7 @@ pub(super) fn stats(args: &Args) -> Result<Exit, Trouble> {
     let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Taken, None);
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     let look = reporter.look_at(found.list.len(), &args.common);
+    let targets = Targets::new(reporter.files());
     let mut programs = Vec::new();
     for (done, input) in found.list.iter().enumerate() {
         reporter.progress(done, found.list.len());
@@ -30,6 +32,7 @@ pub(super) fn stats(args: &Args) -> Result<Exit, Trouble> {
                 let ticker = Ticker::start(found.list.len() == 1, &place);
                 let stats = session.stats(dialect, &settings, &files, model);
                 drop(ticker);
+                targets.spare(&input.path, &args.common, &files)?;
                 // Of a program with errors nobody knows what it does.
                 if !look.fails(&session) {
                     programs.push((input.path.display().to_string(), stats));

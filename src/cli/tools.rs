@@ -15,6 +15,7 @@ use super::args::{TableForm, ToolsArgs};
 use super::config::read_table;
 use super::listing::print;
 use super::output::Destination;
+use super::run::same_file;
 use super::{Exit, Trouble, say};
 
 /// `partc tools`
@@ -33,6 +34,9 @@ pub(super) fn tools(args: &ToolsArgs) -> Result<Exit, Trouble> {
             ));
         }
         _ => {}
+    }
+    if args.output.as_deref().is_some_and(|path| same_file(path, &args.file)) {
+        return Err(format!("{shown}: the table would be replaced by what is made of it; name another file"));
     }
     let mut lost = Vec::new();
     let text = match args.to {

@@ -11,6 +11,7 @@ use crate::machine::Settings;
 use crate::text::Files;
 
 use super::args::{Format, Trace};
+use super::closure::Targets;
 use super::inputs::Input;
 use super::output::{Destination, Made, ignore_closed_pipe, is_foreign, set_aside};
 use super::progress::Ticker;
@@ -47,6 +48,7 @@ pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
     let mut reporter = Reporter::new(&common, &args.findings, stdout, None);
     reporter.spares(&[Input::named(&args.input)], &BTreeSet::from([real(&target)]))?;
     args.deps.spares(&[&args.input], &BTreeSet::from([real(&target)]))?;
+    let targets = Targets::new([target.as_path()].into_iter().chain(reporter.files()).chain(args.deps.file()));
     let out = Destination::open(&target).map_err(trouble)?;
     let model = Model { rapid: args.rapid, acceleration: args.acceleration, ..Model::default() };
     let ticker = Ticker::start(!to_stdout, &place);
@@ -64,6 +66,7 @@ pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
         | Format::Checkstyle => run.lines(out),
     };
     drop(ticker);
+    targets.spare(&args.input, &common, &files)?;
     if reporter.look().fails(&session) {
         drop(written);
         if !to_stdout && let Some(stale) = set_aside(&target, Made::Trace).map_err(trouble)? {
@@ -86,9 +89,16 @@ fn form(named: Option<Format>, target: &Path) -> Result<Format, Trouble> {
     let extension = target.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
     Ok(match extension.as_deref() {
         Some("csv") => Format::Csv,
-        Some("arrow" | "feather") => Format::Arrow,
+        Some("arrow" | "feather" | "ipc") => Format::Arrow,
         Some("parquet") => Format::Parquet,
-        _ => Format::Jsonl,
+        // A pipe or a device has no extension.
+        None | Some("jsonl" | "ndjson") => Format::Jsonl,
+        Some(_) => {
+            let name = target.display();
+            return Err(format!(
+                "{name}: no form of moves has this extension; say `--format jsonl|csv|arrow|parquet`, or name the file .jsonl, .ndjson, .csv, .arrow, .feather, .ipc or .parquet"
+            ));
+        }
     })
 }
 

@@ -44,11 +44,95 @@ fn lists_name_every_file_that_was_read() {
     // A file of the very name would be called in its place; a nearer configuration would hold.
     let absent = names("absent");
     assert!(absent.contains("parts/HOLE") && absent.contains("parts/partc.toml"), "{absent:?}");
+    // Each once, in order, below the folder as the inputs are.
+    let list = found["rules"][0]["absent"].as_array().expect("names");
+    let list: Vec<&str> = list.iter().filter_map(Value::as_str).collect();
+    assert!(list.is_sorted_by(|a, b| a < b), "{list:?}");
+    let here = fs::canonicalize(&folder.0).expect("a folder").display().to_string();
+    assert!(!list.iter().any(|name| name.starts_with(&here) || name.starts_with("./")), "{list:?}");
     for command in [["trace", "parts/A.H", "-o", "a.csv"], ["report", "parts/A.H", "-o", "a.html"]] {
         folder.run(&[&command[..], &["--deps", "d.d"]].concat()).exits(0);
         let list = folder.read("d.d");
         assert!(list.starts_with(&format!("{}: \\\n  parts/A.H", command[3])) && list.contains("HOLE.H"), "{list}");
     }
+}
+
+/// What a run reads stays, whatever command writes there, and with `--force`.
+#[test]
+fn no_command_replaces_what_it_reads() {
+    let files = [
+        ("A.H", caller("HOLE")),
+        // Without extensions, so that no name tells what they are.
+        ("HOLE", HOLE.to_owned()),
+        ("shop", "extend = \"base\"\n[tools]\ntable = \"tool\"\n".to_owned()),
+        ("base", BASE.to_owned()),
+        ("tool", tool_t(3)),
+    ];
+    let folder = Folder::new("closure");
+    files.iter().for_each(|(name, text)| folder.write(name, text));
+    for (victim, text) in &files {
+        let report = format!("json={victim}");
+        let commands: [&[&str]; 11] = [
+            &["compile", "A.H", "--force", "-o", victim],
+            &["compile", "A.H", "--force", "-o", "a.ngc", "--map", victim],
+            &["trace", "A.H", "--force", "--format", "csv", "-o", victim],
+            &["plot", "A.H", "--force", "--as", "svg", "-o", victim],
+            &["report", "A.H", "--force", "-o", victim],
+            &["diff", "A.H", "A.H", "--force", "--plot", victim],
+            &["check", "A.H", "-o", victim],
+            &["stats", "A.H", "--report", &report],
+            &["compile", "A.H", "-o", "a.ngc", "--report", &report],
+            &["plot", "A.H", "-o", "a.svg", "--report", &report],
+            &["trace", "A.H", "-o", "a.csv", "--deps", victim],
+        ];
+        for command in commands {
+            let ran = folder.run(&[command, &["--config", "shop"]].concat()).exits(2);
+            assert!(!ran.err.is_empty(), "{command:?}");
+            assert_eq!(&folder.read(victim), text, "{command:?}");
+        }
+        assert!(!folder.has("a.ngc") && !folder.has("a.svg") && !folder.has("a.csv"), "{victim}");
+    }
+    folder.run(&["compile", "A.H", "--config", "shop", "--force", "-o", "HOLE"]).exits(2).says("is read for A.H");
+    folder.run(&["init", "A.H", "--config", "shop", "--force", "-o", "tool"]).exits(2).says("is read for A.H");
+    folder.run(&["tools", "tool", "--to", "csv", "-o", "./tool"]).exits(2).says("would be replaced");
+    assert_eq!(folder.read("tool"), tool_t(3));
+    // Among several programs, too, and through a link.
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("HOLE", folder.0.join("link")).expect("a link");
+        folder.run(&["trace", "A.H", "--force", "--format", "csv", "-o", "link"]).exits(2).says("is read for");
+    }
+    folder.write("B.H", PART);
+    folder.run(&["check", "B.H", "A.H", "--report", "json=HOLE"]).exits(2).says("is read for A.H");
+    assert_eq!(folder.read("HOLE"), HOLE);
+}
+
+#[test]
+fn the_extension_of_a_trace_is_one_that_is_known() {
+    let folder = Folder::new("trace_extension").with(&[("A.H", PART)]);
+    for name in ["a.txt", "a.json", "a.xlsx", "a.H"] {
+        folder.run(&["trace", "A.H", "-o", name]).exits(2).says("--format");
+        assert!(!folder.has(name), "{name}");
+        folder.run(&["trace", "A.H", "-o", name, "--format", "csv"]).exits(0);
+        assert!(folder.read(name).starts_with("kind,"), "{name}");
+    }
+    for name in ["a.jsonl", "a.NDJSON", "a", "-"] {
+        let ran = folder.run(&["trace", "A.H", "-o", name]).exits(0);
+        let text = if name == "-" { ran.out } else { folder.read(name) };
+        assert!(text.starts_with("{\"kind\""), "{name}");
+    }
+}
+
+#[test]
+fn reports_are_read_as_they_come_but_once() {
+    let folder = Folder::new("merge_forms").with(&[("A.H", PART), ("B.H", WRONG)]);
+    folder.run(&["check", "A.H", "--format", "json", "-o", "a.json"]).exits(0);
+    folder.run(&["check", "B.H", "--format", "json", "-o", "b.json"]).exits(1);
+    let whole = folder.run(&["merge", "a.json", "b.json"]).exits(0).out;
+    assert_eq!(folder.run(&["merge", "b.json", "a.json"]).exits(0).out, whole);
+    folder.run(&["merge", "a.json", "b.json", "./a.json"]).exits(2).says("given twice");
+    folder.write("bom.json", &format!("\u{feff}{}", folder.read("b.json")));
+    assert_eq!(folder.run(&["merge", "bom.json", "a.json"]).exits(0).out, whole);
 }
 
 #[test]
@@ -154,8 +238,14 @@ fn a_key_changes_with_everything_that_counts() {
     is_new("the target", key(&folder, &["parts/A.H", "--target", "fanuc"]));
     is_new("block numbers", key(&folder, &["parts/A.H", "--numbers", "10"]));
     is_new("compensation", key(&folder, &["parts/A.H", "--compensation", "control"]));
+    is_new("rapid traverse", key(&folder, &["parts/A.H", "--rapid", "20000"]));
+    is_new("acceleration", key(&folder, &["parts/A.H", "--acceleration", "2"]));
+    is_new("tool changes", key(&folder, &["parts/A.H", "--tool-change", "3"]));
     is_new("selected findings", key(&folder, &["parts/A.H", "--select", "all"]));
     is_new("no configuration", key(&folder, &["parts/A.H", "--isolated"]));
+    // What is said of them is what holds anyway.
+    let said = key(&folder, &["parts/A.H", "--rapid", "10000", "--acceleration", "1.0"]);
+    assert_eq!(said, key(&folder, &["parts/A.H"]));
     fs::rename(folder.0.join("parts/A.H"), folder.0.join("parts/B.H")).expect("another name");
     is_new("the name", key(&folder, &["parts/B.H"]));
     // Neither does what nobody reads.

@@ -1,0 +1,61 @@
+//! What a run reads is never replaced by what it writes, whatever `--force` says.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::args::Common;
+use super::disk::IncludeRoots;
+use super::{Trouble, config};
+
+/// Files that a run will replace. What a program calls shows only when it has run: they are compared after that, and before
+/// anything gets its name.
+#[derive(Debug, Default)]
+pub(super) struct Targets {
+    /// Where each really lies, and how it was named.
+    files: BTreeMap<PathBuf, PathBuf>,
+    hit: AtomicBool,
+}
+
+impl Targets {
+    /// Those of the files that exist: no other can be lost.
+    pub fn new<'p>(files: impl IntoIterator<Item = &'p Path>) -> Targets {
+        let there = files.into_iter().filter(|file| *file != Path::new("-") && file.is_file());
+        let files = there.filter_map(|file| Some((fs::canonicalize(file).ok()?, file.to_path_buf()))).collect();
+        Targets { files, hit: AtomicBool::new(false) }
+    }
+
+    /// Refuses where one of them is the program, what it called, its configuration or a table.
+    ///
+    /// # Errors
+    /// A file that would be lost; a configuration that can be read no more.
+    pub fn spare(&self, program: &Path, common: &Common, files: &IncludeRoots) -> Result<(), Trouble> {
+        if self.files.is_empty() {
+            return Ok(());
+        }
+        let named = common.stdin_filename.as_deref().filter(|_| program == Path::new("-")).unwrap_or(program);
+        let settings = config::read_for(named, common)?.files.into_iter().map(|(_, path)| path);
+        let called = files.looked().into_iter().filter(|(_, looked)| looked.found).map(|(path, _)| path);
+        self.none_of(program, settings.chain(called).chain([program.to_path_buf()]))
+    }
+
+    /// The same for files that are known.
+    ///
+    /// # Errors
+    /// A file that would be lost.
+    pub fn none_of(&self, program: &Path, read: impl IntoIterator<Item = PathBuf>) -> Result<(), Trouble> {
+        let lost = |path: PathBuf| self.files.get(&fs::canonicalize(path).ok()?);
+        let Some(file) = read.into_iter().find_map(lost) else { return Ok(()) };
+        self.hit.store(true, Ordering::Relaxed);
+        let (file, program) = (file.display(), program.display());
+        Err(format!(
+            "{file}: is read for {program}, and would be replaced; name another file (--force is no help here)"
+        ))
+    }
+
+    /// Has a file been refused?
+    pub fn was_hit(&self) -> bool {
+        self.hit.load(Ordering::Relaxed)
+    }
+}
