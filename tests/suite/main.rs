@@ -83,6 +83,7 @@ mod sinumerik_alarms;
 mod skip_marks;
 mod start;
 mod stock;
+mod straight_lane;
 mod supply;
 mod sweep;
 mod tamper;

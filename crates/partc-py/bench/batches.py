@@ -2,7 +2,7 @@
 
     python bench/batches.py [--lines 1000000] [--rounds 3]
 
-Both run in turns, each in a process of its own; what counts is the time from the first call to the last batch, and the largest
+partc runs twice: programs checked in front, and in one run (`checked=False`). All run in turns, each in a process of its own; what counts is the time from the first call to the last batch, and the largest
 resident set of the process, less that of one which only imports the package. The peer wants Python 3.13.
 """
 
@@ -45,8 +45,9 @@ def consume(which: str, path: str) -> None:
         import nc_gcode_interpreter as package
     idle = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     begin, rows = time.perf_counter(), 0
-    if which == "partc":
-        rows = sum(batch.num_rows for batch in package.trace_batches(path, rows=ROWS, config=package.Config()))
+    if which.startswith("partc"):
+        made = package.trace_batches(path, rows=ROWS, config=package.Config(), checked=which == "partc")
+        rows = sum(batch.num_rows for batch in made)
     elif which == "peer":
         rows = sum(frame.height for frame in package.nc_to_batches(pathlib.Path(path), batch_size=ROWS, iteration_limit=2**31 - 1))
     seconds = time.perf_counter() - begin
@@ -63,7 +64,7 @@ def main() -> None:
         for name, text in (("straight", straight(asked.lines)), ("mixed", mixed(asked.lines))):
             path = pathlib.Path(folder, f"{name}.MPF")
             path.write_text(text)
-            found: dict[str, list[dict[str, float]]] = {"partc": [], "peer": []}
+            found: dict[str, list[dict[str, float]]] = {"partc": [], "partc-once": [], "peer": []}
             for _ in range(asked.rounds):
                 for which, list_of in found.items():
                     words = [sys.executable, __file__, "--consume", which, str(path)]
@@ -74,11 +75,12 @@ def main() -> None:
                 speeds = [one["rows"] / one["seconds"] for one in list_of]
                 speed[which] = statistics.median(speeds)
                 print(
-                    f"{name:9} {which:6} {list_of[0]['rows']:9} rows, {speed[which] / 1e6:6.3f} million rows/s "
+                    f"{name:9} {which:10} {list_of[0]['rows']:9} rows, {speed[which] / 1e6:6.3f} million rows/s "
                     f"({min(speeds) / 1e6:.3f} to {max(speeds) / 1e6:.3f}), peak {max(one['peak'] for one in list_of):6.0f} MiB, "
                     f"{max(one['grown'] for one in list_of):6.0f} MiB of it by the run"
                 )
-            print(f"{name:9} {speed['partc'] / speed['peer']:.1f} times as many rows a second")
+            for which in ("partc", "partc-once"):
+                print(f"{name:9} {which}: {speed[which] / speed['peer']:.1f} times as many rows a second")
 
 
 if __name__ == "__main__":

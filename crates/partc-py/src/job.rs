@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 
 use crate::config::{Named, Settings};
 use crate::fault::{Fault, detached};
-use crate::stream::Traced;
+use crate::stream::{Batches, Traced};
 
 /// Bytes looked at to tell the language.
 const HEAD: usize = 64 * 1024;
@@ -106,6 +106,11 @@ impl Job {
     /// Runs the program once to see whether it has errors; moves of few rows are kept.
     fn trace(&self, py: Python<'_>, rows: usize) -> PyResult<Traced> {
         detached(py, || Traced::of(self, rows))
+    }
+
+    /// The moves in one run, which are over at the first error.
+    fn stream(&self, rows: usize) -> PyResult<Batches> {
+        Ok(Traced::unchecked(self, rows)?)
     }
 
     /// The picture, and the findings.

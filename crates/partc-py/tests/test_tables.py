@@ -99,6 +99,20 @@ def test_many_programs_are_one_table() -> None:
     assert rows[: len(rows) // 5] == partc.trace(MILL, name="0.H").to_rows()
 
 
+def test_a_stream_that_is_not_checked_ends_at_the_first_error() -> None:
+    moves = b"".join(b"G1 X%d F100\n" % n for n in range(10))
+    sound = b"G17 G90\nG0 X0 Y0 Z0\n" + moves + b"M30\n"
+    whole = [batch.to_rows() for batch in partc.trace_batches([("A.MPF", sound)], rows=4)]
+    assert [batch.to_rows() for batch in partc.trace_batches([("A.MPF", sound)], rows=4, checked=False)] == whole
+    given = []
+    with pytest.raises(partc.ProgramError):
+        for batch in partc.trace_batches([("A.MPF", sound.replace(b"X7", b"X<7"))], rows=4, checked=False):
+            given.append(batch.to_rows())
+    assert given == whole[: len(given)] and 0 < len(given) < len(whole)
+    with pytest.raises(partc.ConfigError):
+        list(partc.trace_batches(sound, rows=0, checked=False))
+
+
 def programs(count: int) -> dict[str, list[Any]]:
     texts = [WRONG if n % 7 == 0 else MILL.replace(b"F200", b"F%d" % (200 + n)) for n in range(count)]
     return {"name": [f"P{n}.H" for n in range(count)], "program": texts}

@@ -121,9 +121,7 @@ impl Run<'_> {
         }
         self.block_behind_corner(moved)?;
         if let Some(left) = w.left() {
-            // The control tells a code that is written from one that holds on.
-            let alarm = if w.code_of(Group::Motion).is_some() { 12110 } else { 15460 };
-            return self.does_not_fit_code(left.span, alarm);
+            return self.does_not_fit_motion(w, left.span);
         }
         if let Some(axis) = w.beside.machine.first() {
             return self.unnamed_axis(*axis);
@@ -183,6 +181,11 @@ impl Channel<'_> {
         }
         if interpolation != GCode::G33 {
             self.st.threads.end_chain();
+        }
+        if matches!(interpolation, GCode::G33 | GCode::G331 | GCode::G332)
+            && let Some(polar) = w.get(Address::Ap).or(w.get(Address::Rp))
+        {
+            return self.does_not_fit_motion(w, polar.span);
         }
         if let Some((_, span)) = suppressed {
             return self.machine_move(w, interpolation, span).map(|()| true);
@@ -272,6 +275,11 @@ impl Core<'_> {
 
     pub(super) fn does_not_fit<T>(&self, span: Span) -> Outcome<T> {
         self.does_not_fit_code(span, 12110)
+    }
+
+    /// The control tells a code that is written from one that holds on.
+    fn does_not_fit_motion<T>(&self, w: &Words, span: Span) -> Outcome<T> {
+        self.does_not_fit_code(span, if w.code_of(Group::Motion).is_some() { 12110 } else { 15460 })
     }
 
     fn does_not_fit_code<T>(&self, span: Span, alarm: u32) -> Outcome<T> {

@@ -79,17 +79,22 @@ def trace_batches(
     files: Optional[Files] = None,
     config: Optional[ConfigLike] = None,
     dialect: Optional[str] = None,
+    checked: bool = True,
 ) -> Iterator[_partc.Batch]:
     """The moves of a program, or of many behind each other, as batches; memory does not grow with them.
 
     Of many programs each is a path, ``bytes``, or a pair of name and program; the column ``file`` tells them apart. One with errors
-    raises ``ProgramError`` before any of its moves is given.
+    raises ``ProgramError`` before any of its moves is given: each program runs twice for that, unless it is short. With
+    ``checked=False`` it runs once, and ``ProgramError`` comes behind the batches that were full before the first error: what was
+    made of them is to be thrown away.
     """
+    if rows < 1:
+        raise _partc.ConfigError("a batch has at least one row")
     alone = isinstance(programs, (bytes, bytearray, memoryview, str, os.PathLike))
     for program in cast("Iterable[Named]", [programs] if alone else programs):
         name, text = program if isinstance(program, tuple) else (None, program)
         made = job(text, files=files, config=config, dialect=dialect, name=name)
-        yield from Trace._of(made, rows).batches()
+        yield from Trace._of(made, rows).batches() if checked else made.stream(rows)
 
 
 def compile_table(
