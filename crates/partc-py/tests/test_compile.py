@@ -221,3 +221,26 @@ def test_paths_are_paths(tmp_path: pathlib.Path) -> None:
     path.write_bytes(MILL)
     one, other = partc.compile(path), partc.compile(str(path))
     assert one == other and one.ok
+
+
+def test_names_that_are_no_text(tmp_path: pathlib.Path) -> None:
+    for call in (
+        lambda: partc.compile(MILL, name="\udcff.H"),
+        lambda: partc.compile(MILL, name="A.H", dialect="\udcff"),
+        lambda: partc.compile(MILL, name="A.H", target="\udcff"),
+        lambda: partc.compile(MILL, name="A.H", files={"\udcff.H": MILL}),
+        lambda: partc.compile(MILL, name="A.H", files={"B.H": "\udcff"}),
+    ):
+        with pytest.raises(partc.ConfigError, match="udcff"):
+            call()
+    # A file may have such a name where the system lets it.
+    path = os.path.join(os.fsencode(tmp_path), b"PART\xe4.H")
+    try:
+        with open(path, "wb") as file:
+            file.write(MILL)
+    except OSError:
+        return
+    moves = partc.compile(MILL, name="PART.H").gcode
+    assert moves is not None
+    for made in (partc.compile(os.fsdecode(path)), partc.compile(os.fsdecode(path), files={})):
+        assert made.gcode is not None and made.gcode.splitlines()[3:] == moves.splitlines()[3:]

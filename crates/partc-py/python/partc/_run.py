@@ -31,7 +31,15 @@ def settings(config: Optional[ConfigLike]) -> Optional[_partc.Settings]:
 
 
 def encoded(text: Union[bytes, bytearray, memoryview, str]) -> bytes:
-    return text.encode() if isinstance(text, str) else bytes(text)
+    return _text("the text", text).encode() if isinstance(text, str) else bytes(text)
+
+
+def _text(what: str, text: str) -> str:
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        raise _partc.ConfigError(f"{what} {ascii(text)} holds half a character: it is no text") from None
+    return text
 
 
 def job(
@@ -43,8 +51,12 @@ def job(
     target: Optional[str] = None,
     name: Optional[str] = None,
 ) -> _partc.Job:
-    called = None if files is None else [(str(called), encoded(text)) for called, text in files.items()]
-    language = None if dialect in (None, "auto") else dialect
+    called = None if files is None else [(_text("the name", str(called)), encoded(text)) for called, text in files.items()]
+    language = None if dialect is None or dialect == "auto" else _text("the dialect", dialect)
+    if name is not None:
+        _text("the name", name)
+    if target is not None:
+        _text("the target", target)
     if isinstance(program, (bytes, bytearray, memoryview)):
         return _partc.Job(None, name or "program", bytes(program), called, settings(config), language, target)
     if not isinstance(program, (str, os.PathLike)):
@@ -56,7 +68,9 @@ def job(
         raise IsADirectoryError(f"{path} is a folder")
     if called is None:
         os.stat(path)
-        return _partc.Job(path, path, None, None, settings(config), language, target)
+        # The name of a file need not be text.
+        return _partc.Job(path, "", None, None, settings(config), language, target)
     with open(path, "rb") as file:
         text = file.read()
-    return _partc.Job(None, name or os.path.basename(path), text, called, settings(config), language, target)
+    shown = name or os.fsencode(os.path.basename(path)).decode(errors="replace")
+    return _partc.Job(None, shown, text, called, settings(config), language, target)
