@@ -130,6 +130,11 @@ impl Session {
         self.run(dialect, settings, files, out);
     }
 
+    /// Runs the program for what is wrong with it; nobody wants its moves.
+    pub fn try_run(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) {
+        self.lower(dialect, settings, files, &mut Nobody);
+    }
+
     /// Compiles the main program to `out`. With an error among the findings the output must not be used.
     ///
     /// # Errors
@@ -343,6 +348,17 @@ impl Session {
         self.run(dialect, settings, files, &mut columns);
         columns.finish();
     }
+}
+
+/// Takes moves and does nothing with them.
+struct Nobody;
+
+impl motion::Sink for Nobody {
+    fn movement(&mut self, _: &motion::Move, _: &Origin) {}
+
+    fn function(&mut self, _: &Function, _: &Origin) {}
+
+    fn lost(&mut self, _: &Origin) {}
 }
 
 /// A printer, and somebody who sees each item once it is printed.

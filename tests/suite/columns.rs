@@ -314,8 +314,9 @@ fn the_command_writes_each_form() {
     let same = folder.run(&["trace", "A.H"]).exits(0).out;
     assert_eq!(folder.run(&["trace", "A.H", "--format", "jsonl"]).exits(0).out, same);
     assert_eq!(folder.run(&["trace", "A.H", "--format", "concise", "-o", "-"]).exits(0).out, same);
-    folder.run(&["trace", "A.H", "-o", "A.H"]).exits(2).says("would replace the program");
-    folder.run(&["trace", "A.H", "-o", "HOLE.H"]).exits(2).says("is no trace");
+    folder.run(&["trace", "A.H", "-o", "A.H"]).exits(2).says("no form of moves");
+    folder.run(&["trace", "A.H", "--format", "csv", "-o", "A.H"]).exits(2).says("would replace the program");
+    folder.run(&["trace", "A.H", "--format", "csv", "-o", "HOLE.H"]).exits(2).says("is no trace");
     folder.run(&["check", "A.H", "--format", "parquet"]).exits(2);
     folder.run(&["trace", "A.H", "--report", "csv=a.csv"]).exits(2);
 }
@@ -334,7 +335,7 @@ fn times_are_those_of_the_machine_that_is_described() {
 fn memory_does_not_grow_with_the_program() {
     let scratch = process::folder(Path::new(env!("CARGO_TARGET_TMPDIR")), "columns_memory");
     let mut peaks = Vec::new();
-    for (name, blocks) in [("SMALL.H", 150_000), ("LARGE.H", 450_000)] {
+    for (name, blocks) in [("SMALL.H", 150_000), ("LARGE.H", 600_000)] {
         let mut program = "0 BEGIN PGM P MM\n1 TOOL CALL 3 Z S2000\n2 L X+0 Y+0 Z+10 R0 FMAX M3\n".to_owned();
         for n in 3..blocks {
             let _ = writeln!(program, "{n} L X+{}.{} Y+{}.{} F200", n % 977, n % 991, n % 983, n % 997);
@@ -348,7 +349,8 @@ fn memory_does_not_grow_with_the_program() {
         peaks.push(took.memory);
     }
     if peaks[0] > 0 {
-        assert!(peaks[1] < peaks[0] * 5 / 4, "{peaks:?} KiB for three times the program");
+        // The rows that LARGE has more take 130 MiB; what the allocator holds back differs from run to run.
+        assert!(peaks[1] < peaks[0] + 64 * 1024, "{peaks:?} KiB for four times the program");
     }
     let _ = fs::remove_dir_all(&scratch);
 }

@@ -56,7 +56,7 @@ impl Traced {
             // A long one: nothing is kept, its moves are made when somebody pulls them.
             kept = Vec::new();
             let again = job.open()?;
-            again.session.stats(again.dialect, &again.settings, again.files.as_ref(), table::Model::default());
+            again.session.try_run(again.dialect, &again.settings, again.files.as_ref());
             again
         };
         let ok = !opened.session.diags.has_errors();
