@@ -9,6 +9,7 @@ writes files.
 from __future__ import annotations
 
 import argparse
+import os
 import pathlib
 import statistics
 import subprocess
@@ -17,7 +18,11 @@ import tempfile
 import time
 from typing import Any, Callable
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "examples"))
+EXAMPLES = str(pathlib.Path(__file__).resolve().parents[1] / "examples")
+sys.path.insert(0, EXAMPLES)
+# Workers are of this interpreter, and find the same modules.
+os.environ["PYTHONPATH"] = EXAMPLES
+os.environ.setdefault("PYSPARK_PYTHON", sys.executable)
 import folder  # noqa: E402
 
 
