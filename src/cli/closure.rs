@@ -5,8 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::args::Common;
 use super::disk::IncludeRoots;
+use super::options::Common;
 use super::{Trouble, config};
 
 /// Files that a run will replace. What a program calls shows only when it has run: they are compared after that, and before

@@ -11,9 +11,10 @@ use crate::machine::{config, schema, show};
 use crate::target;
 use crate::text::decode::escaped_json;
 
-use super::args::{Common, Config, Format};
+use super::args::Config;
 use super::disk::read_settings;
 use super::listing::print;
+use super::options::{Common, Format};
 use super::{Exit, Trouble};
 
 /// Name of the configuration file.

@@ -8,9 +8,10 @@ use serde_json::json;
 
 use crate::text::decode::escaped_json;
 
-use super::args::{Common, Deps, DepsFormat};
 use super::disk::{IncludeRoots, shown, text_of};
+use super::options::{Common, Deps, DepsFormat};
 use super::output::Destination;
+use super::report::Reporter;
 use super::run::{is_output, is_source_name, real};
 use super::{Exit, Trouble, config};
 
@@ -72,9 +73,12 @@ impl Deps {
     ///
     /// # Errors
     /// A file that would be lost.
-    pub fn spares(&self, inputs: &[&Path], outputs: &BTreeSet<PathBuf>) -> Result<(), Trouble> {
+    pub fn spares(&self, inputs: &[&Path], outputs: &BTreeSet<PathBuf>, reporter: &Reporter) -> Result<(), Trouble> {
         let Some(file) = &self.deps else { return Ok(()) };
         let own = real(file);
+        if reporter.files().any(|report| real(report) == own && report != Path::new("/dev/null")) {
+            return Err(format!("{}: the list of files and a report cannot go to one file", file.display()));
+        }
         let taken = outputs.contains(&own) || inputs.iter().any(|input| real(input) == own) || is_output(file);
         if taken || named_otherwise(file) || !may_be_replaced(file) {
             return Err(format!(

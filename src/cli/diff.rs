@@ -15,10 +15,11 @@ use crate::ir::motion::Sink;
 use crate::machine::Settings;
 use crate::text::decode::{escaped_json, harmless_lines};
 
-use super::args::{Common, Diff, Findings, Format};
+use super::args::Diff;
 use super::closure::Targets;
 use super::disk::{IncludeRoots, file_name};
 use super::listing::print;
+use super::options::{Common, Findings, Format};
 use super::output::{Destination, Made, is_foreign};
 use super::report::{Reporter, Stdout};
 use super::run::{Loaded, load, same_file};

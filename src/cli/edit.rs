@@ -11,7 +11,7 @@ use crate::machine::Settings;
 use crate::text::{FileId, Files, Memory, Opened, Span};
 
 use super::Trouble;
-use super::args::Common;
+use super::options::Common;
 use super::pending::Pending;
 use super::run::{Loaded, load};
 

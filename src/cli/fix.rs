@@ -10,8 +10,8 @@ use crate::lint::renumber::Renumber;
 use crate::text::{FileId, Span};
 
 use super::Trouble;
-use super::args::Common;
 use super::edit::{Edit, Program, apply, write};
+use super::options::Common;
 use super::unified::unified;
 
 /// Most times that a program is checked again: one change may make room for another.

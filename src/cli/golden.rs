@@ -14,12 +14,13 @@ use crate::emit::{Output as _, names_source};
 use crate::target::{self, Target};
 use crate::text::decode::{escaped_json, harmless_lines};
 
-use super::args::{Findings, Format, Test};
+use super::args::Test;
+use super::closure::Targets;
 use super::inputs::{Ignored, walk};
 use super::listing::print;
-
+use super::options::{Findings, Format};
 use super::output::Destination;
-use super::report::{Reporter, Stdout, counted};
+use super::report::{Reporter, Stdout, counted, spares_sources};
 use super::run::{Loaded, is_output, is_program, load};
 use super::{Exit, Trouble};
 
@@ -74,10 +75,17 @@ pub(super) fn test(args: &Test) -> std::result::Result<Exit, Trouble> {
     if !matches!(format, Format::Human | Format::Concise | Format::Json) {
         return Err("`partc test` writes human, concise or json".to_owned());
     }
+    if let Some(junit) = &args.junit {
+        spares_sources(junit, programs.iter().chain(&left).map(PathBuf::as_path))?;
+    }
     let reporter = Reporter::new(&args.common, &Findings::SHOWN, Stdout::Taken, None);
-    let mut run = Run { args, format, cases: Vec::new(), reporter, taken: BTreeMap::new(), internal: false };
+    let targets = Targets::new(args.junit.as_deref());
+    let mut run = Run { args, format, cases: Vec::new(), reporter, targets, taken: BTreeMap::new(), internal: false };
     for program in &programs {
         if let Err(trouble) = run.one(program) {
+            if run.targets.was_hit() {
+                return Err(trouble);
+            }
             run.reporter.trouble(trouble);
         }
         // Those of other targets are theirs.
@@ -154,6 +162,8 @@ struct Run<'a> {
     format: Format,
     cases: Vec<Case>,
     reporter: Reporter,
+    /// What it writes besides golden outputs.
+    targets: Targets,
     /// Golden outputs, and the program each belongs to.
     taken: BTreeMap<PathBuf, PathBuf>,
     /// Some output was not what its program says.
@@ -182,6 +192,7 @@ impl Run<'_> {
             self.internal |= matches!(failure, Failure::Mismatch(_));
             return Err(format!("{shown}: {failure}"));
         }
+        self.targets.spare(program, &self.args.common, &files)?;
         let now = String::from_utf8(now).map_err(|error| format!("{shown}: {error}"))?;
         if session.diags.has_errors() {
             self.reporter.session(session);

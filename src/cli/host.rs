@@ -12,8 +12,8 @@ use crate::machine::tree::{Table, Value};
 use crate::target;
 use crate::text::Files;
 
-use super::args::Common;
 use super::disk::read_settings;
+use super::options::Common;
 use super::{config, run};
 
 /// What the caller says in place of what would be found.

@@ -8,8 +8,8 @@ use crate::lint::ends::Ends;
 use crate::text::{FileId, Span};
 
 use super::Trouble;
-use super::args::Common;
 use super::edit::{Edit, Program, apply, ignorable, write};
+use super::options::Common;
 
 /// Most times that a program is checked again: one change may make room for another.
 const MOST_ROUNDS: usize = 10;

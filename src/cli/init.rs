@@ -13,10 +13,11 @@ use crate::machine::{MachineKind, Settings};
 use crate::text::decode::harmless_lines;
 
 use super::answers::{Form, Needs, Place, Request, requests};
-use super::args::{Common, Init};
+use super::args::Init;
 use super::closure::Targets;
 use super::inputs::{Ignored, Input, inputs, walk};
 use super::listing::print;
+use super::options::Common;
 use super::output::Destination;
 use super::pool::in_order;
 use super::report::{Reporter, Stdout, counted};
@@ -43,7 +44,7 @@ pub(super) fn init(args: &Init) -> Result<Exit, Trouble> {
     }
     let targets = Targets::new([target.as_path()]);
     let found = inputs(&args.paths, &args.many, &|path| is_program(path, &args.common) && !is_output(path))?;
-    let mut reporter = Reporter::new(&args.common, &super::args::Findings::SHOWN, Stdout::Taken, None);
+    let mut reporter = Reporter::new(&args.common, &super::options::Findings::SHOWN, Stdout::Taken, None);
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     let (mut all, inputs) = (Programs::default(), found.list);
     let beside = if target == Path::new("-") { usual(args)? } else { target.clone() };

@@ -9,8 +9,8 @@ use ignore::WalkBuilder;
 use xxhash_rust::xxh3::xxh3_64;
 
 use super::Trouble;
-use super::args::{Many, Shard};
 use super::disk::file_name;
+use super::options::{Many, Shard};
 
 /// Names files that nobody shall look at, as `.gitignore` does.
 const IGNORE_FILE: &str = ".partcignore";

@@ -13,10 +13,11 @@ use crate::emit::Output;
 use crate::text::decode::harmless_lines;
 use crate::text::{FileId, Sources};
 
-use super::args::{Common, Key};
+use super::args::Key;
 use super::disk::file_name;
 use super::inputs::{Input, inputs};
 use super::listing::print;
+use super::options::Common;
 use super::pool::in_order;
 use super::run::{Loaded, is_program, load};
 use super::{Exit, Trouble, config, say};
@@ -94,7 +95,8 @@ fn of(input: &Input, args: &Key) -> Result<String, Trouble> {
     hash.text(env!("CARGO_PKG_VERSION"));
     hash.text(dialect.id);
     said(&mut hash, common);
-    [args.rapid, args.acceleration, args.tool_change].iter().for_each(|value| hash.text(&value.to_string()));
+    let model = args.timing.model();
+    [model.rapid, model.acceleration, model.tool_change].iter().for_each(|value| hash.text(&value.to_string()));
     let named = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
     hash.text(&file_name(named));
     main_program(&mut hash, &session.sources);

@@ -10,7 +10,7 @@ use crate::diag::codes;
 use crate::machine::keys::{Key, Kind, SECTIONS, Section};
 use crate::machine::tree::did_you_mean;
 
-use super::args::ListFormat;
+use super::options::ListFormat;
 use super::{Exit, Trouble};
 
 /// `partc man`

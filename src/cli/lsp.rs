@@ -13,8 +13,8 @@ use crate::dialect;
 use crate::lsp::frames::{self, Frame};
 use crate::lsp::{Server, Setting, World};
 
-use super::args::Common;
 use super::disk::{IncludeRoots, text_of};
+use super::options::Common;
 use super::run::said_dialect;
 use super::{Exit, Trouble, config};
 

@@ -19,6 +19,7 @@ mod key;
 mod listing;
 mod lsp;
 mod merge;
+mod options;
 mod output;
 mod page;
 mod pending;

@@ -45,7 +45,7 @@ pub(super) fn report(args: &Page) -> Result<Exit, Trouble> {
     let stdout = if target == Path::new("-") { Stdout::Taken } else { Stdout::Free };
     let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None);
     reporter.spares(&[Input::named(&args.input)], &BTreeSet::from([real(&target)]))?;
-    args.deps.spares(&[&args.input], &BTreeSet::from([real(&target)]))?;
+    args.deps.spares(&[&args.input], &BTreeSet::from([real(&target)]), &reporter)?;
     let targets = Targets::new([target.as_path()].into_iter().chain(reporter.files()).chain(args.deps.file()));
     let mut out = Destination::open(&target).map_err(trouble)?;
     let ticker = Ticker::start(true, &place);

@@ -14,9 +14,9 @@ use crate::text::decode::harmless_lines;
 use crate::text::{FileId, Sources};
 
 use super::answers::{Request, requests};
-use super::args::{Color, Common, Findings, Format};
 use super::inputs::Input;
 use super::listing::print;
+use super::options::{Color, Common, Findings, Format};
 use super::output::Destination;
 use super::progress::{AGAIN, CLEARED, QUIET};
 use super::run::{is_output, is_source_name, real, same_file};
@@ -293,12 +293,7 @@ impl Reporter {
             if outputs.contains(&real(file)) {
                 return Err(format!("{shown}: the report would replace what is made of a program; name another file"));
             }
-            // By its name only: a report for people quotes blocks.
-            if is_source_name(file) || inputs.iter().any(|input| same_file(&input.path, file)) || is_output(file) {
-                return Err(format!(
-                    "{shown}: the report would replace a part program, a table or a configuration; name another file"
-                ));
-            }
+            spares_sources(file, inputs.iter().map(|input| input.path.as_path()))?;
         }
         Ok(())
     }
@@ -474,4 +469,19 @@ fn write(file: Option<&Path>, text: &str) -> Result<(), Trouble> {
 /// A number with its word: `1 error`, `2 errors`.
 pub(super) fn counted(n: u32, one: &str, many: &str) -> String {
     format!("{n} {}", if n == 1 { one } else { many })
+}
+
+/// Refuses a report in the place of a source.
+///
+/// # Errors
+/// A file that would be lost.
+pub(super) fn spares_sources<'p>(file: &Path, mut inputs: impl Iterator<Item = &'p Path>) -> Result<(), Trouble> {
+    // By its name only: a report for people quotes blocks.
+    if is_source_name(file) || inputs.any(|input| same_file(input, file)) || is_output(file) {
+        return Err(format!(
+            "{}: the report would replace a part program, a table or a configuration; name another file",
+            file.display()
+        ));
+    }
+    Ok(())
 }

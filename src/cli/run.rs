@@ -19,12 +19,13 @@ use crate::machine::Settings;
 use crate::text::decode::{escaped_json, harmless_lines};
 use crate::text::{FileId, Span};
 
-use super::args::{Check, Common, Compile};
+use super::args::{Check, Compile};
 use super::closure::Targets;
 use super::deps::Rule;
 use super::disk::{IncludeRoots, file_name, open_main};
 use super::inputs::{Input, inputs};
 use super::listing::print;
+use super::options::Common;
 use super::output::{Destination, Group, MAP_MARK, Made, ignore_closed_pipe, is_foreign, set_aside};
 use super::pool::in_order;
 use super::progress::{Place, Ticker};
@@ -154,7 +155,7 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
     let stdout = if streams.is_empty() || document { Stdout::Free } else { Stdout::Taken };
     let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None);
     reporter.spares(&found.list, &outputs)?;
-    args.deps.spares(&paths_of(&found.list), &outputs)?;
+    args.deps.spares(&paths_of(&found.list), &outputs, &reporter)?;
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     let (look, inputs) = (reporter.look_at(found.list.len(), &args.common), found.list);
     let read = inputs.iter().filter_map(|input| fs::canonicalize(&input.path).ok()).collect();
@@ -404,7 +405,7 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
     let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Free, args.output.as_deref());
     let found = inputs(&args.paths, &args.many, &|path| is_program(path, &args.common))?;
     reporter.spares(&found.list, &BTreeSet::new())?;
-    args.deps.spares(&paths_of(&found.list), &args.output.as_deref().map(real).into_iter().collect())?;
+    args.deps.spares(&paths_of(&found.list), &args.output.as_deref().map(real).into_iter().collect(), &reporter)?;
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     if found.list.is_empty() && reporter.troubles().is_empty() && args.many.shard.is_none() {
         reporter.say("partc: no part program lies in the folders that are named");

@@ -18,7 +18,7 @@ use super::{Exit, Trouble};
 
 /// `partc stats`
 pub(super) fn stats(args: &Args) -> Result<Exit, Trouble> {
-    let model = Model { rapid: args.rapid, acceleration: args.acceleration, tool_change: args.tool_change };
+    let model = args.timing.model();
     let found = inputs(&args.inputs, &args.many, &|path| is_program(path, &args.common) && !is_output(path))?;
     let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Taken, None);
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));

@@ -4,8 +4,8 @@ use serde_json::{Map, Value, json};
 
 use crate::target::{ALL, Target};
 
-use super::args::ListFormat;
 use super::listing::print;
+use super::options::ListFormat;
 use super::{Exit, Trouble};
 
 /// Blanks between two columns.

@@ -10,9 +10,10 @@ use crate::emit::stats::Model;
 use crate::machine::Settings;
 use crate::text::Files;
 
-use super::args::{Format, Trace};
+use super::args::Trace;
 use super::closure::Targets;
 use super::inputs::Input;
+use super::options::Format;
 use super::output::{Destination, Made, ignore_closed_pipe, is_foreign, set_aside};
 use super::progress::Ticker;
 use super::report::{Reporter, Stdout};
@@ -47,10 +48,10 @@ pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
     let stdout = if to_stdout { Stdout::Taken } else { Stdout::Free };
     let mut reporter = Reporter::new(&common, &args.findings, stdout, None);
     reporter.spares(&[Input::named(&args.input)], &BTreeSet::from([real(&target)]))?;
-    args.deps.spares(&[&args.input], &BTreeSet::from([real(&target)]))?;
+    args.deps.spares(&[&args.input], &BTreeSet::from([real(&target)]), &reporter)?;
     let targets = Targets::new([target.as_path()].into_iter().chain(reporter.files()).chain(args.deps.file()));
     let out = Destination::open(&target).map_err(trouble)?;
-    let model = Model { rapid: args.rapid, acceleration: args.acceleration, ..Model::default() };
+    let model = args.machine.model();
     let ticker = Ticker::start(!to_stdout, &place);
     let run = Run { session: &session, dialect, settings: &settings, files: &files, model };
     let written = match form {

@@ -57,6 +57,18 @@ fn lists_name_every_file_that_was_read() {
     }
 }
 
+/// One of them would go without a word.
+#[test]
+fn a_list_and_a_report_do_not_share_a_file() {
+    let folder = tree("deps_and_report");
+    for command in ["compile", "check", "trace", "report"] {
+        let args = [command, "parts/A.H", "--report", "json=both.json", "--deps", "parts/../both.json"];
+        folder.run(&args).exits(2).says("the list of files and a report cannot go to one file");
+        assert!(!folder.has("both.json"), "{command}");
+    }
+    folder.run(&["check", "parts/A.H", "--report", "json=/dev/null", "--deps", "a.d"]).exits(0);
+}
+
 /// What a run reads stays, whatever command writes there, and with `--force`.
 #[test]
 fn no_command_replaces_what_it_reads() {
@@ -105,6 +117,22 @@ fn no_command_replaces_what_it_reads() {
     folder.write("B.H", PART);
     folder.run(&["check", "B.H", "A.H", "--report", "json=HOLE"]).exits(2).says("is read for A.H");
     assert_eq!(folder.read("HOLE"), HOLE);
+}
+
+#[test]
+fn results_of_golden_tests_replace_no_source() {
+    let folder = Folder::new("junit_closure").with(&[("A.H", &caller("HOLE")), ("HOLE", HOLE), ("partc.toml", "")]);
+    folder.run(&["test", "--update"]).exits(0);
+    for victim in ["A.H", "HOLE", "partc.toml", "A.golden.ngc"] {
+        let before = folder.read(victim);
+        folder.run(&["test", "--junit", victim]).exits(2).says(victim);
+        assert_eq!(folder.read(victim), before);
+    }
+    folder.run(&["test", "--junit", "results.xml"]).exits(0);
+    folder.run(&["test", "--junit", "results.xml"]).exits(0);
+    assert!(
+        folder.read("results.xml").contains("name=\"./A.H\"") || folder.read("results.xml").contains("name=\"A.H\"")
+    );
 }
 
 #[test]
