@@ -6,7 +6,11 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::disk::IncludeRoots;
+use super::inputs::Input;
+use super::key::Nowhere;
 use super::options::Common;
+use super::pool::in_order;
+use super::run::{Loaded, load};
 use super::{Trouble, config};
 
 /// Files that a run will replace. What a program calls shows only when it has run: they are compared after that, and before
@@ -52,6 +56,21 @@ impl Targets {
         Err(format!(
             "{file}: is read for {program}, and would be replaced; name another file (--force is no help here)"
         ))
+    }
+
+    /// Runs all of several programs without output, so that none gets its name before a later program is seen to call that file.
+    ///
+    /// # Errors
+    /// A file that would be lost. What cannot be read is said when the program's turn comes.
+    pub fn look_ahead(&self, inputs: &[Input], jobs: Option<u16>, common: &Common) -> Result<(), Trouble> {
+        let mut lost = None;
+        let spared = |input: &Input| {
+            let Ok(Loaded { session, dialect, settings, files, .. }) = load(&input.path, common) else { return Ok(()) };
+            let _ = session.compile(dialect, &settings, &files, &mut Nowhere, None);
+            self.spare(&input.path, common, &files)
+        };
+        in_order(jobs, inputs, spared, |_, result| lost = lost.take().or(result.err()));
+        lost.map_or(Ok(()), Err)
     }
 
     /// Has a file been refused?

@@ -160,7 +160,7 @@ fn between(file: &Path, program: &Path) -> Option<String> {
 }
 
 /// An output that keeps nothing.
-struct Nowhere;
+pub(super) struct Nowhere;
 
 impl Output for Nowhere {
     fn append(&mut self, _: &[u8]) -> io::Result<()> {

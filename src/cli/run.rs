@@ -161,6 +161,14 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
     let read = inputs.iter().filter_map(|input| fs::canonicalize(&input.path).ok()).collect();
     let files = outputs.iter().map(PathBuf::as_path).chain(reporter.files()).chain(args.deps.file());
     let targets = Targets::new(files);
+    let is_risky = |path: &PathBuf| path != Path::new("-") && is_foreign(path, Made::Program);
+    if args.force && inputs.len() > 1 && outputs.iter().any(is_risky) {
+        let all = inputs.iter().all(|input| input.path != Path::new("-"));
+        if !all {
+            return Err("standard input among several programs is read once only; --force has to look ahead".to_owned());
+        }
+        targets.look_ahead(&inputs, args.many.jobs, &args.common)?;
+    }
     let work = Work { args, look, read, targets: &targets, alone: inputs.len() == 1, group: Mutex::default() };
     let mut rules = Vec::new();
     in_order(

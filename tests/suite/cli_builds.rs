@@ -117,6 +117,13 @@ fn no_command_replaces_what_it_reads() {
     folder.write("B.H", PART);
     folder.run(&["check", "B.H", "A.H", "--report", "json=HOLE"]).exits(2).says("is read for A.H");
     assert_eq!(folder.read("HOLE"), HOLE);
+    // The first of several outputs waits for what a later program calls.
+    folder.write("C.H", &caller("B.ngc"));
+    folder.write("B.ngc", HOLE);
+    for jobs in ["1", "2"] {
+        folder.run(&["compile", "--jobs", jobs, "--force", "B.H", "C.H"]).exits(2).says("B.ngc: is read for C.H");
+        assert_eq!((folder.read("B.ngc"), folder.has("C.ngc")), (HOLE.to_owned(), false));
+    }
 }
 
 #[test]
