@@ -5,10 +5,8 @@ use std::io;
 use std::rc::Rc;
 
 #[cfg(feature = "arrow")]
-use arrow_array::RecordBatch;
-
 #[cfg(feature = "arrow")]
-use crate::columns::{self, Columns};
+use crate::columns::{self, Known, Take};
 use crate::diag::{Diags, Judge, Trail};
 use crate::dialect::Dialect;
 use crate::emit::plot::{self, Plot};
@@ -128,11 +126,6 @@ impl Session {
     pub fn lower(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files, out: &mut dyn motion::Sink) {
         self.judge(dialect, settings);
         self.run(dialect, settings, files, out);
-    }
-
-    /// Runs the program for what is wrong with it; nobody wants its moves.
-    pub fn try_run(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) {
-        self.lower(dialect, settings, files, &mut Nobody);
     }
 
     /// Compiles the main program to `out`. With an error among the findings the output must not be used.
@@ -341,24 +334,14 @@ impl Session {
         settings: &Settings,
         files: &dyn Files,
         options: columns::Options,
-        take: &mut dyn FnMut(RecordBatch) -> bool,
+        take: &mut Take<'_>,
     ) {
         self.judge(dialect, settings);
-        let mut columns = Columns::new(&self.sources, &self.trail, options, take);
-        self.run(dialect, settings, files, &mut columns);
-        columns.finish();
+        let known = Known { sources: &self.sources, trail: &self.trail, diags: &self.diags };
+        columns::batches(known, options, take, |sink| {
+            self.run(dialect, settings, files, sink);
+        });
     }
-}
-
-/// Takes moves and does nothing with them.
-struct Nobody;
-
-impl motion::Sink for Nobody {
-    fn movement(&mut self, _: &motion::Move, _: &Origin) {}
-
-    fn function(&mut self, _: &Function, _: &Origin) {}
-
-    fn lost(&mut self, _: &Origin) {}
 }
 
 /// A printer, and somebody who sees each item once it is printed.

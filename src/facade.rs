@@ -122,7 +122,7 @@ pub fn trace_batches(
     settings: &Settings,
     files: &dyn Files,
     options: crate::table::Options,
-    take: &mut dyn FnMut(arrow_array::RecordBatch) -> bool,
+    take: &mut crate::table::Take<'_>,
 ) -> Vec<Finding> {
     let session = program.session();
     session.trace_batches(program.dialect, settings, files, options, take);

@@ -93,7 +93,7 @@ pub mod results {
 /// The moves of a program as record batches of Arrow.
 #[cfg(feature = "arrow")]
 pub mod table {
-    pub use crate::columns::{COLUMNS, Column, Kind, Options, VERSION, VERSION_KEY, schema};
+    pub use crate::columns::{COLUMNS, Column, Kind, Options, Take, Until, VERSION, VERSION_KEY, schema};
     #[cfg(feature = "columns")]
     pub use crate::columns::{Form, Table};
     pub use crate::emit::stats::Model;

@@ -183,10 +183,9 @@ impl Words {
         Words { keys: Held::new(), words: words.iter().map(|word| (*word).to_owned()).collect(), array }
     }
 
-    /// A new word, and its key.
-    pub fn add(&mut self, word: String) -> i32 {
-        self.words.push(word);
-        i32::try_from(self.words.len() - 1).unwrap_or(i32::MAX)
+    /// A new word: its key is the next one.
+    pub fn add(&mut self, word: &str) {
+        self.words.push(word.to_owned());
     }
 
     #[inline]
@@ -204,22 +203,21 @@ impl Words {
     }
 }
 
-/// Texts of which few are the same.
+/// Texts of ASCII of which few are the same.
 #[derive(Debug, Default)]
 pub struct Texts {
-    text: String,
+    text: Vec<u8>,
     ends: Vec<i32>,
     nulls: Option<NullBufferBuilder>,
 }
 
 impl Texts {
     /// Texts of a batch are far shorter than 2 GiB: a block number has a few digits, and a block [`LONGEST`] of them at most.
-    pub fn push(&mut self, text: Option<&str>) {
+    pub fn push(&mut self, text: Option<&[u8]>) {
         let nulls = self.nulls.get_or_insert_with(|| NullBufferBuilder::new(0));
         match text {
             Some(text) => {
-                let cut = text.len().min(LONGEST);
-                self.text.push_str(text.get(..cut).unwrap_or_default());
+                self.text.extend_from_slice(text.get(..LONGEST).unwrap_or(text));
                 nulls.append_non_null();
             }
             None => nulls.append_null(),
@@ -235,7 +233,7 @@ impl Texts {
         offsets.push(0);
         offsets.extend(ends);
         let offsets = arrow_buffer::OffsetBuffer::new(ScalarBuffer::from(offsets));
-        Arc::new(StringArray::new(offsets, text.into_bytes().into(), nulls))
+        Arc::new(StringArray::new(offsets, text.into(), nulls))
     }
 }
 

@@ -1,29 +1,33 @@
 //! A trace as columns: record batches of Arrow, for tables, notebooks and engines that take such.
 //!
-//! In: the motion stream, element by element. Out: [`RecordBatch`]es of so many rows, a row for each move, with the facts of
-//! `partc trace`. Memory does not grow with the program: what is kept beside the open batch are the names of files and the
-//! distinct call paths. Decides nothing about geometry, and rounds nothing.
+//! In: the motion stream, element by element ([`front`]). Out: [`RecordBatch`]es of so many rows, a row for each move, with the
+//! facts of `partc trace`. Memory does not grow with the program: what is kept beside the open batch are the names of files
+//! and the distinct call paths. Decides nothing about geometry, and rounds nothing.
 
 mod arrays;
 #[cfg(feature = "columns")]
 mod arrow_file;
+mod chunk;
 #[cfg(feature = "columns")]
 mod csv;
+mod front;
 mod row;
 pub mod schema;
 #[cfg(feature = "columns")]
 mod table;
 
 use std::collections::VecDeque;
+use std::sync::{Mutex, PoisonError};
+use std::thread;
 
 use arrow_array::{ArrayRef, RecordBatch};
 
-use crate::diag::Trail;
 use crate::emit::stats::{Clock, Ended, Model, Time};
-use crate::ir::motion::{Move, Sink};
-use crate::ir::{Function, Origin, Pos};
-use crate::text::Sources;
+use crate::ir::motion::Sink;
 
+use chunk::{Chunk, Item, Row};
+use front::Front;
+pub(crate) use front::Known;
 use row::{Rows, TIME};
 pub use schema::{COLUMNS, Column, Kind, VERSION, VERSION_KEY, schema};
 #[cfg(feature = "columns")]
@@ -36,19 +40,46 @@ pub struct Options {
     pub rows: usize,
     /// The machine whose time is told.
     pub model: Model,
+    pub until: Until,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { rows: 65_536, model: Model::default() }
+        Options { rows: 65_536, model: Model::default(), until: Until::Taken }
     }
 }
 
-/// Makes batches of moves.
-///
-/// `take` gets each batch, and says whether it wants more: otherwise the run may stop.
-pub struct Columns<'a> {
-    rows: Rows<'a>,
+/// How long the program runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Until {
+    /// As long as somebody wants more batches. An error ends the batches, and not the run.
+    Taken,
+    /// The same, or up to the first error.
+    FirstError,
+    /// To its end, for its findings, also when nobody wants more batches.
+    End,
+}
+
+/// Gets each batch, maybe in another thread, and says whether it wants more.
+pub type Take<'a> = dyn FnMut(RecordBatch) -> bool + Send + 'a;
+
+/// Makes batches of the moves that `run` sends. An error ends them: the moves behind it are in none, and a batch that was not
+/// full is not made.
+pub(crate) fn batches(known: Known<'_>, options: Options, take: &mut Take<'_>, run: impl FnOnce(&mut dyn Sink)) {
+    let columns = Mutex::new(Columns::new(options, take));
+    let is_right = thread::scope(|scope| {
+        let mut front = Front::new(known, options.until, scope, &columns);
+        run(&mut front);
+        front.finish()
+    });
+    if is_right {
+        columns.into_inner().unwrap_or_else(PoisonError::into_inner).finish();
+    }
+}
+
+/// The columns of the open batch, and those that wait for a time.
+struct Columns<'a> {
+    rows: Rows,
     clock: Clock,
     most: usize,
     /// Number of the first row of the open batch.
@@ -57,7 +88,7 @@ pub struct Columns<'a> {
     times: Vec<f64>,
     /// Batches that are full, of which the time of a move is still open.
     full: VecDeque<Full>,
-    take: &'a mut dyn FnMut(RecordBatch) -> bool,
+    take: &'a mut Take<'a>,
     ended: bool,
 }
 
@@ -67,21 +98,10 @@ struct Full {
     times: Vec<f64>,
 }
 
-impl std::fmt::Debug for Columns<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Columns").field("first", &self.first).finish_non_exhaustive()
-    }
-}
-
 impl<'a> Columns<'a> {
-    pub fn new(
-        sources: &'a Sources,
-        trail: &'a Trail,
-        options: Options,
-        take: &'a mut dyn FnMut(RecordBatch) -> bool,
-    ) -> Columns<'a> {
+    fn new(options: Options, take: &'a mut Take<'a>) -> Columns<'a> {
         Columns {
-            rows: Rows::new(sources, trail),
+            rows: Rows::new(),
             clock: Clock::new(options.model),
             most: options.rows.max(1),
             first: 0,
@@ -93,13 +113,56 @@ impl<'a> Columns<'a> {
     }
 
     /// The rest.
-    pub fn finish(mut self) {
+    fn finish(mut self) {
+        if self.ended {
+            return;
+        }
         let ended = self.clock.stop();
         self.settle(ended);
         if !self.times.is_empty() {
             self.close();
         }
         self.release();
+    }
+
+    /// What comes next.
+    fn chunk(&mut self, chunk: &Chunk) {
+        self.rows.names(&chunk.files, &chunk.call_paths);
+        let mut begin = 0;
+        for item in &chunk.items {
+            match item {
+                Item::Move(row) => {
+                    let number = row.number.map(|end| &chunk.numbers[begin..end as usize]);
+                    begin = row.number.map_or(begin, |end| end as usize);
+                    self.movement(row, number);
+                }
+                Item::Function(function) => {
+                    let ended = self.clock.function(function);
+                    self.settle(ended);
+                    self.rows.function(function);
+                }
+                Item::Lost => {
+                    let ended = self.clock.lost();
+                    self.settle(ended);
+                }
+                Item::BeginsAt(at) => self.clock.begins_at(at),
+            }
+            if self.ended {
+                return;
+            }
+        }
+    }
+
+    fn movement(&mut self, row: &Row, number: Option<&[u8]>) {
+        let from = *self.clock.at();
+        let step = self.clock.movement(&row.mv);
+        self.settle(step.ended);
+        self.rows.push(row, number, &from, step.length);
+        self.times.push(if step.time == Time::None { 0.0 } else { f64::NAN });
+        if self.times.len() >= self.most {
+            self.close();
+            self.release();
+        }
     }
 
     /// A time that was open is known.
@@ -138,42 +201,6 @@ impl<'a> Columns<'a> {
             let batch = RecordBatch::try_new(schema(), columns).expect("a column for each field, all of one length");
             self.ended = self.ended || !(self.take)(batch);
         }
-    }
-}
-
-impl Sink for Columns<'_> {
-    fn movement(&mut self, mv: &Move, origin: &Origin) {
-        if self.ended {
-            return;
-        }
-        let from = *self.clock.at();
-        let step = self.clock.movement(mv);
-        self.settle(step.ended);
-        self.rows.push(mv, origin, &from, step.length);
-        self.times.push(if step.time == Time::None { 0.0 } else { f64::NAN });
-        if self.times.len() >= self.most {
-            self.close();
-            self.release();
-        }
-    }
-
-    fn function(&mut self, function: &Function, _: &Origin) {
-        let ended = self.clock.function(function);
-        self.settle(ended);
-        self.rows.function(function);
-    }
-
-    fn lost(&mut self, _: &Origin) {
-        let ended = self.clock.lost();
-        self.settle(ended);
-    }
-
-    fn begins_at(&mut self, at: &Pos) {
-        self.clock.begins_at(at);
-    }
-
-    fn full(&self) -> bool {
-        self.ended
     }
 }
 

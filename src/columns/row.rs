@@ -1,17 +1,14 @@
 //! The open batch: a column for each field but the time.
 
-use arrow_array::ArrayRef;
-use rustc_hash::FxHashMap;
-
-use crate::diag::{CallPath, Trail};
 use crate::emit::told::{Sense, Speed, Told};
 use crate::geo::{Plane, distance};
 use crate::ir::motion::{Arc, Move, Path};
-use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::ir::{Feed, Function, Pos, Side};
 use crate::machine::axis::AXES;
-use crate::text::{BlockNumbers, FileId, Sources};
+use arrow_array::ArrayRef;
 
 use super::arrays::{Held, Texts, Truths, Values, Words};
+use super::chunk::Row;
 
 /// Place of the time among the columns.
 pub(super) const TIME: usize = 36;
@@ -22,11 +19,9 @@ const FEEDS: &[&str] = &["per_minute", "per_revolution", "inverse_time"];
 const SPEEDS: &[&str] = &["speed", "cutting_speed"];
 const SIDES: &[&str] = &["left", "right"];
 
-pub(super) struct Rows<'a> {
+pub(super) struct Rows {
     /// Of the open batch.
     row: usize,
-    sources: &'a Sources,
-    trail: &'a Trail,
     told: Told,
     kind: Words,
     start: [Values<f64>; AXES],
@@ -50,20 +45,12 @@ pub(super) struct Rows<'a> {
     line: Values<i64>,
     block: Texts,
     call_path: Words,
-    /// Keys of the files.
-    files: Vec<Option<i32>>,
-    /// Keys of the call paths, and the one that was asked for last.
-    paths: FxHashMap<CallPath, i32>,
-    last_path: (CallPath, Option<i32>),
-    numbers: BlockNumbers,
 }
 
-impl<'a> Rows<'a> {
-    pub fn new(sources: &'a Sources, trail: &'a Trail) -> Rows<'a> {
+impl Rows {
+    pub fn new() -> Rows {
         Rows {
             row: 0,
-            sources,
-            trail,
             told: Told::default(),
             kind: Words::new(KINDS),
             start: std::array::from_fn(|_| Values::new()),
@@ -87,10 +74,6 @@ impl<'a> Rows<'a> {
             line: Values::new(),
             block: Texts::default(),
             call_path: Words::new(&[]),
-            files: Vec::new(),
-            paths: FxHashMap::default(),
-            last_path: (CallPath::MAIN, None),
-            numbers: BlockNumbers::default(),
         }
     }
 
@@ -98,8 +81,15 @@ impl<'a> Rows<'a> {
         self.told.function(function);
     }
 
-    /// A move from `from` on, of this length.
-    pub fn push(&mut self, mv: &Move, origin: &Origin, from: &Pos, length: Option<f64>) {
+    /// Names that rows will speak of.
+    pub fn names(&mut self, files: &[String], call_paths: &[String]) {
+        files.iter().for_each(|file| self.file.add(file));
+        call_paths.iter().for_each(|path| self.call_path.add(path));
+    }
+
+    /// A move from `from` on, of this length, in the block of this number.
+    pub fn push(&mut self, row: &Row, number: Option<&[u8]>, from: &Pos, length: Option<f64>) {
+        let mv = &row.mv;
         self.places(mv, from);
         self.path(&mv.path, length);
         self.told();
@@ -110,7 +100,10 @@ impl<'a> Rows<'a> {
         };
         self.compensation.put(self.row, side);
         self.machine.push(mv.machine);
-        self.origin(origin);
+        self.file.put(self.row, Some(row.file));
+        self.line.put(self.row, i64::from(row.line));
+        self.block.push(number);
+        self.call_path.put(self.row, row.call_path);
         self.row += 1;
     }
 
@@ -190,41 +183,6 @@ impl<'a> Rows<'a> {
         self.spindle_limit.put(row, limit);
         self.spindle_direction.put(row, self.told.sense.map(|sense| sense as i32));
         self.tool.put(row, self.told.tool.map(i64::from));
-    }
-
-    fn origin(&mut self, origin: &Origin) {
-        let row = self.row;
-        let file = self.file_key(origin.loc.file);
-        self.file.put(row, Some(file));
-        self.line.put(row, i64::from(origin.loc.line));
-        self.block.push(self.numbers.of(self.sources, origin.loc));
-        let path = self.path_key(origin.call);
-        self.call_path.put(row, path);
-    }
-
-    fn file_key(&mut self, id: FileId) -> i32 {
-        let place = usize::from(id.0);
-        if self.files.len() <= place {
-            self.files.resize(place + 1, None);
-        }
-        *self.files[place].get_or_insert_with(|| self.file.add(self.sources.name(id)))
-    }
-
-    fn path_key(&mut self, call: CallPath) -> Option<i32> {
-        if call == self.last_path.0 {
-            return self.last_path.1;
-        }
-        let (trail, sources, words) = (self.trail, self.sources, &mut self.call_path);
-        let key = (call != CallPath::MAIN).then(|| {
-            *self.paths.entry(call).or_insert_with(|| {
-                let sites = trail.sites(call);
-                let calls: Vec<String> =
-                    sites.iter().rev().map(|site| format!("{}:{}", sources.name(site.file), site.line)).collect();
-                words.add(calls.join(" > "))
-            })
-        });
-        self.last_path = (call, key);
-        key
     }
 
     /// The columns in order, without the time; the next batch begins.

@@ -1,4 +1,5 @@
-//! The straight block: a line of the file with X, Y, Z, a feed, G0 or G1 and nothing else, decoded where it stands.
+//! The straight block: a line of the file with X, Y, Z, a feed, G0 or G1 and nothing else, decoded where it stands. In SINUMERIK
+//! it may be an arc, too: G2 or G3 with I and J.
 //!
 //! In: the text of the file from the next block on. Out: what the words of its first line say, or nothing where it holds
 //! anything else, or does not end in the text. `of_line` of a dialect decodes the bytes, `of_block` looks at a block that was
@@ -18,7 +19,10 @@ pub struct Straight {
     pub axes: AxisSet,
     /// As written, above zero.
     pub feed: Option<f64>,
-    /// G0 or G1 stands in the block, by its number.
+    /// I and J as written; only those of the axes in `centered`, X and Y, count.
+    pub center: [f64; 2],
+    pub centered: AxisSet,
+    /// G0 to G3 stands in the block, by its number.
     pub motion: Option<u8>,
     /// `FMAX`
     pub rapid: bool,
@@ -40,17 +44,21 @@ impl Straight {
         (!named).then_some(())
     }
 
-    /// Takes a G code; `None` where it is neither G0 nor G1, or not the only one.
+    /// Takes I or J by its axis; `None` where it is named twice.
+    #[inline(always)]
+    pub(super) fn about(&mut self, axis: Axis, value: f64) -> Option<()> {
+        let named = self.centered.contains(axis);
+        *self.center.get_mut(axis.index())? = value;
+        self.centered.insert(axis);
+        (!named).then_some(())
+    }
+
+    /// Takes a G code; `None` where it is none of G0 to G3, or not the only one.
     #[inline(always)]
     pub(super) fn code(&mut self, number: f64) -> Option<()> {
         let first = self.motion.is_none();
-        self.motion = Some(if number == 0.0 {
-            0
-        } else if number == 1.0 {
-            1
-        } else {
-            return None;
-        });
+        let known = [0.0, 1.0, 2.0, 3.0].iter().position(|code| *code == number)?;
+        self.motion = Some(known as u8);
         first.then_some(())
     }
 

@@ -15,7 +15,9 @@ pub struct BlockNumbers {
     windows: Vec<Window>,
     /// The file and line that were asked for last, and their number.
     last: Option<(FileId, u32)>,
-    number: Option<String>,
+    has_number: bool,
+    /// ASCII
+    number: Vec<u8>,
 }
 
 #[derive(Debug)]
@@ -23,6 +25,9 @@ struct Window {
     file: FileId,
     start: usize,
     text: Vec<u8>,
+    line_end: u8,
+    /// What a line holds that may go on in the next one.
+    joins: Option<u8>,
 }
 
 /// Files that are held at a time: a program and what it calls.
@@ -30,31 +35,40 @@ const MOST_WINDOWS: usize = 8;
 
 impl BlockNumbers {
     /// Block number at the start of the block that `loc` lies in, as written (`14`, `N40`).
-    #[inline]
     pub fn of(&mut self, sources: &Sources, loc: Loc) -> Option<&str> {
+        self.bytes_of(sources, loc).map(|number| std::str::from_utf8(number).unwrap_or_default())
+    }
+
+    /// The same as letters and digits of ASCII.
+    #[inline]
+    pub fn bytes_of(&mut self, sources: &Sources, loc: Loc) -> Option<&[u8]> {
         if self.last != Some((loc.file, loc.line)) {
             self.last = Some((loc.file, loc.line));
             self.read(sources, loc);
         }
-        self.number.as_deref()
+        self.has_number.then_some(&self.number)
     }
 
     fn read(&mut self, sources: &Sources, loc: Loc) {
         let at = loc.span.start as usize;
         let window = self.window(sources, loc.file, at);
-        let known = number_at(&window.text, at - window.start, window.start == 0, sources, loc.file);
-        match known {
-            // Most numbers fit into the text of the one before.
-            Some(Some(digits)) => {
-                let text = self.number.get_or_insert_default();
-                text.clear();
+        let known = window.number_at(at - window.start);
+        self.number.clear();
+        self.has_number = match known {
+            Some(Some((from, to))) => {
                 let window = self.windows.first().map_or(&[][..], |window| &window.text);
-                // Letters and digits of ASCII.
-                text.push_str(std::str::from_utf8(&window[digits.0..digits.1]).unwrap_or_default());
+                self.number.extend_from_slice(&window[from..to]);
+                true
             }
-            Some(None) => self.number = None,
-            None => self.number = sources.block_number(loc),
-        }
+            Some(None) => false,
+            None => match sources.block_number(loc) {
+                Some(number) => {
+                    self.number.extend_from_slice(number.as_bytes());
+                    true
+                }
+                None => false,
+            },
+        };
     }
 
     /// A piece of the file with what lies around `at`; it is the first of the list then.
@@ -67,7 +81,7 @@ impl BlockNumbers {
         let place = match self.windows.iter().position(|window| window.file == file) {
             Some(place) => place,
             None if self.windows.len() < MOST_WINDOWS => {
-                self.windows.push(Window { file, start: 0, text: Vec::new() });
+                self.windows.push(Window { file, start: 0, text: Vec::new(), line_end: b'\n', joins: None });
                 self.windows.len() - 1
             }
             None => {
@@ -83,6 +97,9 @@ impl BlockNumbers {
         let window = &mut self.windows[0];
         if window.text.is_empty() || !holds(window) {
             window.start = at.saturating_sub(BEFORE);
+            window.line_end = sources.line_end(file);
+            // The mark of languages whose lines never join.
+            window.joins = sources.joins_at(file).filter(|mark| *mark != 0xff);
             window.text.resize(WINDOW, 0);
             let mut done = 0;
             while done < WINDOW {
@@ -97,49 +114,43 @@ impl BlockNumbers {
     }
 }
 
-/// Where the number of the block at `at` stands in `text`, or that it has none; `None` where that is not so easily said.
-fn number_at(
-    text: &[u8],
-    at: usize,
-    is_whole: bool,
-    sources: &Sources,
-    file: FileId,
-) -> Option<Option<(usize, usize)>> {
-    let feed = sources.line_end(file);
-    let before = text.get(..at)?;
-    let start = match memchr::memrchr(feed, before) {
-        Some(end) => end + 1,
-        None if is_whole => 0,
-        None => return None,
-    };
-    // The mark of languages whose lines never join.
-    let joins = sources.joins_at(file).filter(|mark| *mark != 0xff);
-    if let Some(mark) = joins.filter(|_| start > 0) {
-        // A line that may go on: where its block begins is for others to say.
-        let end = start - 1;
-        let line_before = match memchr::memrchr(feed, &text[..end]) {
-            Some(feed) => &text[feed + 1..end],
-            None if is_whole => &text[..end],
+impl Window {
+    /// Where the number of the block at `at` stands in the text, or that it has none; `None` where that is not so easily said.
+    fn number_at(&self, at: usize) -> Option<Option<(usize, usize)>> {
+        let (text, line_end) = (&self.text[..], self.line_end);
+        let is_whole = self.start == 0;
+        let start = match memchr::memrchr(line_end, text.get(..at)?) {
+            Some(end) => end + 1,
+            None if is_whole => 0,
             None => return None,
         };
-        if memchr::memchr(mark, line_before).is_some() {
-            return None;
+        if let Some(mark) = self.joins.filter(|_| start > 0) {
+            // A line that may go on: where its block begins is for others to say.
+            let end = start - 1;
+            let line_before = match memchr::memrchr(line_end, &text[..end]) {
+                Some(before) => &text[before + 1..end],
+                None if is_whole => &text[..end],
+                None => return None,
+            };
+            if memchr::memchr(mark, line_before).is_some() {
+                return None;
+            }
         }
-    }
-    let mut from = start;
-    loop {
-        match text.get(from)? {
-            b' ' | b'\t' | b'/' | b'\r' => from += 1,
-            other if other.is_ascii_graphic() => break,
-            other if *other == feed => return Some(None),
-            _ => return None,
+        let mut from = start;
+        loop {
+            match text.get(from)? {
+                b' ' | b'\t' | b'/' | b'\r' => from += 1,
+                other if other.is_ascii_graphic() => break,
+                other if *other == line_end => return Some(None),
+                _ => return None,
+            }
         }
+        let digits = from + usize::from(matches!(text[from], b'N' | b'n'));
+        let n = text[digits..].iter().take_while(|b| b.is_ascii_digit()).count();
+        // A number at the end of the piece may go on behind it.
+        let is_all = digits + n < text.len();
+        is_all.then_some((n > 0).then_some((from, digits + n)))
     }
-    let digits = from + usize::from(matches!(text[from], b'N' | b'n'));
-    let n = text[digits..].iter().take_while(|b| b.is_ascii_digit()).count();
-    // A number at the end of the piece may go on behind it.
-    let is_all = digits + n < text.len();
-    is_all.then_some((n > 0).then_some((from, digits + n)))
 }
 
 #[cfg(test)]

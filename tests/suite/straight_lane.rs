@@ -122,6 +122,27 @@ const SINUMERIK: &[&str] = &[
     "G110 X1",
     "G290",
     "CR=5 X3 Y9",
+    "G1 X0 Y0 F100\nG2 X10 Y0 I5 J0",
+    "G1 X0 Y0 F100\nG3 X10 Y0 Z-2 I5 J0",
+    "G1 X10 Y0 F90\nG3 X0 Y10 I-10\nX-10 Y0 J-10\nX0 Y-10 I10 F60",
+    "G1 X0 Y0\nG2 X0 Y0 I7 J3",
+    "G0 X3 Y4\nG2 X3 I2",
+    "G2 Y4 J2",
+    "G1 X0 Y0\nG2 X10.004 Y0 I5 J0",
+    "G1 X0 Y0\nG3 X10.02 Y0.03 I5 J0",
+    "G1 X0 Y0\nG3 X0.01 Y0.01 I5 J0",
+    "G1 X0 Y0\nG2 X10 Z3 I5",
+    "G1 X0 Y0 Z0\nG2 X10 Z3 I5 J0 F20",
+    "X10 Y0 I5 J0",
+    "X3 I2",
+    "G1 X5 I3",
+    "G2 X1 Y1 I0 J0",
+    "G3 X10 Y0 I5 K0",
+    "G2 I10",
+    "CFIN",
+    "G110 X5 Y5",
+    "CT X5 Y5",
+    "X9 Y2",
 ];
 
 const KLARTEXT: &[&str] = &[
@@ -186,6 +207,30 @@ proptest! {
         let head = if begun { "G17 G90 G54 G94\nT1 D1\nM6\nS800 M3\nG0 X0 Y0 Z10\nG1 Z0 F100\n" } else { "" };
         let body: String = lines.iter().zip(&often).map(|(line, next)| format!("{line}\n{next}\n")).collect();
         agree("A.MPF", "sinumerik", &format!("{head}{body}M30\n"))?;
+    }
+
+    #[test]
+    fn random_arcs_move_the_same(
+        arcs in prop::collection::vec((0.5f64..40.0, 0.0f64..360.0, -359.0f64..359.0, 0u8..4, 0u8..64), 1..16),
+        beside in prop::sample::select(vec!["", "G41", "G42", "TRANS X7 Y-3", "G70", "ROT RPL=30", "G91", "CFTCP", "G290"]),
+    ) {
+        let mut body = format!("G17 G90 G54 G71 G94\nT1 D1\nM6\nS800 M3\nG0 X0 Y0 Z10\n{beside}\nG1 X1 Y1 Z0 F100\n");
+        let (mut x, mut y) = (1.0_f64, 1.0_f64);
+        for (radius, from, sweep, decimals, more) in arcs {
+            let write = |value: f64| format!("{:+.*}", usize::from(decimals) + 1, value);
+            let (begin, end) = (f64::to_radians(from), f64::to_radians(from + sweep));
+            let (i, j) = (-radius * begin.cos(), -radius * begin.sin());
+            let to = (x + i + radius * end.cos(), y + j + radius * end.sin());
+            let code = if more & 1 > 0 { "" } else if sweep > 0.0 { "G3" } else { "G2" };
+            let z = if more & 2 > 0 { "Z-1" } else { "" };
+            let feed = if more & 4 > 0 { "F77" } else { "" };
+            // One of the words is left out now and then.
+            let words = [format!("X{}", write(to.0)), format!("Y{}", write(to.1)), format!("I{}", write(i)), format!("J{}", write(j))];
+            let words: Vec<&str> = words.iter().enumerate().filter(|(n, _)| more >> 3 != *n as u8 + 1).map(|(_, word)| &word[..]).collect();
+            body += &format!("{code} {} {z} {feed}\n", words.join(" "));
+            (x, y) = (write(to.0).parse().unwrap_or(0.0), write(to.1).parse().unwrap_or(0.0));
+        }
+        agree("A.MPF", "sinumerik", &format!("{body}G40\nM30\n"))?;
     }
 
     #[test]

@@ -6,7 +6,7 @@ use std::thread;
 
 use arrow_array::{RecordBatch, RecordBatchReader};
 use arrow_schema::{ArrowError, SchemaRef};
-use partc::table::{self, Options};
+use partc::table::{self, Options, Until};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyCapsule, PyList};
@@ -41,24 +41,18 @@ impl Traced {
     pub fn of(job: &Job, rows: usize) -> Result<Traced, Fault> {
         let opened = job.open()?;
         let (mut kept, mut seen, mut whole) = (Vec::new(), 0, true);
-        let options = Options { rows: rows.clamp(1, KEPT), ..Options::default() };
+        // Of a long program nothing is kept: its moves are made when somebody pulls them.
+        let options = Options { rows: rows.clamp(1, KEPT), until: Until::End, ..Options::default() };
         opened.session.trace_batches(opened.dialect, &opened.settings, opened.files.as_ref(), options, &mut |batch| {
             seen += batch.num_rows();
             whole = seen <= KEPT;
             if whole {
                 kept.push(batch);
+            } else {
+                kept = Vec::new();
             }
             whole
         });
-        let opened = if whole {
-            opened
-        } else {
-            // A long one: nothing is kept, its moves are made when somebody pulls them.
-            kept = Vec::new();
-            let again = job.open()?;
-            again.session.try_run(again.dialect, &again.settings, again.files.as_ref());
-            again
-        };
         let ok = !opened.session.diags.has_errors();
         let findings = json(&findings(opened.session))?;
         let kept = if !ok { Some((rows, Vec::new())) } else { whole.then_some((rows, kept)) };
@@ -102,10 +96,9 @@ impl Moves {
         let run = move || {
             let made = caught(|| {
                 let opened = job.open()?;
-                let (files, options) = (opened.files.as_ref(), Options { rows, ..Options::default() });
-                // Behind an error nobody knows where the moves lead.
-                let diags = &opened.session.diags;
-                let mut take = |batch| !diags.has_errors() && send.send(Ok(batch)).is_ok();
+                let (files, until) = (opened.files.as_ref(), Until::FirstError);
+                let options = Options { rows, until, ..Options::default() };
+                let mut take = |batch| send.send(Ok(batch)).is_ok();
                 opened.session.trace_batches(opened.dialect, &opened.settings, files, options, &mut take);
                 if opened.session.diags.has_errors() {
                     return Err(Fault::Program("the program has errors: none of its moves must be used".to_owned()));

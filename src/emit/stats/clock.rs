@@ -72,11 +72,14 @@ pub struct Clock {
     speed: Option<f64>,
     /// m/min and the limit in rev/min.
     cutting_speed: Option<(f64, Option<f64>)>,
+    /// Cosine of the largest angle that is passed without a stop.
+    smooth: f64,
 }
 
 impl Clock {
     pub fn new(model: Model) -> Clock {
-        Clock { model, at: Pos::UNKNOWN, moves: 0, waiting: None, still: 0, speed: None, cutting_speed: None }
+        let smooth = libm::cos(SMOOTH_DEG.to_radians());
+        Clock { model, at: Pos::UNKNOWN, moves: 0, waiting: None, still: 0, speed: None, cutting_speed: None, smooth }
     }
 
     pub fn model(&self) -> &Model {
@@ -158,7 +161,7 @@ impl Clock {
             return Step { ended: self.stop(), length: Some(length), time: Time::Unknown };
         };
         let joint = match &self.waiting {
-            Some(before) if is_smooth(before.leaves, enters) => {
+            Some(before) if cosine(before.leaves, enters) > self.smooth => {
                 // No faster than the way before lets it become.
                 let reach = before.from_speed * before.from_speed + 2000.0 * self.model.acceleration * before.length;
                 before.speed.min(speed).min(libm::sqrt(reach))
@@ -243,10 +246,9 @@ pub(super) fn time_of(length: f64, from: f64, most: f64, to: f64, acceleration: 
     }
 }
 
-/// Is the angle between two directions small?
-fn is_smooth(a: [f64; 3], b: [f64; 3]) -> bool {
-    let dot: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
-    dot > libm::cos(SMOOTH_DEG.to_radians())
+/// Of the angle between two directions.
+fn cosine(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Length of a move in mm, or degrees where only rotary axes move, with the directions at its ends; `None` where its start

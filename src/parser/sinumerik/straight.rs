@@ -50,6 +50,8 @@ impl Shape for Line {
             b'Y' => line.go(Axis::Y, number.value)?,
             b'Z' => line.go(Axis::Z, number.value)?,
             b'F' => line.feed(number.value)?,
+            b'I' => line.about(Axis::X, number.value)?,
+            b'J' => line.about(Axis::Y, number.value)?,
             b'G' if number.is_digits(text) => line.code(number.value)?,
             _ => return None,
         }
@@ -74,6 +76,8 @@ pub fn of_block(block: &Block) -> Option<Straight> {
         match letter {
             b'F' => line.feed(value)?,
             b'G' if digits > 0 => line.code(value)?,
+            b'I' if value.is_finite() => line.about(Axis::X, value)?,
+            b'J' if value.is_finite() => line.about(Axis::Y, value)?,
             _ if value.is_finite() => line.go(Axis::of(letter)?, value)?,
             _ => return None,
         }
@@ -95,7 +99,7 @@ mod tests {
         fn a_straight_block_says_what_the_parser_finds(
             head in "([Nn] ?[0-9]{0,9})?[ \t]{0,2}",
             words in prop::collection::vec(
-                ("[XYZxyz][+-]?[0-9]{0,8}\\.?[0-9]{0,8}|[Ff][+-]?[0-9]{1,6}|[A-Z][0-9]{0,3}|;|:|X1E5|X1EX2|X=1", "[ \t]{0,2}"),
+                ("[XYZIJxyzij][+-]?[0-9]{0,8}\\.?[0-9]{0,8}|[Ff][+-]?[0-9]{1,6}|[A-Z][0-9]{0,3}|;|:|X1E5|X1EX2|X=1", "[ \t]{0,2}"),
                 0..6,
             ),
             end in prop::sample::select(vec!["\n", "\r\n", "\r", "", "\r\r\n"]),
@@ -104,7 +108,7 @@ mod tests {
         ) {
             let words: String = words.iter().flat_map(|(word, blank)| [word.as_str(), blank]).collect();
             says_the_same(format!("{head}{words}{end}{rest}").as_bytes(), line_end);
-            for g in ["G0 ", "g1 ", "G01 ", "G1"] {
+            for g in ["G0 ", "g1 ", "G01 ", "G1", "G2 ", "g03"] {
                 says_the_same(format!("{head}{g}{words}{end}{rest}").as_bytes(), line_end);
             }
         }
@@ -136,12 +140,28 @@ mod tests {
             ("g00 z5\r\n", Some(0)),
             ("X1 G01\n", Some(1)),
             ("G1X5\n", Some(1)),
+            ("N5 G2 X1 I5 J-3.5\n", Some(2)),
+            ("g03X1J0\n", Some(3)),
+            ("X1 I2\n", None),
             ("X1\n", None),
         ] {
             assert_eq!(of_line(text.as_bytes(), b'\n').map(|line| line.motion), Some(motion), "{text:?}");
             says_the_same(text.as_bytes(), b'\n');
         }
-        for text in ["G1 F5\n", "G2 X5\n", "G1 G0 X5\n", "G1 G1 X5\n", "G1.0 X5\n", "G+1 X5\n", "G1=1 X5\n"] {
+        for text in [
+            "G1 F5\n",
+            "G4 X5\n",
+            "G2 I5\n",
+            "G2 X5 I1 I2\n",
+            "G2 X5 K1\n",
+            "G2 X5 I=AC(3)\n",
+            "G2 X5 CR=9\n",
+            "G1 G0 X5\n",
+            "G1 G1 X5\n",
+            "G1.0 X5\n",
+            "G+1 X5\n",
+            "G1=1 X5\n",
+        ] {
             assert_eq!(of_line(text.as_bytes(), b'\n'), None, "{text:?}");
         }
     }

@@ -382,22 +382,9 @@ impl Core<'_> {
                 "check start, end and centre; `[control] md21000` and `md21010` set the tolerance",
             );
         }
-        if off <= 1e-9 || crate::geo::distance(start, to) <= SAME {
-            return Ok(center);
-        }
-        let solutions = [r1, -r1].map(|radius| center_by_radius(start, to, radius, ccw, SAME, 0.0));
-        let near = |point: &Point2| crate::geo::distance(*point, center);
-        // A chord longer than twice the radius at the start is a diameter.
-        let middle = Point2::from((start.coords + to.coords) / 2.0);
-        let best = solutions.into_iter().flatten().min_by(|a, b| near(a).total_cmp(&near(b))).or(Some(middle));
-        let seen = |point: Point2| libm::atan2(point.y - start.y, point.x - start.x);
-        let turn = |point: &Point2| {
-            let turn = (seen(*point) - seen(center)).abs();
-            turn.min(core::f64::consts::TAU - turn)
-        };
-        match best.filter(|point| turn(point) < libm::sqrt(MOST_TURN_SQUARED)) {
+        match fitting_center(start, to, center, ccw, (r1, off)) {
             Some(point) => {
-                self.warn_of_moved_centre(near(&point), self.circle_tolerance(r1), span);
+                self.warn_of_moved_centre(crate::geo::distance(point, center), self.circle_tolerance(r1), span);
                 Ok(point)
             }
             None => {
@@ -409,9 +396,21 @@ impl Core<'_> {
         }
     }
 
+    /// The same where there is nothing to say of it.
+    #[inline]
+    pub(super) fn quiet_center(&self, start: Point2, to: Point2, center: Point2, ccw: bool) -> Option<Point2> {
+        let (r1, r2) = (crate::geo::distance(start, center), crate::geo::distance(to, center));
+        let (off, tolerance) = ((r2 - r1).abs(), self.circle_tolerance(r1));
+        if r1 <= SAME || r2 <= SAME || off > tolerance + 1e-9 {
+            return None;
+        }
+        let point = fitting_center(start, to, center, ccw, (r1, off))?;
+        (!is_moved_far(crate::geo::distance(point, center), tolerance)).then_some(point)
+    }
+
     /// A centre that has to move much for a small difference of the radii makes another arc.
     fn warn_of_moved_centre(&self, moved: f64, tolerance: f64, span: Span) {
-        if moved > 10.0 * tolerance && self.job.diags.first_time(codes::G8101) {
+        if is_moved_far(moved, tolerance) && self.job.diags.first_time(codes::G8101) {
             let message = format!("the centre is moved by {moved:.4} mm, so that start and end lie on one circle");
             let found = Diagnostic::new(codes::G8101, self.loc(span), message);
             self.report(found.help("program the end point and the centre with more decimals, or the arc by CR="));
@@ -419,7 +418,7 @@ impl Core<'_> {
     }
 
     /// Largest difference of the radii at start and end (MD 21000, MD 21010).
-    fn circle_tolerance(&self, radius: f64) -> f64 {
+    pub(super) fn circle_tolerance(&self, radius: f64) -> f64 {
         let control = &self.job.settings.control;
         control.sinumerik.circle_error.max(control.sinumerik.circle_error_factor * radius.abs())
     }
@@ -466,4 +465,28 @@ impl Core<'_> {
         }
         Ok(turn.value as u32)
     }
+}
+
+/// The centre near `center` from which both ends are as far as the start, or `center` itself where they are; `radius` is that
+/// at the start, and how much that at the end is off. `None` where there is none near it.
+fn fitting_center(start: Point2, to: Point2, center: Point2, ccw: bool, radius: (f64, f64)) -> Option<Point2> {
+    let (radius, off) = radius;
+    if off <= 1e-9 || crate::geo::distance(start, to) <= SAME {
+        return Some(center);
+    }
+    let solutions = [radius, -radius].map(|radius| center_by_radius(start, to, radius, ccw, SAME, 0.0));
+    let near = |point: &Point2| crate::geo::distance(*point, center);
+    // A chord longer than twice the radius at the start is a diameter.
+    let middle = Point2::from((start.coords + to.coords) / 2.0);
+    let best = solutions.into_iter().flatten().min_by(|a, b| near(a).total_cmp(&near(b))).or(Some(middle));
+    let seen = |point: Point2| libm::atan2(point.y - start.y, point.x - start.x);
+    let turn = |point: &Point2| {
+        let turn = (seen(*point) - seen(center)).abs();
+        turn.min(core::f64::consts::TAU - turn)
+    };
+    best.filter(|point| turn(point) < libm::sqrt(MOST_TURN_SQUARED))
+}
+
+fn is_moved_far(moved: f64, tolerance: f64) -> bool {
+    moved > 10.0 * tolerance
 }
