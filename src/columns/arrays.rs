@@ -14,14 +14,15 @@ use arrow_schema::DataType;
 #[derive(Debug)]
 pub struct Values<T> {
     values: Vec<T>,
-    nulls: NullBufferBuilder,
+    /// Rows without a value: from, and up to.
+    gaps: Vec<(usize, usize)>,
     /// The array of the last batch, if it held nothing.
     empty: Option<ArrayRef>,
 }
 
 impl<T: Copy + Default> Values<T> {
     pub fn new() -> Values<T> {
-        Values { values: Vec::new(), nulls: NullBufferBuilder::new(0), empty: None }
+        Values { values: Vec::new(), gaps: Vec::new(), empty: None }
     }
 
     /// The value of a row; rows in front of it without one have none.
@@ -31,17 +32,19 @@ impl<T: Copy + Default> Values<T> {
             self.fill(row);
         }
         self.values.push(value);
-        self.nulls.append_non_null();
     }
 
-    /// The same value in all rows up to this one.
-    fn put_up_to(&mut self, row: usize, value: T) {
-        self.nulls.append_n_non_nulls(row.saturating_sub(self.values.len()));
-        self.values.resize(row.max(self.values.len()), value);
+    /// The same value in all rows from one on up to another.
+    #[inline]
+    fn put_through(&mut self, from: usize, to: usize, value: T) {
+        self.put(from, value);
+        if from + 1 < to {
+            self.values.resize(to, value);
+        }
     }
 
     fn fill(&mut self, rows: usize) {
-        self.nulls.append_n_nulls(rows - self.values.len());
+        self.gaps.push((self.values.len(), rows));
         self.values.resize(rows, T::default());
     }
 
@@ -53,9 +56,22 @@ impl<T: Copy + Default> Values<T> {
         if self.values.len() < rows {
             self.fill(rows);
         }
-        let nulls = self.nulls.finish();
+        let nulls = self.nulls(rows);
         // The next batch is as long.
         Some((std::mem::replace(&mut self.values, Vec::with_capacity(rows)), nulls))
+    }
+
+    fn nulls(&mut self, rows: usize) -> Option<NullBuffer> {
+        if self.gaps.is_empty() {
+            return None;
+        }
+        let mut known = BooleanBufferBuilder::new(rows);
+        for (from, to) in self.gaps.drain(..) {
+            known.append_n(from - known.len(), true);
+            known.append_n(to - from, false);
+        }
+        known.append_n(rows - known.len(), true);
+        Some(NullBuffer::new(known.finish()))
     }
 
     /// An array of so many rows without a value.
@@ -143,12 +159,10 @@ impl<T: Cell> Held<T> {
     }
 
     /// Writes down what held up to `row`.
+    #[inline]
     fn settle(&mut self, row: usize) {
         if let Some(value) = self.value.filter(|_| row > self.since) {
-            if self.values.values.len() < self.since {
-                self.values.fill(self.since);
-            }
-            self.values.put_up_to(row, value);
+            self.values.put_through(self.since, row, value);
         }
     }
 

@@ -4,7 +4,7 @@ use crate::ir::motion::Move;
 use crate::ir::{Function, Pos};
 
 /// Items that go together: few enough for the caches of a processor.
-pub(super) const MOST: usize = 1024;
+pub(super) const MOST: usize = 2048;
 
 /// Some items of the motion stream, with what only the sources of the program know.
 #[derive(Debug, Default)]

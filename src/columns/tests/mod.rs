@@ -121,3 +121,66 @@ fn who_has_enough_gets_no_more() {
     trace_batches(&program, &Settings::default(), &folder(), options, &mut take);
     assert_eq!(taken, 1);
 }
+
+/// The moves of so many passes; with a fault behind the last one.
+fn passes(count: usize, fault: &str) -> String {
+    let body: String = (0..count)
+        .map(|n| format!("{} L X+{} Y+{}.{}\n{} CALL PGM B\n", 4 * n + 5, 10 + n % 50, n % 7, n % 10, 4 * n + 6))
+        .collect();
+    format!(
+        "0 BEGIN PGM A MM\n1 TOOL CALL 3 Z S2000\n2 L X+0 Y+0 Z+10 R0 FMAX M3\n3 L Z+1 F100\n{body}{fault}9999 END PGM A MM\n"
+    )
+}
+
+/// Rows and error codes of a program that may have errors.
+fn run(text: &str, until: Until, most: usize) -> (Vec<String>, Vec<&'static str>) {
+    let (mut all, program) = (Vec::new(), Program::new("A.H", text.as_bytes()).unwrap());
+    let mut take = |batch| {
+        all.push(batch);
+        all.len() < most
+    };
+    let options = Options { rows: 100, until, ..Options::default() };
+    let found = trace_batches(&program, &Settings::default(), &folder(), options, &mut take);
+    let errors = found.iter().filter(|finding| finding.severity == Severity::Error).map(|finding| finding.code);
+    (rows(&all), errors.collect())
+}
+
+#[test]
+fn a_second_thread_makes_the_same_rows() {
+    // Each pass has three moves: the first program is one chunk, the others are many.
+    let short = rows(&batches(&passes(500, ""), &folder(), 100));
+    assert!(short.len() < chunk::MOST, "{}", short.len());
+    for count in [682, 683, 684, 1365, 4000] {
+        let long = rows(&batches(&passes(count, ""), &folder(), 100));
+        assert_eq!(long.len(), 3 * count + 2);
+        // How the last move of the short one ends is told by the next one.
+        assert_eq!(long[..short.len() - 1], short[..short.len() - 1], "{count}");
+        assert_eq!(long, rows(&batches(&passes(count, ""), &folder(), 1 << 16)), "{count}");
+    }
+}
+
+#[test]
+fn an_error_ends_the_batches() {
+    const FAULT: &str = "7000 L X+Q99\n7001 L X+1\n7002 L X+Q98\n";
+    for count in [10, 700, 1400, 3000] {
+        let whole = rows(&batches(&passes(count, ""), &folder(), 100));
+        let (all, errors) = run(&passes(count, FAULT), Until::Taken, usize::MAX);
+        assert_eq!(errors.len(), 2, "{errors:?}");
+        let (first, error) = run(&passes(count, FAULT), Until::FirstError, usize::MAX);
+        assert_eq!((error.len(), &first), (1, &all), "{error:?}");
+        // Batches that were full and whose times were known.
+        assert!(whole.len() - first.len() <= 101, "{} of {}", first.len(), whole.len());
+        assert_eq!((&first[..], first.len() % 100), (&whole[..first.len()], 0));
+    }
+}
+
+#[test]
+fn findings_may_be_wanted_without_moves() {
+    const FAULT: &str = "7000 L X+Q99\n";
+    for count in [10, 3000] {
+        let (rows, errors) = run(&passes(count, FAULT), Until::End, 1);
+        assert_eq!((rows.len() <= 100, errors.len()), (true, 1), "{errors:?}");
+        let (rows, errors) = run(&passes(count, FAULT), Until::Taken, 1);
+        assert!(rows.len() <= 100 && errors.len() <= 1);
+    }
+}
