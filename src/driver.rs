@@ -326,7 +326,7 @@ impl Session {
     }
 
     /// Gives the resolved moves as record batches to `take`, which says whether it wants more. With an error among the
-    /// findings none of them must be used.
+    /// findings none of them must be used. Returns the hash of the main program, as far as it was run.
     #[cfg(feature = "arrow")]
     pub fn trace_batches(
         &self,
@@ -335,12 +335,10 @@ impl Session {
         files: &dyn Files,
         options: columns::Options,
         take: &mut Take<'_>,
-    ) {
+    ) -> u64 {
         self.judge(dialect, settings);
         let known = Known { sources: &self.sources, trail: &self.trail, diags: &self.diags };
-        columns::batches(known, options, take, |sink| {
-            self.run(dialect, settings, files, sink);
-        });
+        columns::batches(known, options, take, |sink| self.run(dialect, settings, files, sink))
     }
 }
 

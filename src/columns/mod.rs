@@ -63,18 +63,24 @@ pub enum Until {
 /// Gets each batch, maybe in another thread, and says whether it wants more.
 pub type Take<'a> = dyn FnMut(RecordBatch) -> bool + Send + 'a;
 
-/// Makes batches of the moves that `run` sends. An error ends them: the moves behind it are in none, and a batch that was not
-/// full is not made.
-pub(crate) fn batches(known: Known<'_>, options: Options, take: &mut Take<'_>, run: impl FnOnce(&mut dyn Sink)) {
+/// Makes batches of the moves that `run` sends, and gives what it returns. An error ends them: the moves behind it are in none,
+/// and a batch that was not full is not made.
+pub(crate) fn batches<T>(
+    known: Known<'_>,
+    options: Options,
+    take: &mut Take<'_>,
+    run: impl FnOnce(&mut dyn Sink) -> T,
+) -> T {
     let columns = Mutex::new(Columns::new(options, take));
-    let is_right = thread::scope(|scope| {
+    let (ran, is_right) = thread::scope(|scope| {
         let mut front = Front::new(known, options.until, scope, &columns);
-        run(&mut front);
-        front.finish()
+        let ran = run(&mut front);
+        (ran, front.finish())
     });
     if is_right {
         columns.into_inner().unwrap_or_else(PoisonError::into_inner).finish();
     }
+    ran
 }
 
 /// The columns of the open batch, and those that wait for a time.

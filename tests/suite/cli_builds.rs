@@ -166,6 +166,8 @@ fn reports_are_read_as_they_come_but_once() {
     let whole = folder.run(&["merge", "a.json", "b.json"]).exits(0).out;
     assert_eq!(folder.run(&["merge", "b.json", "a.json"]).exits(0).out, whole);
     folder.run(&["merge", "a.json", "b.json", "./a.json"]).exits(2).says("given twice");
+    assert_eq!(folder.run_with(&["merge", "-", "a.json"], &folder.read("b.json")).exits(0).out, whole);
+    folder.run_with(&["merge", "-", "-"], &whole).exits(2).says("given twice");
     folder.write("bom.json", &format!("\u{feff}{}", folder.read("b.json")));
     assert_eq!(folder.run(&["merge", "bom.json", "a.json"]).exits(0).out, whole);
 }

@@ -35,6 +35,8 @@ pub struct Traced {
     findings: String,
     /// All batches of a short program, and their rows.
     kept: Option<(usize, Vec<RecordBatch>)>,
+    /// Of the main program.
+    hash: u64,
 }
 
 impl Traced {
@@ -43,7 +45,7 @@ impl Traced {
         let (mut kept, mut seen, mut whole) = (Vec::new(), 0, true);
         // Of a long program nothing is kept: its moves are made when somebody pulls them.
         let options = Options { rows: rows.clamp(1, KEPT), until: Until::End, ..Options::default() };
-        opened.session.trace_batches(opened.dialect, &opened.settings, opened.files.as_ref(), options, &mut |batch| {
+        let mut take = |batch: RecordBatch| {
             seen += batch.num_rows();
             whole = seen <= KEPT;
             if whole {
@@ -52,16 +54,18 @@ impl Traced {
                 kept = Vec::new();
             }
             whole
-        });
+        };
+        let hash =
+            opened.session.trace_batches(opened.dialect, &opened.settings, opened.files.as_ref(), options, &mut take);
         let ok = !opened.session.diags.has_errors();
         let findings = json(&findings(opened.session))?;
         let kept = if !ok { Some((rows, Vec::new())) } else { whole.then_some((rows, kept)) };
-        Ok(Traced { job: job.clone(), ok, findings, kept })
+        Ok(Traced { job: job.clone(), ok, findings, kept, hash })
     }
 
     /// The moves as the program makes them; its first error ends them.
     pub fn unchecked(job: &Job, rows: usize) -> Result<Batches, Fault> {
-        Ok(Batches::new(Box::new(Moves::of(job.clone(), rows)?)))
+        Ok(Batches::new(Box::new(Moves::of(job.clone(), rows, None)?)))
     }
 
     fn reader(&self, rows: usize) -> Result<Reader, Fault> {
@@ -70,7 +74,7 @@ impl Traced {
                 let all = batches.clone().into_iter().map(Ok);
                 Ok(Box::new(arrow_array::RecordBatchIterator::new(all, table::schema())))
             }
-            _ => Ok(Box::new(Moves::of(self.job.clone(), rows)?)),
+            _ => Ok(Box::new(Moves::of(self.job.clone(), rows, Some(self.hash))?)),
         }
     }
 }
@@ -90,7 +94,8 @@ struct Moves {
 }
 
 impl Moves {
-    fn of(job: Job, rows: usize) -> Result<Moves, Fault> {
+    /// `checked` is the hash of the program that was found to have no errors.
+    fn of(job: Job, rows: usize, checked: Option<u64>) -> Result<Moves, Fault> {
         // One batch waits while the next one is made.
         let (send, batches) = sync_channel(1);
         let run = move || {
@@ -98,10 +103,19 @@ impl Moves {
                 let opened = job.open()?;
                 let (files, until) = (opened.files.as_ref(), Until::FirstError);
                 let options = Options { rows, until, ..Options::default() };
-                let mut take = |batch| send.send(Ok(batch)).is_ok();
-                opened.session.trace_batches(opened.dialect, &opened.settings, files, options, &mut take);
+                let mut wanted = true;
+                let mut take = |batch| {
+                    wanted = send.send(Ok(batch)).is_ok();
+                    wanted
+                };
+                let hash = opened.session.trace_batches(opened.dialect, &opened.settings, files, options, &mut take);
                 if opened.session.diags.has_errors() {
                     return Err(Fault::Program("the program has errors: none of its moves must be used".to_owned()));
+                }
+                if wanted && checked.is_some_and(|checked| checked != hash) {
+                    return Err(Fault::Program(
+                        "the program has changed since it was checked: none of its moves must be used".to_owned(),
+                    ));
                 }
                 Ok(())
             });

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import json
+import pathlib
 import sys
 from typing import Any
 
@@ -185,3 +186,17 @@ def test_nothing_else_is_imported() -> None:
 
     made = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60, stdin=subprocess.DEVNULL)
     assert made.stdout.decode().strip() == "[]", made.stderr
+
+
+def test_a_program_that_changes_behind_its_check(tmp_path: pathlib.Path) -> None:
+    path = tmp_path / "A.H"
+    body = "".join(f"{n} L X+{n % 90} Y+{n % 7} F200\n" for n in range(3, 70_000))
+    text = "0 BEGIN PGM A MM\n1 TOOL CALL 3 Z S2000\n2 L X+0 Y+0 Z+10 R0 FMAX M3\n" + body + "70000 END PGM A MM\n"
+    path.write_text(text)
+    trace = partc.trace(path)
+    assert sum(batch.num_rows for batch in trace.batches()) > 65_536
+    path.write_text(text.replace("500 L X+50", "500 L X+51"))
+    with pytest.raises(partc.ProgramError, match="has changed"):
+        list(trace.batches())
+    path.write_text(text)
+    assert sum(batch.num_rows for batch in trace.batches()) > 65_536
