@@ -17,14 +17,14 @@ impl Validator {
     /// Is the text what this move asks for?
     #[inline(always)]
     pub(super) fn check_move(&mut self, mv: &Move, text: Text<'_>) -> Result<(), Why> {
+        if self.in_full {
+            self.before = *self.reader.at();
+        }
         if matches!(mv.path, Path::Arc(..) | Path::Thread { .. } | Path::Carried { .. }) {
             return self.check_other(mv, text);
         }
         if text.end == 0 {
             return self.stays(mv);
-        }
-        if self.in_full {
-            self.before = *self.reader.at();
         }
         match self.reader.straight(text.bytes, text.end) {
             Some(found) if found.len == text.end => self.is_line(mv, found),

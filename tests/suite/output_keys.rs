@@ -140,3 +140,18 @@ fn a_warning_names_the_line_of_the_key() {
     let help = found.help.as_ref().expect("what to do");
     assert!(help.starts_with("leave the key away: ") && help.ends_with(":3"), "{help}");
 }
+
+/// A thread prints the axes that stand like every other move.
+#[test]
+fn a_thread_in_full_words_is_what_the_program_says() {
+    for way in ["G0 X0 Y0 Z5", "G0 X0 Y0 Z5\nG1 X1 F100", "G0 Z5\nX4 Y-3.5\nX0"] {
+        let text = format!("G17 G90\nM3 S500\nG0 X2 Y1 Z9\n{way}\nG33 Z-10 K1.5\nG0 Z20\nM30\n");
+        let settings = settings("[output]\nmodal = false\n");
+        let compiled = compile_bytes("A.MPF", text.into_bytes(), "sinumerik", &settings, &NoFiles);
+        let thread = compiled.output.lines().find(|line| line.starts_with("G33")).unwrap_or_default();
+        assert!(
+            !compiled.has_errors() && thread.starts_with("G33 X") && thread.ends_with("Z-10 K1.5"),
+            "{way}: {thread}"
+        );
+    }
+}

@@ -140,6 +140,7 @@ const SINUMERIK: &[&str] = &[
     "G3 X10 Y0 I5 K0",
     "G2 I10",
     "CFIN",
+    "G1 X-10 F0 G41",
     "G110 X5 Y5",
     "CT X5 Y5",
     "X9 Y2",

@@ -49,7 +49,8 @@ impl Channel<'_> {
             && !st.codes.of(Group::FeedType).holds_cutting_speed()
             && !st.spindles.is_cutting()
             && st.plane() == Plane::Xy
-            && (st.side() == Side::None || st.path.is_computed())
+            // Behind an error the rules of the path may be missing: the next code gives them.
+            && (st.side() == Side::None || st.path.is_computed() && st.ctx.compensation.is_some())
             && st.tool.edge() != Some(0)
             && self.job.settings.machine.diameter_axis.is_none()
             && !self.axis_names.are_given()
