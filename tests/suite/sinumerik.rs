@@ -9,7 +9,7 @@ use partc::internals::text::files::NoFiles;
 use partc::internals::text::{FileError, Files, Memory, Opened, Request};
 
 use super::book::cases;
-use super::common::{Compiled, compile_bytes, settings};
+use super::common::{Compiled, check_program, compile_bytes, settings};
 use super::damage::{Dice, KINDS, damage};
 
 /// What one small program may take, even unoptimized.
@@ -310,4 +310,18 @@ proptest! {
         let metric = format!("G71\nG0 X={x}*25.4 Z={}*25.4\nM30\n", if z < 0 { format!("(-{})", -z) } else { z.to_string() });
         prop_assert_eq!(moves(&inch, ""), moves(&metric, ""));
     }
+}
+
+/// What is told of a program, by code and line.
+fn told(program: &str) -> Vec<(&'static str, u32)> {
+    check_program("sinumerik", "A.MPF", program).iter().map(|found| (found.code.id, found.label.loc.line)).collect()
+}
+
+/// Its finding once stood at a column of a later block, and behind those of blocks that follow.
+#[test]
+fn a_failed_block_of_g41_begins_nothing_in_a_later_one() {
+    let f0 = |body: &str| format!("G17 G90 G94\nG0 X0 Y0 Z5\nG1 X-10 F0 G41\n{body}M30\n");
+    assert_eq!(told(&f0("X10\nG93\nG1 X3\n")), [("S2041", 3), ("S2040", 6)]);
+    assert_eq!(told(&f0("G42 X10 F100\n")), [("S2041", 3), ("S2080", 4)]);
+    assert_eq!(told(&f0("X10 F100\nG40 X20\n")), [("S2041", 3)]);
 }

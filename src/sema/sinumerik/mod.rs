@@ -309,7 +309,9 @@ impl Run<'_> {
             self.note_stored_block();
         }
         // What went wrong was reported; the next block may show more.
-        let _ = self.statement(block, text);
+        if self.statement(block, text).is_err() {
+            self.begin_no_compensation();
+        }
     }
 
     /// The main program of a file: an archive may begin with its subprograms.

@@ -405,10 +405,21 @@ impl Channel<'_> {
     pub(super) fn select_cutter_or_end(&mut self, span: Span) -> Outcome {
         let result = self.select_cutter(span);
         if result.is_err() {
-            self.st.codes.activate(GCode::G40);
-            self.st.compensation.starts = false;
+            self.end_compensation();
         }
         result
+    }
+
+    fn end_compensation(&mut self) {
+        self.st.codes.activate(GCode::G40);
+        self.st.compensation.starts = false;
+    }
+
+    /// The block of a G41 or G42 has failed in front of its D: no later block stands for it.
+    pub(super) fn begin_no_compensation(&mut self) {
+        if self.st.compensation.take_open(false).is_some() {
+            self.end_compensation();
+        }
     }
 
     /// The radius that the program gives an edge, with its wear; `None` for that of the target's own table.
