@@ -64,6 +64,7 @@ mod output_keys;
 mod passed_lines;
 mod peer;
 mod pictures;
+mod places;
 mod printed_arcs;
 mod props;
 mod python;

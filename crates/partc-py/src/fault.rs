@@ -23,6 +23,14 @@ pub enum Fault {
     Internal(String),
 }
 
+impl Fault {
+    /// Nothing runs here that would make more batches.
+    pub fn forked() -> Fault {
+        let why = "these batches were begun in another process, of which this one is a fork";
+        Fault::Config(format!("{why}: begin them anew, or start processes with `spawn`"))
+    }
+}
+
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (Fault::Config(text) | Fault::Program(text) | Fault::Internal(text)) = self;

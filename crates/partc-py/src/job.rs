@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use partc::cli::host::{self, Asked, Opened};
-use partc::diagnostics::Finding;
+use partc::diagnostics::{Finding, Severity};
 use partc::files::{Files, Folder, Memory, NoFiles};
 use partc::languages::{self, Dialect};
 use partc::output::TARGETS;
@@ -240,7 +240,7 @@ impl Job {
         Ok(is_plain.then_some(text))
     }
 
-    fn name(&self) -> String {
+    pub fn name(&self) -> String {
         match &self.source {
             Source::Bytes { name, .. } => name.clone(),
             Source::Path(path) => path.to_string_lossy().into_owned(),
@@ -276,6 +276,13 @@ fn dialects() -> String {
 pub fn findings(session: Session) -> Vec<Finding> {
     let Session { sources, diags, trail } = session;
     diags.into_sorted().iter().map(|found| Finding::new(found, &sources, &trail)).collect()
+}
+
+/// As a line of text.
+pub fn first_error(session: Session) -> Option<String> {
+    let found = findings(session).into_iter().find(|found| found.severity == Severity::Error)?;
+    let Finding { file, line, column, code, message, .. } = found;
+    Some(format!("{file}:{line}:{column}: error[{code}]: {message}"))
 }
 
 pub fn json(findings: &[Finding]) -> Result<String, Fault> {

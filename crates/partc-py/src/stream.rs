@@ -2,7 +2,7 @@
 
 use std::sync::mpsc::{Receiver, sync_channel};
 use std::sync::{Mutex, PoisonError};
-use std::thread;
+use std::{process, thread};
 
 use arrow_array::{RecordBatch, RecordBatchReader};
 use arrow_schema::{ArrowError, SchemaRef};
@@ -13,7 +13,7 @@ use pyo3::types::{PyCapsule, PyList};
 
 use crate::capsule;
 use crate::fault::{Fault, caught, detached};
-use crate::job::{Job, findings, json};
+use crate::job::{Job, findings, first_error, json};
 use crate::rows;
 
 /// Most rows of a trace that are kept rather than made again.
@@ -91,6 +91,8 @@ impl Traced {
 struct Moves {
     batches: Receiver<Result<RecordBatch, Fault>>,
     ended: bool,
+    /// The process that the thread runs in: one that was forked from it has no such thread.
+    process: u32,
 }
 
 impl Moves {
@@ -109,13 +111,12 @@ impl Moves {
                     wanted
                 };
                 let hash = opened.session.trace_batches(opened.dialect, &opened.settings, files, options, &mut take);
-                if opened.session.diags.has_errors() {
-                    return Err(Fault::Program("the program has errors: none of its moves must be used".to_owned()));
+                if let Some(error) = first_error(opened.session) {
+                    return Err(Fault::Program(format!("{error}: none of the program's moves must be used")));
                 }
                 if wanted && checked.is_some_and(|checked| checked != hash) {
-                    return Err(Fault::Program(
-                        "the program has changed since it was checked: none of its moves must be used".to_owned(),
-                    ));
+                    let why = "has changed since it was checked: none of its moves must be used";
+                    return Err(Fault::Program(format!("{}: the program {why}", job.name())));
                 }
                 Ok(())
             });
@@ -126,7 +127,7 @@ impl Moves {
         };
         let started = thread::Builder::new().name("partc".to_owned()).stack_size(STACK).spawn(run);
         started.map_err(|error| Fault::Internal(error.to_string()))?;
-        Ok(Moves { batches, ended: false })
+        Ok(Moves { batches, ended: false, process: process::id() })
     }
 }
 
@@ -137,7 +138,7 @@ impl Iterator for Moves {
         if self.ended {
             return None;
         }
-        let next = self.batches.recv().ok();
+        let next = if self.process == process::id() { self.batches.recv().ok() } else { Some(Err(Fault::forked())) };
         self.ended = !matches!(next, Some(Ok(_)));
         next.map(|batch| batch.map_err(|fault| ArrowError::ExternalError(Box::new(fault))))
     }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import json
+import os
 import pathlib
 import sys
 from typing import Any
@@ -106,7 +107,7 @@ def test_a_stream_that_is_not_checked_ends_at_the_first_error() -> None:
     whole = [batch.to_rows() for batch in partc.trace_batches([("A.MPF", sound)], rows=4)]
     assert [batch.to_rows() for batch in partc.trace_batches([("A.MPF", sound)], rows=4, checked=False)] == whole
     given = []
-    with pytest.raises(partc.ProgramError):
+    with pytest.raises(partc.ProgramError, match=r"A\.MPF:10:\d+: error\[S\d+\]: .*none of the program's moves"):
         for batch in partc.trace_batches([("A.MPF", sound.replace(b"X7", b"X<7"))], rows=4, checked=False):
             given.append(batch.to_rows())
     assert given == whole[: len(given)] and 0 < len(given) < len(whole)
@@ -196,7 +197,34 @@ def test_a_program_that_changes_behind_its_check(tmp_path: pathlib.Path) -> None
     trace = partc.trace(path)
     assert sum(batch.num_rows for batch in trace.batches()) > 65_536
     path.write_text(text.replace("500 L X+50", "500 L X+51"))
-    with pytest.raises(partc.ProgramError, match="has changed"):
+    with pytest.raises(partc.ProgramError, match=r"A\.H: the program has changed"):
         list(trace.batches())
     path.write_text(text)
     assert sum(batch.num_rows for batch in trace.batches()) > 65_536
+
+
+FORKED = """
+import os, signal, sys, partc
+program = b"G17 G90\\nG0 X0 Y0 Z0\\n" + b"".join(b"G1 X%d F100\\n" % (n % 90) for n in range(50_000)) + b"M30\\n"
+begun = partc.trace_batches([("A.MPF", program)], rows=10, checked=False)
+next(begun)
+child = os.fork()
+if child == 0:
+    signal.alarm(30)
+    try:
+        list(begun)
+    except partc.ConfigError as error:
+        assert "another process" in str(error)
+        os._exit(7 if sum(map(len, partc.trace_batches([("A.MPF", program)]))) == 50_001 else 8)
+    os._exit(9)
+assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7
+assert 10 + sum(map(len, begun)) == 50_001
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+def test_batches_of_a_process_are_not_pulled_in_its_fork() -> None:
+    import subprocess
+
+    made = subprocess.run([sys.executable, "-W", "ignore", "-c", FORKED], capture_output=True, timeout=90, stdin=subprocess.DEVNULL)
+    assert made.returncode == 0, made.stderr.decode()

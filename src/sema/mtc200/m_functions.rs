@@ -87,8 +87,10 @@ pub(super) struct ToolInUse {
     selected: Option<u32>,
     /// Tool of the last change.
     active: Option<u32>,
-    /// Where a correction D other than 0 was chosen.
-    correction: Option<Span>,
+    /// A correction D other than 0 was chosen.
+    corrected: bool,
+    /// An edge E other than the first was chosen.
+    other_edge: bool,
 }
 
 impl ToolInUse {
@@ -97,8 +99,14 @@ impl ToolInUse {
         self.active
     }
 
-    pub fn correct(&mut self, by: Option<Span>) {
-        self.correction = by;
+    /// D
+    fn correct(&mut self, number: u32) {
+        self.corrected = number != 0;
+    }
+
+    /// E
+    fn take_edge(&mut self, number: u32) {
+        self.other_edge = number > 1;
     }
 }
 
@@ -257,6 +265,31 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// D or E: both choose a radius that only the machine knows, which counts under G41 and G42.
+    pub(super) fn tool_data_word(&mut self, letter: u8, number: u32, span: Span) -> Outcome {
+        if letter == b'D' {
+            self.st.tool.correct(number);
+        } else {
+            self.st.tool.take_edge(number);
+        }
+        let computed = self.job.settings.output.compensation == Compensation::Resolve;
+        if computed && self.st.compensation.is_on() { self.radius_is_that_of_the_table(span) } else { Ok(()) }
+    }
+
+    fn radius_is_that_of_the_table(&mut self, span: Span) -> Outcome {
+        let print = "set `[output] compensation = \"control\"` to print G41 and G42";
+        if self.st.tool.corrected {
+            let message = "what the correction D in force adds to the radius of the tool only the machine knows";
+            return self.fail_help(codes::M9004, span, message, format!("leave D out, or {print}"));
+        }
+        if self.st.tool.other_edge {
+            let message =
+                "the radius of the edge E in force only the machine knows: `[tools]` describes the first edge";
+            return self.fail_help(codes::M9004, span, message, format!("compensate the first edge, or {print}"));
+        }
+        Ok(())
+    }
+
     /// The compiler itself computes the path of the tool centre, or of the nose centre of a turning tool.
     fn compute_compensation(&mut self, tool: u32, span: Span) -> Outcome {
         self.job.calls_tool_in(if self.st.inch { Unit::Inch } else { Unit::Mm }, self.loc(span));
@@ -281,11 +314,7 @@ impl Run<'_> {
             }
             _ => Vec2::zeros(),
         };
-        if let Some(span) = self.st.tool.correction {
-            let message = "what the correction D adds to the radius of the tool only the machine knows";
-            let help = "leave D out, or set `[output] compensation = \"control\"` to print G41 and G42";
-            return self.fail_help(codes::M9004, span, message, help);
-        }
+        self.radius_is_that_of_the_table(span)?;
         self.st.transition.between = 0;
         self.st.compensate(ir::Compensation { radius, nose: -edge * radius, ..Default::default() });
         Ok(())

@@ -174,11 +174,9 @@ impl Run<'_> {
                 return self.fail_help(codes::M9002, word.span, message, help);
             }
             b'D' | b'E' => {
-                self.whole(at, if letter == b'D' { "D" } else { "E" })?;
+                let number = self.whole(at, if letter == b'D' { "D" } else { "E" })?;
                 self.without_geometry(if letter == b'D' { "D" } else { "E" }, word.span);
-                if letter == b'D' {
-                    self.st.tool.correct((at.value != 0.0).then_some(word.span));
-                }
+                self.tool_data_word(letter, number, word.span)?;
                 &mut w.silent[usize::from(letter - b'D')]
             }
             _ => return self.machine_word(w, word.span, text),
