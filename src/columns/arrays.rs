@@ -7,8 +7,13 @@ use arrow_array::types::Int32Type;
 use arrow_array::{
     Array, ArrayRef, BooleanArray, DictionaryArray, Float64Array, Int32Array, Int64Array, StringArray, new_null_array,
 };
-use arrow_buffer::{BooleanBufferBuilder, NullBuffer, NullBufferBuilder, ScalarBuffer};
+use arrow_buffer::{
+    ArrowNativeType, BooleanBuffer, BooleanBufferBuilder, Buffer, NullBuffer, NullBufferBuilder, OffsetBuffer,
+    ScalarBuffer,
+};
 use arrow_schema::DataType;
+
+use super::spare::Spare;
 
 /// Values of which some are missing. Where all are, nothing is kept.
 #[derive(Debug)]
@@ -18,11 +23,15 @@ pub struct Values<T> {
     gaps: Vec<(usize, usize)>,
     /// The array of the last batch, if it held nothing.
     empty: Option<ArrayRef>,
+    spare: Spare,
 }
 
-impl<T: Copy + Default> Values<T> {
+/// Gaps up to this are filled value by value.
+const SHORT: usize = 16;
+
+impl<T: Copy + Default + ArrowNativeType> Values<T> {
     pub fn new() -> Values<T> {
-        Values { values: Vec::new(), gaps: Vec::new(), empty: None }
+        Values { values: Vec::new(), gaps: Vec::new(), empty: None, spare: Spare::default() }
     }
 
     /// The value of a row; rows in front of it without one have none.
@@ -44,12 +53,17 @@ impl<T: Copy + Default> Values<T> {
     }
 
     fn fill(&mut self, rows: usize) {
-        self.gaps.push((self.values.len(), rows));
-        self.values.resize(rows, T::default());
+        let from = self.values.len();
+        self.gaps.push((from, rows));
+        if rows - from > SHORT {
+            self.values.resize(rows, T::default());
+        } else {
+            (from..rows).for_each(|_| self.values.push(T::default()));
+        }
     }
 
     /// What so many rows hold; nothing where no row has a value.
-    fn take(&mut self, rows: usize) -> Option<(Vec<T>, Option<NullBuffer>)> {
+    fn take(&mut self, rows: usize) -> Option<(ScalarBuffer<T>, Option<NullBuffer>)> {
         if self.values.is_empty() {
             return None;
         }
@@ -57,21 +71,23 @@ impl<T: Copy + Default> Values<T> {
             self.fill(rows);
         }
         let nulls = self.nulls(rows);
+        let values = Buffer::from_vec(std::mem::take(&mut self.values));
+        self.spare.hand_out(&values);
         // The next batch is as long.
-        Some((std::mem::replace(&mut self.values, Vec::with_capacity(rows)), nulls))
+        self.values = self.spare.take(rows);
+        Some((values.into(), nulls))
     }
 
     fn nulls(&mut self, rows: usize) -> Option<NullBuffer> {
         if self.gaps.is_empty() {
             return None;
         }
-        let mut known = BooleanBufferBuilder::new(rows);
-        for (from, to) in self.gaps.drain(..) {
-            known.append_n(from - known.len(), true);
-            known.append_n(to - from, false);
-        }
-        known.append_n(rows - known.len(), true);
-        Some(NullBuffer::new(known.finish()))
+        // A bit for each row, the lowest one first.
+        let mut known = vec![u64::MAX; rows.div_ceil(64)];
+        self.gaps.drain(..).for_each(|(from, to)| clear(&mut known, from, to));
+        clear(&mut known, rows, rows.next_multiple_of(64));
+        let known = known.into_iter().map(u64::to_le).collect::<Vec<u64>>();
+        Some(NullBuffer::new(BooleanBuffer::new(Buffer::from_vec(known), 0, rows)))
     }
 
     /// An array of so many rows without a value.
@@ -83,14 +99,26 @@ impl<T: Copy + Default> Values<T> {
     }
 }
 
+/// Clears the bits from one on up to another.
+fn clear(words: &mut [u64], from: usize, to: usize) {
+    let mut from = from;
+    while from < to {
+        let next = (from / 64 + 1) * 64;
+        let end = next.min(to);
+        let ones = u64::MAX >> (64 - (end - from));
+        words[from / 64] &= !(ones << (from % 64));
+        from = end;
+    }
+}
+
 /// What a column of an Arrow table can hold.
-pub trait Cell: Copy + Default {
+pub trait Cell: Copy + Default + ArrowNativeType {
     const DATA: DataType;
 
     /// No difference, not in a single bit.
     fn is(self, other: Self) -> bool;
 
-    fn array(values: Vec<Self>, nulls: Option<NullBuffer>) -> ArrayRef;
+    fn array(values: ScalarBuffer<Self>, nulls: Option<NullBuffer>) -> ArrayRef;
 }
 
 macro_rules! cell {
@@ -104,8 +132,8 @@ macro_rules! cell {
                 is(self, other)
             }
 
-            fn array(values: Vec<Self>, nulls: Option<NullBuffer>) -> ArrayRef {
-                Arc::new(<$array>::new(ScalarBuffer::from(values), nulls))
+            fn array(values: ScalarBuffer<Self>, nulls: Option<NullBuffer>) -> ArrayRef {
+                Arc::new(<$array>::new(values, nulls))
             }
         }
     };
@@ -221,8 +249,11 @@ impl Words {
 #[derive(Debug, Default)]
 pub struct Texts {
     text: Vec<u8>,
+    /// Where each text begins, and where the last one ends.
     ends: Vec<i32>,
     nulls: Option<NullBufferBuilder>,
+    spare_text: Spare,
+    spare_ends: Spare,
 }
 
 impl Texts {
@@ -236,18 +267,25 @@ impl Texts {
             }
             None => nulls.append_null(),
         }
+        if self.ends.is_empty() {
+            self.ends.push(0);
+        }
         self.ends.push(i32::try_from(self.text.len()).unwrap_or(i32::MAX));
     }
 
     pub fn finish(&mut self) -> ArrayRef {
-        let text = std::mem::take(&mut self.text);
-        let ends = std::mem::take(&mut self.ends);
+        let text = Buffer::from_vec(std::mem::take(&mut self.text));
+        if self.ends.is_empty() {
+            self.ends.push(0);
+        }
+        let ends = Buffer::from_vec(std::mem::take(&mut self.ends));
         let nulls = self.nulls.take().and_then(|mut nulls| nulls.finish());
-        let mut offsets = Vec::with_capacity(ends.len() + 1);
-        offsets.push(0);
-        offsets.extend(ends);
-        let offsets = arrow_buffer::OffsetBuffer::new(ScalarBuffer::from(offsets));
-        Arc::new(StringArray::new(offsets, text.into(), nulls))
+        self.spare_text.hand_out(&text);
+        self.spare_ends.hand_out(&ends);
+        self.text = self.spare_text.take(0);
+        self.ends = self.spare_ends.take(0);
+        let offsets = OffsetBuffer::new(ends.into());
+        Arc::new(StringArray::new(offsets, text, nulls))
     }
 }
 
@@ -273,9 +311,44 @@ impl Truths {
 }
 
 /// Times in the order of the moves; a place that is no number has none.
-pub fn times(values: Vec<f64>) -> ArrayRef {
+pub fn times(mut values: Vec<f64>, spare: &mut Spare) -> ArrayRef {
     let nulls = values.iter().any(|value| value.is_nan());
     let nulls = nulls.then(|| NullBuffer::from_iter(values.iter().map(|value| !value.is_nan())));
-    let values: Vec<f64> = values.into_iter().map(|value| if value.is_nan() { 0.0 } else { value }).collect();
-    Arc::new(Float64Array::new(ScalarBuffer::from(values), nulls))
+    values.iter_mut().filter(|value| value.is_nan()).for_each(|value| *value = 0.0);
+    let values = Buffer::from_vec(values);
+    spare.hand_out(&values);
+    Arc::new(Float64Array::new(values.into(), nulls))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bits_are_cleared_over_the_ends_of_words() {
+        for from in 0..192 {
+            for to in from..=192 {
+                let mut words = [u64::MAX; 3];
+                clear(&mut words, from, to);
+                let is_set = |bit: usize| words[bit / 64] >> (bit % 64) & 1 == 1;
+                assert!((0..192).all(|bit| is_set(bit) != (from..to).contains(&bit)), "{from} to {to}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_column_tells_which_rows_have_a_value() {
+        for rows in [1_usize, 63, 64, 65, 200] {
+            let mut column = Values::<f64>::new();
+            // Twice, so that what the first batch left is seen in the second.
+            for step in [3, 7] {
+                (0..rows).step_by(step).for_each(|row| column.put(row, row as f64));
+                let array = column.finish(rows);
+                let array = array.as_primitive::<arrow_array::types::Float64Type>();
+                let found: Vec<Option<f64>> = array.iter().collect();
+                let due: Vec<Option<f64>> = (0..rows).map(|row| (row % step == 0).then_some(row as f64)).collect();
+                assert_eq!(found, due, "{rows} rows");
+            }
+        }
+    }
 }

@@ -13,6 +13,7 @@ mod csv;
 mod front;
 mod row;
 pub mod schema;
+mod spare;
 #[cfg(feature = "columns")]
 mod table;
 
@@ -30,6 +31,7 @@ use front::Front;
 pub(crate) use front::Known;
 use row::{Rows, TIME};
 pub use schema::{COLUMNS, Column, Kind, VERSION, VERSION_KEY, schema};
+use spare::Spare;
 #[cfg(feature = "columns")]
 pub use table::{Form, Table};
 
@@ -92,6 +94,7 @@ struct Columns<'a> {
     first: u64,
     /// Times of the open batch, no number where none is known.
     times: Vec<f64>,
+    spare: Spare,
     /// Batches that are full, of which the time of a move is still open.
     full: VecDeque<Full>,
     take: &'a mut Take<'a>,
@@ -112,6 +115,7 @@ impl<'a> Columns<'a> {
             most: options.rows.max(1),
             first: 0,
             times: Vec::new(),
+            spare: Spare::default(),
             full: VecDeque::new(),
             take,
             ended: false,
@@ -188,7 +192,7 @@ impl<'a> Columns<'a> {
 
     /// The open batch is full.
     fn close(&mut self) {
-        let times = std::mem::replace(&mut self.times, Vec::with_capacity(self.most.min(1 << 16)));
+        let times = std::mem::replace(&mut self.times, self.spare.take(self.most.min(1 << 16)));
         let first = self.first;
         self.first += times.len() as u64;
         self.full.push_back(Full { first, columns: self.rows.finish(), times });
@@ -203,7 +207,7 @@ impl<'a> Columns<'a> {
                 return;
             }
             let mut columns = full.columns;
-            columns.insert(TIME, arrays::times(full.times));
+            columns.insert(TIME, arrays::times(full.times, &mut self.spare));
             let batch = RecordBatch::try_new(schema(), columns).expect("a column for each field, all of one length");
             self.ended = self.ended || !(self.take)(batch);
         }

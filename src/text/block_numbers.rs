@@ -119,10 +119,14 @@ impl Window {
     fn number_at(&self, at: usize) -> Option<Option<(usize, usize)>> {
         let (text, line_end) = (&self.text[..], self.line_end);
         let is_whole = self.start == 0;
-        let start = match memchr::memrchr(line_end, text.get(..at)?) {
-            Some(end) => end + 1,
-            None if is_whole => 0,
-            None => return None,
+        let before = text.get(..at)?;
+        let start = match before.last() {
+            Some(last) if *last == line_end => at,
+            _ => match memchr::memrchr(line_end, before) {
+                Some(end) => end + 1,
+                None if is_whole => 0,
+                None => return None,
+            },
         };
         if let Some(mark) = self.joins.filter(|_| start > 0) {
             // A line that may go on: where its block begins is for others to say.

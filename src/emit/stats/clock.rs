@@ -284,18 +284,20 @@ fn way(mv: &Move, from: &Pos) -> Option<(f64, [f64; 3], [f64; 3])> {
 pub(super) fn along_arc(arc: &Arc, linear: [f64; 3]) -> (f64, [f64; 3], [f64; 3]) {
     let (first, second, third) = arc.plane.axes();
     let to_start = arc.from - arc.center;
+    let to_end = [to_start.x + linear[first], to_start.y + linear[second]];
     let radius = libm::hypot(to_start.x, to_start.y);
     let flat = radius * arc.sweep.abs();
     let length = libm::hypot(flat, linear[third]);
-    let tangent = |angle: f64| {
-        let sign = arc.sweep.signum();
+    let tangent = |[x, y]: [f64; 2], radius: f64| {
         let mut direction = [0.0; 3];
-        let share = if length > TINY { flat / length } else { 0.0 };
-        direction[first] = -libm::sin(angle) * sign * share;
-        direction[second] = libm::cos(angle) * sign * share;
-        direction[third] = if length > TINY { linear[third] / length } else { 0.0 };
+        if length > TINY {
+            let share = arc.sweep.signum() * flat / length / radius.max(TINY);
+            direction[first] = -y * share;
+            direction[second] = x * share;
+            direction[third] = linear[third] / length;
+        }
         direction
     };
-    let start = libm::atan2(to_start.y, to_start.x);
-    (length, tangent(start), tangent(start + arc.sweep))
+    let end_radius = libm::sqrt(to_end[0] * to_end[0] + to_end[1] * to_end[1]);
+    (length, tangent([to_start.x, to_start.y], radius), tangent(to_end, end_radius))
 }

@@ -71,7 +71,7 @@ fn a_half_circle_reaches_beside_its_ends() {
         }
     });
     assert!((most - 10.0).abs() < 1e-9);
-    let (length, enters, leaves) = along_arc(&arc, [0.0; 3]);
+    let (length, enters, leaves) = along_arc(&arc, [-20.0, 0.0, 0.0]);
     assert!((length - 10.0 * PI).abs() < 1e-9);
     assert!((enters[1] - 1.0).abs() < 1e-9 && (leaves[1] + 1.0).abs() < 1e-9);
 }
