@@ -1,8 +1,10 @@
 //! Which programs a command works on: files, folders, patterns, lists.
 
 use std::collections::BTreeSet;
+use std::ffi::OsStr;
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
+use std::{env, fs};
 
 use globset::GlobBuilder;
 use ignore::WalkBuilder;
@@ -146,11 +148,40 @@ pub(super) fn walk(folder: &Path, takes: &dyn Fn(&Path) -> bool, ignored: Ignore
     Ok(found.into_iter().map(|path| path.strip_prefix(".").map(Path::to_path_buf).unwrap_or(path)).collect())
 }
 
-/// Which part a program belongs to depends on its name alone: other programs may come and go.
+/// Which part a program belongs to depends on its name alone, as it lies from the current folder: other programs may come and go.
 fn is_in(shard: Shard, path: &Path) -> bool {
-    let parts = path.components().filter(|part| !matches!(part, Component::CurDir));
-    let name: Vec<String> = parts.map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
-    xxh3_64(name.join("/").as_bytes()) % u64::from(shard.of) == u64::from(shard.part - 1)
+    xxh3_64(place(path).as_bytes()) % u64::from(shard.of) == u64::from(shard.part - 1)
+}
+
+/// The way to a path from the current folder, however it was typed. Links of files are not followed: on another machine they
+/// may lead elsewhere.
+fn place(path: &Path) -> String {
+    let here = env::current_dir().unwrap_or_default();
+    let mut there = here.join(path);
+    if !there.starts_with(&here) {
+        // The current folder may have been reached by a link.
+        let folder = there.parent().and_then(|folder| fs::canonicalize(folder).ok());
+        let name = there.file_name().map(OsStr::to_os_string);
+        if let Some((folder, name)) = folder.zip(name).filter(|(folder, _)| folder.starts_with(&here)) {
+            there = folder.join(name);
+        }
+    }
+    let (here, there) = (parts(&here), parts(&there));
+    let same = here.iter().zip(&there).take_while(|(one, other)| one == other).count();
+    let up = here[same..].iter().map(|_| "..");
+    up.chain(there[same..].iter().map(String::as_str)).collect::<Vec<_>>().join("/")
+}
+
+fn parts(path: &Path) -> Vec<String> {
+    let mut parts: Vec<String> = Vec::new();
+    for part in path.components() {
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir if parts.last().is_some_and(|last| last != "..") => drop(parts.pop()),
+            part => parts.push(part.as_os_str().to_string_lossy().into_owned()),
+        }
+    }
+    parts
 }
 
 #[cfg(test)]
@@ -163,7 +194,15 @@ mod tests {
             let path = PathBuf::from(format!("./a/P{n}.H"));
             let parts: Vec<u32> = (1..=7).filter(|part| is_in(Shard { part: *part, of: 7 }, &path)).collect();
             assert_eq!(parts.len(), 1, "{path:?}");
-            assert!(is_in(Shard { part: parts[0], of: 7 }, Path::new(&format!("a/P{n}.H"))));
+            let here = env::current_dir().unwrap();
+            let typed = [format!("a/P{n}.H"), format!("a/../b/.././a/P{n}.H"), format!("{}/a/P{n}.H", here.display())];
+            for other in typed {
+                assert!(is_in(Shard { part: parts[0], of: 7 }, Path::new(&other)), "{other}");
+            }
+            // Above the current folder, too.
+            let up = here.parent().unwrap().join(format!("P{n}.H"));
+            assert_eq!(place(&up), format!("../P{n}.H"));
+            assert_eq!(place(Path::new(&format!("./../P{n}.H"))), place(&up));
         }
     }
 }

@@ -205,7 +205,12 @@ pub(super) enum Made {
 
 /// Would writing to `path` destroy a file that partc did not write? An empty file is nobody's.
 pub(super) fn is_foreign(path: &Path, made: Made) -> bool {
-    path.is_file() && head_of(path).is_none_or(|head| !head.is_empty() && !begins(&head, made))
+    path.is_file() && head_of(path).is_none_or(|head| !head.is_empty() && !is_ours(path, &head, made))
+}
+
+/// Did partc write the file that begins so?
+fn is_ours(path: &Path, head: &[u8], made: Made) -> bool {
+    begins(head, made) && (made != Made::Trace || trace::is_ours(path, head))
 }
 
 fn head_of(path: &Path) -> Option<Vec<u8>> {
@@ -239,7 +244,7 @@ pub(super) fn set_aside(path: &Path, made: Made) -> io::Result<Option<PathBuf>> 
             name.push(format!(".{attempt}"));
         }
         let stale = PathBuf::from(name);
-        let ours = head_of(&stale).is_some_and(|head| begins(&head, made));
+        let ours = head_of(&stale).is_some_and(|head| is_ours(&stale, &head, made));
         if stale.symlink_metadata().is_err() || ours {
             fs::rename(path, &stale)?;
             return Ok(Some(stale));

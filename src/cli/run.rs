@@ -129,6 +129,10 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
     if found.list.len() > 1 && args.map.is_some() {
         return Err("a source map belongs to one input".to_owned());
     }
+    if let Some(map) = args.map.as_deref().filter(|map| is_source_name(map) || is_output(map)) {
+        let why = "the source map would replace a part program, a table or a configuration; name another file";
+        return Err(format!("{}: {why}", map.display()));
+    }
     let to_stdout = |input: &Input| match &args.output {
         Some(output) => output == Path::new("-"),
         None => input.path == Path::new("-") && args.out_dir.is_none(),

@@ -1,7 +1,8 @@
 //! `partc trace`
 
 use std::collections::BTreeSet;
-use std::io::{self, BufWriter, IsTerminal as _, Write as _};
+use std::fs::File;
+use std::io::{self, BufWriter, IsTerminal as _, Read as _, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
 use crate::dialect::Dialect;
@@ -22,6 +23,34 @@ use super::{Exit, Trouble, say};
 
 /// How traces begin: moves as objects, as values behind their names, Arrow and Parquet.
 pub(super) const MARKS: &[&[u8]] = &[b"{\"kind\":\"", b"kind,start_x,", b"ARROW1", b"PAR1"];
+
+/// Forms that others write, too: their tables say that they are of partc.
+const OF_MANY: &[&[u8]] = &[b"ARROW1", b"PAR1"];
+/// What such a table says: the key of the version of the columns.
+const KEY: &[u8] = b"partc.trace";
+/// Bytes at both ends of a table that hold what it says of itself.
+const ABOUT: u64 = 1 << 18;
+
+/// Is a file that begins as a trace one?
+pub(super) fn is_ours(path: &Path, head: &[u8]) -> bool {
+    if head.starts_with(b"{") {
+        let kind = head.strip_prefix(b"{\"kind\":\"").and_then(|rest| rest.split(|byte| *byte == b'"').next());
+        let known = [&b"rapid"[..], b"line", b"arc", b"thread"];
+        return kind.is_some_and(|kind| known.contains(&kind) && head[9 + kind.len()..].starts_with(b"\",\"start\":{"));
+    }
+    if !OF_MANY.iter().any(|mark| head.starts_with(mark)) {
+        return true;
+    }
+    let says = || -> io::Result<bool> {
+        let (mut file, mut text) = (File::open(path)?, Vec::new());
+        let length = file.metadata()?.len();
+        (&mut file).take(ABOUT).read_to_end(&mut text)?;
+        file.seek(SeekFrom::Start(length.saturating_sub(ABOUT)))?;
+        file.take(ABOUT).read_to_end(&mut text)?;
+        Ok(memchr::memmem::find(&text, KEY).is_some())
+    };
+    says().unwrap_or(false)
+}
 
 /// Writes the moves of one program. A program with errors gets none: they end where nobody knows.
 pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {

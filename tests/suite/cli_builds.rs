@@ -170,6 +170,41 @@ fn reports_are_read_as_they_come_but_once() {
     folder.run_with(&["merge", "-", "-"], &whole).exits(2).says("given twice");
     folder.write("bom.json", &format!("\u{feff}{}", folder.read("b.json")));
     assert_eq!(folder.run(&["merge", "bom.json", "a.json"]).exits(0).out, whole);
+    for (count, says) in
+        [("18446744073709551615", "more than there can be"), ("-1", "is no json"), ("1e30", "is no json")]
+    {
+        folder.write("odd.json", &folder.read("b.json").replace("\"files\":1", &format!("\"files\":{count}")));
+        folder.run(&["merge", "a.json", "odd.json"]).exits(2).says(says);
+    }
+}
+
+#[test]
+fn a_program_is_in_one_shard_however_it_is_typed() {
+    let folder = Folder::new("shards_typed");
+    let names: Vec<String> = (0..12).map(|n| format!("progs/P{n}.H")).collect();
+    names.iter().for_each(|name| folder.write(name, PART));
+    let part = |path: &str, part: &str| {
+        let keys = folder.run(&["key", path, "--shard", part]).exits(0).out;
+        keys.lines().filter_map(|line| line.rsplit('/').next().map(str::to_owned)).collect::<Vec<_>>()
+    };
+    let whole = folder.0.join("progs");
+    let (first, second) = (part("progs", "1/2"), part("progs", "2/2"));
+    assert!(!first.is_empty() && !second.is_empty() && first.len() + second.len() == names.len());
+    for typed in ["./progs/../progs", whole.to_str().expect("text")] {
+        assert_eq!((part(typed, "1/2"), part(typed, "2/2")), (first.clone(), second.clone()), "{typed}");
+    }
+}
+
+#[test]
+fn a_source_map_replaces_no_source() {
+    let folder = Folder::new("map_spares").with(&[("A.H", PART), ("B.H", PART)]);
+    for (file, force) in [("B.H", None), ("B.H", Some("--force")), ("partc.toml", Some("--force"))] {
+        let words: Vec<&str> = ["compile", "A.H", "--map", file].into_iter().chain(force).collect();
+        folder.run(&words).exits(2).says("would replace a part program, a table or a configuration");
+        assert!(!folder.has("A.ngc") && folder.read("B.H") == PART);
+    }
+    folder.run(&["compile", "A.H", "--map", "A.map"]).exits(0);
+    folder.run(&["compile", "A.H", "--map", "A.map"]).exits(0);
 }
 
 #[test]

@@ -318,6 +318,21 @@ fn the_command_writes_each_form() {
     folder.run(&["trace", "A.H", "-o", "A.H"]).exits(2).says("no form of moves");
     folder.run(&["trace", "A.H", "--format", "csv", "-o", "A.H"]).exits(2).says("would replace the program");
     folder.run(&["trace", "A.H", "--format", "csv", "-o", "HOLE.H"]).exits(2).says("is no trace");
+    // Others write such forms, too.
+    let of_others = [
+        ("other.jsonl", "{\"kind\":\"x\"}\n"),
+        ("near.jsonl", "{\"kind\":\"line\",\"of\":1}\n"),
+        ("other.parquet", "PAR1 a PAR1"),
+        ("other.arrow", "ARROW1\0\0 a ARROW1"),
+    ];
+    for (file, text) in of_others {
+        folder.write(file, text);
+        folder.run(&["trace", "A.H", "-o", file]).exits(2).says("is no trace");
+        folder.run(&["trace", "WRONG.H", "-o", file, "--force"]).exits(1);
+        assert_eq!(folder.read(file), text, "{file}");
+        folder.run(&["trace", "A.H", "-o", file, "--force"]).exits(0);
+        folder.run(&["trace", "A.H", "-o", file]).exits(0);
+    }
     folder.run(&["check", "A.H", "--format", "parquet"]).exits(2);
     folder.run(&["trace", "A.H", "--report", "csv=a.csv"]).exits(2);
 }

@@ -105,13 +105,19 @@ struct Columns {
 
 impl Columns {
     fn of(schema: &Schema) -> Result<Columns, Fault> {
-        let place = |name: &str| schema.index_of(name).ok();
+        let place = |name: &str| {
+            let mut places = (0..schema.fields().len()).filter(|at| schema.field(*at).name() == name);
+            match (places.next(), places.next()) {
+                (_, Some(_)) => Err(Fault::Config(format!("the table has two columns `{name}`"))),
+                (place, None) => Ok(place),
+            }
+        };
         let missing = || Fault::Config("the table has no column `program` with the text of the programs".to_owned());
         Ok(Columns {
-            name: place("name"),
-            program: place("program").ok_or_else(missing)?,
-            files: place("files"),
-            config: place("config"),
+            name: place("name")?,
+            program: place("program")?.ok_or_else(missing)?,
+            files: place("files")?,
+            config: place("config")?,
         })
     }
 }
@@ -227,6 +233,11 @@ fn bytes_at<'a>(array: &'a dyn Array, at: usize, column: &str) -> Result<Option<
         DataType::LargeBinary => array.as_binary::<i64>().value(at),
         DataType::BinaryView => array.as_binary_view().value(at),
         DataType::Null => return Ok(None),
+        // Words that are kept once.
+        DataType::Dictionary(..) => {
+            let key = array.slice(at, 1).as_any_dictionary().normalized_keys()[0];
+            return bytes_at(array.as_any_dictionary().values().as_ref(), key, column);
+        }
         other => return Err(Fault::Config(format!("the column `{column}` is {other}, neither text nor bytes"))),
     }))
 }
@@ -247,6 +258,10 @@ fn files_at(array: &dyn Array, at: usize) -> Result<Option<Named>, Fault> {
         _ => return Err(no_files()),
     };
     let pairs = pairs.as_struct_opt().filter(|pairs| pairs.num_columns() == 2).ok_or_else(no_files)?;
+    let named = |at: usize| matches!(pairs.fields()[at].name().as_str(), "name" | "key");
+    if !named(0) && named(1) {
+        return Err(Fault::Config("the pairs of the column `files` have the name behind the bytes".to_owned()));
+    }
     let mut files = Vec::new();
     for row in 0..pairs.len() {
         let name = bytes_at(pairs.column(0).as_ref(), row, "files")?.unwrap_or_default();

@@ -244,3 +244,31 @@ def test_names_that_are_no_text(tmp_path: pathlib.Path) -> None:
     assert moves is not None
     for made in (partc.compile(os.fsdecode(path)), partc.compile(os.fsdecode(path), files={})):
         assert made.gcode is not None and made.gcode.splitlines()[3:] == moves.splitlines()[3:]
+
+
+def test_arguments_of_another_kind() -> None:
+    for call in (
+        lambda: partc.compile(MILL, files={"HOLE.H": 5}),  # type: ignore[dict-item]
+        lambda: partc.compile(MILL, files={"HOLE.H": [48, 32]}),  # type: ignore[dict-item]
+        lambda: partc.compile(MILL, files={5: MILL}),  # type: ignore[dict-item]
+        lambda: partc.compile(MILL, files=["HOLE.H"]),  # type: ignore[arg-type]
+        lambda: partc.compile(MILL, name=5),  # type: ignore[arg-type]
+        lambda: partc.check(MILL, dialect=5),  # type: ignore[arg-type]
+        lambda: partc.compile(MILL, target=5),  # type: ignore[arg-type]
+        lambda: partc.Config("", tables={"T.TBL": 5}),  # type: ignore[dict-item]
+        lambda: partc.diff(MILL, MILL, names="AB"),  # type: ignore[arg-type]
+        lambda: partc.diff(MILL, MILL, names=("A",)),  # type: ignore[arg-type]
+    ):
+        with pytest.raises(TypeError):
+            call()
+    with pytest.raises(partc.ConfigError, match="udcff"):
+        partc.Config("# \udcff")
+
+
+def test_numbers_of_numpy_are_numbers_of_a_configuration() -> None:
+    numpy = pytest.importorskip("numpy")
+    plain, other = (
+        partc.Config.from_dict({"output": {"decimals": {"length": places}, "arc_fallback_tolerance": way}})
+        for places, way in ((4, 0.25), (numpy.int64(4), numpy.float64(0.25)))
+    )
+    assert other == plain

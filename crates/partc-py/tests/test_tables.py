@@ -230,3 +230,23 @@ def test_batches_of_a_process_are_not_pulled_in_its_fork() -> None:
 
     made = subprocess.run([sys.executable, "-W", "ignore", "-c", FORKED], capture_output=True, timeout=90, stdin=subprocess.DEVNULL)
     assert made.returncode == 0, made.stderr.decode()
+
+
+def test_columns_of_words_that_are_kept_once() -> None:
+    names = pyarrow.array(["A.H", None, "B.H", "A.H"]).dictionary_encode()
+    program = pyarrow.array([MILL, MILL, b"?", None], pyarrow.binary()).dictionary_encode()
+    plain = pyarrow.table({"name": names.cast(pyarrow.string()), "program": program.cast(pyarrow.binary())})
+    assert partc.compile_batch(pyarrow.table({"name": names, "program": program})) == partc.compile_batch(plain)
+    assert partc.compile_batch(plain)["ok"].to_pylist() == [True, True, False, False]
+
+
+def test_columns_that_say_two_things_are_refused() -> None:
+    twice = pyarrow.Table.from_arrays([pyarrow.array([b"?"]), pyarrow.array([MILL])], names=["program", "program"])
+    with pytest.raises(partc.ConfigError, match="two columns `program`"):
+        partc.compile_batch(twice)
+    pair = pyarrow.struct([("bytes", pyarrow.binary()), ("name", pyarrow.string())])
+    files = pyarrow.array([[{"bytes": b"", "name": "HOLE.H"}]], pyarrow.list_(pair))
+    with pytest.raises(partc.ConfigError, match="the name behind the bytes"):
+        list(partc.compile_table(pyarrow.table({"program": [MILL], "files": files})))
+    with pytest.raises(partc.ConfigError, match="at least one thread"):
+        partc.compile_batch(twice, jobs=0)

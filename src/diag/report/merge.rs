@@ -119,7 +119,12 @@ fn json_report(reports: Vec<Value>) -> Result<Value, Fault> {
             found.push((program, diagnostic));
         }
         for name in ["files", "errors", "warnings", "not_shown"] {
-            *sums.entry(name).or_insert(0) += report[name].as_u64().unwrap_or(0);
+            let count = match &report[name] {
+                Value::Null if name == "not_shown" => 0,
+                count => count.as_u64().ok_or((at, NO_REPORT))?,
+            };
+            let sum: &mut u64 = sums.entry(name).or_default();
+            *sum = sum.checked_add(count).ok_or((at, "counts more than there can be"))?;
         }
         if let Value::Array(list) = report["troubles"].take() {
             without_repeats(&mut troubles, list);

@@ -126,6 +126,8 @@ def diff(
     tolerance: float = 0.001,
 ) -> Difference:
     """Two programs, of any languages or plain G-code, compared as motion."""
+    if isinstance(names, str) or len(names) != 2:
+        raise TypeError("names are two: of the first program and of the second one")
     jobs = [
         job(program, files=files, config=config, dialect=dialect, target=target, name=name)
         for program, name in zip((a, b), names)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from collections.abc import Mapping
 from typing import Any, Optional, Union
@@ -29,7 +30,8 @@ class Config:
         """
         if not isinstance(toml, str):
             raise TypeError("the text of a configuration is a str; Config.from_dict and Config.from_file take others")
-        named = tuple(sorted((name, bytes(table)) for name, table in (tables or {}).items()))
+        text_of("the configuration", toml)
+        named = tuple(sorted((text_of("the name", name), bytes_of(name, table)) for name, table in (tables or {}).items()))
         # Places in messages are those of the text as it was written.
         self._settings = _partc.Settings(toml, named)
         self._toml = _partc.canonical(toml)
@@ -80,6 +82,26 @@ class Config:
         return _again, (self._toml, self._tables)
 
 
+def text_of(what: str, text: object) -> str:
+    """The text, where it is one that can be written down."""
+    if not isinstance(text, str):
+        raise TypeError(f"{what} {text!r} is a {type(text).__name__}, and no str")
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        raise _partc.ConfigError(f"{what} {ascii(text)} holds half a character: it is no text") from None
+    return text
+
+
+def bytes_of(name: object, text: object) -> bytes:
+    """The bytes of a file; ``bytes`` itself would make so many zeros of a number."""
+    if isinstance(text, str):
+        return text_of("the text", text).encode()
+    if not isinstance(text, (bytes, bytearray, memoryview)):
+        raise TypeError(f"the file {name!r} is a {type(text).__name__}, and neither bytes nor str")
+    return bytes(text)
+
+
 def _again(toml: str, tables: tuple[tuple[str, bytes], ...]) -> Config:
     return Config(toml, tables=dict(tables))
 
@@ -87,8 +109,11 @@ def _again(toml: str, tables: tuple[tuple[str, bytes], ...]) -> Config:
 def _value(value: Any) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, (int, float)):
-        return repr(value)
+    if isinstance(value, float):
+        # Those of NumPy are floats, and call themselves otherwise.
+        return float.__repr__(value)
+    if hasattr(value, "__index__"):
+        return repr(operator.index(value))
     if isinstance(value, str):
         return _string(value)
     if isinstance(value, Mapping):

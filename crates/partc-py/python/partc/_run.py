@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any, Optional, Union
 
 from . import _partc
-from ._config import Config
+from ._config import Config, bytes_of, text_of
 
 Program = Union[bytes, bytearray, memoryview, str, "os.PathLike[str]"]
 Files = Mapping[str, Union[bytes, str]]
@@ -30,18 +30,6 @@ def settings(config: Optional[ConfigLike]) -> Optional[_partc.Settings]:
     return None if made is None else made._settings
 
 
-def encoded(text: Union[bytes, bytearray, memoryview, str]) -> bytes:
-    return _text("the text", text).encode() if isinstance(text, str) else bytes(text)
-
-
-def _text(what: str, text: str) -> str:
-    try:
-        text.encode()
-    except UnicodeEncodeError:
-        raise _partc.ConfigError(f"{what} {ascii(text)} holds half a character: it is no text") from None
-    return text
-
-
 def job(
     program: Program,
     *,
@@ -51,12 +39,14 @@ def job(
     target: Optional[str] = None,
     name: Optional[str] = None,
 ) -> _partc.Job:
-    called = None if files is None else [(_text("the name", str(called)), encoded(text)) for called, text in files.items()]
-    language = None if dialect is None or dialect == "auto" else _text("the dialect", dialect)
+    if files is not None and not isinstance(files, Mapping):
+        raise TypeError(f"files is a {type(files).__name__}, and no dictionary of names and bytes")
+    called = None if files is None else [(text_of("the name", called), bytes_of(called, text)) for called, text in files.items()]
+    language = None if dialect is None or dialect == "auto" else text_of("the dialect", dialect)
     if name is not None:
-        _text("the name", name)
+        text_of("the name", name)
     if target is not None:
-        _text("the target", target)
+        text_of("the target", target)
     if isinstance(program, (bytes, bytearray, memoryview)):
         return _partc.Job(None, name or "program", bytes(program), called, settings(config), language, target)
     if not isinstance(program, (str, os.PathLike)):

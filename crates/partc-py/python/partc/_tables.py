@@ -111,6 +111,8 @@ def compile_table(
     trouble, and are made batch by batch as they are pulled, on so many threads. A row that cannot be used – a language that nobody
     knows, a configuration that does not fit – is not ok, and its ``trouble`` says why.
     """
+    if jobs < 1:
+        raise _partc.ConfigError("a table is compiled by at least one thread")
     return _partc.compile_table(table, settings(config), dialect, target, jobs)
 
 
