@@ -129,10 +129,6 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
     if found.list.len() > 1 && args.map.is_some() {
         return Err("a source map belongs to one input".to_owned());
     }
-    if let Some(map) = args.map.as_deref().filter(|map| is_source_name(map) || is_output(map)) {
-        let why = "the source map would replace a part program, a table or a configuration; name another file";
-        return Err(format!("{}: {why}", map.display()));
-    }
     let to_stdout = |input: &Input| match &args.output {
         Some(output) => output == Path::new("-"),
         None => input.path == Path::new("-") && args.out_dir.is_none(),
@@ -272,6 +268,10 @@ impl Work<'_> {
         if path.is_file() && fs::canonicalize(path).is_ok_and(|path| self.read.contains(&path)) {
             let what = if made == Made::Map { "source map" } else { "output" };
             return Err(format!("{shown}: the {what} would replace the input"));
+        }
+        if made == Made::Map && (is_source_name(path) || is_output(path)) {
+            let why = "the source map would replace a part program, a table or a configuration; name another file";
+            return Err(format!("{shown}: {why}"));
         }
         if is_foreign(path, made) && !self.args.force {
             return Err(format!("{shown}: not written by partc; use --force to replace it, or another name"));
