@@ -240,6 +240,11 @@ S8135 Note "siemens-stand-in" "program that `[programs]` stands for"
 "The program belongs to the machine builder and is not here. `[programs]` says that its call changes the tool, or is left out; whatever else the program does on \
 the machine (coolant, retraction, speed) is not in the output, and the axes stand where the call found them, or behind a tool change nowhere that is known. Give a program of your own for it (`TC = { file = \"stubs/TC.SPF\" }`) where more of it is needed."
 
+S8163 Warning "siemens-change-left-out" "tool is chosen and never changed in"
+"T chose a tool, a call that `[programs]` leaves out follows, and no M6 changes the tool in. If the program behind that call is the tool change of the machine, the \
+output cuts with the tool before it. Say what the call does: `TC = { change = true }` changes to the tool that T chose, `TC = { tool = 1 }` to the tool of its first argument. Where T \
+itself changes the tool (a turret), set `[control] tool_change = \"t\"`. A tool that an M6 changes in later is only chosen ahead, and nothing is reported."
+
 S8190 Warning "siemens-g53-beside-g500" "machine coordinates beside positions under G500"
 "Positions under G500 count from the basic system and are printed as they stand, in the offset that is active on the target at the start. Those of G53, G153 and SUPA \
 count from the machine zero. The way between the two is the basic frame of the machine: give it by `[datums] basic`, or see that the offset on the target lies where the \

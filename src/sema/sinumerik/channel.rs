@@ -3,6 +3,7 @@
 //! It knows the modal state and where items go, and nothing of variables, formulas and programs, which [`super::Run`]
 //! keeps above it.
 
+use crate::diag::Diagnostic;
 use crate::ir::Function;
 use crate::ir::contour::Sink;
 use crate::machine::Proposed;
@@ -31,6 +32,8 @@ pub(super) struct Channel<'a> {
     pub iso: bool,
     /// Straight blocks that may take the lane.
     pub lane: Lane,
+    /// What a call that is left out may have changed in: the tool that T chose, and the finding if nothing else changes it in.
+    pub change_left_out: Option<Box<(u32, Diagnostic)>>,
 }
 
 impl<'a> Channel<'a> {
@@ -44,6 +47,7 @@ impl<'a> Channel<'a> {
             soft: None,
             iso: false,
             lane: Lane::Closed,
+            change_left_out: None,
         }
     }
 }

@@ -285,6 +285,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn finish(&mut self) {
+        self.report_lost_change();
         self.report_open();
     }
 }

@@ -31,7 +31,7 @@ impl Run<'_> {
                     name: without_extension(&plain),
                     text: text.map(|at| at + 1),
                     arguments: !arguments.is_empty(),
-                    tool_waits: self.st.tool.next().is_some_and(|next| Some(next) != self.st.tool.active()),
+                    tool_waits: self.st.tool.waiting().is_some(),
                 };
                 let help = match self.job.settings.programs.get(call.name) {
                     Some(StandIn::File(file)) => {
@@ -74,7 +74,7 @@ impl Run<'_> {
         Some(match change {
             Some(change) => self.change_by_program(name, &change, span, arguments, passes),
             None => {
-                self.says_stand_in(span, format!("{name} is left out, as `[programs]` says"));
+                self.leave_call_out(name, span);
                 Ok(())
             }
         })
@@ -97,12 +97,37 @@ impl Run<'_> {
             let help = "call it without MCALL; or look at what `[programs]` says of it";
             return Some(self.fail_help(codes::S2043, span, message, help));
         }
-        self.says_stand_in(span, format!("{name} is left out, as `[programs]` says"));
+        self.leave_call_out(name, span);
         Some(Ok(()))
     }
 }
 
 impl Channel<'_> {
+    /// `name` does nothing. Where T has chosen a tool that is not in yet, it may be what changes it in.
+    fn leave_call_out(&mut self, name: &str, span: Span) {
+        self.says_stand_in(span, format!("{name} is left out, as `[programs]` says"));
+        let Some(number) = self.st.tool.waiting().filter(|_| self.change_left_out.is_none()) else { return };
+        let message = format!(
+            "T chose tool {number} before {name}, which is left out, and nothing changes it in afterwards: the tool before \
+             it goes on cutting"
+        );
+        let help = format!(
+            "if {name} changes the tool, say so: `{name} = {{ change = true }}` under `[programs]`; if T itself does, set \
+             `[control] tool_change = \"t\"`"
+        );
+        let found = Diagnostic::new(codes::S8163, self.loc(span), message).help(help);
+        self.change_left_out = Some(Box::new((number, found.called(self.here.origin.call))));
+    }
+
+    /// The tool that a left-out call may have changed in was never changed in: another one is chosen, or the program ends.
+    pub(super) fn report_lost_change(&mut self) {
+        if let Some(lost) = self.change_left_out.take()
+            && !self.job.diags.is_known(&lost.1)
+        {
+            self.job.diags.push(lost.1);
+        }
+    }
+
     fn says_stand_in(&mut self, span: Span, what: String) {
         let found = Diagnostic::new(codes::S8135, self.loc(span), what);
         if !self.job.diags.knows(&found) {

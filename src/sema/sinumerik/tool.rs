@@ -40,6 +40,11 @@ impl ToolInUse {
         self.next
     }
 
+    /// The tool that T has chosen and nothing has changed in yet.
+    pub fn waiting(&self) -> Option<u32> {
+        self.next.filter(|next| Some(*next) != self.active)
+    }
+
     pub fn edge(&self) -> Option<u32> {
         self.edge
     }
@@ -146,6 +151,9 @@ impl Channel<'_> {
             let unit = if self.st.feed_unit() == Unit::Inch.mm() { Unit::Inch } else { Unit::Mm };
             self.job.calls_tool_in(unit, self.loc(t.span));
         }
+        if self.change_left_out.as_ref().is_some_and(|left| left.0 != number) {
+            self.report_lost_change();
+        }
         self.st.tool.choose(number);
         let settings = &self.job.settings.tools;
         if settings.complete && number != 0 && settings.called(number).is_none() {
@@ -214,6 +222,7 @@ impl Channel<'_> {
         }
         let printed = self.job.settings.tools.printed_number(number);
         self.st.tool.change_to(number);
+        self.change_left_out.take_if(|left| left.0 == number);
         self.function(Function::ToolChange { number: printed });
         // A tool of another length.
         let [_, _, third] = self.st.roles();
