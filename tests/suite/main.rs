@@ -59,6 +59,7 @@ mod meant;
 mod modal;
 mod mtc200;
 mod mtc200_words;
+mod notes;
 mod oracle;
 mod output_keys;
 mod passed_lines;

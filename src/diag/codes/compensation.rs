@@ -46,7 +46,7 @@ G3212 Warning "compensation-stays" "tool stays beside the contour"
 "The block that ends the radius compensation does not move in the working plane. The tool stays where it is, beside the contour, and the next block in the plane starts there and moves \
 both axes. No manual at hand says so. End the compensation in a block that leads away from the contour in the plane."
 
-G3213 Note "compensation-joint" "arc about an outside corner is partc's reading"
+G3213 Warning "compensation-joint" "arc about an outside corner is partc's reading"
 "At an outside corner the tool travels on an arc about the corner. Which feed counts on it, and whether blocks that stand between the two elements happen in front of \
 it or behind it, the manuals of HEIDENHAIN controls at hand do not say. partc takes the feed of the element behind the corner, and lets those blocks happen in front of the arc, as \
 SINUMERIK controls do."
@@ -55,7 +55,7 @@ G3214 Warning "compensation-nearly-behind" "start or end of a contour may lie be
 "KONT leads around the contour point where the tool stands behind the contour. Where that begins no manual at hand says: partc takes it to be where the straight way would \
 come nearer to the contour point than the radius. Here the tool stands on the right side of the contour, but nearer than that. Start or end farther away."
 
-G3215 Note "compensation-limit" "limit of the control decides an outside corner"
+G3215 Warning "compensation-limit" "limit of the control decides an outside corner"
 "Controls prolong the paths at flat outside corners until they meet, and go around sharp ones on an arc. Where one becomes the other is machine data (SINUMERIK MD 20210 with \
 G451, MD 20230 with G450); their defaults are not confirmed, so 100 degrees and 0 are taken. Both ways keep the contour. Give the values of the machine by `[control] g451_limit` and `g450_flat`."
 

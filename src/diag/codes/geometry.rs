@@ -132,11 +132,11 @@ G3066 Error "undercut-side" "undercut on the wrong side of the part"
 "The corner lies outside on the part where the undercut is for a bore, or the other way round. At an edge that points outwards there is \
 nothing to relieve, and the undercut would cut into the part. Check the form (A, B external; C, D internal) and the contour."
 
-G3067 Note "undercut-on-taper" "undercut on a taper departs from its standard"
+G3067 Warning "undercut-on-taper" "undercut on a taper departs from its standard"
 "A line at the undercut leans out of its axis, by at most 3 degrees, as for a tapered thread. Slope, floor and roundings are those of the \
 standard, and the undercut begins where its slope meets the taper; its length and depth there are not those of the standard."
 
-G3068 Note "undercut-radius-reduced" "radius in the undercut is reduced"
+G3068 Warning "undercut-radius-reduced" "radius in the undercut is reduced"
 "The rounding between the slope and the floor of the undercut is larger than the slope is long, which happens with steep entry angles. It is made \
 as large as fits. What the control does in this case is not documented; check the drawing, or take a smaller radius or entry angle."
 

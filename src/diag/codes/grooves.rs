@@ -15,7 +15,7 @@ S8221 Note "siemens-groove-allowance" "allowance on the flanks is reduced"
 "With its allowance the groove is narrower than the tool, without it the tool fits. The allowance on the flanks is made as large as the tool leaves room \
 for. Take a narrower tool, or no allowance on the flanks."
 
-S8222 Note "siemens-groove-dwell" "dwell of a groove cycle is left out"
+S8222 Warning "siemens-groove-dwell" "dwell of a groove cycle is left out"
 "CYCLE930 waits at the floor of the groove for turns of the spindle, and no speed is known from which their time follows. Program S in front of the call, \
 or say by `[cycles] groove_dwell = false` that the machine does not wait."
 

@@ -390,7 +390,7 @@ K2704 Note "retract-to-limit" "M140 MB MAX is printed as a move to a machine coo
 K2705 Error "retract-limit-unknown" "M140 MB MAX needs the end of the travel"
 "How far the tool axis can go is known to the machine only. Give the machine coordinate in partc.toml: `[control] retract_max = -1.0`."
 
-K2706 Note "m-function-beside-move" "passed M function stands before the move"
+K2706 Warning "m-function-beside-move" "passed M function stands before the move"
 "Whether this M function acts at the start or the end of its block is up to the machine builder. It is printed before the move; \
 put it into a block of its own to be sure."
 

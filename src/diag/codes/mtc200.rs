@@ -223,7 +223,7 @@ M8004 Warning "mtc-reading" "meaning that no manual at hand confirms"
 "What the program says here is read in a way that fits the names of the words and the programs at hand, but that no manual at hand confirms for this control. Check it \
 once at the machine; then list it in `[control] confirmed`, and the warning is gone."
 
-M8005 Note "mtc-m-functions" "M functions are taken in their standard meaning"
+M8005 Warning "mtc-m-functions" "M functions are taken in their standard meaning"
 "M0 to M9, M13, M14, M19 and M30 are taken as the standard has them. The machine builder may have given them another meaning. If they are as they should be, add \
 `[control] confirmed = [\"m-functions\"]`; those that differ belong into `[control] machine_words`."
 

@@ -12,7 +12,7 @@ S2241 Error "siemens-milling-radius" "milling cycle without a radius of the cutt
 `[tools.N] radius`, or write `$TC_DP6` of the active edge in front of the call. Data that the program changes by `$P_AD`, and an edge that is in doubt \
 between T and M6, do not count."
 
-S8230 Note "siemens-milling-left-open" "argument of a milling cycle is left open"
+S8230 Warning "siemens-milling-left-open" "argument of a milling cycle is left open"
 "The call leaves open what the control takes from elsewhere: the infeed in depth or in the plane, or the sense in which the spindle turns for climb \
 and conventional milling. The message says what is taken. Give the argument, or program M3 or M4 in front of the call."
 

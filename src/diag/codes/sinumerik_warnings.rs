@@ -16,7 +16,7 @@ S8003 Warning "siemens-several-programs" "file holds several main programs"
 S8004 Note "siemens-gear" "gear steps are left out"
 "M40 to M45 select the gear of a spindle. The target chooses its own, so they are not printed; list them under `[output] pass_m` to print them."
 
-S8005 Note "siemens-h" "H functions are left out"
+S8005 Warning "siemens-h" "H functions are left out"
 "H functions are messages to the machine's own control. What they do is not known, and the target has no word for them."
 
 S8006 Note "siemens-outputs" "outputs and counters are left out"
@@ -104,7 +104,7 @@ S8018 Warning "siemens-two-depths" "two depths for one hole"
 S8019 Warning "siemens-starts" "thread with several starts"
 "The editor of CYCLE99 may leave a number of starts in its call though one start is meant. All starts are cut as the argument says: check it."
 
-S8020 Note "siemens-thread-variant" "digits of a thread cycle"
+S8020 Warning "siemens-thread-variant" "digits of a thread cycle"
 "What the digits of _VARI in CYCLE99 mean is not confirmed beyond their units, which are read as in CYCLE97. Of the other digits only \
 those of stored calls are taken (1310101: roughing and finishing, so many passes as NRC says); others are refused."
 
@@ -112,7 +112,7 @@ S8021 Warning "siemens-flank" "reference of the flank infeed"
 "With a flank infeed the passes are shifted along the thread. Which of them stands at the programmed start is not documented; partc shifts from \
 the crest on. The finished thread is the same up to a shift along its axis, which matters where a thread is cut anew. `[control] thread_flank` says it."
 
-S8022 Note "siemens-undercut-facts" "undercut rests on facts that are not confirmed"
+S8022 Warning "siemens-undercut-facts" "undercut rests on facts that are not confirmed"
 "Some values of undercut tables and their use in the control have one source only. They can be set under [undercut]; check the drawing."
 
 S8023 Note "siemens-undercut-roughing" "roughing of an undercut"
@@ -145,7 +145,7 @@ S8030 Warning "siemens-contour-choice" "stored contour has two solutions"
 "A contour is made from its hidden records, and the values of one leave two solutions. Which one was chosen in the editor is stored in a way that is \
 not confirmed; the shorter arc or the farther point is taken. Compare it with the drawing."
 
-S8031 Note "siemens-spindle-sense" "sense of a spindle stop is not printed"
+S8031 Warning "siemens-spindle-sense" "sense of a spindle stop is not printed"
 "SPOS=ACP(…) and SPOS=ACN(…) say in which sense the spindle turns to its angle. The angle is printed; the target chooses the sense."
 
 S8032 Warning "siemens-speed-limited" "spindle speed is above its limit"
@@ -184,16 +184,16 @@ S8041 Note "siemens-tap-stop" "spindle stands behind rigid tapping"
 "G331 and G332 turn the spindle with the drilling axis, and it stands in front of and behind them. An M3 or M4 of before does not count \
 any more, so M5 is printed behind the tap. Program M3 or M4 again where the next tool path needs it."
 
-S8042 Note "siemens-tangent-frame" "direction of CT is turned with the frame"
+S8042 Warning "siemens-tangent-frame" "direction of CT is turned with the frame"
 "CT goes on in the direction of the last block that travelled. A frame that turns, mirrors or scales between the two is applied to that \
 direction, too, so that the path has a corner there. Program CT in front of the change of the frame if it shall go on smoothly."
 
-S8043 Note "siemens-compensation-shape" "shape of the compensated path is the target's"
+S8043 Warning "siemens-compensation-shape" "shape of the compensated path is the target's"
 "KONT, KONTT, KONTC, G451, G461 and G462 say how the control leads the tool to a compensated contour, away from it and round its corners. \
 With `[output] compensation = \"control\"` the target computes that path by its own rules: watch the entry, the exit and sharp outside \
 corners in its simulation."
 
-S8044 Note "siemens-first-dc" "way of the first DC position of a rotary axis"
+S8044 Warning "siemens-first-dc" "way of the first DC position of a rotary axis"
 "C=DC(30) takes the shortest way to 30 degrees, and C30 of an axis that counts modulo 360 degrees stays inside its turn. No block before says where \
 the axis stands, so the position is printed as it is, and the target's rotary axis goes there in its own way. A position of the axis in front of it, C=0 at the start, makes the way known."
 

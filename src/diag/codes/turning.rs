@@ -163,7 +163,7 @@ T2027 Note "turning-nose-unknown" "nose radius of the tool is not known"
 "Contour cycles compensate the radius of the nose. The program does not hold it: without tool data the programmed point of the tool follows the \
 contour, as if its radius were 0. Add `radius` and `orientation` of the tool to `[tools]` in partc.toml."
 
-T2028 Note "turning-descending-feed" "feed on descending elements is partc's choice"
+T2028 Warning "turning-descending-feed" "feed on descending elements is partc's choice"
 "Where E is missing the control lowers the feed on descending elements by up to a half, depending on their angle. partc takes half the feed on \
 all of them. Program E to set it."
 
