@@ -14,6 +14,7 @@ mod m_functions;
 mod offsets;
 mod path;
 mod readings;
+mod reserved;
 mod state;
 mod survey;
 mod words;
@@ -157,6 +158,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn begin(&mut self, program: usize) -> Level<Frame> {
+        self.refuse_entries();
         self.core.begins_at(&self.st.position.start());
         Level::main(program, Frame::default())
     }
@@ -200,6 +202,17 @@ impl<'a> Interpreter<'a> for Run<'a> {
 }
 
 impl Run<'_> {
+    /// No entry of `machine_words` takes away what moves the tool.
+    fn refuse_entries(&self) {
+        for name in self.job.settings.control.mtc200.machine_words.keys() {
+            let of_flow = || words::is_of_flow(name).then_some("a word of the program flow");
+            if let Some(what) = reserved::reserved(name).or_else(of_flow) {
+                let help = format!("take `{name}` out of the list: without it the tool would go another way");
+                self.refuse_entry("`[control] machine_words`", &format!("{name}, which is {what}"), help);
+            }
+        }
+    }
+
     fn words_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
         if self.assignments(block)? {
             return self.count_between();

@@ -22,6 +22,7 @@ mod diameter;
 mod dictionary;
 mod editor_contour;
 mod end_point;
+mod entries;
 mod eval;
 mod externs;
 mod feed;
@@ -233,6 +234,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     fn begin(&mut self, program: usize) -> Level<Frame> {
         let first = self.units.first_of(&self.channel.core.job, &self.channel.core.programs, program);
         let unit = self.main_unit(first);
+        self.refuse_entries();
         self.channel.core.begins_at(&self.channel.st.position.start());
         self.vars.enter();
         Level::main(program, Frame::main(unit))
