@@ -16,8 +16,7 @@ const SYSTEM_FUNCTIONS: &[&str] = &["AXD", "DCD", "KDI", "MTD", "OTD", "TLD"];
 /// What they are.
 pub const SYSTEM_FUNCTION: &str = "a system function, whose data only the control has";
 /// What to do about one.
-pub const WITHOUT_SYSTEM_DATA: &str =
-    "give what is read as a number, or as a variable in `[variables]` of partc.toml; leave out a block that only writes";
+pub const WITHOUT_SYSTEM_DATA: &str = "give what is read as a number, or as a variable in `[variables]` of partc.toml; leave out a block that only writes";
 
 /// Is it a function of the control that reads or writes tools, offsets or parameters? `name` is in capitals.
 pub fn is_system_function(name: &str) -> bool {

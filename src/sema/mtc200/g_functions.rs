@@ -169,7 +169,9 @@ pub(super) fn instead(number: u32) -> &'static str {
     match number {
         20 => "program the contour in G17, G18 or G19",
         30..=32 => "have the CAM system put out the positions of the axes themselves",
-        36..=38 => "leave it out of the copy that is compiled, and program positions that the axis reaches by the shortest way",
+        36..=38 => {
+            "leave it out of the copy that is compiled, and program positions that the axis reaches by the shortest way"
+        }
         49 => "program G48 for the tip of the tool, G47 for the spindle nose",
         63..=65 => "program the thread by G33 with its lead, out again with the spindle reversed: `G33 Z-10 K1.5`",
         72 | 73 => "have the CAM system put out the mirrored contour",

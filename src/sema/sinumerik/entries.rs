@@ -7,21 +7,21 @@ use super::vocabulary::{Address, Indexed, Meaning, Procedure};
 
 impl Run<'_> {
     /// No entry of `[programs]` takes away what moves the tool or says where it goes; a file may stand for a cycle.
-    pub(super) fn refuse_entries(&self) {
+    pub(super) fn refuse_known_words(&self) {
         let programs = &self.job.settings.programs;
-        for name in programs.iter().filter(|(_, is)| !matches!(is, StandIn::File(_))).map(|(name, _)| name) {
-            if let Some(what) = self.vocabulary.get(name.as_str()).and_then(|meaning| reserved(*meaning)) {
-                let help = format!(
-                    "take `{name}` out, or say which program runs instead: `{name} = {{ file = \"stubs/{name}.SPF\" }}`"
-                );
-                self.refuse_entry("`[programs]`", &format!("{name}, which is {what}"), help);
-            }
-        }
+        let entries: Vec<(&str, &str)> = programs
+            .iter()
+            .filter(|(_, stands)| !matches!(stands, StandIn::File(_)))
+            .filter_map(|(name, _)| Some((name.as_str(), reserved(*self.vocabulary.get(name.as_str())?)?)))
+            .collect();
+        let help = "take them out: without them the tool would go another way; a file may run in place of a cycle: \
+                    `CYCLE952 = { file = \"stubs/CYCLE952.SPF\" }`";
+        self.refuse_entries("[programs]", &entries, help);
     }
 }
 
 /// What a word of the language is, if without it the path would be another one.
-fn reserved(meaning: Meaning) -> Option<&'static str> {
+pub(super) fn reserved(meaning: Meaning) -> Option<&'static str> {
     match meaning {
         Meaning::Code(_) => Some("a G function"),
         Meaning::Axis(_) => Some("an axis"),
