@@ -18,7 +18,7 @@ pub(super) struct Modal {
     given: Option<Feed>,
     feed_kind: FeedKind,
     pub plane: Plane,
-    /// Constant cutting speed is on.
+    /// Constant cutting speed is on, or a program before may have left it on.
     pub cutting_speed: bool,
     /// What a dialog has said.
     pub dialog: Said,

@@ -142,6 +142,8 @@ impl<'a> Printer<'a> {
             doubted: false,
             running: Running::default(),
         };
+        // G96 outlives the program that programmed it: the first speed of a lathe says G97.
+        printer.modal.cutting_speed = lathe;
         printer.set_places(places, lathe && settings.output.prints_diameters());
         printer.head(source, lathe);
         #[cfg(test)]

@@ -74,7 +74,8 @@ pub struct Modes {
     pub diameter: Option<bool>,
     /// No drilling cycle of the control is on.
     pub cycles_are_off: bool,
-    pub constant_cut: bool,
+    /// Each S is a cutting speed; not known before a G96 or G97.
+    pub constant_cut: Option<bool>,
     pub cutter: Option<Cutter>,
     /// Number of the tool whose length counts; 0 for none.
     pub length: Option<u32>,
@@ -137,7 +138,7 @@ impl Reader {
                 feed_kind: fixed.per_minute.then_some(FeedKind::PerMinute),
                 diameter: rules.diameters.then_some(true),
                 cycles_are_off: fixed.no_cycles,
-                constant_cut: false,
+                constant_cut: None,
                 cutter: fixed.no_cutter.then_some(Cutter::default()),
                 length: fixed.no_length.then_some(0),
                 offset: 1,
@@ -171,6 +172,7 @@ impl Reader {
             feed_kind: Some(FeedKind::PerMinute),
             diameter: Some(rules.diameters),
             cycles_are_off: true,
+            constant_cut: Some(false),
             cutter: Some(Cutter::default()),
             length: Some(0),
             ..reader.modes

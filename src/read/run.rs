@@ -118,17 +118,21 @@ impl Reader {
             self.speed_limit = Some(limit.ok_or_else(|| Fault::new("a largest speed wants S, alone"))?);
             return Ok(());
         }
-        let mut limit = self.speed_limit;
         if let Some(on) = block.constant_cut {
-            self.modes.constant_cut = on;
+            // Further spindles have modes of their own.
+            if spindle == 0 {
+                self.modes.constant_cut = Some(on);
+            }
             if on && self.rules.words == Words::Rs274 {
-                limit = block.take(b'D');
+                self.speed_limit = block.take(b'D');
             }
         }
         let Some(value) = block.take(b'S') else {
             return if block.constant_cut == Some(true) { Err(Fault::new("G96 wants S")) } else { Ok(()) };
         };
-        let constant_cut = (block.constant_cut == Some(true)).then_some(limit);
+        // Under G96 each S is a cutting speed.
+        let on = if spindle == 0 { self.modes.constant_cut } else { block.constant_cut };
+        let constant_cut = (on == Some(true)).then_some(self.speed_limit);
         self.push(Act::Speed(Speed { spindle, value, constant_cut }))
     }
 

@@ -52,6 +52,14 @@ impl PartialEq for Target {
 impl Eq for Target {}
 
 impl Target {
+    /// Is the lead of a thread given by the word of the feed, where the feed may count per revolution, too?
+    pub fn lead_is_feed(&self) -> bool {
+        let by_feed = |thread: &Thread| match thread.lead {
+            Lead::Way(address) | Lead::OneAxis(address) | Lead::AlongZ(address) => address == self.feed.address,
+        };
+        self.feed.per_revolution.is_some() && self.motion.thread.as_ref().is_some_and(by_feed)
+    }
+
     /// The word of a work offset, counted from 1.
     pub fn offset(&self, number: u8) -> Option<Cow<'static, str>> {
         let named = self.offsets.get(usize::from(number).checked_sub(1)?);

@@ -130,7 +130,11 @@ impl Validator {
             Spindle::Stop => turns(5),
             Spindle::Speed(meant) => match acts {
                 [Act::Speed(Speed { spindle, value, constant_cut: None })] => {
-                    let ended = number.is_some() || !self.reader.modes().constant_cut;
+                    let ended = number.is_some()
+                        || match self.reader.modes().constant_cut {
+                            Some(on) => !on,
+                            None => !self.states_speed,
+                        };
                     *spindle == own && ended && self.is_speed(*value, meant)
                 }
                 _ => false,

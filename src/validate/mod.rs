@@ -124,6 +124,10 @@ pub struct Validator {
     brackets: (&'static str, &'static str),
     /// The speed stands in the block that starts the spindle.
     with_start: bool,
+    /// A program before may have left a constant cutting speed on: the first speed says that it is off.
+    states_speed: bool,
+    /// The lead of a thread is an F: a feed per revolution stands in front of it.
+    lead_is_feed: bool,
     /// No word ends the program: spindle and coolant have to be stopped in front of its end.
     ends_with_text: bool,
     running: Running,
@@ -164,6 +168,8 @@ impl Validator {
             brackets: (output.target.comments.open, output.target.comments.close),
             by_hand: output.tool_change == ToolChange::Stop,
             with_start: output.target.spindle.speed_with_start,
+            states_speed: lathe && output.target.spindle.cutting_speed.is_some(),
+            lead_is_feed: output.target.lead_is_feed(),
             ends_with_text: output.target.flow.end.is_none(),
             running: Running::default(),
             ended: false,

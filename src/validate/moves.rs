@@ -232,6 +232,9 @@ impl Validator {
         if !is_rounding(read, lead, self.grain.lead) {
             return Err(Why::new("the thread has another lead"));
         }
+        if self.lead_is_feed && self.reader.modes().feed_kind != Some(FeedKind::PerRevolution) {
+            return Err(Why::new("the lead of the thread is an F, and no feed per revolution is in force"));
+        }
         if self.reader.feed().is_none() {
             self.feed = None;
         }

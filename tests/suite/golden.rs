@@ -29,11 +29,11 @@ books! {
     errors_klartext = "errors/klartext":
         G G32 K0 K100 K1005 K101 K18 K20 K21 K22 K23 K24 K25 K26 K27 K28 K29 K294 K295 K30 K8 K81 K814 K900 K901 K903 K904 L1 L2 O P;
     errors_mtc200 = "errors/mtc200":
-        G L M0 M100 M1006 M101 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O P;
+        G L M0 M100 M1006 M101 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O P P0205;
     errors_sinumerik = "errors/sinumerik":
-        G G330 G332 L1 L2 O P S0 S1 S200 S201 S202 S203 S204 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S821 S822 S823 S824 S825 S900 S901 S902 S91;
+        G G330 G332 L1 L2 O P P0205 S0 S1 S200 S201 S202 S203 S204 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
     gcode = "gcode":
-        lines;
+        lines speeds;
     heidenhain_turning = "heidenhain-turning":
         angles arcs calls compensation contours corners drilling finishing flow modal moves program recess
         recess_turning roughing shifts threads tools undercut variables;
@@ -43,6 +43,8 @@ books! {
         blanks words;
     heidenhain_turning_threads = "heidenhain-turning/threads":
         examples simple;
+    heidenhain_turning_words = "heidenhain-turning/words":
+        refused;
     klartext = "klartext":
         approach arcs corners cycles drilling flow frames functions manual output parameters path planes polar
         text tools units;
@@ -74,14 +76,18 @@ books! {
         compensation m6 oversizes;
     mtc200 = "mtc200":
         arcs compensation corners flow functions manual offsets path text tools units variables;
+    mtc200_words = "mtc200/words":
+        refused;
     same_part = "same_part":
         lathe mill;
     sinumerik = "sinumerik":
         angles axes calls circles contour_cycles contours corners diameter drilling examples feeds flow frames
         functions lexical machine_coordinates offsets output patterns polar rotary settings tapping threads
         tools transformations undercut_corners undercut_cycles units variables;
+    sinumerik_approach = "sinumerik/approach":
+        lines;
     sinumerik_calls = "sinumerik/calls":
-        external parameters passes save;
+        external numbered parameters passes reserved save;
     sinumerik_circles = "sinumerik/circles":
         cip_and_ct helices;
     sinumerik_compensation = "sinumerik/compensation":
@@ -91,11 +97,11 @@ books! {
     sinumerik_contour_lines = "sinumerik/contour_lines":
         g17 g18 g19;
     sinumerik_contours = "sinumerik/contours":
-        ang records records_arcs records_lines records_undercuts records_units;
+        ang read_only records records_arcs records_lines records_undercuts records_units;
     sinumerik_corners = "sinumerik/corners":
         chamfers rounding;
     sinumerik_drilling = "sinumerik/drilling":
-        boring cycle81 cycle82 cycle83 cycle84 cycle840 lathe;
+        boring cycle81 cycle82 cycle83 cycle84 cycle840 lathe planes zones;
     sinumerik_examples = "sinumerik/examples":
         arcs corners faults frames language;
     sinumerik_feeds = "sinumerik/feeds":
@@ -108,7 +114,7 @@ books! {
         skip words;
     sinumerik_machining = "sinumerik/machining":
         contour_pockets cycle92 cycle93 cycle930 cycle95 cycle951 cycle952 grooves_refused milling milling_alarms
-        milling_parameters paths pocket_alarms pockets slots thread_milling;
+        milling_parameters paths pocket_alarms pockets rests slots thread_milling;
     sinumerik_offsets = "sinumerik/offsets":
         g500 g53;
     sinumerik_patterns = "sinumerik/patterns":
@@ -124,7 +130,7 @@ books! {
     targets_klartext = "targets/klartext":
         compensation;
     targets_sinumerik = "targets/sinumerik":
-        compensation;
+        compensation spindle;
 }
 
 fn check(book: &str) {

@@ -81,6 +81,11 @@ P0204 Warning "moves-before-offset" "moves in front of the first work offset"
 "In front of the first work offset (cycle 247, G54) positions count from the one that is active on the control, which an earlier program or the operator selected. In the output these moves \
 run under the offset that is active on the target at the start, which may be another one. Select the work offset in front of the first move, or retract in machine coordinates (M91, G53)."
 
+P0205 Error "entry-takes-a-move-away" "entry of partc.toml would make a move vanish"
+"An entry says of a word that it does nothing to the path: `[control] machine_words`, or `ignore` under `[programs]`. partc knows the word, and it moves the tool, or says where it goes: a tapping \
+function, a machining cycle, mirror, scale, a transformation. Left out, what follows would be another path: a tap would go into its hole at rapid. Take the entry out. What cannot be compiled has to \
+be programmed another way; for a cycle, a program of your own may stand: `{ file = \"stubs/CYCLE952.SPF\" }`."
+
 P4001 Error "step-limit" "program runs too many blocks"
 "partc executes the program as the control would, and stops after `[limits] steps` blocks, counted from the first jump \
 or call on (10 million by default). \

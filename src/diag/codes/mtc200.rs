@@ -237,7 +237,8 @@ of the move."
 
 M9001 Error "mtc-g-unsupported" "G function is not supported"
 "The function exists on the control, or was defined by the machine builder, but what it does to the path cannot be compiled, or is not documented well enough. \
-If it is known not to move the tool or change the path on this machine, list it in `[control] machine_words`, for example `[\"G77\"]`."
+One that partc knows by name moves the tool or says where it goes: program that another way. A function of the machine builder that is known not to move the tool or change the path \
+on this machine may be listed in `[control] machine_words`, for example `[\"G120\"]`."
 
 M9002 Error "mtc-word-unknown" "word is not known"
 "The word is none of the control's, or its meaning is not documented. If it is known not to move the tool, list it in `[control] machine_words`; it is then left out \

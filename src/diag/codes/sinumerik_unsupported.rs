@@ -103,4 +103,8 @@ A retraction in machine coordinates is SUPA or G53."
 S9132 Error "siemens-word-not-compiled" "word of the control that is not compiled"
 "The word belongs to the language and is no missing program: what it does has no word in plain G-code, or is not built. The text says what it is and what to write \
 instead. Nothing is left out in silence, so the program is refused."
+
+S9133 Error "siemens-measuring-data" "data of the measuring cycles"
+"Measuring cycles take their arguments from global variables of the control (`_MVAR`, `_SETVAL`, `_PRNUM` …) and put their results into others (`_OVR`, `_OVI`). They are not defined in the \
+program, and no DEF answers: what is measured is known at the machine only. Leave the measuring out of the copy that is compiled, and put values in place of its results."
 }

@@ -296,4 +296,8 @@ leaves the line in front of it, as is done for a chamfer or a rounding there; wh
 S8162 Warning "siemens-cycle-reading" "reading of a cycle argument that is not confirmed"
 "The argument has a meaning that follows from a few stored programs or from similar cycles, and no manual at hand says it. partc takes it as the \
 message says; compare with what the machine does."
+
+S8164 Warning "siemens-cycle-from-unknown-place" "cycle begins at a place that is not known"
+"In front of the cycle the tool was changed, and no block has placed it since, so that where it stands is not known. The cycle goes to the front of the part in one rapid move, \
+as to any first position, and comes back there; on the control it may end where it came from. Behind it the position counts as not known again. Position the tool in front of the cycle."
 }

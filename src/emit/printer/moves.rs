@@ -141,6 +141,13 @@ impl Printer<'_> {
         if self.length.waits && mv.axes.contains(Axis::Z) {
             return self.lacks_form(mv, origin);
         }
+        // Whether an F that is a lead counts the turn under a feed per minute, too, no manual at hand says.
+        if address == self.target.feed.address
+            && let Some(word) = self.target.feed.per_revolution
+            && self.modal.feed_kind_changes(FeedKind::PerRevolution)
+        {
+            self.page.words(word, origin);
+        }
         let before = self.page.lines();
         let behind_thread = self.thread.as_ref().is_some_and(|(at, lines)| at == self.modal.at() && *lines != before);
         if behind_thread && !stops {

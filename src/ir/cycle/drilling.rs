@@ -50,6 +50,12 @@ pub enum Method {
     Drill {
         dwell: f64,
     },
+    /// To `height`, then to the depth at another feed, wait, out at rapid.
+    Through {
+        dwell: f64,
+        height: f64,
+        feed: Feed,
+    },
     /// In steps.
     Peck(Pecking),
     Tap(Tap),
@@ -399,6 +405,11 @@ impl Family for Drilling {
             Method::Ream { dwell, back } => {
                 &[(seconds(*dwell), DrillingFault::Dwell), (positive(back.value()), DrillingFault::Feed)]
             }
+            Method::Through { dwell, height, feed } => &[
+                (seconds(*dwell), DrillingFault::Dwell),
+                (positive(feed.value()), DrillingFault::Feed),
+                (self.enters(&Entry { height: *height, feed: None }), DrillingFault::Entry),
+            ],
             Method::Deep(hole) => &[
                 (seconds(hole.dwell), DrillingFault::Dwell),
                 (hole.back.is_none_or(|back| positive(back.value())), DrillingFault::Feed),
@@ -455,7 +466,7 @@ impl Family for Drilling {
             Method::Bore(bore) => Some(Spindle::Start(bore.turn)),
             Method::BoreWithStop { turn, .. } => Some(Spindle::Start(*turn)),
             Method::Deep(hole) => Some(hole.entry.1.map_or(Spindle::Stop, Spindle::Start)),
-            Method::Drill { .. } | Method::Peck(_) | Method::Ream { .. } => None,
+            Method::Drill { .. } | Method::Through { .. } | Method::Peck(_) | Method::Ream { .. } => None,
         }
     }
 

@@ -51,6 +51,11 @@ fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn FnMut
             hole.cut(levels.depth, drilling.feed);
             hole.dwell(*dwell);
         }
+        Method::Through { dwell, height, feed } => {
+            hole.cut(*height, drilling.feed);
+            hole.cut(levels.depth, *feed);
+            hole.dwell(*dwell);
+        }
         Method::Peck(peck) => hole.peck(peck, &depths),
         Method::Tap(tap) => hole.tap(tap, &depths),
         Method::Ream { dwell, back } => {

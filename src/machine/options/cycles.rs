@@ -47,6 +47,27 @@ pub const KEYS: &[Key] = &[
     )
     .or_warn(r#""workpiece""#),
     key(
+        "cycle82_vari",
+        Kind::Choice(&["both", "thousands-through", "thousands-predrill"]),
+        "SINUMERIK: zones that one digit of `_VARI` of CYCLE82 drills slowly: both, or the one that the digit stands for",
+        |s, v| {
+            s.cycles.drilling_zones = match text(v) {
+                "thousands-through" => DrillingZones::ThousandsThrough,
+                "thousands-predrill" => DrillingZones::ThousandsPredrill,
+                _ => DrillingZones::Both,
+            };
+            Ok(())
+        },
+    )
+    .or(r#""both""#),
+    key(
+        "parts_gripper",
+        Kind::Choice(&["refuse", "ignore"]),
+        "SINUMERIK: the part catcher of CYCLE92 (`_DIAGM`): refused, or left out, with the same path",
+        |s, v| put(&mut s.cycles.ignores_gripper, is(v, "ignore")),
+    )
+    .or(r#""refuse""#),
+    key(
         "cycle95_rough",
         Kind::Choice(&["compensated", "tip"]),
         "SINUMERIK: how CYCLE95 roughs: with the nose radius, or by the programmed tip; default: compensated, tip on an 802D",
@@ -189,6 +210,17 @@ pub enum CutOffReference {
     Tip,
 }
 
+/// Which zones CYCLE82 drills slowly where one digit of `_VARI` is set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum DrillingZones {
+    #[default]
+    Both,
+    /// The thousands are through-drilling, the ten thousands predrilling.
+    ThousandsThrough,
+    /// The other way round.
+    ThousandsPredrill,
+}
+
 /// How faces and mantles are printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Transmit {
@@ -232,6 +264,9 @@ pub struct Cycles {
     pub groove_dwell_revolutions: f64,
     /// `None`: nobody said, so the corner on the side of the workpiece is taken, and a program that depends on it is told so.
     pub cutoff_reference: Option<CutOffReference>,
+    pub drilling_zones: DrillingZones,
+    /// The part catcher of a cut-off is left out.
+    pub ignores_gripper: bool,
     pub layers: LayerCycles,
     /// `None` refuses the old form.
     pub spigot_size: Option<SpigotSize>,
@@ -251,6 +286,8 @@ impl Default for Cycles {
             groove_dwell: true,
             groove_dwell_revolutions: 1.0,
             cutoff_reference: None,
+            drilling_zones: DrillingZones::Both,
+            ignores_gripper: false,
             spigot_size: None,
             backward_side: None,
             thread_digits: false,

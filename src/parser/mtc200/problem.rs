@@ -10,6 +10,19 @@ use crate::text::decode::{named, readable};
 
 use super::build::Refusal;
 
+/// Functions that read or write data of the control, by name.
+const SYSTEM_FUNCTIONS: &[&str] = &["AXD", "DCD", "KDI", "MTD", "OTD", "TLD"];
+
+/// What they are.
+pub const SYSTEM_FUNCTION: &str = "a system function, whose data only the control has";
+/// What to do about one.
+pub const WITHOUT_SYSTEM_DATA: &str = "give what is read as a number, or as a variable in `[variables]` of partc.toml; leave out a block that only writes";
+
+/// Is it a function of the control that reads or writes tools, offsets or parameters? `name` is in capitals.
+pub fn is_system_function(name: &str) -> bool {
+    SYSTEM_FUNCTIONS.contains(&name)
+}
+
 /// The finding for a block that the grammar does not take. `from` is where its words start.
 pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u32) -> Problem {
     match error {
@@ -57,6 +70,10 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
         Tok::OtherVariable => {
             return Problem::new(codes::M9002, span, format!("`{word}` is a variable of another process"))
                 .help("give the value as a variable of this process in `[variables]` of partc.toml");
+        }
+        Tok::Name if is_system_function(&word.to_ascii_uppercase()) => {
+            let message = format!("`{word}` ({SYSTEM_FUNCTION}) is not supported");
+            return Problem::new(codes::M9002, span, message).help(WITHOUT_SYSTEM_DATA);
         }
         _ => {}
     }

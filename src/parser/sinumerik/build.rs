@@ -82,8 +82,16 @@ impl<'a> Build<'a> {
         self.word(Target::Name(name), Value::Call(args), start, end);
     }
 
-    /// `F100 (text)`: a word and what is meant as a comment. Programs have names of two letters or more.
-    pub fn numbered_call(&mut self, _args: Args, _start: u32, name_end: u32, end: u32) -> Refused<()> {
+    /// `F100 (text)`: a word and what is meant as a comment. Programs have names of two letters or more, or are numbered:
+    /// `L140(1)`.
+    pub fn numbered_call(&mut self, args: Args, start: u32, name_end: u32, end: u32) -> Refused<()> {
+        let name = Span { start, end: name_end }.of(self.text);
+        let numbered =
+            matches!(name, [b'L' | b'l', digits @ ..] if !digits.is_empty() && digits.iter().all(u8::is_ascii_digit));
+        if numbered && self.text.get(name_end as usize) == Some(&b'(') {
+            self.call_word(args, start, name_end, end);
+            return Ok(());
+        }
         let span = Span { start: name_end, end };
         let problem = Problem::new(codes::S0003, span, "brackets hold no comment on this control");
         Err(ParseError::User { error: problem.alarm(12080).help("a comment starts with `;`") })

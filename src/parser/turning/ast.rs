@@ -13,6 +13,8 @@ pub struct Block {
     pub number: Option<u32>,
     /// `/` is level 0, `/1` level 1 …
     pub skip: Option<u8>,
+    /// `$1` in front of the block: the slide that it is for; of several one that is not 1.
+    pub slide: Option<u32>,
     pub stmt: Stmt,
     /// The block from its first word to its last.
     pub span: Span,
@@ -28,6 +30,7 @@ impl Block {
     pub fn clear(&mut self) {
         self.number = None;
         self.skip = None;
+        self.slide = None;
         self.stmt = Stmt::Empty;
         self.span = Span::default();
         self.comment = None;

@@ -128,6 +128,10 @@ impl<'a> Build<'a> {
             (Some(_), _) | (None, "SQRTA" | "SQRTS") => {
                 return refuse(codes::T1001, span, format!("`{name}` takes another number of values"));
             }
+            (None, "PARA") => {
+                let message = "`PARA` (a parameter of the machine) is not supported";
+                return refuse(codes::T9003, span, message);
+            }
             _ => return refuse(codes::T9003, span, format!("the function `{name}` is not supported")),
         };
         self.op(op);

@@ -110,11 +110,33 @@ fn head(text: &[u8], mut at: usize, block: &mut Block) -> usize {
         block.skip = Some(level.map_or(0, |b| b - b'0'));
         at = after_blanks(text, at + 1 + usize::from(level.is_some()));
     }
+    if text.get(at) == Some(&b'$') {
+        at = slides(text, at, block);
+    }
     if let Some(b'N' | b'n') = text.get(at) {
         let digits = after_blanks(text, at + 1);
         if text.get(digits).is_some_and(u8::is_ascii_digit) {
             at = number(text, digits, block);
         }
+    }
+    at
+}
+
+/// `$1` in front of the rest of a block; alone in its block it is a statement.
+#[cold]
+fn slides(text: &[u8], mut at: usize, block: &mut Block) -> usize {
+    while text.get(at) == Some(&b'$') {
+        let digits = text[at + 1..].iter().take_while(|b| b.is_ascii_digit()).count();
+        let behind = after_blanks(text, at + 1 + digits);
+        if digits == 0 || matches!(text.get(behind), None | Some(b'[')) {
+            break;
+        }
+        let value = |n: u32, digit: &u8| n.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
+        let slide = text[at + 1..at + 1 + digits].iter().fold(0, value);
+        if block.slide.is_none_or(|first| first == 1) {
+            block.slide = Some(slide);
+        }
+        at = behind;
     }
     at
 }
@@ -253,6 +275,20 @@ mod tests {
         assert!(matches!(stmt("N7 G13 X? Z{#1+2} AN#5"), Stmt::Words));
         assert!(matches!(stmt("V1=3"), Stmt::Assign(..)));
         assert!(matches!(stmt("IF #1==2 AND V1<3 THEN"), Stmt::If(_)));
+    }
+
+    #[test]
+    fn slide_in_front_of_a_block() {
+        let read = |text: &str| {
+            let (block, problems) = parsed(text);
+            assert!(problems.is_empty(), "{text}: {problems:?}");
+            (block.slide, block.number, block.stmt)
+        };
+        assert_eq!(read("$1 N95 G0 X50"), (Some(1), Some(95), Stmt::Words));
+        assert_eq!(read("$1N95G0X50"), (Some(1), Some(95), Stmt::Words));
+        assert_eq!(read("/2 $1$2 N95 G0 X{#l1+2}"), (Some(2), Some(95), Stmt::Words));
+        assert_eq!(read("$3"), (None, None, Stmt::Slide(3)));
+        assert_eq!(read("$1 [text]").2, Stmt::Slide(1));
     }
 
     #[test]

@@ -20,8 +20,49 @@ const FORMS: &[(&str, &str)] = &[
     ("V", "V1=V2+5"),
 ];
 
+/// Words that begin a statement which is not compiled, and what they do.
+const KEYWORDS: &[(&str, &str)] = &[
+    ("INPUT", "asks the operator for a value"),
+    ("INPUTA", "asks the operator for a value"),
+    ("WINDOW", "opens a window for the operator"),
+    ("WINDOWA", "opens a window for the operator"),
+    ("PRINT", "shows a value to the operator"),
+    ("PRINTA", "shows a value to the operator"),
+    ("PARA", "reads a parameter of the machine"),
+    ("CONST", "names constants"),
+    ("VAR", "names variables"),
+];
+
+/// The finding for a statement that begins with this word and is not compiled.
+pub fn keyword(word: Span, text: &[u8]) -> Problem {
+    let shown = readable(word.of(text)).into_owned();
+    let upper = shown.to_uppercase();
+    let Some((_, what)) = KEYWORDS.iter().find(|(known, _)| *known == upper) else {
+        return Problem::new(codes::T9002, word, format!("`{shown}` is not supported"));
+    };
+    let problem = Problem::new(codes::T9002, word, format!("`{shown}` ({what}) is not supported"));
+    problem.help(match *what {
+        "shows a value to the operator" | "opens a window for the operator" => {
+            "leave it out of the copy that is compiled"
+        }
+        "names constants" | "names variables" => "write the value or the variable itself where a name stands",
+        _ => "assign the value in the program: `#l1=5`",
+    })
+}
+
+/// The known word that the statement at `from` begins with.
+fn first_keyword(text: &[u8], from: u32) -> Option<Span> {
+    let rest = text.get(from as usize..)?;
+    let len = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+    let known = KEYWORDS.iter().any(|(known, _)| rest[..len].eq_ignore_ascii_case(known.as_bytes()));
+    known.then(|| Span::at(from, len as u32))
+}
+
 /// The finding for a block that the grammar does not take. `from` is where the statement starts.
 pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u32) -> Problem {
+    if let Some(word) = first_keyword(text, from) {
+        return keyword(word, text);
+    }
     match error {
         ParseError::User { error } => error,
         ParseError::UnrecognizedToken { token: (start, tok, end), .. }

@@ -148,10 +148,12 @@ pub(super) fn entry(number: u32) -> Option<(Group, G)> {
 pub(super) fn refused(number: u32) -> Option<&'static str> {
     Some(match number {
         20 => "free plane selection",
-        30..=32 => "coordinate transformation",
+        30 => "coordinate transformation off",
+        31 => "machining of a face by a coordinate transformation",
+        32 => "machining of a cylinder by a coordinate transformation",
         36..=38 => "approach logic of endless rotary axes",
         49 => "tool length compensation, whose sense no manual at hand gives",
-        63..=65 => "tapping",
+        63..=65 => "tapping in step with the spindle",
         72 | 73 => "mirror imaging",
         75 | 76 => "feed to positive stop",
         77 => "repositioning",
@@ -160,4 +162,23 @@ pub(super) fn refused(number: u32) -> Option<&'static str> {
         98 | 99 => "feed at the contour",
         _ => return None,
     })
+}
+
+/// What to write in place of a function that cannot be compiled.
+pub(super) fn instead(number: u32) -> &'static str {
+    match number {
+        20 => "program the contour in G17, G18 or G19",
+        30..=32 => "have the CAM system put out the positions of the axes themselves",
+        36..=38 => {
+            "leave it out of the copy that is compiled, and program positions that the axis reaches by the shortest way"
+        }
+        49 => "program G48 for the tip of the tool, G47 for the spindle nose",
+        63..=65 => "program the thread by G33 with its lead, out again with the spindle reversed: `G33 Z-10 K1.5`",
+        72 | 73 => "have the CAM system put out the mirrored contour",
+        75 | 76 => "program the position itself by G01",
+        77 => "leave it out of the copy that is compiled",
+        78 | 79 => "have the CAM system put out the scaled contour",
+        93 => "program the feed in mm/min by G94 or in mm/rev by G95",
+        _ => "program the feed of the tool centre, and leave the function out",
+    }
 }

@@ -14,6 +14,7 @@ mod m_functions;
 mod offsets;
 mod path;
 mod readings;
+mod reserved;
 mod state;
 mod survey;
 mod words;
@@ -157,6 +158,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn begin(&mut self, program: usize) -> Level<Frame> {
+        self.refuse_known_words();
         self.core.begins_at(&self.st.position.start());
         Level::main(program, Frame::default())
     }
@@ -200,6 +202,17 @@ impl<'a> Interpreter<'a> for Run<'a> {
 }
 
 impl Run<'_> {
+    /// No entry of `machine_words` takes away what moves the tool.
+    fn refuse_known_words(&self) {
+        let of_flow = |name: &str| words::is_of_flow(name).then_some("a word of the program flow");
+        let names = self.job.settings.control.mtc200.machine_words.keys();
+        let entries: Vec<(&str, &str)> = names
+            .filter_map(|name| Some((name.as_str(), reserved::reserved(name).or_else(|| of_flow(name))?)))
+            .collect();
+        let help = "take them out of the list: without them the tool would go another way";
+        self.refuse_entries("[control] machine_words", &entries, help);
+    }
+
     fn words_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
         if self.assignments(block)? {
             return self.count_between();

@@ -4,10 +4,12 @@ use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::Pos;
 use crate::machine::Axis;
 use crate::parser::mtc200::ast::{Block, Target, Value, Word};
+use crate::parser::mtc200::problem::{self, is_system_function};
 use crate::parser::symbols::Symbol;
 use crate::text::{Span, decode::readable};
 
 use super::g_functions::{self, G, GROUPS};
+use super::reserved::reserved;
 use super::{Outcome, Reported, Run};
 
 /// Most M functions and words of the machine of a block.
@@ -211,7 +213,7 @@ impl Run<'_> {
     #[inline]
     fn sort_g(&mut self, w: &mut Words, at: At) -> Outcome {
         let number = self.whole(at, "G")?;
-        if matches!(number, 47 | 48) && self.declared(w, &format!("G{number}"), at.span) {
+        if matches!(number, 6..=9 | 47 | 48 | 61 | 62) && self.declared(w, &format!("G{number}"), at.span) {
             return Ok(());
         }
         let Some((group, g)) = g_functions::entry(number) else { return self.unknown_g(w, number, at.span) };
@@ -233,14 +235,16 @@ impl Run<'_> {
     #[cold]
     fn unknown_g(&mut self, w: &mut Words, number: u32, span: Span) -> Outcome {
         let name = format!("G{number}");
+        if let Some(what) = g_functions::refused(number) {
+            let message = format!("{name} ({what}) is not supported");
+            let help = g_functions::instead(number);
+            self.report(Diagnostic::new(codes::M9001, self.loc(span), message).help(help));
+            return Ok(());
+        }
         if self.declared(w, &name, span) {
             return Ok(());
         }
-        let what = g_functions::refused(number);
-        let message = match what {
-            Some(what) => format!("{name} ({what}) is not supported"),
-            None => format!("{name} is no function of the control that is known"),
-        };
+        let message = format!("{name} is no function of the control that is known");
         let help = Answer::item("control", "machine_words", format!("\"{name}\"")).help(format!(
             "if it does not move the tool or change the path, add `[control] machine_words = [\"{name}\"]`"
         ));
@@ -369,6 +373,11 @@ impl Run<'_> {
             return Ok(());
         }
         let shown = name.split_whitespace().collect::<Vec<_>>().join(" ");
+        if let Some((what, help)) = known_word(&shown) {
+            let message = format!("`{shown}` ({what}) is not supported");
+            self.report(Diagnostic::new(codes::M9002, self.loc(span), message).help(help));
+            return Ok(());
+        }
         let message = format!("`{shown}` is no word of the control that is known");
         let help = Answer::item("control", "machine_words", format!("\"{shown}\""))
             .help(format!("if it does not move the tool, add `[control] machine_words = [\"{shown}\"]` to partc.toml"));
@@ -379,6 +388,10 @@ impl Run<'_> {
     /// Is the word declared in `[control] machine_words`? Then it is noted, or printed as an M function.
     fn declared(&mut self, w: &mut Words, name: &str, span: Span) -> bool {
         let Some(printed) = self.job.settings.control.mtc200.machine_words.get(name) else { return false };
+        if reserved(name).is_some() {
+            // The entry is refused at the top of the program.
+            return false;
+        }
         match *printed {
             Some(number) => w.aux.push((number, span)),
             None if self.noted.insert(name.to_owned()) => {
@@ -427,6 +440,11 @@ impl Run<'_> {
 const FOREIGN: &[&str] =
     &["BES", "BER", "BEV", "CEV", "BTE", "SE", "RE", "WES", "WER", "DP", "SP", "RP", "AP", "WP", "POK"];
 
+/// Is it a word that says where the program goes on?
+pub(super) fn is_of_flow(name: &str) -> bool {
+    flow_word(name).is_some() || FOREIGN.contains(&name)
+}
+
 fn flow_word(name: &str) -> Option<Flow> {
     Some(match name {
         "RET" => Flow::Return,
@@ -445,4 +463,17 @@ fn flow_word(name: &str) -> Option<Flow> {
         "REV" => Flow::Reverse,
         _ => return None,
     })
+}
+
+/// A word that is refused with what it does, and what to do about it.
+fn known_word(shown: &str) -> Option<(&'static str, &'static str)> {
+    let letters = shown.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(shown.len());
+    if is_system_function(&shown[..letters]) {
+        return Some((problem::SYSTEM_FUNCTION, problem::WITHOUT_SYSTEM_DATA));
+    }
+    let help = match shown.as_bytes().first()? {
+        b'O' => "select the offset by G54 to G59",
+        _ => "write the word with the name of an axis of the machine, and one value",
+    };
+    reserved(shown).map(|what| (what, help))
 }

@@ -5,6 +5,7 @@
 
 mod budget;
 mod core;
+mod entries;
 mod files;
 mod level;
 mod printed;

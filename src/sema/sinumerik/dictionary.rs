@@ -8,7 +8,7 @@ use super::g_groups::named_codes;
 use super::known_words::KNOWN;
 use super::vocabulary::{
     ADDRESS_NAMES, CHANNEL, DYNAMICS, FILES, INDEXED_NAMES, INTERRUPT, Meaning, NO_EFFECT, OnSurface, Procedure,
-    REFUSED, Refusal, TRANSFORMATIONS,
+    REFUSED, Refusal, TRANSFORMATIONS, WITHOUT_MOVES,
 };
 
 /// Every word of the language by name.
@@ -16,16 +16,16 @@ pub(super) fn words() -> FxHashMap<&'static str, Meaning> {
     let mut map = FxHashMap::default();
     for (list, code) in [(TRANSFORMATIONS, codes::S9006), (REFUSED, codes::S9005)] {
         for (what, names) in list {
+            let moves = !WITHOUT_MOVES.contains(what);
             for name in names.split(' ') {
-                map.insert(name, Meaning::Procedure(Procedure::Refused(Refusal { what, code })));
+                map.insert(name, Meaning::Procedure(Procedure::Refused(Refusal { what, code, moves })));
             }
         }
     }
     for cycle in super::cycles::rows() {
-        map.insert(
-            cycle.signature.name,
-            Meaning::Procedure(Procedure::Refused(Refusal { what: "machining cycle", code: codes::S9005 })),
-        );
+        let moves = !cycle.measures();
+        let refusal = Refusal { what: "machining cycle", code: codes::S9005, moves };
+        map.insert(cycle.signature.name, Meaning::Procedure(Procedure::Refused(refusal)));
     }
     let simple = [
         (NO_EFFECT, Procedure::NoEffect),

@@ -51,7 +51,7 @@ impl Channel<'_> {
                     "DC, ACP and ACN are for rotary axes",
                 );
             }
-            Mode::Quick => return self.does_not_fit(given.span),
+            Mode::Quick | Mode::PerMinute | Mode::PerTurn => return self.does_not_fit(given.span),
         };
         let value = self.length(axis, given, incremental)?;
         if incremental { Ok(self.increment_base(axis, given.span)? + value) } else { Ok(value) }

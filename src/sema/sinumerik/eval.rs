@@ -250,10 +250,24 @@ impl Run<'_> {
                 .help("it is a variable of the main program; if subprograms see those, set `[control] md11120 = true`"),
             None => Help::from("define it by DEF at the top of the program, or in a definition file beside it"),
         };
+        if let Some(result) = super::measuring_data::find(word) {
+            return self.data_of_measuring(word, result, span);
+        }
         // A variable of all programs is nothing like one of this program.
         let files: Vec<String> = super::declare::DEFINITION_FILES.iter().map(|file| format!("{file}.DEF")).collect();
         let help = help.and(Answer::folder_of(&files));
         self.fail_help(codes::S2001.alarm(12550), span, format!("the name `{word}` is not defined"), &help)
+    }
+
+    /// The control has these in its own definition files.
+    fn data_of_measuring<T>(&self, word: &str, result: bool, span: Span) -> Outcome<T> {
+        let (what, help) = if result {
+            ("a result", "put the value itself in its place, and leave the measuring out of the copy that is compiled")
+        } else {
+            ("an argument", "leave it out of the copy that is compiled, together with the measuring cycle it is for")
+        };
+        let message = format!("`{word}` is {what} of the measuring cycles, which the control keeps in its global data");
+        self.fail_help(codes::S9133, span, message, help)
     }
 
     /// A global variable keeps its value from run to run, so its start value is a guess.

@@ -127,10 +127,12 @@ impl Channel<'_> {
             }
             return Ok(self.st.feed_of(fb.value));
         }
-        if !self.is_capturing() {
-            self.speed_is_known()?;
+        if self.is_capturing() {
+            // Nothing moves along a contour that is read; the cycle that takes it has the feeds.
+            return Ok(self.st.feed.word().unwrap_or(Feed::PerRevolution(1.0)));
         }
-        if self.st.feed.is_lost() && !self.is_capturing() {
+        self.speed_is_known()?;
+        if self.st.feed.is_lost() {
             return Err(Reported);
         }
         if self.st.spindles.close_cut_speed() {
@@ -158,8 +160,6 @@ impl Channel<'_> {
                 }
                 Ok(feed)
             }
-            // The cycle that takes the contour has the feeds.
-            None if self.is_capturing() => Ok(Feed::PerRevolution(1.0)),
             None => {
                 // Once is enough.
                 self.st.feed.lose();

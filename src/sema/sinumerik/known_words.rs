@@ -10,10 +10,16 @@ pub(super) struct Known {
     pub what: &'static str,
     /// What to do instead.
     pub help: &'static str,
+    /// Left out, the path would be another one.
+    pub moves: bool,
 }
 
 const fn known(names: &'static str, what: &'static str, help: &'static str) -> Known {
-    Known { names, what, help }
+    Known { names, what, help, moves: false }
+}
+
+const fn moving(names: &'static str, what: &'static str, help: &'static str) -> Known {
+    Known { names, what, help, moves: true }
 }
 
 const PLAIN_AXES: &str = "have the CAM system put out lines and arcs in X, Y and Z";
@@ -43,8 +49,8 @@ pub(super) static KNOWN: &[Known] = &[
     known("SPINU", "the number of a spindle", "write the number of the spindle itself: M2=3, S2=500"),
     known("PFAD FLIM", "a limit of the feed", BY_ITSELF),
     // Tools.
-    known("CUTMOD CUTMODK", "the turning of tool data with the plane", BY_ITSELF),
-    known(
+    moving("CUTMOD CUTMODK", "the turning of tool data with the plane", BY_ITSELF),
+    moving(
         "TOFFON TOFFOF ISD",
         "an offset or insertion depth of the tool in its own direction",
         "put the length into the tool data",
@@ -59,71 +65,71 @@ pub(super) static KNOWN: &[Known] = &[
         "tool monitoring and tool carriers",
         "leave it out: the target manages its tools",
     ),
-    known("ADAPTTRAFO TCARRS", "an orientable tool carrier", PLAIN_AXES),
-    known("GFRAME0 GFRAME", "a frame of the grinding wheel", BY_ITSELF),
+    moving("ADAPTTRAFO TCARRS", "an orientable tool carrier", PLAIN_AXES),
+    moving("GFRAME0 GFRAME", "a frame of the grinding wheel", BY_ITSELF),
     known(
         "PREWEAR WEARON WEAROF GWPS GWPSOFF",
         "wear and peripheral speed of a grinding wheel",
         "program S, and the wear in the tool data",
     ),
     // Axes beside the path.
-    known(
+    moving(
         "FXST FXSW FXS FOC FOCON FOCOF",
         "travel to a fixed stop with a force",
         "move the axis by an M function of the target",
     ),
-    known(
+    moving(
         "MOV OS OSCILL OSCTRL OSNSC OSP1 OSP2 OST1 OST2 OSE OSB",
         "an axis that moves beside the path",
         "program its moves as blocks of the program",
     ),
-    known("AXCTSWE AXCTSWED AXCTSWEC", "a change of containers of axes", BY_ITSELF),
+    moving("AXCTSWE AXCTSWED AXCTSWEC", "a change of containers of axes", BY_ITSELF),
     known("SETTIA SETTA", "a task of the tool management", BY_ITSELF),
-    known(
+    moving(
         "CPON CPOF CPDEF CPDEL CPLON CPLOF CPLDEF CPLDEL CPRES CPLNUM CPLDEN CPLPOS CPLSETVAL CPFPOS CPFRS CPMPRT CPMRESET CPMSTART CPSETTYPE",
         "a coupling of axes",
         "compile the program for uncoupled axes",
     ),
-    known(
+    moving(
         "CTAB CTABINV CTABSSV CTABSEV CTABLOCK CTABUNLOCK CTABID CTABEXISTS CTABNO CTABDEF CTABEND CTABDEL",
         "a curve table of coupled axes",
         "compile the program for uncoupled axes",
     ),
-    known(
+    moving(
         "CAC CIC CDC CACP CACN",
         "a place of an indexing table, whose angles are machine data",
         "program the angle itself: C=DC(90)",
     ),
-    known(
+    moving(
         "DILF POLF ALF IR JR KR",
         "a thread on an arc or with a lift-off",
         "program the thread by G33, and the retraction as a block behind it",
     ),
     known("ESRR ESRS", "a stop and retraction when something fails", FROM_THE_MACHINE),
-    known("MEASA MEAWA MEAC MEASF", "measuring with a probe", BY_ITSELF),
+    moving("MEASA MEAWA MEAC MEASF", "measuring with a probe", BY_ITSELF),
     // Orientation and transformations.
-    known("STAT TU", "the position of joints for PTP travel", "program the positions of the axes"),
-    known(
+    moving("STAT TU", "the position of joints for PTP travel", "program the positions of the axes"),
+    moving(
         "LEAD TILT THETA NUT PSI PHI PHIX ORIANGLE XH YH ZH AN3 BN3 CN3 AN4 BN4 CN4 AN5 BN5 CN5 PLFX ORISOLH",
         "the orientation of the tool",
         PLAIN_AXES,
     ),
-    known("TRANSMITK TRAFOON TRAFILTER", "a transformation", PLAIN_AXES),
-    known("CROTS ROTFRAME", "a frame by solid angles", "use CROT with angles about the axes"),
-    known("CLGON CLGOF CLALIM", "centreless grinding", BY_ITSELF),
+    moving("TRANSMITK TRAFOON TRAFILTER", "a transformation", PLAIN_AXES),
+    moving("CROTS ROTFRAME", "a frame by solid angles", "use CROT with angles about the axes"),
+    moving("CLGON CLGOF CLALIM", "centreless grinding", BY_ITSELF),
     // Splines, polynomials and their neighbours.
-    known("PL PW SD", "a word of splines and polynomials", PLAIN_AXES),
-    known("GP", "a point with attributes", "program the axis word itself"),
+    moving("PL PW SD", "a word of splines and polynomials", PLAIN_AXES),
+    moving("GP", "a point with attributes", "program the axis word itself"),
     // Punching.
-    known("SPN SPP PUNCHACC", "division of a line for punching", "program the positions of the strokes"),
+    moving("SPN SPP PUNCHACC", "division of a line for punching", "program the positions of the strokes"),
     // Data of drives, channels and the control.
     known("DRVPRD DRVPWR", "data of a drive", FROM_THE_MACHINE),
     known("QFK CORROF CORRTRAFO CORRTC", "corrections of the machine", FROM_THE_MACHINE),
     known("PROTSOFF COLLPAIR CPROTON CADEL", "protection zones and collision monitoring", FROM_THE_MACHINE),
-    known(
+    moving(
         "SYNFCT SYNFCTOF",
         "a function of synchronized actions",
         "leave the action out, or replace it by blocks of the program",
     ),
-    known("AXRESET AXSTART", "a restart of axes", FROM_THE_MACHINE),
+    moving("AXRESET AXSTART", "a restart of axes", FROM_THE_MACHINE),
 ];

@@ -22,6 +22,7 @@ mod diameter;
 mod dictionary;
 mod editor_contour;
 mod end_point;
+mod entries;
 mod eval;
 mod externs;
 mod feed;
@@ -36,6 +37,7 @@ mod lane;
 mod left_out;
 mod machine_place;
 mod macros;
+mod measuring_data;
 mod modal_call;
 mod moves;
 mod named_words;
@@ -233,6 +235,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     fn begin(&mut self, program: usize) -> Level<Frame> {
         let first = self.units.first_of(&self.channel.core.job, &self.channel.core.programs, program);
         let unit = self.main_unit(first);
+        self.refuse_known_words();
         self.channel.core.begins_at(&self.channel.st.position.start());
         self.vars.enter();
         Level::main(program, Frame::main(unit))

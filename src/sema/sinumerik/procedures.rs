@@ -288,7 +288,7 @@ impl Run<'_> {
             Procedure::Refused(_) if self.own_program(&name) => {
                 self.call_program(&name, call.span, Some(call), None, block, text)
             }
-            Procedure::Refused(Refusal { what, code }) => {
+            Procedure::Refused(Refusal { what, code, .. }) => {
                 self.st.position.lose(AxisSet::ALL);
                 self.lost();
                 let help = super::cycles::instead(&name);

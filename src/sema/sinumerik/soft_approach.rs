@@ -193,10 +193,24 @@ impl Channel<'_> {
                 if let (Some(fad), Some(why)) = (fad, why) {
                     self.note_once(codes::S8196, fad.span, format!("FAD has no effect here: {why}"));
                 }
-                fad.map(|fad| self.st.feed_of(fad.value))
+                fad.map(|fad| self.infeed(fad))
             }
         };
         Ok(Sizes { shape, size, safe, plane, infeed })
+    }
+
+    /// `FAD=150`, counted as F is, or `FAD=PM(150)` as under G94 and `FAD=PR(0.2)` as under G95.
+    fn infeed(&mut self, fad: Given) -> Feed {
+        let unit = self.st.feed_unit();
+        let feed = match fad.mode {
+            Mode::PerMinute => Feed::PerMinute(fad.value * unit),
+            Mode::PerTurn => Feed::PerRevolution(fad.value * unit),
+            _ => self.st.feed_of(fad.value),
+        };
+        if matches!(feed, Feed::PerRevolution(_)) {
+            self.master_feeds(fad.span);
+        }
+        feed
     }
 
     fn approach(&mut self, code: GCode, span: Span, w: &Words, sizes: Sizes, end: Pos, before: Path) -> Outcome {
@@ -317,7 +331,9 @@ impl Channel<'_> {
     }
 
     /// The side from which the way comes, or to which it leads: 1 left, -1 right.
-    fn soft_side(&self, side: Side, far: Option<Point2>, at: Point2, heading: Vec2, span: Span) -> Outcome<f64> {
+    /// A line without compensation has no side.
+    fn soft_side(&self, way: Way, side: Side, far: Option<Point2>) -> Outcome<f64> {
+        let Way { shape, at, heading, span } = way;
         let own = match self.st.printed_side(side) {
             Side::None => None,
             Side::Left => Some(1.0),
@@ -337,6 +353,7 @@ impl Channel<'_> {
                 "the way leads to the other side of the contour than the radius compensation",
                 "program G140, or the other one of G141 and G142",
             ),
+            None if shape == Shape::Line => Ok(1.0),
             None => self.soft_fault(
                 span,
                 10747,
@@ -359,7 +376,8 @@ impl Channel<'_> {
             return self.soft_fault(soft.span, 10744, "the direction of the contour is not known here", help);
         };
         let side = self.st.side();
-        let s = self.soft_side(side, soft.from.in_plane(plane), at, heading, soft.span)?;
+        let way = Way { shape: soft.sizes.shape, at, heading, span: soft.span };
+        let s = self.soft_side(way, side, soft.from.in_plane(plane))?;
         let radius = if side == Side::None { 0.0 } else { self.st.path.radius() };
         // Backwards along the contour its sides are swapped.
         let touch = touch(soft.sizes.shape, soft.sizes.size, at, -heading, -s, radius);
@@ -484,7 +502,7 @@ impl Channel<'_> {
         let corner = |axis: Axis, old: f64| end.get(axis).unwrap_or(old);
         let named = end.get(first).is_some() || end.get(second).is_some();
         let far = Point2::new(corner(first, at.x), corner(second, at.y));
-        let s = self.soft_side(side, named.then_some(far), at, heading, span)?;
+        let s = self.soft_side(Way { shape: sizes.shape, at, heading, span }, side, named.then_some(far))?;
         let radius = if side == Side::None { 0.0 } else { self.st.path.radius() };
         let touch = touch(sizes.shape, sizes.size, at, heading, s, radius);
         let contour = self.st.position.get(third);
@@ -554,6 +572,15 @@ impl Channel<'_> {
         self.st.position.move_to(&last);
         Ok(())
     }
+}
+
+/// Where a way meets the contour, and how it leads there.
+#[derive(Debug, Clone, Copy)]
+struct Way {
+    shape: Shape,
+    at: Point2,
+    heading: Vec2,
+    span: Span,
 }
 
 /// Heights of a way.

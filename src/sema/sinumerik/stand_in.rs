@@ -5,6 +5,7 @@ use crate::machine::{AxisSet, ChangeCall, StandIn};
 use crate::text::Span;
 
 use super::calls::{Missing, called_name};
+use super::entries::reserved;
 use super::programs::without_extension;
 use super::value::Val;
 use super::vars::Argument;
@@ -37,6 +38,9 @@ impl Run<'_> {
                     Some(StandIn::File(file)) => {
                         format!("put `{file}`, which `[programs]` names, beside the program or into an include root")
                             .into()
+                    }
+                    _ if self.vocabulary.get(call.name).is_some_and(|known| reserved(*known).is_some()) => {
+                        call.help_by_file()
                     }
                     _ => call.help(),
                 };
@@ -230,6 +234,16 @@ impl NameOfCall<'_> {
         let line = self.line();
         let text = format!("put the program beside this one or into an include root; or {line}{mistyped}");
         self.answer().help(text)
+    }
+
+    /// The same for a word of the language: only a file may stand for it.
+    pub fn help_by_file(&self) -> Help {
+        let name = self.name;
+        let file = format!("{{ file = \"stubs/{name}.SPF\" }}");
+        let text = format!(
+            "put the program beside this one or into an include root; or say which file runs: `[programs] {name} = {file}`"
+        );
+        Answer::key("programs", name).one_of(&[file]).help(text)
     }
 
     /// The same as the key that says it.

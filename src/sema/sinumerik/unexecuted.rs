@@ -17,8 +17,9 @@ use crate::sema::run::{Program, Site};
 use crate::text::{FileError, Loc, Request, Span};
 
 use super::calls::EXTENSIONS;
-use super::cycles::is_built;
+use super::cycles::{is_built, is_taken};
 use super::dictionary;
+use super::entries::reserved;
 use super::g_groups::{GCode, GCodes};
 use super::macros::Sinumerik;
 use super::programs::{Skeleton, Units, bare_name, without_extension};
@@ -245,7 +246,9 @@ impl<'a> Unexecuted<'a> {
                 arguments: text.is_some(),
                 tool_waits: false,
             };
-            Diagnostic::new(codes::S8040, here.loc(self.job, span), message).help(call.help())
+            let known = self.vocabulary.get(call.name).is_some_and(|known| reserved(*known).is_some());
+            let help = if known { call.help_by_file() } else { call.help() };
+            Diagnostic::new(codes::S8040, here.loc(self.job, span), message).help(help)
         })
     }
 
@@ -329,7 +332,7 @@ impl<'a> Unexecuted<'a> {
                     return None;
                 }
                 match self.vocabulary.get(shown.as_str()) {
-                    Some(Meaning::Procedure(Procedure::Refused(_))) if is_built(&shown) => None,
+                    Some(Meaning::Procedure(Procedure::Refused(_))) if is_taken(&shown) => None,
                     Some(Meaning::Procedure(Procedure::Refused(refusal))) => {
                         Some(refused(self.job, here, word.span, refusal.code))
                     }

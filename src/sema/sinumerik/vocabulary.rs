@@ -155,6 +155,8 @@ pub(super) struct Refusal {
     /// What it is.
     pub what: &'static str,
     pub code: &'static diag::Code,
+    /// Left out, the path would be another one.
+    pub moves: bool,
 }
 
 /// Names of transformations, by what they are.
@@ -180,6 +182,9 @@ pub(super) const REFUSED: &[(&str, &str)] = &[
     ("protection zone", "CPROTDEF NPROTDEF EXECUTE CPROT NPROT PROTA PROTS PROTD"),
     ("motion synchronous to the cycle of the control", "RDISABLE STOPREOF DELDTG SYNFCT FTOC"),
 ];
+
+/// What of these moves nothing and places nothing.
+pub(super) const WITHOUT_MOVES: &[&str] = &["tool management", "retraction", "protection zone"];
 
 pub(super) const NO_EFFECT: &str = "STOPRE SBLON SBLOF DISPLOF DISPLON ACTBLOCNO SAVE PREPRO ICYCON ICYCOF IPTRLOCK IPTRUNLOCK BLSYNC \
     GROUP_BEGIN GROUP_END GROUP_ADDEND WORKPIECE NEWCONF WAITS WAITP SPCON SPCOF DRFOF DELAYFSTON DELAYFSTOF GWPSOF \

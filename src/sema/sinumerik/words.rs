@@ -32,9 +32,17 @@ pub(super) enum Mode {
     Ric,
     /// `QU`: quick output of an auxiliary function.
     Quick,
+    /// `PM`: a feed as under G94.
+    PerMinute,
+    /// `PR`: a feed as under G95.
+    PerTurn,
 }
 
 impl Mode {
+    fn is_feed(self) -> bool {
+        matches!(self, Mode::PerMinute | Mode::PerTurn)
+    }
+
     fn of(name: &str) -> Option<Mode> {
         Some(match name {
             "AC" => Mode::Ac,
@@ -47,6 +55,8 @@ impl Mode {
             "RAC" => Mode::Rac,
             "RIC" => Mode::Ric,
             "QU" => Mode::Quick,
+            "PM" => Mode::PerMinute,
+            "PR" => Mode::PerTurn,
             _ => return None,
         })
     }
@@ -443,13 +453,17 @@ impl Words {
             let message = format!("the axis {} stands twice in the block", axis.letter());
             return core.fail_help(codes::S2007.alarm(12000), given.span, message, "delete one of the words");
         }
+        if given.mode.is_feed() {
+            return core.misplaced_modifier(given.span);
+        }
         self.axes.insert(axis);
         self.axis_words[axis.index()] = given;
         Ok(())
     }
 
     pub fn set_address(&mut self, core: &Core<'_>, address: Address, given: Given) -> Outcome {
-        if given.mode != Mode::Plain && !takes_modifiers(address) {
+        let fits = if given.mode.is_feed() { address == Address::Fad } else { takes_modifiers(address) };
+        if given.mode != Mode::Plain && !fits {
             core.no_modifier(given)?;
         }
         if self.given & 1 << address as u64 != 0 {
@@ -503,7 +517,7 @@ impl Core<'_> {
 
     #[cold]
     pub(super) fn misplaced_modifier(&self, span: Span) -> Outcome {
-        let help = "AC(…), IC(…), DC(…) and their kin are for end points, centres, polar words and SPOS=";
+        let help = "AC(…), IC(…), DC(…) and their kin are for end points, centres, polar words and SPOS=, PM(…) and PR(…) for FAD=";
         self.fail_help(codes::S2012.alarm(12020), span, "this address takes no such modifier", help)
     }
 }

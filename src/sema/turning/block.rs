@@ -11,6 +11,7 @@ use crate::text::decode::readable;
 
 use super::cycle_table::Cycle;
 use super::g_functions::{Function, Kind, find};
+use super::other_axes::belongs;
 use super::program_parts::ProgramPart;
 use super::technology::SpeedMode;
 use super::words::{Fun, Letters, Words, letters};
@@ -123,6 +124,18 @@ impl Run<'_> {
     fn function_of(&self, fun: Fun) -> Outcome<&'static Function> {
         match find(fun.number) {
             Some(function) if function.kind != Kind::Refused => Ok(function),
+            known => self.no_such_function(fun, known),
+        }
+    }
+
+    #[cold]
+    fn no_such_function<T>(&self, fun: Fun, known: Option<&Function>) -> Outcome<T> {
+        if let Some(owner) = belongs(fun.number) {
+            let what = known.map_or_else(String::new, |function| format!(" ({})", function.name));
+            let message = format!("G{}{what} is a function of {owner}; partc does not support it yet", fun.number);
+            return self.fail(codes::T9001, fun.span, message);
+        }
+        match known {
             Some(function) => {
                 self.fail(codes::T9001, fun.span, format!("G{} ({}) is not supported", fun.number, function.name))
             }

@@ -22,6 +22,7 @@ mod g_functions;
 mod geometry;
 mod geometry_forms;
 mod m_functions;
+mod other_axes;
 mod outline;
 mod path;
 mod program_parts;
@@ -51,7 +52,7 @@ use crate::machine::Compensation;
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::parser::turning::ast::{Block, Stmt};
-use crate::parser::turning::{SPLIT, parse_block};
+use crate::parser::turning::{SPLIT, parse_block, problem};
 use crate::text::{Span, SplitRules};
 pub use cycle_table::signatures as cycle_signatures;
 pub use survey::survey;
@@ -64,6 +65,7 @@ use capture::Capture;
 use chain::Chain;
 use geometry::Geometry;
 use path::Tag;
+use program_parts::ProgramPart;
 use sections::Sections;
 use state::State;
 use vars::Vars;
@@ -184,7 +186,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     /// What stands in a section that is not read is of no interest.
     fn forgive(&mut self, _: &Block) {
-        if self.sections.is_unread() {
+        if self.sections.is_unread() || self.sections.part == ProgramPart::Names {
             self.problems.clear();
         }
     }
@@ -198,6 +200,12 @@ impl Run<'_> {
     fn statement(&mut self, block: &Block, text: &[u8]) -> Outcome {
         if self.sections.is_unread() && !matches!(block.stmt, Stmt::Section(..)) {
             return Ok(());
+        }
+        if self.sections.part == ProgramPart::Names && !matches!(block.stmt, Stmt::Section(..)) {
+            return self.names_line();
+        }
+        if let Some(slide) = block.slide.filter(|slide| *slide != 1) {
+            return self.slide(slide);
         }
         match block.stmt {
             Stmt::Empty => Ok(()),
@@ -213,9 +221,9 @@ impl Run<'_> {
             Stmt::EndUnit => self.unit(false),
             Stmt::Slide(number) => self.slide(number),
             Stmt::Refused(word) => {
-                let word = crate::text::decode::readable(word.of(text)).into_owned();
                 self.lose_all();
-                self.error(codes::T9002, format!("`{word}` is not supported"));
+                let problem = problem::keyword(word, text);
+                self.report_problem(problem);
                 Err(Reported)
             }
             _ => self.flow_block(block),

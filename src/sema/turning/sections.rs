@@ -26,6 +26,9 @@ pub(super) struct Sections {
     framed: bool,
     /// The section of a subprogram is being passed.
     passing: bool,
+    /// That another slide moves, and that names are not read, was said.
+    slide_said: bool,
+    names_said: bool,
 }
 
 impl Sections {
@@ -44,6 +47,8 @@ impl Sections {
             unit_open: false,
             framed: false,
             passing: false,
+            slide_said: false,
+            names_said: false,
         }
     }
 
@@ -258,7 +263,28 @@ impl Run<'_> {
             return Ok(());
         }
         self.lose_all();
-        self.fail(codes::T2022, self.block_span(), format!("the block is for slide ${number}"))
+        if std::mem::replace(&mut self.sections.slide_said, true) {
+            return Err(Reported);
+        }
+        self.fail_help(
+            codes::T2022,
+            self.block_span(),
+            format!("the block is for slide ${number}: two slides move at the same time"),
+            "compile a copy that holds the blocks of slide $1 only",
+        )
+    }
+
+    /// A line of the sections CONST and VAR.
+    pub(super) fn names_line(&mut self) -> Outcome {
+        if std::mem::replace(&mut self.sections.names_said, true) {
+            return Err(Reported);
+        }
+        self.fail_help(
+            codes::T9002,
+            self.block_span(),
+            "names of constants and variables (CONST, VAR) are not supported",
+            "write the value or the variable itself where a name stands",
+        )
     }
 
     /// `UNIT` and `END_OF_UNIT`: the blocks between stand there in full.

@@ -55,6 +55,15 @@ impl Extent {
     }
 }
 
+fn shifted(element: &Element, by: Vec2) -> Element {
+    match *element {
+        Element::Line { from, to } => Element::Line { from: from + by, to: to + by },
+        Element::Arc { from, to, center, sweep } => {
+            Element::Arc { from: from + by, to: to + by, center: center + by, sweep }
+        }
+    }
+}
+
 fn elements(made: &Captured) -> Vec<Element> {
     made.pieces.iter().map(|piece| piece.element).collect()
 }
@@ -266,7 +275,48 @@ impl CycleCall<'_, '_> {
             home: side.point(cut - side.along * keys.blank_offset, out),
         };
         self.plunge_feed(&mut layers, FR)?;
-        self.send_layers(layers)
+        self.send_with_u1(layers, side)
+    }
+
+    /// `_U1` moves the contour away from the material, below 0 into it, along X as a radius and along Z. Roughing leaves
+    /// what is above 0 beside its allowances, and nothing less for what is below.
+    fn send_with_u1(&mut self, layers: Layers, side: Side) -> Outcome {
+        let args = self.args;
+        let by = if args.digit(AMODE, 3) == 1 { self.length_of(args, U1).unwrap_or(0.0) } else { 0.0 };
+        if by == 0.0 {
+            return self.send_layers(layers);
+        }
+        if !layers.reliefs().is_empty() || layers.leans_over() {
+            return self.not_built(
+                U1,
+                "the further allowance `_U1` on a contour that falls, whose walls it would move to one side,",
+            );
+        }
+        self.reading(U1, "`_U1` moves the contour by its amount along X, as a radius, and along Z");
+        let way = side.point(-side.along * by, side.out() * by) - Point2::origin();
+        let moved = |layers: &Layers, operation| Layers {
+            contour: layers.contour.iter().map(|element| shifted(element, way)).collect(),
+            // The blank lies on the contour as it was.
+            blank: match &layers.blank {
+                Blank::On(on) => Blank::On(Vec2::new((on.x - by).max(0.0), (on.y - by).max(0.0))),
+                other => other.clone(),
+            },
+            operation,
+            ..layers.clone()
+        };
+        let rough = match (by > 0.0, layers.operation) {
+            (true, _) | (false, Operation::Finish) => {
+                let made = moved(&layers, layers.operation);
+                return self.send_layers(made);
+            }
+            (false, _) => Layers { operation: Operation::Rough, ..layers.clone() },
+        };
+        self.send_layers(rough)?;
+        if layers.operation == Operation::RoughAndFinish {
+            let made = moved(&layers, Operation::Finish);
+            return self.send_layers(made);
+        }
+        Ok(())
     }
 
     /// Residual material is read from files of the control.
@@ -281,9 +331,6 @@ impl CycleCall<'_, '_> {
 
     fn digits_952(&mut self) -> Outcome {
         let args = self.args;
-        if args.digit(AMODE, 3) == 1 && args.or_zero(U1) != 0.0 {
-            return self.not_built(U1, "the further allowance `_U1`");
-        }
         if args.digit(VARI, 4) > 1 || args.digit(VARI, 5) > 1 {
             return self.kind_fault(
                 VARI,

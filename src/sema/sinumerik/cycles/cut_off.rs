@@ -35,9 +35,7 @@ impl CycleCall<'_, '_> {
         self.groove_conditions()?;
         self.digits_of_are_known(VARI)?;
         let args = self.args;
-        if args.or_zero(DIAGM) != 0.0 {
-            return self.not_built(DIAGM, "a part catcher (`_DIAGM`)");
-        }
+        self.part_catcher()?;
         let point = self.turned_reference()?;
         if point.y <= 0.0 {
             let message = format!("the diameter `_SPD` (argument {}) is not above 0", args.place(SPD));
@@ -78,6 +76,30 @@ impl CycleCall<'_, '_> {
         self.note_once(codes::S8225, args.span, message);
         self.send_cycle(Cycle::CutOff(cut));
         self.spindle_was_told(&told);
+        Ok(())
+    }
+
+    /// The part catcher comes out at `_DIAGM`, by a program of the machine builder; at the end of the cut and beyond the
+    /// value is a leftover of the editor.
+    fn part_catcher(&self) -> Outcome {
+        let args = self.args;
+        let diameter = args.or_zero(DIAGM);
+        if diameter == 0.0 || diameter <= args.or_zero(DIAG2) {
+            return Ok(());
+        }
+        if !self.job.settings.cycles.ignores_gripper {
+            let message = format!(
+                "{}: at diameter {diameter} (`_DIAGM`) the cut stops and a program of the machine builder brings the part catcher out",
+                args.name()
+            );
+            let help = Answer::key("cycles", "parts_gripper").one_of(&["\"ignore\""]).help(
+                "give `_DIAGM` 0; or leave the catcher out, with the same cut: `[cycles] parts_gripper = \"ignore\"`",
+            );
+            return self.fail_help(codes::S9015, args.span_of(DIAGM), message, help);
+        }
+        let message = format!("{}: the part catcher at diameter {diameter} is left out: the cut goes on", args.name());
+        let found = Diagnostic::new(codes::S8162, self.loc(args.span_of(DIAGM)), message);
+        self.report(found.help("see that nothing waits for the part"));
         Ok(())
     }
 

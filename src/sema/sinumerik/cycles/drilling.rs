@@ -3,12 +3,14 @@
 //! Source: C 6.1 to 6.3 (docs/sources.md).
 
 use crate::diag::{Answer, codes};
+use crate::geo::Plane;
 use crate::ir::Feed;
 use crate::ir::cycle::drilling::{
     Ahead, Bore, Breaks, Chip, Degression, DrillingFault, Levels, Method, Pecking, Tap, TapStep,
 };
 use crate::ir::cycle::{Drilling, Family};
 use crate::ir::function::{Spindle, Turn};
+use crate::machine::Axis;
 use crate::standard::din13::coarse_pitch;
 
 use super::super::Outcome;
@@ -26,6 +28,15 @@ const BREAK: f64 = 1.0;
 /// Largest metric size of a tap.
 const LARGEST: f64 = 48.0;
 
+/// The plane across a hole along this axis.
+pub(super) fn plane_across(axis: Axis) -> Plane {
+    match axis {
+        Axis::X => Plane::Yz,
+        Axis::Y => Plane::Zx,
+        _ => Plane::Xy,
+    }
+}
+
 /// An angle of the spindle within one turn.
 fn whole_turn(angle: f64) -> f64 {
     angle - 360.0 * libm::floor(angle / 360.0)
@@ -39,7 +50,17 @@ impl CycleCall<'_, '_> {
         self.no_diameters(args.name(), axis, args.span)?;
         let levels = self.levels(cycle.centring)?;
         let feed = (cycle.feed)(self)?;
-        let method = (cycle.method)(self, &levels, feed)?;
+        let mut method = (cycle.method)(self, &levels, feed)?;
+        let mut hole_feed = feed;
+        let mut entry = None;
+        if args.has_zones() {
+            let zones = self.zones(&levels, feed)?;
+            (entry, hole_feed) = (zones.entry, zones.feed);
+            if let Some((height, feed)) = zones.last {
+                method = Method::Through { dwell: self.dwell_at_depth(DTB)?, height, feed };
+            }
+        }
+        let feed = hole_feed;
         if matches!(method, Method::Tap(_)) {
             self.note_once(
                 codes::S8025,
@@ -47,7 +68,7 @@ impl CycleCall<'_, '_> {
                 format!("{}: the tap needs a compensating chuck on the target", args.name()),
             );
         }
-        let hole = Drilling { axis, levels, feed, entry: None, method };
+        let hole = Drilling { axis, levels, feed, entry, method };
         match hole.check() {
             Ok(()) => Ok(hole),
             Err(fault) => {
@@ -65,11 +86,8 @@ impl CycleCall<'_, '_> {
     /// CYCLE82.
     pub(super) fn counterbore(&self) -> Outcome<Method> {
         let args = self.args;
-        if args.or_zero(VARI) != 0.0 {
-            return self.not_built(VARI, "predrilling and through-drilling (`_VARI`)");
-        }
         for key in [S_ZA, S_FA, S_ZD, S_FD] {
-            if args.or_zero(key) != 0.0 {
+            if !args.has_zones() && args.or_zero(key) != 0.0 {
                 self.unused(key, key.0, "without predrilling or through-drilling in `_VARI`");
             }
         }
@@ -396,11 +414,14 @@ impl CycleCall<'_, '_> {
         }))
     }
 
+    /// The way off the wall lies along the axes of the plane of the hole, which `_DMODE` may name.
     pub(super) fn bore(&self) -> Outcome<Method> {
         let args = self.args;
         let mut lift = [0.0; 3];
         if self.lifts_off()? {
-            for ((key, axis), way) in [RPA, RPO, RPAP].into_iter().zip(self.st.roles()).zip(lift.iter_mut()) {
+            let (first, second, third) = plane_across(self.hole_axis()?).axes();
+            let roles = [first, second, third].map(|at| Axis::ALL[at]);
+            for ((key, axis), way) in [RPA, RPO, RPAP].into_iter().zip(roles).zip(lift.iter_mut()) {
                 *way = self.length_of(args, key).unwrap_or(0.0);
                 if *way != 0.0 {
                     self.no_diameters(args.name(), axis, args.span_of(key))?;

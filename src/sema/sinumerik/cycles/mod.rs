@@ -11,6 +11,7 @@ mod contour_removal;
 mod corner_removal;
 mod cut_off;
 mod drilling;
+mod drilling_zones;
 mod faces;
 mod groove_shape;
 mod grooves;
@@ -26,9 +27,14 @@ mod thread;
 mod thread_milling;
 mod undercut;
 mod undercut_call;
+mod unknown_start;
+
+use std::rc::Rc;
 
 use crate::diag::{Code, Diagnostic, Help, codes};
 use crate::geo::{Plane, Point2};
+use crate::ir::contour::Ctx;
+use crate::ir::cycle::drilling::Method;
 use crate::ir::cycle::{Cycle, Drilling};
 use crate::ir::function::{Spindle, Turn};
 use crate::ir::{Feed, Pos, Side};
@@ -254,9 +260,12 @@ impl Channel<'_> {
                 "call the cycle again behind G17, G18, G19, G70 or G71",
             );
         }
-        let feed_of_block = modal.feed_of_block;
+        // The feeds of zones are shares of the one that is modal at each place.
+        let zones = modal.args.has_zones();
+        let feed_of_block = modal.feed_of_block && !zones;
         self.no_diameters(modal.args.name(), modal.hole.axis, Where::Block)?;
-        let mut hole = if modal.spindle == self.spindle_state() { modal.hole } else { self.hole_made_anew(modal)? };
+        let same = modal.spindle == self.spindle_state() && !zones;
+        let mut hole = if same { modal.hole } else { self.hole_made_anew(modal)? };
         if feed_of_block && let Some(feed) = self.st.feed.word() {
             hole.feed = feed;
         }
@@ -285,8 +294,15 @@ impl Channel<'_> {
         self.not_by_time(place, "the moves of a cycle have no share of the time that G93 gives the blocks")
     }
 
+    /// In the plane across the hole, which may be another one than the active one.
     fn drill(&mut self, hole: &Drilling) -> Outcome {
+        let plane = drilling::plane_across(hole.axis);
+        let active = self.st.ctx.clone();
+        if matches!(hole.method, Method::Bore(_)) && plane != active.plane {
+            self.st.ctx = Rc::new(Ctx { plane, ..(*active).clone() });
+        }
         self.send_cycle(Cycle::Drilling(hole.clone()));
+        self.st.ctx = active;
         Ok(())
     }
 
@@ -496,6 +512,11 @@ impl CycleCall<'_, '_> {
             ),
         }
     }
+}
+
+/// Is this the name of a cycle that is not refused where it stands? The next one takes what some of them say.
+pub(super) fn is_taken(name: &str) -> bool {
+    find(name).is_some_and(|cycle| cycle.is_built() || matches!(cycle.work, Work::Contour(_)))
 }
 
 /// Is this the name of a cycle that is compiled?

@@ -9,7 +9,7 @@ use crate::machine::Axis;
 use crate::sema::cycle_table::Kind;
 
 use super::super::Outcome;
-use super::arguments::{AMODE, AXN, DMODE, DP, DPR, GMODE, Key, RFP, RPA, RPAP, RPO, RTP, SDIS};
+use super::arguments::{AMODE, AXN, DMODE, DP, DPR, GMODE, Key, RFP, RTP, SDIS};
 use super::call::CycleCall;
 
 /// Which numbers give the depth.
@@ -199,8 +199,7 @@ impl CycleCall<'_, '_> {
             _ => return self.not_built(DMODE, "this plane (`_DMODE`)"),
         };
         let axis = Axis::ALL[plane.axes().2];
-        let lifts = [RPA, RPO, RPAP].into_iter().any(|key| args.or_zero(key) != 0.0);
-        if lifts || args.or_zero(AXN) != 0.0 || self.is_diameter_axis(axis) {
+        if args.or_zero(AXN) != 0.0 || self.is_diameter_axis(axis) {
             return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
         }
         Ok(axis)

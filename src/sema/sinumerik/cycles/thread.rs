@@ -165,7 +165,6 @@ impl CycleCall<'_, '_> {
         } else {
             Flank::Alternating { angle: Deg(-angle) }
         };
-        let park = self.turning_position(args.span)?;
         let mut parts = Vec::new();
         for (end, lead) in points.iter().skip(1).zip(&course.leads) {
             parts.push(ThreadPart { end: *end, lead: *lead });
@@ -185,7 +184,7 @@ impl CycleCall<'_, '_> {
             starts,
             start_angle: Deg(start_angle),
             retract: 0.0,
-            park,
+            park: points[0],
         };
         thread.retract = self.lift_off(course.lift, &thread, internal);
         let smallest = points.iter().map(|point| point.y).fold(f64::INFINITY, f64::min);
@@ -206,9 +205,10 @@ impl CycleCall<'_, '_> {
         if let Err(fault) = thread.check() {
             return self.cycle_fault(args.span, None, &fault.to_string(), "check the arguments of the cycle");
         }
+        let front =
+            thread.parts.first().map_or(thread.start, |part| thread.extended(part.end, thread.start, thread.run_in));
         self.says_shifted_starts(course.starts, &thread);
-        self.send_cycle(Cycle::Thread(thread));
-        Ok(())
+        self.send_from(Point2::new(front.x, thread.retract), |park| Cycle::Thread(Thread { park, ..thread }))
     }
 
     /// NRC; in CYCLE99 also by the infeed `_MID`, which the editor writes beside it: the two must agree.
@@ -265,13 +265,24 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         for (key, what) in [
             (PIT1, "a changing pitch (`_PIT1`)"),
-            (FDEP, "`_FDEP`"),
-            (GST, "`_GST`"),
+            (FDEP, "a depth that is cut already (`_FDEP`)"),
             (GUD, "`_GUD`"),
             (S_XRS, "a crowned thread (`_S_XRS`)"),
         ] {
             if args.or_zero(key) != 0.0 {
                 return self.not_built(key, what);
+            }
+        }
+        // A thread of one start has no other one that could be the first.
+        let single = args.or_zero(NUMTH) <= 1.0;
+        match args.or_zero(GST) {
+            0.0 => {}
+            1.0 if single => self.reading(GST, "`_GST` 1 is the first start that is cut, and the thread has one start"),
+            first => {
+                let what = format!(
+                    "the choice of the first start that is cut (`_GST` {first}), whose order is not confirmed,"
+                );
+                return self.not_built(GST, &what);
             }
         }
         if let Some(place) = (0..10).find(|place| args.digit(AMODE, *place) != 0) {

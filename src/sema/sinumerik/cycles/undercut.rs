@@ -330,7 +330,6 @@ impl CycleCall<'_, '_> {
 
     fn send_undercut(&mut self, mut cycle: UndercutCycle) -> Outcome {
         let args = self.args;
-        self.turning_position(args.span)?;
         cycle.compensated = self.job.settings.output.compensation == crate::machine::Compensation::Control;
         if cycle.compensated {
             self.select_cutter(args.span)?;
@@ -351,8 +350,7 @@ impl CycleCall<'_, '_> {
         if let Err(fault) = cycle.check() {
             return self.cycle_fault(args.span, None, &fault.to_string(), "check the arguments of the cycle");
         }
-        self.send_cycle(Cycle::Undercut(cycle));
-        Ok(())
+        self.send_from(self.in_front_of(&cycle), |_| Cycle::Undercut(cycle))
     }
 
     /// What is not confirmed, and what the control would choose.

@@ -46,7 +46,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 feed("_FF1", "feed").rule(FEED).default("the feed in force"),
                 feed("_FF2", "reduced feed").rule(FEED).default("`_FF1`"),
                 speed("_SS2", "reduced speed, turns a minute").unsigned().default("the speed at `_DIAG1`"),
-                length("_DIAGM", "diameter of the part catcher; refused"),
+                length("_DIAGM", "diameter of the part catcher; refused above `_DIAG2`, see `[cycles] parts_gripper`"),
                 digits("_VARI", &NO_DIGITS, "kind of machining: 0"),
                 count("_DN", "number of the second edge"),
                 DMODE,

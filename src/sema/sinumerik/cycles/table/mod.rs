@@ -88,6 +88,11 @@ impl Work {
 }
 
 impl Cycle {
+    /// Does it only measure? What it corrects is data of the machine.
+    pub fn measures(&self) -> bool {
+        self.signature.what == named::MEASURING
+    }
+
     pub fn is_built(&self) -> bool {
         matches!(self.work, Work::Hole(_) | Work::Moves(_) | Work::Along(_))
     }

@@ -23,7 +23,7 @@ pub(in super::super::super) fn instead(name: &str) -> &'static str {
     }
 }
 
-const MEASURING: &str = "measuring cycle";
+pub(super) const MEASURING: &str = "measuring cycle";
 
 pub(super) const ROWS: &[Cycle] = &[
     named("CYCLE60", "engraving"),

@@ -1,0 +1,122 @@
+//! Zones of CYCLE82 that are drilled at a feed of their own: where the drill enters, and where it comes out.
+//!
+//! Source: C 6.1 (docs/sources.md). Which digit of `_VARI` is which zone is not confirmed: by default both are slow, so that
+//! no zone is drilled faster than on the control.
+
+use crate::diag::{Answer, Diagnostic, codes};
+use crate::ir::Feed;
+use crate::ir::cycle::drilling::{Entry, Levels};
+use crate::machine::options::cycles::DrillingZones;
+
+use super::super::Outcome;
+use super::arguments::{Arguments, Key, S_FA, S_FD, S_ZA, S_ZD, VARI};
+use super::call::CycleCall;
+
+/// The hole in up to three parts.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Zones {
+    pub entry: Option<Entry>,
+    /// Between both zones; where they overlap, the slower of both.
+    pub feed: Feed,
+    /// Where the last zone begins, and its feed.
+    pub last: Option<(f64, Feed)>,
+}
+
+impl Arguments {
+    /// Does `_VARI` of CYCLE82 switch a zone on?
+    pub(super) fn has_zones(&self) -> bool {
+        self.name() == "CYCLE82" && self.or_zero(VARI) != 0.0
+    }
+}
+
+impl CycleCall<'_, '_> {
+    /// The zones of a hole that is drilled at `feed`.
+    pub(super) fn zones(&self, levels: &Levels, feed: Feed) -> Outcome<Zones> {
+        let args = self.args;
+        let digits = [args.digit(VARI, 3), args.digit(VARI, 4)];
+        if digits.iter().any(|digit| *digit > 1) || (0..10).any(|at| !matches!(at, 3 | 4) && args.digit(VARI, at) != 0)
+        {
+            return self.not_built(VARI, "another digit than 1 in the thousands and ten thousands of `_VARI`");
+        }
+        let [thousands, ten_thousands] = digits.map(|digit| digit == 1);
+        let (enters, comes_out) = match self.job.settings.cycles.drilling_zones {
+            DrillingZones::Both => {
+                if thousands != ten_thousands {
+                    self.says_both_zones();
+                }
+                (true, true)
+            }
+            DrillingZones::ThousandsThrough => (ten_thousands, thousands),
+            DrillingZones::ThousandsPredrill => (thousands, ten_thousands),
+        };
+        let way = levels.way();
+        let (first, first_feed) = self.zone(enters, [S_ZA, S_FA], way, feed)?;
+        let (last, last_feed) = self.zone(comes_out, [S_ZD, S_FD], way, feed)?;
+        let height = |below: f64| levels.reference - below * levels.outward();
+        let overlap = first + last > way;
+        // From the surface: where the first zone ends alone, and where the last one is alone.
+        let (upper, lower) = if overlap { (way - last, first) } else { (first, way - last) };
+        let slower = if first_feed.value() < last_feed.value() { first_feed } else { last_feed };
+        // Without a part between them the last zone follows the first.
+        let touching = !overlap && lower - upper <= 1e-9;
+        let middle = if overlap {
+            slower
+        } else if touching {
+            last_feed
+        } else {
+            feed
+        };
+        Ok(Zones {
+            entry: (upper > 0.0).then(|| Entry { height: height(upper), feed: Some(first_feed) }),
+            feed: middle,
+            last: (lower < way && !touching).then(|| (height(lower), last_feed)),
+        })
+    }
+
+    /// Length and feed of a zone; one that is off has no length.
+    fn zone(&self, on: bool, [length, percent]: [Key; 2], way: f64, feed: Feed) -> Outcome<(f64, Feed)> {
+        let args = self.args;
+        if !on {
+            for key in [length, percent] {
+                if args.or_zero(key) != 0.0 {
+                    self.unused(key, key.0, "without its digit in `_VARI`");
+                }
+            }
+            return Ok((0.0, feed));
+        }
+        let given = args.or_zero(percent);
+        if given < 0.0 {
+            let help = "give the feed of the zone in percent of F, above 0";
+            return self.cycle_fault(args.span_of(percent), 61003, "the feed of a zone is below 0", help);
+        }
+        if given == 0.0 {
+            self.reading_once(percent, "a feed of 0 percent is taken as 100");
+        }
+        let part = if given == 0.0 { 1.0 } else { given / 100.0 };
+        let length = self.length_of(args, length).unwrap_or(0.0).abs();
+        Ok((length.min(way), feed.with_value(feed.value() * part)))
+    }
+
+    fn says_both_zones(&self) {
+        let args = self.args;
+        let message = format!(
+            "{}: which digit of `_VARI` is predrilling and which is through-drilling is not confirmed: both zones are drilled slowly",
+            args.name()
+        );
+        let help = Answer::key("cycles", "cycle82_vari")
+            .one_of(&["\"thousands-through\"", "\"thousands-predrill\""])
+            .help("say it by `[cycles] cycle82_vari`: \"thousands-through\" or \"thousands-predrill\"");
+        let found = Diagnostic::new(codes::S8162, self.loc(args.span_of(VARI)), message).help(help);
+        if !self.job.diags.knows(&found) {
+            self.report(found);
+        }
+    }
+
+    fn reading_once(&self, key: Key, what: &str) {
+        let message = format!("{}: {what}; this is not confirmed", self.args.name());
+        let found = Diagnostic::new(codes::S8162, self.loc(self.args.span_of(key)), message);
+        if !self.job.diags.knows(&found) {
+            self.report(found.help("compare with what the machine does"));
+        }
+    }
+}

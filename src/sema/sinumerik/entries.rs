@@ -1,0 +1,56 @@
+//! Entries of `[programs]` that would make a word of the language vanish.
+
+use crate::machine::StandIn;
+
+use super::Run;
+use super::vocabulary::{Address, Indexed, Meaning, Procedure};
+
+impl Run<'_> {
+    /// No entry of `[programs]` takes away what moves the tool or says where it goes; a file may stand for a cycle.
+    pub(super) fn refuse_known_words(&self) {
+        let programs = &self.job.settings.programs;
+        let entries: Vec<(&str, &str)> = programs
+            .iter()
+            .filter(|(_, stands)| !matches!(stands, StandIn::File(_)))
+            .filter_map(|(name, _)| Some((name.as_str(), reserved(*self.vocabulary.get(name.as_str())?)?)))
+            .collect();
+        let help = "take them out: without them the tool would go another way; a file may run in place of a cycle: \
+                    `CYCLE952 = { file = \"stubs/CYCLE952.SPF\" }`";
+        self.refuse_entries("[programs]", &entries, help);
+    }
+}
+
+/// What a word of the language is, if without it the path would be another one.
+pub(super) fn reserved(meaning: Meaning) -> Option<&'static str> {
+    match meaning {
+        Meaning::Code(_) => Some("a G function"),
+        Meaning::Axis(_) => Some("an axis"),
+        Meaning::Address(Address::Dynamics) | Meaning::Indexed(Indexed::Dynamics | Indexed::Override) => None,
+        Meaning::Address(_) | Meaning::Indexed(_) => Some("a word of the path"),
+        Meaning::Known(known) => known.moves.then_some(known.what),
+        Meaning::Procedure(procedure) => of_procedure(procedure),
+        Meaning::Unknown => None,
+    }
+}
+
+fn of_procedure(procedure: Procedure) -> Option<&'static str> {
+    match procedure {
+        Procedure::Transformation(_) => Some("a transformation"),
+        Procedure::TransformationOff => Some("the end of a transformation"),
+        Procedure::Swivel => Some("the swivelling of the plane"),
+        Procedure::GeoAxes => Some("a change of the geometry axes"),
+        Procedure::DiameterChannel => Some("the kind of dimensions of X"),
+        Procedure::SetMaster => Some("the choice of the spindle that feeds count by"),
+        Procedure::ExecString | Procedure::Return | Procedure::EndLabel => Some("a word of the program flow"),
+        Procedure::Refused(refusal) => refusal.moves.then_some(refusal.what),
+        Procedure::NoEffect
+        | Procedure::Dynamics
+        | Procedure::WheelSpeed
+        | Procedure::Message
+        | Procedure::SetAlarm
+        | Procedure::Channel
+        | Procedure::Interrupt
+        | Procedure::FileAccess
+        | Procedure::CallPath => None,
+    }
+}
