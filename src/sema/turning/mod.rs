@@ -22,6 +22,7 @@ mod g_functions;
 mod geometry;
 mod geometry_forms;
 mod m_functions;
+mod nose;
 mod outline;
 mod path;
 mod program_parts;
