@@ -172,7 +172,7 @@ const PLACES: u32 = 9;
 fn result(head: &str, call: &str, value: &str) -> (Vec<String>, Vec<String>) {
     let settings = if [LATHE, GROOVES, TURNED].contains(&head) {
         settings(
-            "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n[tools.2]\nwidth = 4.0\nradius = 0.2\norientation = 3\n",
+            "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n[tools.1]\nradius = 0.0\n[tools.2]\nwidth = 4.0\nradius = 0.2\norientation = 3\n",
         )
     } else {
         Settings::default()

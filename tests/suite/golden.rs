@@ -35,7 +35,7 @@ books! {
     gcode = "gcode":
         lines speeds;
     heidenhain_turning = "heidenhain-turning":
-        angles arcs calls compensation contours corners drilling finishing flow modal moves program recess
+        angles arcs calls compensation contours corners drilling finishing flow modal moves noses program recess
         recess_turning roughing shifts threads tools undercut variables;
     heidenhain_turning_finishing = "heidenhain-turning/finishing":
         ends;
@@ -113,8 +113,7 @@ books! {
     sinumerik_lexical = "sinumerik/lexical":
         skip words;
     sinumerik_machining = "sinumerik/machining":
-        contour_pockets cycle92 cycle93 cycle930 cycle95 cycle951 cycle952 grooves_refused milling milling_alarms
-        milling_parameters paths pocket_alarms pockets rests slots thread_milling;
+        contour_pockets cycle92 cycle93 cycle930 cycle95 cycle951 cycle952 groove_rims grooves_refused milling milling_alarms milling_parameters paths pocket_alarms pockets rests slots thread_milling;
     sinumerik_offsets = "sinumerik/offsets":
         g500 g53;
     sinumerik_patterns = "sinumerik/patterns":
@@ -124,7 +123,7 @@ books! {
     sinumerik_undercut_corners = "sinumerik/undercut_corners":
         form_e form_f threads;
     sinumerik_undercut_cycles = "sinumerik/undercut_cycles":
-        cycle94 cycle940 cycle940_a cycle940_b cycle940_c cycle940_d cycle940_e cycle940_f cycle940_t cycle96;
+        cycle94 cycle940 cycle940_a cycle940_b cycle940_c cycle940_d cycle940_e cycle940_f cycle940_t cycle96 noses;
     sinumerik_variables = "sinumerik/variables":
         arrays;
     targets_klartext = "targets/klartext":

@@ -1,10 +1,9 @@
 //! Undercuts and recesses of turned contours against a model of the part: every cut along a form lies inside of the part
 //! without the form, or on its surface; where it would lie in the air, the form is refused.
 
-use partc::internals::machine::Settings;
 use partc::internals::text::files::NoFiles;
 
-use super::common::compile_bytes;
+use super::common::{compile_bytes, settings};
 
 /// Printed coordinates have four decimals.
 const NEAR: f64 = 2e-4;
@@ -171,7 +170,9 @@ fn cuts(output: &str) -> Vec<Point> {
 }
 
 fn compiled(text: &str) -> super::common::Compiled {
-    compile_bytes("A.nc", text.as_bytes().to_vec(), "heidenhain-turning", &Settings::default(), &NoFiles)
+    // A nose of no radius: its point goes along the forms themselves.
+    let settings = settings("[tools.1]\nradius = 0.0\n");
+    compile_bytes("A.nc", text.as_bytes().to_vec(), "heidenhain-turning", &settings, &NoFiles)
 }
 
 /// The form is cut inside of the part, and deeper than the plain contour at least at one place.

@@ -4,7 +4,7 @@ use partc::internals::text::files::NoFiles;
 
 use super::common::{Compiled, compile_bytes, settings};
 
-const LATHE: &str = "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n[undercut]\n";
+const LATHE: &str = "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n[tools.1]\nradius = 0.0\n[undercut]\n";
 
 fn compiled(name: &str, dialect: &str, config: &str, text: &str) -> Compiled {
     let made = compile_bytes(name, text.as_bytes().to_vec(), dialect, &settings(&format!("{LATHE}{config}")), &NoFiles);

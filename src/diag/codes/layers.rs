@@ -19,7 +19,7 @@ G3304 Warning "cycle-cuts-nothing" "cycle cuts nothing"
 smaller than the part or a wrong datum looks like this. Compare the arguments of the call with the contour."
 
 S2201 Error "siemens-nose-unknown" "nose of the turning tool is not known"
-"Stock removal on a lathe runs the nose of the tool along the contour, so its radius and the position of its cutting edge have to be known: alarms 61000 and \
+"Stock removal and undercut cycles of a lathe run the nose of the tool along the contour, so its radius and the position of its cutting edge have to be known: alarms 61000 and \
 61009. Give them in the configuration under [tools], or in the program by $TC_DP6 and $TC_DP2."
 
 S8210 Note "siemens-relief-left" "relief cut is left standing"

@@ -119,8 +119,7 @@ S8023 Note "siemens-undercut-roughing" "roughing of an undercut"
 "How a control roughs an undercut is not published. partc cuts in equal steps, then along the undercut; the finished form is the same."
 
 S8024 Note "siemens-nose" "nose radius is not compensated"
-"The cycle of the control selects radius compensation itself. With `compensation = \"control\"` the output does so, too; otherwise the \
-programmed point of the tool follows the undercut."
+"Retired: CYCLE94, CYCLE96 and CYCLE940 cut the undercut with the nose of the tool, as the control does. Without its radius and position they are refused (S2201)."
 
 S8025 Warning "siemens-tap" "tapping with a tension-compression chuck"
 "CYCLE84, CYCLE840, G331 and G332: the target cuts a thread in step with the spindle and reverses in between, which is not rigid: the tap needs a chuck that gives way. Where the \

@@ -148,8 +148,9 @@ T2023 Warning "turning-tool-data" "tool data of the program is not used"
 compensation needs it."
 
 T2024 Error "turning-tool-data-missing" "cycle needs data of the tool"
-"Recessing cycles need the cutting width, the nose radius and the kind of the tool in the cutting position. The program does not hold them: \
-add them to `[tools]` in partc.toml."
+"Recessing cycles need the cutting width, the nose radius and the kind of the tool in the cutting position. Contour cycles need its nose radius and the \
+position of its edge where the contour has a slope, an arc or walls that face each other: there the nose touches beside the programmed point. The program does \
+not hold them: add them to `[tools]` in partc.toml."
 
 T2025 Error "turning-side" "tool stands on the wrong side of the contour"
 "Roughing removes what lies between the contour and the tool. Here the contour falls away from the tool, so the tool stands where the finished \
@@ -160,8 +161,9 @@ T2026 Note "turning-left-standing" "falling parts of the contour are left standi
 end as if the contour went on level. G810, G819, G820 and G829 cut these parts with a feed above 0 in E; else rough them with a cycle of their own."
 
 T2027 Note "turning-nose-unknown" "nose radius of the tool is not known"
-"Contour cycles compensate the radius of the nose. The program does not hold it: without tool data the programmed point of the tool follows the \
-contour, as if its radius were 0. Add `radius` and `orientation` of the tool to `[tools]` in partc.toml."
+"Contour cycles compensate the radius of the nose. The program does not hold it. This contour lies along the axes, where the programmed point of the tool is \
+exact, so it is printed; in inner corners the nose leaves its radius standing. With a slope or an arc the cycle is refused (T2024). Add `radius` and `orientation` \
+of the tool to `[tools]` in partc.toml."
 
 T2028 Warning "turning-descending-feed" "feed on descending elements is partc's choice"
 "Where E is missing the control lowers the feed on descending elements by up to a half, depending on their angle. partc takes half the feed on \

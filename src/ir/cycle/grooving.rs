@@ -18,6 +18,8 @@ pub struct Grooving {
     /// The finished groove from rim to rim: it falls to its floor and rises again, seen from the tool. It begins at
     /// the rim of the reference point: there the tool stands afterwards.
     pub contour: Vec<Element>,
+    /// How far the chamfer or rounding at the first rim and at the last one reaches below the surface; 0 for a sharp rim.
+    pub rims: [f64; 2],
     pub into: Towards,
     pub tool: RecessTool,
     /// Height of the surface on the infeed axis (X radius or Z); nothing stands above it.
@@ -144,7 +146,8 @@ impl Family for Grooving {
             (is_positive(tool.width), GrooveFault::Width),
             (is_length(tool.nose) && tool.nose <= tool.width / 2.0, GrooveFault::Nose),
             (is_coordinate(tool.edge), GrooveFault::Edge),
-            (self.rims().iter().all(|rim| (rim - self.surface).abs() <= ON_SURFACE), GrooveFault::Surface),
+            (self.heights_of_rims().iter().all(|rim| (rim - self.surface).abs() <= ON_SURFACE), GrooveFault::Surface),
+            (self.rims.into_iter().all(is_length), GrooveFault::Surface),
             (is_coordinate(first) && is_coordinate(last), GrooveFault::Allowance),
             (is_length(self.allowance.depth) && is_length(self.allowance.around), GrooveFault::Allowance),
             (is_positive(self.spacing) && self.spacing <= tool.width, GrooveFault::Spacing),
@@ -182,7 +185,7 @@ impl Grooving {
         [first, self.contour.last().map_or(first, Element::to)]
     }
 
-    fn rims(&self) -> [f64; 2] {
+    fn heights_of_rims(&self) -> [f64; 2] {
         self.ends().map(|end| self.into.depth_coordinate(end))
     }
 
@@ -218,6 +221,7 @@ pub(crate) mod tests {
     pub(crate) fn groove() -> Grooving {
         Grooving {
             contour: lines(&[(-20.0, 40.0), (-20.0, 28.0), (-32.0, 28.0), (-32.0, 40.0)]),
+            rims: [0.0; 2],
             into: Towards::MinusX,
             tool: RecessTool { width: 4.0, nose: 0.2, edge: 0.0 },
             surface: 20.0,

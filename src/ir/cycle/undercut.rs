@@ -2,11 +2,13 @@
 
 use core::fmt;
 
-use crate::geo::Point2;
 use crate::geo::undercut::{Allowance, Fault, Orientation, Shape};
+use crate::geo::{Point2, Vec2};
 use crate::ir::{Feed, Pos, Side};
 
 use super::Family;
+use super::roughing::Nose;
+use super::turning::is_coordinate;
 
 /// An undercut cut by itself. Points are (Z, X) with X as a radius, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,14 +32,16 @@ pub struct UndercutCycle {
     pub leave: Leave,
     /// The depth steps alone, or with the finishing cut.
     pub finishing: bool,
-    /// The nose radius is compensated; off if the tool path itself is programmed.
+    /// The output selects radius compensation, and its receiver makes the path of the nose.
     pub compensated: bool,
+    /// The nose that runs along the undercut; its programmed point is printed. Not looked at where the receiver compensates.
+    pub nose: Nose,
 }
 
 /// An allowance; lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Leave {
-    /// Along Z and along X: the whole undercut is moved out of the material.
+    /// Along Z and along X: floor, face and slope are moved out of the material along both.
     Along { z: f64, x: f64 },
     /// The same everywhere: its lines lie parallel to those of the finished one.
     Around(f64),
@@ -74,6 +78,10 @@ pub enum UndercutFault {
     Nothing,
     /// The end of the face lies inside the undercut.
     FaceEnd,
+    /// The nose radius is negative, or its programmed point does not lie on it.
+    Nose,
+    /// The programmed point of the nose lies on the side away from the cylinder or from the face.
+    Edge,
     /// The undercut itself.
     Shape(Fault),
 }
@@ -88,6 +96,8 @@ impl fmt::Display for UndercutFault {
             UndercutFault::Finish => "the finishing allowance must be less than the depth of the undercut",
             UndercutFault::Nothing => "neither roughing nor finishing is asked for",
             UndercutFault::FaceEnd => "the face ends inside the undercut",
+            UndercutFault::Nose => "the nose radius must not be negative",
+            UndercutFault::Edge => "the edge of the tool points away from the corner of the undercut",
             UndercutFault::Shape(Fault::Dimension) => "a depth, width or radius of the undercut is no positive number",
             UndercutFault::Shape(Fault::Angle) => "an angle of the undercut is out of range",
             UndercutFault::Shape(_) => "slope, floor and roundings do not fit into the undercut",
@@ -112,6 +122,8 @@ impl Family for UndercutCycle {
             (self.step.is_none_or(positive), UndercutFault::Step),
             (self.leave.is_possible(self.shape.depth()), UndercutFault::Finish),
             (self.step.is_some() || self.finishing, UndercutFault::Nothing),
+            (self.compensated || self.nose_is_possible(), UndercutFault::Nose),
+            (self.compensated || self.tip().x <= 0.0 && self.tip().y <= 0.0, UndercutFault::Edge),
         ];
         if let Some((_, fault)) = rules.iter().find(|(good, _)| !good) {
             return Err(*fault);
@@ -124,6 +136,17 @@ impl Family for UndercutCycle {
 }
 
 impl UndercutCycle {
+    fn nose_is_possible(&self) -> bool {
+        let unit = |v: f64| v == -1.0 || v == 0.0 || v == 1.0;
+        self.nose.radius >= 0.0 && is_coordinate(self.nose.radius) && unit(self.nose.tip.x) && unit(self.nose.tip.y)
+    }
+
+    /// From the centre of the nose to the programmed point, along the cylinder and along the face, both away from the corner; in mm.
+    pub fn tip(&self) -> Vec2 {
+        let tip = self.nose.tip * self.nose.radius;
+        Vec2::new(tip.x * self.orientation.first, tip.y * self.orientation.second)
+    }
+
     /// Side on which the nose is compensated: the tool stays outside the part.
     pub fn side(&self) -> Side {
         match (self.compensated, self.orientation.first * self.orientation.second > 0.0) {

@@ -1,11 +1,14 @@
 //! The undercut cycle: in front of the corner at rapid, along the undercut and up the face at feed, back.
 //!
 //! The path is computed in the frame of the corner: `s` along the cylinder, `n` along the face, both away from the
-//! part. The tool enters on the extension of the entry slope, so that it never touches the cylinder in front.
+//! part. The tool enters on the extension of the entry slope, so that it never touches the cylinder in front. A nose
+//! of known radius runs beside the undercut (`nose`); its programmed point is what is sent.
+
+mod nose;
 
 use crate::diag::codes;
 use crate::geo::undercut::{Allowance, Corner, Fault, Frame, Placed, Reference, Shape, place};
-use crate::geo::{Deg, Element, Plane, Point2, Vec2};
+use crate::geo::{Deg, Element, Plane, Point2, Vec2, gap};
 use crate::ir::contour::{self, ArcShape, Coords, Move, Path};
 use crate::ir::cycle::Family;
 use crate::ir::cycle::undercut::{Leave, UndercutCycle, UndercutFault};
@@ -18,6 +21,12 @@ use super::{CycleItem, Expand, Start};
 const MOST_STEPS: f64 = 10_000.0;
 /// What division may lose: 0.9 / 0.3 is three steps, not four.
 const SLACK: f64 = 1e-9;
+/// What arithmetic loses in a distance, mm.
+const NEAR: f64 = 1e-6;
+/// The face goes on above where a nose on the floor touches it by this at least, mm.
+const LEAST_FACE: f64 = 0.01;
+/// The cylinder and the face reach as far, mm: longer than any undercut, and not part of the cycle.
+const LONG: f64 = 1e4;
 
 impl Expand for UndercutCycle {
     fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
@@ -28,47 +37,62 @@ impl Expand for UndercutCycle {
 /// Sends the moves of the cycle, which starts and ends in `from`, (Z, X) with X as a radius.
 ///
 /// # Errors
-/// G3041 for arguments that make no undercut, G3040 for too many steps, G3046 for a start behind the face.
+/// G3041 for arguments that make no undercut, G3040 for too many steps, G3046 for a start behind the face, G3048 where
+/// the tool cannot leave the face, G3049 for a nose that does not fit.
 pub fn expand(cycle: &UndercutCycle, from: Point2, out: &mut dyn FnMut(&Move)) -> Result<(), Failure> {
     cycle.check().map_err(fault)?;
     let mut cuts = Vec::new();
-    for (shape, moved) in steps(cycle)? {
-        cuts.push(cut(cycle, &shape, moved)?);
+    for step in steps(cycle)? {
+        cuts.push(cut(cycle, &step)?);
     }
     let frame = Frame::new(cycle.corner, cycle.orientation, Reference::First, Allowance::default());
     let start = frame.inward(from);
-    if start.x < 0.0 {
+    let radius = cycle.nose.radius;
+    if start.x - cycle.tip().x - radius < -SLACK {
         let message = "the tool stands behind the face of the undercut, so that there is no safe way to the corner";
         return Err(Failure::new(codes::G3046, message, "position the tool in front of the face before the cycle"));
     }
     let mut path = Track { frame, cycle, out };
-    // Over everything the cycle cuts, and never nearer to the part than where the tool stood.
-    let top = cuts.iter().map(|cut| cut.end.y.max(cut.enter.y)).fold(0.0, f64::max) + cycle.clearance;
-    let top = top.max(start.y);
+    let top = top(cycle, &cuts, start);
     path.rapid(Point2::new(start.x, top));
     for cut in &cuts {
         path.rapid(Point2::new(cut.enter.x, top));
         path.rapid(cut.enter);
-        path.line(cut.begin);
         for element in &cut.elements {
             path.element(element);
         }
-        path.line(cut.end);
-        path.rapid(cut.end + Vec2::new(cycle.clearance, 0.0));
-        path.rapid(Point2::new(cut.end.x + cycle.clearance, top));
+        path.lift(cut);
+        path.rapid(Point2::new(cut.lifted().x, top));
     }
     path.rapid(Point2::new(start.x, top));
     path.rapid(start);
     Ok(())
 }
 
+/// Height of the travel: over everything the cycle cuts, and never nearer to the part than where the tool stood.
+/// Inside it does not go beyond the turning centre for that.
+fn top(cycle: &UndercutCycle, cuts: &[Cut], start: Point2) -> f64 {
+    let highest = cuts.iter().map(|cut| cut.lifted().y.max(cut.enter.y)).fold(0.0, f64::max);
+    let centre = if cycle.orientation.second < 0.0 { cycle.corner.y } else { f64::INFINITY };
+    (highest + cycle.clearance).min(centre.max(highest)).max(start.y)
+}
+
 fn fault(fault: UndercutFault) -> Failure {
     Failure::new(codes::G3041, fault.to_string(), "check the data of the undercut cycle")
 }
 
-/// The shapes of the cuts, the shallowest first, and how far each is moved out of the material.
-fn steps(cycle: &UndercutCycle) -> Result<Vec<(Shape, Vec2)>, Failure> {
+/// One cut: its shape, how far it is moved out of the material, and whether it makes the finished undercut.
+struct Step {
+    shape: Shape,
+    moved: Vec2,
+    finishes: bool,
+}
+
+/// The cuts, the shallowest first.
+fn steps(cycle: &UndercutCycle) -> Result<Vec<Step>, Failure> {
     let mut list = Vec::new();
+    // Without an allowance the last step is the finished undercut.
+    let nothing_left = cycle.leave.is_nothing();
     if let Some(step) = cycle.step {
         let (shape, moved) = left(&cycle.shape, cycle.leave);
         let depth = shape.depth();
@@ -78,12 +102,13 @@ fn steps(cycle: &UndercutCycle) -> Result<Vec<(Shape, Vec2)>, Failure> {
             return Err(Failure::new(codes::G3040, message, "program a larger infeed"));
         }
         let count = count as u32;
-        list.extend((1..=count).map(|i| (shallower(&shape, depth * f64::from(i) / f64::from(count)), moved)));
+        list.extend((1..=count).map(|i| {
+            let shape = shallower(&shape, depth * f64::from(i) / f64::from(count));
+            Step { shape, moved, finishes: i == count && nothing_left && cycle.finishing }
+        }));
     }
-    // Without an allowance the last step is the finished undercut.
-    let finished = cycle.leave.is_nothing() && cycle.step.is_some();
-    if cycle.finishing && !finished {
-        list.push((cycle.shape, Vec2::zeros()));
+    if cycle.finishing && !(nothing_left && cycle.step.is_some()) {
+        list.push(Step { shape: cycle.shape, moved: Vec2::zeros(), finishes: true });
     }
     Ok(list)
 }
@@ -91,7 +116,12 @@ fn steps(cycle: &UndercutCycle) -> Result<Vec<(Shape, Vec2)>, Failure> {
 /// The undercut that an allowance leaves, and where its corner lies from that of the finished one.
 fn left(shape: &Shape, leave: Leave) -> (Shape, Vec2) {
     match (leave, *shape) {
-        (Leave::Along { z, x }, _) => (*shape, Vec2::new(z, x)),
+        // The slope faces the other way along the cylinder than the face does: both come nearer to each other.
+        (Leave::Along { z, x }, Shape::Square { length, depth, entry, entry_radius, corner_radius }) => {
+            let length = length - 2.0 * z;
+            (Shape::Square { length, depth, entry, entry_radius, corner_radius }, Vec2::new(z, x))
+        }
+        (Leave::Along { z, x }, other) => (other, Vec2::new(z, x)),
         // The slope meets the cylinder nearer to the corner: parallel lines, by half of the angle between the two.
         (Leave::Around(all), Shape::Square { length, depth, entry, entry_radius, corner_radius }) => {
             let (sin, cos) = Deg(entry.0 / 2.0).sin_cos();
@@ -113,43 +143,115 @@ fn shallower(shape: &Shape, depth: f64) -> Shape {
     }
 }
 
-/// One cut in the frame of the corner.
+/// One cut of the programmed point in the frame of the corner.
 struct Cut {
     /// Where the feed begins, in front of the part.
     enter: Point2,
-    /// Where the undercut begins.
-    begin: Point2,
     elements: Vec<Element>,
-    /// Upper end of the face.
-    end: Point2,
+    /// From the upper end of the face to where the tool goes out at rapid.
+    lift: Vec2,
 }
 
-fn cut(cycle: &UndercutCycle, shape: &Shape, moved: Vec2) -> Result<Cut, Failure> {
+impl Cut {
+    fn end(&self) -> Point2 {
+        self.elements.last().map_or(self.enter, Element::to)
+    }
+
+    fn lifted(&self) -> Point2 {
+        self.end() + self.lift
+    }
+}
+
+/// An undercut with the slope prolonged to where the tool comes in, and the face to where it leaves.
+struct Outline {
+    elements: Vec<Element>,
+    /// Where the slope meets the cylinder, and the direction in which it rises there.
+    begin: Point2,
+    slope: Vec2,
+}
+
+fn cut(cycle: &UndercutCycle, step: &Step) -> Result<Cut, Failure> {
+    let outline = outline(cycle, step)?;
+    let elements = if cycle.compensated {
+        // The receiver leads the nose to the slope on a straight line: a way on its extension, clear of the cylinder.
+        let from = outline.begin + outline.slope * (2.0 * cycle.clearance / outline.slope.y);
+        let first = outline.elements.first().map_or(from, Element::from);
+        core::iter::once(Element::Line { from, to: first }).chain(outline.elements.iter().copied()).collect()
+    } else {
+        nose::path(cycle, &outline, step.finishes)?
+    };
+    let enter = elements.first().map_or(outline.begin, Element::from);
+    let mut cut = Cut { enter, elements, lift: Vec2::zeros() };
+    cut.lift = lift(cycle, &outline, &cut)?;
+    Ok(cut)
+}
+
+fn outline(cycle: &UndercutCycle, step: &Step) -> Result<Outline, Failure> {
     let allowance = cycle.allowance;
-    let at = Point2::new(allowance.other, allowance.reference) + moved;
-    // Longer than any undercut: the cylinder and the face are not part of the cycle.
-    let long = 1e4;
-    let corner = Corner { from: at + Vec2::new(long, 0.0), at, to: at + Vec2::new(0.0, long) };
-    let placed: Placed = place(shape, &corner, Reference::First, allowance)
+    let at = Point2::new(allowance.other, allowance.reference) + step.moved;
+    let corner = Corner { from: at + Vec2::new(LONG, 0.0), at, to: at + Vec2::new(0.0, LONG) };
+    let placed: Placed = place(&step.shape, &corner, Reference::First, allowance)
         .map_err(|found: Fault| fault(UndercutFault::Shape(found)))?;
-    let entry = match *shape {
+    let entry = match step.shape {
         Shape::Square { entry, .. } | Shape::Recessed { entry, .. } | Shape::Slope { entry, .. } => entry,
         Shape::Wedge { opening, axis, .. } => Deg(axis.0 - opening.0 / 2.0),
         Shape::Groove { .. } => Deg(90.0),
     };
     let (sin, cos) = entry.sin_cos();
-    let enter = placed.leave + Vec2::new(cos / sin, 1.0) * cycle.clearance;
+    let slope = Vec2::new(cos, sin);
+    // On the floor a nose touches the face at the height of its centre.
+    let radius = if cycle.compensated { 0.0 } else { cycle.nose.radius };
+    let touches = step.moved.y - step.shape.depth() + radius;
+    let beside_face = if radius > 0.0 { touches + LEAST_FACE } else { touches };
+    // A nose beside the slope hangs lower than its line by this.
+    let hangs = radius * (1.0 - cos);
+    let enter = placed.leave + slope * ((cycle.clearance + hangs) / sin);
     let end = match cycle.face_end {
         Some(x) => {
             let n = (x - cycle.corner.y) * cycle.orientation.second;
-            if n < placed.join.y - 1e-6 {
+            if step.finishes && n < placed.join.y - NEAR {
                 return Err(fault(UndercutFault::FaceEnd));
             }
-            Point2::new(placed.join.x, n)
+            // Shallower undercuts reach higher up the face.
+            Point2::new(placed.join.x, n.max(placed.join.y).max(beside_face))
         }
-        None => placed.join + Vec2::new(0.0, cycle.clearance),
+        None => Point2::new(placed.join.x, (placed.join.y + cycle.clearance).max(beside_face)),
     };
-    Ok(Cut { enter, begin: placed.leave, elements: placed.elements, end })
+    let mut elements = Vec::with_capacity(placed.elements.len() + 2);
+    elements.push(Element::Line { from: enter, to: placed.leave });
+    elements.extend_from_slice(&placed.elements);
+    elements.push(Element::Line { from: placed.join, to: end });
+    Ok(Outline { elements, begin: placed.leave, slope })
+}
+
+/// From the end of a cut to where the tool goes out at rapid: off the face, and up where the undercut, or what the cut leaves in its
+/// corners, is in the way.
+///
+/// # Errors
+/// G3048 where the undercut is in every way.
+fn lift(cycle: &UndercutCycle, outline: &Outline, cut: &Cut) -> Result<Vec2, Failure> {
+    let radius = if cycle.compensated { 0.0 } else { cycle.nose.radius };
+    let center = cut.end() - cycle.tip();
+    let cylinder = Element::Line { from: outline.begin, to: outline.begin + Vec2::new(LONG, 0.0) };
+    // In front of the undercut there is no slope.
+    let part = outline.elements.iter().skip(1).chain(core::iter::once(&cylinder));
+    let part: Vec<&Element> = part.filter(|element| element.length() > NEAR).collect();
+    let ways = [(1.0, 0.0), (1.0, 1.0), (0.5, 1.0), (0.25, 1.0), (0.125, 1.0)];
+    let ways = ways.map(|(s, n)| Vec2::new(s, n) * cycle.clearance);
+    // The last of the path is the face.
+    let path = cut.elements.split_last().map_or(&[][..], |(_, path)| path);
+    let free = |way: &Vec2| {
+        let way = Element::Line { from: center + *way * 0.05, to: center + *way };
+        let clear = part.iter().all(|element| gap::between(&way, element) > (radius - NEAR).max(NEAR));
+        clear && path.iter().all(|element| gap::between(&way.shifted(cycle.tip()), element) > NEAR)
+    };
+    ways.into_iter().find(free).ok_or_else(|| {
+        Failure::new(
+            codes::G3048,
+            "there is no room between the end of the face and the undercut for the tool to leave",
+            "cut the face up to a greater height, or give a smaller safety distance",
+        )
+    })
 }
 
 struct Track<'a> {
@@ -174,6 +276,11 @@ impl Track<'_> {
         self.send(to, Path::Line(self.cycle.feed));
     }
 
+    /// Off the face: along the cylinder at rapid; on another way the face may still carry stock.
+    fn lift(&mut self, cut: &Cut) {
+        if cut.lift.y > 0.0 { self.line(cut.lifted()) } else { self.rapid(cut.lifted()) }
+    }
+
     fn element(&mut self, element: &Element) {
         match *element {
             Element::Line { to, .. } => self.line(to),
@@ -191,6 +298,7 @@ mod tests {
     use super::*;
     use crate::geo::undercut::Orientation;
     use crate::ir::Feed;
+    use crate::ir::cycle::roughing::Nose;
     use crate::ir::undercut::{ThreadForm, form_e, form_f, thread};
     use crate::machine::Undercuts;
 
@@ -207,6 +315,7 @@ mod tests {
             leave: Leave::NOTHING,
             finishing: true,
             compensated: true,
+            nose: Nose::default(),
         }
     }
 
@@ -259,8 +368,9 @@ mod tests {
             words(&e, Point2::new(5.0, 50.0)),
             [
                 "G0 Z5 X100",
-                "G0 Z-68.7679 X100",
-                "G0 Z-68.7679 X67",
+                "G0 Z-65.0359 X100",
+                "G0 Z-65.0359 X69",
+                "G1 Z-68.7679 X67 G42",
                 "G1 Z-72.5 X65 G42",
                 "G1 Z-73.5433 X64.4409 G42",
                 "G2 Z-73.6986 X64.4 G42",
@@ -275,7 +385,7 @@ mod tests {
         );
         // Low over the cylinder the tool first goes up, over the face.
         let list = words(&e, Point2::new(-40.0, 34.0));
-        assert_eq!((list[0].as_str(), list[12].as_str()), ("G0 Z-40 X82", "G0 Z-40 X68"));
+        assert_eq!((list[0].as_str(), list[13].as_str()), ("G0 Z-40 X82", "G0 Z-40 X68"));
     }
 
     #[test]
@@ -283,9 +393,9 @@ mod tests {
         let size = *Undercuts::default().size(0.6, 0.3).expect("a size");
         let f = cycle(form_f(&size), 3, -30.0, 20.0);
         let list = words(&f, Point2::new(5.0, 10.0));
-        assert_eq!(list[3..6], ["G1 Z-27.5 X40 G41", "G1 Z-28.5433 X40.5591 G41", "G3 Z-28.6986 X40.6 G41"]);
-        assert_eq!(list[7..9], ["G3 Z-30.1942 X39.233 G41", "G1 Z-30 X36.4699 G41"]);
-        assert_eq!(list[9], "G1 Z-30 X34.4699 G41");
+        assert_eq!(list[4..7], ["G1 Z-27.5 X40 G41", "G1 Z-28.5433 X40.5591 G41", "G3 Z-28.6986 X40.6 G41"]);
+        assert_eq!(list[8..10], ["G3 Z-30.1942 X39.233 G41", "G1 Z-30 X36.4699 G41"]);
+        assert_eq!(list[10], "G1 Z-30 X34.4699 G41");
     }
 
     #[test]

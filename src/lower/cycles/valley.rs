@@ -171,6 +171,11 @@ impl Slot {
         -(self.second.touch(y - self.around) - self.nose) - self.width
     }
 
+    /// Radius of the corners of the tool that it was made for.
+    pub fn nose(&self) -> f64 {
+        self.nose
+    }
+
     /// Least height of the cutting edge with the tool at `x`, not below the floor and not above `top`.
     pub fn depth_at(&self, x: f64, top: f64) -> f64 {
         let first = self.first.height(x + self.nose);

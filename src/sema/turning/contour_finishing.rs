@@ -40,12 +40,9 @@ impl Run<'_> {
                     Some(nose) => Some(nose),
                     None if self.known_tool().and_then(|tool| tool.radius) == Some(0.0) => None,
                     None => {
-                        return self.fail_help(
-                            codes::T2024,
-                            self.block_span(),
-                            format!("G{} compensates the nose radius of the tool, which is not known", fun.number),
-                            "add `radius` and `orientation` of the tool to partc.toml",
-                        );
+                        let message =
+                            format!("G{} compensates the nose radius of the tool, which is not known", fun.number);
+                        return self.fail_help(codes::T2024, self.block_span(), message, self.asks_for_nose());
                     }
                 }
             }

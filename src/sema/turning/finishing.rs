@@ -9,7 +9,6 @@ use crate::ir::cycle::Cycle;
 use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way};
 use crate::ir::cycle::roughing::Nose;
 use crate::ir::cycle::turning::Towards;
-use crate::machine::Tool;
 
 use super::geometry::Blank;
 use super::outline::Outline;
@@ -40,6 +39,8 @@ impl Run<'_> {
         let nose = self.nose_of_tool()?;
         let stance = self.stance(&contour, at, nose)?;
         self.check_forms(&section, stance.left)?;
+        let left_out = w.get(b'E').filter(|num| num.value == 0.0).map(|_| stance.into.unit());
+        self.nose_matters_not(&contour, stance.left, left_out)?;
         let feed = self.cutting_feed()?;
         let descending = match w.get(b'E') {
             None => {
@@ -144,59 +145,6 @@ impl Run<'_> {
             }
             Some((_, loc)) => self.oversize_refused(loc, "this oversize does not fit the contour behind it"),
         }
-    }
-
-    /// The nose of the tool in the cutting position; `None` where nothing is known of it.
-    pub(super) fn nose_of_tool(&self) -> Outcome<Option<Nose>> {
-        let known = self.known_tool();
-        let Some(radius) = known.and_then(|tool| tool.radius) else {
-            let message = "the nose radius of the tool is not known: its programmed point follows the contour";
-            let found = Diagnostic::new(codes::T2027, self.here.origin.loc, message);
-            self.job.diags.push_once(
-                found.help("add `radius` and `orientation` of the tool to partc.toml to compensate the nose radius"),
-            );
-            return Ok(None);
-        };
-        let tip = match self.tip_of_tool() {
-            Some(tip) => tip,
-            None if radius == 0.0 => return Ok(None),
-            None => {
-                let given = known.and_then(|tool| tool.orientation);
-                let message = match given {
-                    Some(position) => format!(
-                        "cutting-edge position {position} of the tool is not supported in this cycle: its nose cannot be compensated"
-                    ),
-                    None => "the cutting-edge position of the tool is not known, so its nose cannot be compensated"
-                        .to_owned(),
-                };
-                return self.fail_help(
-                    codes::T2024,
-                    self.block_span(),
-                    message,
-                    "add `orientation = 3` (1 to 4: where the edge points to) to the tool in partc.toml, or `radius = 0`",
-                );
-            }
-        };
-        Ok(Some(Nose { radius, tip }))
-    }
-
-    /// Where the edge of the tool points to.
-    pub(super) fn tip_of_tool(&self) -> Option<Vec2> {
-        match self.known_tool()?.orientation? {
-            1 => Some(Vec2::new(1.0, 1.0)),
-            2 => Some(Vec2::new(-1.0, 1.0)),
-            3 => Some(Vec2::new(-1.0, -1.0)),
-            4 => Some(Vec2::new(1.0, -1.0)),
-            _ => None,
-        }
-    }
-
-    /// What partc.toml says of the tool in the cutting position.
-    pub(super) fn known_tool(&self) -> Option<&Tool> {
-        let active = self.st.tool.as_ref()?;
-        let tools = &self.job.settings.tools;
-        let by_name = || active.name.as_deref().and_then(|name| tools.by_name(name)).map(|(_, tool)| tool);
-        tools.by_number(active.number, active.edge).or_else(by_name)
     }
 
     /// On which side of the contour the tool works: told by its edge, else by where it stands.

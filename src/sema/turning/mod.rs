@@ -23,6 +23,7 @@ mod geometry;
 mod geometry_forms;
 mod m_functions;
 mod other_axes;
+mod nose;
 mod outline;
 mod path;
 mod program_parts;

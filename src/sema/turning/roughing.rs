@@ -182,6 +182,7 @@ impl Run<'_> {
             },
             ..layers
         };
+        self.nose_matters_not_in(&layers)?;
         self.send_cycle(&Cycle::Layers(layers));
         self.st.oversize = None;
         Ok(())

@@ -231,6 +231,7 @@ pub(super) const NEVER: &[(&str, &str)] = &[
     ("O9318", "dialects ask for the position along Z in front of such a block themselves"),
     ("O9323", "SINUMERIK states the largest speed with each cutting speed once it was programmed"),
     ("O9001", "what a target has no word for has a code of its own"),
+    ("S8024", "retired: undercut cycles compensate the nose, or refuse"),
     ("T2029", "retired: G86 is finished without an oversize, too"),
     ("G3043", "dialects ask for the position in front of a cycle themselves"),
 ];

@@ -340,26 +340,34 @@ impl Judge<'_> {
                 return Err(format!("roughing at {} {h} leaves {distance}, not {}", self.place(i), self.left));
             }
         }
-        Ok(())
+        // And no more of it, but for the corners of the tool.
+        self.down_to(&self.rough, self.left)
     }
 
     fn complete(&self) -> Result<(), String> {
-        let nose = self.case.nose;
-        let reach = nose * (std::f64::consts::SQRT_2 - 1.0) + 1e-3;
+        self.down_to(&self.shape, 0.0)
+    }
+
+    /// Nothing stands above a shape by more than `around` and what the corners of the tool leave.
+    fn down_to(&self, shape: &Shape, around: f64) -> Result<(), String> {
+        let reach = (self.case.nose + around) * std::f64::consts::SQRT_2 - self.case.nose + 1e-3;
+        // Above the inner corners nothing is left at all.
+        let inner = self.case.inner.map(Corner::size).into_iter().fold(0.0, f64::max);
+        let foot = 0.05 + inner + self.case.nose + around + (self.case.floor - self.left).max(0.0) - self.case.depth;
         for (i, h) in self.stock.heights.iter().enumerate() {
             let x = self.place(i);
             let [a, b] = self.shape.seen(x);
             if a < 0.0 || b < 0.0 {
                 continue;
             }
-            let target =
-                [x - SIDE, x + SIDE].map(|x| self.shape.height(x)).into_iter().fold(f64::NEG_INFINITY, f64::max);
+            let target = [x - SIDE, x + SIDE].map(|x| shape.height(x)).into_iter().fold(f64::NEG_INFINITY, f64::max);
             if *h <= target + CHORD {
                 continue;
             }
-            let distance = self.shape.distance([x, *h]);
-            if distance > reach.max(CHORD) {
-                return Err(format!("{distance} left at {x} {h}, the shape is {target}"));
+            let distance = shape.distance([x, *h]);
+            let most = if *h > foot { around + 2.0 * CHORD } else { reach.max(CHORD) };
+            if distance > most {
+                return Err(format!("{distance} left at {x} {h}, the shape is {target}, {around} around it"));
             }
         }
         Ok(())

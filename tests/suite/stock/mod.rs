@@ -20,3 +20,4 @@ mod removal;
 mod roughing;
 mod spigots;
 mod turning;
+mod undercuts;

@@ -1,5 +1,6 @@
 //! Grooving: strokes side by side from the middle outwards, each as deep as the walls let the whole edge go; strokes on
-//! leaning walls, whose steps are cut off; then the contour in two halves, each with the corner on its side.
+//! walls that lean or have a round foot; what stands at a wall is cut off along it; then the contour in two halves, each
+//! with the corner on its side.
 //!
 //! ```text
 //!   ══╗   5   3   1   2   4   6   ╔══
@@ -31,6 +32,9 @@ const WALL_SHARE: f64 = 0.5;
 
 /// A stroke that is less deep than this is left out, mm.
 const NO_DEPTH: f64 = 1e-6;
+
+/// What stands at a wall that is less thick than this is nothing, mm.
+const NOTHING: f64 = 1e-6;
 
 impl Expand for Grooving {
     fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
@@ -71,6 +75,8 @@ pub fn expand<'a>(grooving: &Grooving, from: Point2, out: &'a mut Strokes<'a>) -
 struct Groove<'g> {
     grooving: &'g Grooving,
     surface: f64,
+    /// How far the rims reach below the surface: of the wall towards -x, and of the other one.
+    rims: [f64; 2],
     /// Where the whole edge may plunge.
     plunged: Slot,
     /// Where the rounded corners may be in roughing, and in finishing.
@@ -84,10 +90,11 @@ impl<'g> Groove<'g> {
     fn of(grooving: &'g Grooving, view: &View) -> Result<Groove<'g>, Failure> {
         let mut contour: Vec<Element> = grooving.contour.iter().map(|element| view.element(element)).collect();
         let allowance = &grooving.allowance;
-        let mut walls = allowance.walls;
+        let (mut walls, mut rims) = (allowance.walls, grooving.rims);
         if grooving.runs_towards_minus() {
             contour = contour.iter().rev().map(Element::reversed).collect();
             walls.reverse();
+            rims.reverse();
         }
         let valley = Valley::new(&contour).map_err(|why| why.refused("groove"))?;
         let tool = &grooving.tool;
@@ -117,11 +124,14 @@ impl<'g> Groove<'g> {
                 infeed::steps(surface - plunged.floor, most)
             }
         };
-        if gaps.max(steps) > MOST_STROKES {
-            let message = format!("the groove takes {} strokes", gaps.max(steps));
+        let groove = Groove { grooving, surface, rims, plunged, rough, finished, gaps };
+        let on_walls = groove.runs().into_iter().flatten().map(|run| infeed::steps(run, groove.wall_spacing()));
+        let strokes = on_walls.fold(gaps.max(steps), u64::max);
+        if strokes > MOST_STROKES {
+            let message = format!("the groove takes {strokes} strokes");
             return Err(Failure::new(codes::G3040, message, "program a larger infeed, or take a wider tool"));
         }
-        Ok(Groove { grooving, surface, plunged, rough, finished, gaps })
+        Ok(groove)
     }
 
     /// The first and the last position at the floor of `slot`.
@@ -140,17 +150,47 @@ impl<'g> Groove<'g> {
         order.into_iter().map(|i| infeed::place(begin, end, i, self.gaps.max(1))).collect()
     }
 
-    /// Positions outside of the floor on the wall towards -x and on the other one, from the floor outwards.
+    fn wall_spacing(&self) -> f64 {
+        WALL_SHARE * self.grooving.tool.width
+    }
+
+    /// How far the two walls reach outwards of the floor: up to the rim, and the rim.
+    fn runs(&self) -> [[f64; 2]; 2] {
+        let (begin, end) = Self::floor_of(&self.plunged);
+        let raised = self.surface + self.grooving.allowance.depth;
+        let foot_of_rim = |rim: f64| match rim > 0.0 {
+            true => (raised - rim - self.plunged.nose()).min(self.surface).max(self.plunged.floor),
+            false => self.surface,
+        };
+        let [first, second] = self.rims.map(foot_of_rim);
+        let first = [first, self.surface].map(|y| begin - self.plunged.begin(y));
+        let second = [second, self.surface].map(|y| self.plunged.end(y) - end);
+        [first, second].map(|[wall, rim]| [wall, rim - wall])
+    }
+
+    /// Positions outside of the floor on the wall towards -x and on the other one, from the floor outwards: spread over the wall
+    /// without its rim, then over the rim.
     fn on_walls(&self) -> [Vec<f64>; 2] {
         let (begin, end) = Self::floor_of(&self.plunged);
-        let runs = [begin - self.plunged.begin(self.surface), self.plunged.end(self.surface) - end];
-        let spacing = WALL_SHARE * self.grooving.tool.width;
-        let positions = |from: f64, sense: f64, run: f64| -> Vec<f64> {
-            let count = infeed::steps(run, spacing);
-            let places = (1..=count).map(|k| infeed::place(from, from + sense * run, k, count));
+        let spread = |from: f64, run: f64| {
+            let count = infeed::steps(run.abs(), self.wall_spacing());
+            (1..=count).map(move |k| infeed::place(from, from + run, k, count))
+        };
+        let positions = |from: f64, sense: f64, [wall, rim]: [f64; 2]| -> Vec<f64> {
+            let places = spread(from, sense * wall).chain(spread(from + sense * wall, sense * rim));
             places.filter(|x| self.depth(*x) > NO_DEPTH).collect()
         };
-        [positions(begin, -1.0, runs[0]), positions(end, 1.0, runs[1])]
+        let [first, second] = self.runs();
+        [positions(begin, -1.0, first), positions(end, 1.0, second)]
+    }
+
+    /// Do the plunges leave more than the allowance at the wall towards -x, and at the other one?
+    fn stands_at_walls(&self) -> [bool; 2] {
+        let (begin, end) = Self::floor_of(&self.plunged);
+        // Beside the rim, where the round corner of the tool does not hang over it.
+        let beside = (self.surface - self.grooving.tool.nose).max(self.rough.floor);
+        let off = [begin - self.rough.begin(beside), self.rough.end(beside) - end];
+        [off[0].abs() > NOTHING || self.rims[0] > 0.0, off[1].abs() > NOTHING || self.rims[1] > 0.0]
     }
 
     /// Depth of the plunge at `x` below the surface.
@@ -169,15 +209,14 @@ impl<'g> Groove<'g> {
         for x in rest {
             self.plunge(cutter, *x, alone);
         }
-        let on_walls = self.on_walls();
-        for x in on_walls.iter().flatten() {
+        for x in self.on_walls().iter().flatten() {
             self.plunge(cutter, *x, false);
         }
         let feed = self.grooving.feeds.plunge;
         let (begin, end) = Self::floor_of(&self.plunged);
         let ways = [(Slot::down_first as fn(&Slot, f64) -> _, begin), (Slot::down_second, end)];
-        for ((way, foot), strokes) in ways.into_iter().zip(&on_walls) {
-            if !strokes.is_empty() {
+        for ((way, foot), stands) in ways.into_iter().zip(self.stands_at_walls()) {
+            if stands {
                 let _ = cutter.down(way(&self.rough, cutter.clear), feed);
                 cutter.line(Point2::new(foot, self.rough.floor), feed);
                 cutter.lift();

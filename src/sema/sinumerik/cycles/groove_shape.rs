@@ -154,6 +154,18 @@ impl GrooveShape {
         Ok(list)
     }
 
+    /// How far the corners at the surface reach below it, of a contour of this shape.
+    pub fn rims(&self, contour: &[Element]) -> [f64; 2] {
+        let below = |corner: Option<Size>, foot: Option<Point2>| match (corner, foot) {
+            (Some(_), Some(foot)) => (self.side.into.depth_coordinate(foot) - self.surface()).abs(),
+            _ => 0.0,
+        };
+        [
+            below(self.outer[0], contour.first().map(Element::to)),
+            below(self.outer[1], contour.last().map(Element::from)),
+        ]
+    }
+
     /// How far the walls move together, and the floor up, for what is left on the groove.
     pub fn allowance(&self, left: Left) -> GrooveAllowance {
         match left {
@@ -271,8 +283,13 @@ mod tests {
             inner: [Some(Size::Radius(1.0)), None],
             ..plain
         };
-        let half = (std::f64::consts::FRAC_1_SQRT_2 * 1e4).round() / 1e4;
         let round = |v: f64| (v * 1e4).round() / 1e4;
+        assert_eq!(
+            cut.rims(&cut.contour().expect("a groove")).map(round),
+            [0.5, round(std::f64::consts::FRAC_1_SQRT_2)]
+        );
+        assert_eq!(plain.rims(&plain.contour().expect("a groove")), [0.0; 2]);
+        let half = (std::f64::consts::FRAC_1_SQRT_2 * 1e4).round() / 1e4;
         assert_eq!(
             points(&cut),
             [

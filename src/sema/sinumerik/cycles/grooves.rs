@@ -438,6 +438,7 @@ impl CycleCall<'_, '_> {
         let left = self.less_on_flanks(shape, cut.left, tool.width, left[1]);
         self.second_edge("finishes the second half with this edge");
         let grooving = Grooving {
+            rims: shape.rims(&contour),
             contour,
             into,
             tool,

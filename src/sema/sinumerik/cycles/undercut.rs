@@ -3,7 +3,7 @@
 //! Source: C 4.1, 5.1 and 5.7 (docs/sources.md).
 
 use crate::diag::{Answer, Diagnostic, codes};
-use crate::ir::cycle::undercut::UndercutCycle;
+use crate::ir::cycle::undercut::{UndercutCycle, UndercutFault};
 use crate::ir::cycle::{Cycle, Family};
 use crate::ir::undercut::Surface;
 use crate::machine::MachineKind;
@@ -334,11 +334,10 @@ impl CycleCall<'_, '_> {
         if cycle.compensated {
             self.select_cutter(args.span)?;
         } else {
-            self.note_once(
-                codes::S8024,
-                args.span,
-                "the undercut is cut with the programmed point of the tool: the control would compensate the nose radius",
-            );
+            if self.known_radius().is_some_and(|radius| radius > 0.0) {
+                self.frame_is_not_scaled()?;
+            }
+            cycle.nose = self.nose_of_edge()?;
         }
         let internal = cycle.orientation.second < 0.0;
         let inside = cycle.corner.y - cycle.clearance;
@@ -347,8 +346,15 @@ impl CycleCall<'_, '_> {
             let help = "check the diameter, the end of the face and the clearance";
             return self.cycle_fault(args.span, None, "the cycle would go beyond the turning centre", help);
         }
-        if let Err(fault) = cycle.check() {
-            return self.cycle_fault(args.span, None, &fault.to_string(), "check the arguments of the cycle");
+        match cycle.check() {
+            Ok(()) => {}
+            Err(fault @ UndercutFault::Edge) => {
+                let help = "take the tool whose edge points to the cylinder and to the face, or correct its position in the tool data";
+                return self.cycle_fault(args.span, 61608, &fault.to_string(), help);
+            }
+            Err(fault) => {
+                return self.cycle_fault(args.span, None, &fault.to_string(), "check the arguments of the cycle");
+            }
         }
         self.send_from(self.in_front_of(&cycle), |_| Cycle::Undercut(cycle))
     }

@@ -7,6 +7,7 @@ use crate::geo::undercut::{Allowance, Orientation, Shape};
 use crate::geo::{Deg, Point2};
 use crate::ir::Feed;
 use crate::ir::cycle::UndercutCycle;
+use crate::ir::cycle::roughing::Nose;
 use crate::ir::cycle::undercut::Leave;
 use crate::ir::undercut::{Doubts, Surface, ThreadForm, form_e, form_f, thread, usual_pitch};
 use crate::machine::Undercuts;
@@ -140,7 +141,8 @@ pub(super) fn cycle940(call: &Cycle940, tables: &Undercuts) -> Result<(UndercutC
         step: None,
         leave: Leave::NOTHING,
         finishing: true,
-        compensated: true,
+        compensated: false,
+        nose: Nose::default(),
     };
     match form {
         b'E' | b'F' => {
@@ -370,7 +372,8 @@ fn classic(call: &Classic, diameter: f64, shape: Shape) -> Result<UndercutCycle,
         step: None,
         leave: Leave::NOTHING,
         finishing: true,
-        compensated: true,
+        compensated: false,
+        nose: Nose::default(),
     })
 }
 

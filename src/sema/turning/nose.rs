@@ -1,0 +1,237 @@
+//! The nose of the tool, as `[tools]` knows it, and where a contour can be cut without it.
+//!
+//! Along the axes the programmed point of a tool that points to the material is exact. On slopes and arcs the nose touches
+//! elsewhere: there its radius has to be known.
+
+use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::geo::{Element, Vec2};
+use crate::ir::cycle::layers::{Layers, Relief};
+use crate::ir::cycle::roughing::Nose;
+use crate::machine::Tool;
+
+use super::{Outcome, Run};
+
+/// How far the ends of a line along an axis may lie apart across it, mm: what four decimals lose.
+const ON_AXIS: f64 = 1e-4;
+
+/// What of a contour the programmed point alone does not make.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Need {
+    Slope,
+    Arc,
+    /// Walls that face each other, or the other way than the edge points.
+    Wall,
+}
+
+/// A part of the contour that is cut: the element, and the direction from it to the tool where it lies along an axis.
+type Piece = (Element, Vec2);
+
+impl Run<'_> {
+    /// The nose of the tool in the cutting position; `None` where it has no radius, or nothing is known of it.
+    ///
+    /// # Errors
+    /// T2024 for a radius without the position of the edge.
+    pub(super) fn nose_of_tool(&self) -> Outcome<Option<Nose>> {
+        let known = self.known_tool();
+        let Some(radius) = known.and_then(|tool| tool.radius) else { return Ok(None) };
+        let tip = match self.tip_of_tool() {
+            Some(tip) => tip,
+            None if radius == 0.0 => return Ok(None),
+            None => {
+                let given = known.and_then(|tool| tool.orientation);
+                let message = match given {
+                    Some(position) => format!(
+                        "cutting-edge position {position} of the tool is not supported in this cycle: its nose cannot be compensated"
+                    ),
+                    None => "the cutting-edge position of the tool is not known, so its nose cannot be compensated"
+                        .to_owned(),
+                };
+                let help = "add `orientation = 3` (1 to 4: where the edge points to) to the tool in partc.toml, or `radius = 0`";
+                let help = match &self.st.tool {
+                    Some(tool) if given.is_none() => Answer::tool(tool.number, "orientation").help(help),
+                    _ => help.into(),
+                };
+                return self.fail_help(codes::T2024, self.block_span(), message, help);
+            }
+        };
+        Ok(Some(Nose { radius, tip }))
+    }
+
+    /// Where the edge of the tool points to.
+    pub(super) fn tip_of_tool(&self) -> Option<Vec2> {
+        match self.known_tool()?.orientation? {
+            1 => Some(Vec2::new(1.0, 1.0)),
+            2 => Some(Vec2::new(-1.0, 1.0)),
+            3 => Some(Vec2::new(-1.0, -1.0)),
+            4 => Some(Vec2::new(1.0, -1.0)),
+            _ => None,
+        }
+    }
+
+    /// What partc.toml says of the tool in the cutting position.
+    pub(super) fn known_tool(&self) -> Option<&Tool> {
+        let active = self.st.tool.as_ref()?;
+        let tools = &self.job.settings.tools;
+        let by_name = || active.name.as_deref().and_then(|name| tools.by_name(name)).map(|(_, tool)| tool);
+        tools.by_number(active.number, active.edge).or_else(by_name)
+    }
+
+    /// A nose of unknown radius does not matter along what finishing cuts. `left_out`: the direction of elements that are left out.
+    pub(super) fn nose_matters_not(&self, contour: &[Element], left: bool, left_out: Option<Vec2>) -> Outcome {
+        let aside = |way: Vec2| if left { crate::geo::left(way) } else { -crate::geo::left(way) };
+        let cut = contour.iter().filter(|e| left_out.is_none_or(|into| (e.to() - e.from()).dot(&into) <= ON_AXIS));
+        let pieces: Vec<Piece> = cut.map(|e| (*e, aside(e.to() - e.from()))).collect();
+        self.point_is_enough(&pieces)
+    }
+
+    /// The same for what roughing cuts, and for the cut along the contour behind it.
+    pub(super) fn nose_matters_not_in(&self, layers: &Layers) -> Outcome {
+        self.point_is_enough(&pieces_of(layers))
+    }
+
+    /// # Errors
+    /// T2024 where the nose radius is not known and the pieces need it; along the axes note T2027.
+    fn point_is_enough(&self, pieces: &[Piece]) -> Outcome {
+        let known = self.known_tool();
+        if known.and_then(|tool| tool.radius).is_some() {
+            return Ok(());
+        }
+        let tip = known.and_then(|tool| tool.orientation).and_then(tip_of_position);
+        let Some(need) = need(pieces, tip) else {
+            let message = "the nose radius of the tool is not known: its programmed point follows the contour, which lies along the axes";
+            let found = Diagnostic::new(codes::T2027, self.here.origin.loc, message);
+            self.job.diags.push_once(found.help(
+                "add `radius` and `orientation` of the tool to partc.toml: the nose leaves its radius in inner corners",
+            ));
+            return Ok(());
+        };
+        let what = match need {
+            Need::Slope => "a slope",
+            Need::Arc => "an arc",
+            Need::Wall => "a wall that its point does not touch",
+        };
+        let message = match &self.st.tool {
+            None => {
+                format!("the contour has {what}, and no tool is in the cutting position whose nose could run along it")
+            }
+            Some(tool) => format!("the nose radius of tool {} is not known, and the contour has {what}", tool.number),
+        };
+        self.fail_help(codes::T2024, self.block_span(), message, self.asks_for_nose())
+    }
+
+    /// What says the nose of the tool in the cutting position.
+    pub(super) fn asks_for_nose(&self) -> Help {
+        let Some(tool) = &self.st.tool else { return "program T in front of the cycle".into() };
+        let number = tool.number;
+        let radius = Answer::tool(number, "radius")
+            .help(format!("give it in partc.toml: `[tools.{number}]` with `radius = 0.8` and `orientation = 3`"));
+        let known = self.known_tool().and_then(|tool| tool.orientation);
+        if known.is_none() { radius.and(Answer::tool(number, "orientation")) } else { radius }
+    }
+}
+
+/// Of the nine positions of an edge.
+fn tip_of_position(position: u8) -> Option<Vec2> {
+    let (z, x) = match position {
+        1 => (1.0, 1.0),
+        2 => (-1.0, 1.0),
+        3 => (-1.0, -1.0),
+        4 => (1.0, -1.0),
+        5 => (1.0, 0.0),
+        6 => (0.0, 1.0),
+        7 => (-1.0, 0.0),
+        8 => (0.0, -1.0),
+        9 => (0.0, 0.0),
+        _ => return None,
+    };
+    Some(Vec2::new(z, x))
+}
+
+/// What roughing cuts of a contour: without what falls, leans over or lies in the shadow where that is left standing.
+fn pieces_of(layers: &Layers) -> Vec<Piece> {
+    let (into, along) = (layers.into.unit(), layers.side_of_cuts());
+    let shadows = if layers.relief == Relief::Left { layers.reliefs() } else { Vec::new() };
+    let in_shadow = |e: &Element| {
+        let ends = [e.from(), e.to()].map(|p| layers.into.cutting_coordinate(p));
+        let inside = |p: f64, (a, b): (f64, f64)| p >= a.min(b) - ON_AXIS && p <= a.max(b) + ON_AXIS;
+        shadows.iter().any(|shadow| ends.iter().all(|p| inside(*p, *shadow)))
+    };
+    let kept = |e: &&Element| {
+        let way = e.to() - e.from();
+        let falls = layers.relief == Relief::Left && way.dot(&into) > ON_AXIS;
+        let leans = way.dot(&along) < -ON_AXIS;
+        !falls && !leans && !in_shadow(e)
+    };
+    let aside = |e: &Element| {
+        let way = e.to() - e.from();
+        let level = way.dot(&into).abs() <= ON_AXIS;
+        match (level, way.dot(&into) > 0.0) {
+            (true, _) => -into,
+            (false, false) => -along,
+            (false, true) => along,
+        }
+    };
+    layers.contour.iter().filter(kept).map(|e| (*e, aside(e))).collect()
+}
+
+/// What needs the radius of the nose. `tip`: where its programmed point lies from the centre, in radii.
+fn need(pieces: &[Piece], tip: Option<Vec2>) -> Option<Need> {
+    let mut seen = [Vec2::zeros(); 2];
+    pieces.iter().find_map(|(element, aside)| {
+        let way = element.to() - element.from();
+        let line = matches!(element, Element::Line { .. });
+        let along = match (way.x.abs() > ON_AXIS, way.y.abs() > ON_AXIS) {
+            _ if !line => return Some(Need::Arc),
+            (true, true) => return Some(Need::Slope),
+            (false, false) => return None,
+            (true, false) => 0,
+            (false, true) => 1,
+        };
+        let unit = |v: f64| if v.abs() > ON_AXIS { v.signum() } else { 0.0 };
+        let aside = aside.map(unit);
+        let turned = core::mem::replace(&mut seen[along], aside).dot(&aside) < 0.0;
+        let off = tip.is_some_and(|tip| tip.dot(&aside) != -1.0);
+        (turned || off).then_some(Need::Wall)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geo::Point2;
+
+    fn line(a: (f64, f64), b: (f64, f64)) -> Element {
+        Element::Line { from: Point2::new(a.0, a.1), to: Point2::new(b.0, b.1) }
+    }
+
+    /// Needs of a chain of lines through points (Z, X), the tool on its right.
+    fn of(points: &[(f64, f64)], tip: Option<(f64, f64)>) -> Option<Need> {
+        let pieces: Vec<Piece> = points
+            .windows(2)
+            .map(|pair| {
+                let element = line(pair[0], pair[1]);
+                (element, -crate::geo::left(element.to() - element.from()))
+            })
+            .collect();
+        need(&pieces, tip.map(|tip| Vec2::new(tip.0, tip.1)))
+    }
+
+    #[test]
+    fn stairs_need_no_nose() {
+        let stairs = [(0.0, 0.0), (0.0, 10.0), (-10.0, 10.0), (-10.0, 20.0), (-30.0, 20.0)];
+        assert_eq!(of(&stairs, None), None);
+        assert_eq!(of(&stairs, Some((-1.0, -1.0))), None);
+        assert_eq!(of(&stairs, Some((1.0, -1.0))), Some(Need::Wall));
+        assert_eq!(of(&stairs, Some((0.0, -1.0))), Some(Need::Wall));
+    }
+
+    #[test]
+    fn slopes_arcs_and_walls_on_both_sides_need_it() {
+        assert_eq!(of(&[(0.0, 10.0), (-10.0, 11.0)], None), Some(Need::Slope));
+        let collar = [(0.0, 10.0), (-10.0, 10.0), (-10.0, 20.0), (-20.0, 20.0), (-20.0, 10.0), (-30.0, 10.0)];
+        assert_eq!(of(&collar, None), Some(Need::Wall));
+        let (from, to) = (Point2::new(0.0, 10.0), Point2::new(-5.0, 15.0));
+        let arc = Element::Arc { from, to, center: Point2::new(0.0, 15.0), sweep: -1.5 };
+        assert_eq!(need(&[(arc, Vec2::zeros())], None), Some(Need::Arc));
+    }
+}
