@@ -205,7 +205,11 @@ fn steps(read: &read::Tap) -> Option<Vec<Stroke>> {
     let count = (deep - 1).checked_div(way)?.clamp(0, MOST);
     let stroke = |at: i64| {
         let depth = surface - at * way;
-        Stroke { to: real(depth), back: real(if back == 0 { read.from } else { (depth + back).min(read.from) }), dwell: 0.0 }
+        Stroke {
+            to: real(depth),
+            back: real(if back == 0 { read.from } else { (depth + back).min(read.from) }),
+            dwell: 0.0,
+        }
     };
     let last = Stroke { to: real(read.to), back: real(read.back), dwell: 0.0 };
     Some((1..=count).map(stroke).chain([last]).collect())

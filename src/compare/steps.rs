@@ -123,7 +123,15 @@ impl Steps {
     /// Ways up to half the tolerance are none.
     pub fn new(tolerance: f64) -> Steps {
         let (list, at) = (Vec::new(), Pos::UNKNOWN);
-        Steps { list, nothing: tolerance / 2.0, at, tool: None, cutter: CutterData::default(), offset: None, speed: None }
+        Steps {
+            list,
+            nothing: tolerance / 2.0,
+            at,
+            tool: None,
+            cutter: CutterData::default(),
+            offset: None,
+            speed: None,
+        }
     }
 
     /// All steps. A program that does not say how it ends stops at its end.

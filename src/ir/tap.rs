@@ -125,7 +125,10 @@ impl Tap {
         if ![self.speed_in, self.speed_out].into_iter().flatten().all(positive) {
             return Err(TapFault::Speed);
         }
-        if !(self.strokes.iter().all(|stroke| seconds(stroke.dwell)) && seconds(self.pause) && seconds(self.again.unwrap_or(0.0))) {
+        if !(self.strokes.iter().all(|stroke| seconds(stroke.dwell))
+            && seconds(self.pause)
+            && seconds(self.again.unwrap_or(0.0)))
+        {
             return Err(TapFault::Dwell);
         }
         let (out, mut at) = (self.outward(), self.start);

@@ -269,8 +269,7 @@ impl<'a> Watch<'a> {
     pub fn new(rules: Vec<Box<dyn MotionRule + 'a>>, diags: &'a Diags) -> Watching<'a> {
         let moving = rules.iter().enumerate().filter(|(_, rule)| rule.wants_moves()).map(|(at, _)| at).collect();
         let machine = Machine::default();
-        let watch =
-            Watch { rules, moving, machine, diags, cycle: None, taps: false, rigid: false, side: Side::None };
+        let watch = Watch { rules, moving, machine, diags, cycle: None, taps: false, rigid: false, side: Side::None };
         Rc::new(RefCell::new(watch))
     }
 

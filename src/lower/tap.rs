@@ -55,7 +55,8 @@ impl Lower<'_> {
         }
         let frame = &self.ctx.frame;
         if !leaves_alone(frame, tap.axis) {
-            let message = format!("the frame turns, mirrors or scales {}, along which the hole is tapped", tap.axis.letter());
+            let message =
+                format!("the frame turns, mirrors or scales {}, along which the hole is tapped", tap.axis.letter());
             let help = "end the frame in front of the tap, or turn and mirror the other axes only".to_owned();
             return Err((codes::G3050, message, help));
         }
@@ -66,11 +67,8 @@ impl Lower<'_> {
             place.set(tap.axis, height);
             frame.apply(&place).get(tap.axis).unwrap_or(height)
         };
-        let strokes = tap.strokes.iter().map(|stroke| Stroke {
-            to: mapped(stroke.to),
-            back: mapped(stroke.back),
-            ..*stroke
-        });
+        let strokes =
+            tap.strokes.iter().map(|stroke| Stroke { to: mapped(stroke.to), back: mapped(stroke.back), ..*stroke });
         let placed =
             Tap { start: mapped(tap.start), surface: mapped(tap.surface), strokes: strokes.collect(), ..tap.clone() };
         Ok((placed, Place { at: frame.apply(&stands), plane: self.ctx.plane }))
@@ -95,7 +93,5 @@ fn leaves_alone(frame: &Frame, axis: Axis) -> bool {
     let (linear, own) = (frame.linear(), axis.index());
     let unit = |i: usize| f64::from(u8::from(i == own));
     axis.is_main()
-        && (0..3).all(|i| {
-            (linear[(own, i)] - unit(i)).abs() <= STILL && (linear[(i, own)] - unit(i)).abs() <= STILL
-        })
+        && (0..3).all(|i| (linear[(own, i)] - unit(i)).abs() <= STILL && (linear[(i, own)] - unit(i)).abs() <= STILL)
 }

@@ -101,6 +101,9 @@ impl Reader {
 
     /// G84 and its like: down from R and back to it.
     fn tap_cycle(&mut self, block: &mut Block, left: bool) -> Result<(), Fault> {
+        if !self.modes.cycles_are_off {
+            return Err(Fault::new("a tapping cycle while another one is on"));
+        }
         let kind = self.modes.feed_kind;
         let speed = self.spindle.speed.filter(|speed| *speed > 0);
         if self.rules.taps == Taps::Announced && !std::mem::take(&mut self.spindle.is_ready) {
@@ -132,7 +135,18 @@ impl Reader {
         let dwell = if by_letter { block.take(b'P').unwrap_or(0) } else { 0 };
         let factor = if self.rules.taps == Taps::Plain { block.take(b'J').unwrap_or(SCALE) } else { SCALE };
         let dwell = self.rules.seconds(dwell).ok_or_else(|| Fault::new("a wait in parts of a millisecond"))?;
-        self.push_tap(Tap { axis, from, to, back: from, lead, left, factor, dwell, way: Way::Both, ..self.bare_tap() })?;
+        self.push_tap(Tap {
+            axis,
+            from,
+            to,
+            back: from,
+            lead,
+            left,
+            factor,
+            dwell,
+            way: Way::Both,
+            ..self.bare_tap()
+        })?;
         self.modes.cycles_are_off = false;
         // The control stops the spindle.
         self.spindle.turn = None;

@@ -56,7 +56,9 @@ impl Target {
         });
         let tap = self.motion.rigid_tap.map(|tap| match tap {
             RigidTap::Return { word, .. } => word.to_owned(),
-            RigidTap::Cycle(words) => [words.ready, Some(words.right), words.left].into_iter().flatten().collect::<Vec<_>>().join(", "),
+            RigidTap::Cycle(words) => {
+                [words.ready, Some(words.right), words.left].into_iter().flatten().collect::<Vec<_>>().join(", ")
+            }
             RigidTap::InAndOut { into, out, .. } => format!("{into}, {out}"),
             RigidTap::Dialog(words) => words.plain.split(' ').skip(2).next().unwrap_or_default().to_owned(),
         });

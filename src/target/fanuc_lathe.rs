@@ -4,8 +4,8 @@
 use core::f64::consts::PI;
 
 use super::{
-    Arcs, Change, CuttingSpeed, FeedWords, Frame, Lead, Length, Limit, Motion, RigidTap, SpindleWords, TapCycle, Target,
-    Thread, ToolWords,
+    Arcs, Change, CuttingSpeed, FeedWords, Frame, Lead, Length, Limit, Motion, RigidTap, SpindleWords, TapCycle,
+    Target, Thread, ToolWords,
     fanuc::{TAP, TARGET as FANUC},
 };
 

@@ -1,9 +1,7 @@
 //! Haas mills: Fanuc with program numbers of five digits and comments in any case.
 
 use super::fanuc::{TAP, TARGET as FANUC};
-use super::{
-    Comments, Frame, MoreOffsets, Motion, ProgramName, RigidTap, SpindleWords, TapCycle, TapPitch, Target,
-};
+use super::{Comments, Frame, MoreOffsets, Motion, ProgramName, RigidTap, SpindleWords, TapCycle, TapPitch, Target};
 
 pub(super) const TARGET: Target = Target {
     name: "haas",

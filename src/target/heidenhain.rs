@@ -52,7 +52,15 @@ pub(super) const TARGET: Target = Target {
     comments: Comments { open: "; ", close: "", forbidden: b"~", ..BASE.comments },
     line: Line { digits: 9, whole: 5, sequence: Sequence::Blocks, ..BASE.line },
     numbers: Numbers { length: [4, 4], most: 4, feed: Some([3, 3]), speed: Some(3), time: Some(3), ..BASE.numbers },
-    motion: Motion { rapid: "L", line: "L", machine: Some("M91"), machine_feed: true, planes: None, rigid_tap: Some(RigidTap::Dialog(&TAP)), ..BASE.motion },
+    motion: Motion {
+        rapid: "L",
+        line: "L",
+        machine: Some("M91"),
+        machine_feed: true,
+        planes: None,
+        rigid_tap: Some(RigidTap::Dialog(&TAP)),
+        ..BASE.motion
+    },
     feed: FeedWords { per_minute: "F", ..BASE.feed },
     arcs: Arcs {
         clockwise: "DR-",

@@ -28,7 +28,10 @@ impl Printer<'_> {
     pub(super) fn dialog_taps(&mut self, hole: &Hole<'_>, words: &TapDialog, origin: &Origin) -> Result<(), Unfit> {
         let tap = hole.tap;
         if tap.axis != Axis::Z || tap.outward() < 0.0 {
-            return Err(unfit("a tap in another direction than down Z", "set the part up so that Z goes into the hole"));
+            return Err(unfit(
+                "a tap in another direction than down Z",
+                "set the part up so that Z goes into the hole",
+            ));
         }
         let factor = tap.factor();
         let taken = FACTORS.contains(&factor);
@@ -62,7 +65,9 @@ impl Printer<'_> {
     fn says_steps(&self, tap: &Tap, steps: Steps) -> bool {
         let places = self.places_of(tap.axis);
         let exact = |value: f64| {
-            places.units(value).is_some_and(|units| (units as f64 / places.scale() - value).abs() <= SAME / places.scale())
+            places
+                .units(value)
+                .is_some_and(|units| (units as f64 / places.scale() - value).abs() <= SAME / places.scale())
         };
         exact(steps.way) && steps.back.is_none_or(|back| exact(back) && back > 0.0)
     }

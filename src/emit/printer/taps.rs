@@ -210,7 +210,10 @@ impl Printer<'_> {
     fn tapping_cycles(&mut self, hole: &Hole<'_>, words: &TapCycle, origin: &Origin) -> Result<(), Unfit> {
         let tap = hole.tap;
         if tap.axis != Axis::Z || tap.outward() < 0.0 {
-            return Err(unfit("a tap in another direction than down Z", "set the part up so that Z goes into the hole"));
+            return Err(unfit(
+                "a tap in another direction than down Z",
+                "set the part up so that Z goes into the hole",
+            ));
         }
         let word = match tap.turn {
             Turn::Clockwise => Some(words.right),
@@ -341,20 +344,22 @@ impl Printer<'_> {
         self.page.text.valued(ready, angle, self.measures.angle);
         self.page.end_line(origin);
         let letter = tap.axis.letter() as u8;
+        // The first block states its speed.
+        self.told.speed = None;
         for (at, (to, back)) in hole.strokes.iter().enumerate() {
             if at > 0 && tap.pause > 0.0 {
                 self.print_function(&Function::Dwell(tap.pause), origin);
             }
             let again = resumes[at].filter(|again| again != to).map(|again| (into, again, speed_out));
             for (word, end, speed) in again.into_iter().chain([(into, *to, speed_in)]) {
-                self.synchronous(word, (letter, end), (address, lead), speed, tap, origin);
+                self.synchronous(word, (letter, end), (address, lead), speed, origin);
             }
             if tap.strokes[at].dwell > 0.0 {
                 self.print_function(&Function::Dwell(tap.strokes[at].dwell), origin);
             }
-            self.synchronous(out, (letter, *back), (address, lead), speed_out, tap, origin);
+            self.synchronous(out, (letter, *back), (address, lead), speed_out, origin);
         }
-        self.told = Told { speed: Some(speed_out), turn: None };
+        self.told.turn = None;
         Ok(())
     }
 
@@ -364,13 +369,14 @@ impl Printer<'_> {
         (letter, end): (u8, i64),
         (address, lead): (u8, i64),
         speed: i64,
-        tap: &Tap,
         origin: &Origin,
     ) {
-        let places = self.places_of(tap.axis);
+        let places = Axis::of(letter).map_or(self.places, |axis| self.places_of(axis));
         self.page.text.word(word).number(letter, end, places);
         self.page.text.number(address, lead, self.measures.lead);
-        self.page.text.number(self.target.spindle.speed, speed, self.measures.speed);
+        if self.told.speed.replace(speed) != Some(speed) {
+            self.page.text.number(self.target.spindle.speed, speed, self.measures.speed);
+        }
         self.page.end_line(origin);
     }
 }

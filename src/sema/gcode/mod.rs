@@ -152,6 +152,8 @@ struct Run<'a> {
     start: Start,
     /// A work offset was selected.
     offset_said: bool,
+    /// The sense in which the spindle turns behind a tap, where no line said it yet.
+    turns_on: Option<Turn>,
     /// A line was refused: what later ones lack may have stood there.
     lost: bool,
 }
@@ -195,6 +197,7 @@ impl<'a> Run<'a> {
             cutter: None,
             start,
             offset_said: false,
+            turns_on: None,
             lost: false,
         }
     }
@@ -388,7 +391,21 @@ impl Run<'_> {
         Refused::Words(Box::new(Diagnostic::new(codes::R2001, self.here.origin.loc, message).help(help)))
     }
 
+    /// Behind a tap the spindle turns on as before; said, unless the next act says what it does.
+    fn turns_on(&mut self, act: &Act) {
+        let Some(turn) = self.turns_on else { return };
+        match act {
+            Act::M { number: 3..=5 | 19, spindle: 0, .. } | Act::Tap => self.turns_on = None,
+            Act::Speed(_) => {}
+            Act::Move(_) | Act::Select(_) | Act::Change | Act::M { .. } | Act::Dwell(_) | Act::Offset(_) => {
+                self.turns_on = None;
+                self.does(&Function::Spindle(Spindle::Start(turn)));
+            }
+        }
+    }
+
     fn act(&mut self, act: &Act, changes: bool) -> Result<(), Refused> {
+        self.turns_on(act);
         match *act {
             Act::Move(mv) => return self.movement(&mv),
             Act::Tap => self.tap(),
@@ -462,7 +479,7 @@ impl Run<'_> {
             again: None,
         };
         self.core.send_tap(&tap, &self.ctx);
-        self.does(&Function::Spindle(Spindle::Start(turn)));
+        self.turns_on = Some(turn);
         self.start.touch(AxisSet::of(tap.axis));
     }
 

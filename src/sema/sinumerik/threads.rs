@@ -310,7 +310,11 @@ impl Channel<'_> {
             let help = "select a work offset (G54) in front of the hole";
             return self.fail_help(codes::S2081, span, "a hole is tapped in coordinates of the machine", help);
         }
-        if code == GCode::G331 { self.taps_in((axis, lead), to, span)? } else { self.taps_out((axis, lead), to, span)? }
+        if code == GCode::G331 {
+            self.taps_in((axis, lead), to, span)?
+        } else {
+            self.taps_out((axis, lead), to, span)?
+        }
         self.stands_behind_tap(code, span);
         self.note_outer();
         if self.st.plane() != Plane::Xy {

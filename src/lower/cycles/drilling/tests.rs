@@ -3,6 +3,7 @@ use proptest::prelude::*;
 use super::pecking::depths;
 use super::*;
 use crate::ir::cycle::drilling::{Ahead, Breaks, Chip, Degression, Pecking, Removal, Resolved, TapStep};
+use crate::ir::tap::Part;
 
 const XYZ: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
@@ -175,6 +176,7 @@ fn boring_lifts_the_edge_off() {
 #[test]
 fn tapping_turns_back_on_the_way_out() {
     let tap = Tap {
+        rigid: true,
         lead: Some(1.25),
         turn: Turn::Clockwise,
         dwell_reversed: false,
