@@ -57,6 +57,9 @@ impl Reader {
         if self.modes.incremental != Some(false) {
             return Err(Fault::unsaid("a tap without absolute coordinates", Lack::Mode));
         }
+        if self.modes.constant_cut {
+            return Err(Fault::new("a tap under a constant cutting speed"));
+        }
         match motion {
             RETURN => self.tap_returns(block),
             CYCLE | LEFT_CYCLE => self.tap_cycle(block, motion == LEFT_CYCLE),

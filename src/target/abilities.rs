@@ -87,8 +87,8 @@ impl Target {
             ("feed per minute", self.feed.per_minute.to_owned()),
             ("feed per revolution", text(self.feed.per_revolution)),
             ("feed by time", text(self.feed.inverse_time)),
-            ("rigid tapping", tap.unwrap_or_else(|| "-".to_owned())),
             ("threads", text(self.motion.thread.map(|thread| thread.word))),
+            ("rigid tapping", tap.unwrap_or_else(|| "-".to_owned())),
             (
                 "arcs",
                 dialog

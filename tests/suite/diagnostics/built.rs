@@ -217,8 +217,8 @@ pub(super) const BUILT: &[Built] = &[
     },
     Built {
         code: "O9325",
-        fires: || on("sinumerik", "CYCLE840(5,0,2,-10,,0,4,3,0,,1.5)", ""),
-        silent: || on("linuxcnc", "CYCLE840(5,0,2,-10,,0,4,3,0,,1.5)", ""),
+        fires: || on("sinumerik", "F100\nCYCLE840(5,0,2,-10,,0,4,3,0,,1.5)", ""),
+        silent: || on("linuxcnc", "F100\nCYCLE840(5,0,2,-10,,0,4,3,0,,1.5)", ""),
     },
     Built { code: "O4007", fires: || on("fanuc", STEPPED, TAPPED), silent: || on("sinumerik", STEPPED, TAPPED) },
     Built { code: "O4008", fires: || on("haas", WAITING, TAPPED), silent: || on("sinumerik", WAITING, TAPPED) },
