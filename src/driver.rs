@@ -13,7 +13,7 @@ use crate::emit::plot::{self, Plot};
 use crate::emit::stats::{Counter, Model, Stats};
 use crate::emit::trace::Trace;
 use crate::emit::{LineMap, Output, Printer};
-use crate::ir::{Function, Origin, Pos, contour, motion, verify};
+use crate::ir::{Function, Origin, Pos, Tap, contour, motion, verify};
 use crate::lint::Checks;
 use crate::lint::fix::Fix;
 use crate::lint::imprint::Imprint;
@@ -352,6 +352,11 @@ impl motion::Sink for Beside<'_> {
     fn movement(&mut self, mv: &motion::Move, origin: &Origin) {
         self.printer.movement(mv, origin);
         self.beside.movement(mv, origin);
+    }
+
+    fn tap(&mut self, tap: &Tap, place: &motion::Place, origin: &Origin) {
+        self.printer.tap(tap, place, origin);
+        self.beside.tap(tap, place, origin);
     }
 
     fn function(&mut self, function: &Function, origin: &Origin) {

@@ -25,7 +25,7 @@ pub mod geo {
 }
 
 pub mod ir {
-    pub use crate::ir::{Feed, Function, Origin, Pos, Side, captured, contour, function, motion, undercut};
+    pub use crate::ir::{Feed, Function, Origin, Pos, Side, Tap, captured, contour, function, motion, undercut};
 }
 
 pub mod lower {

@@ -6,7 +6,7 @@ use crate::diag::Trail;
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{Coords, Corner, CtxRef, Load, Move, Path, Sink};
 use crate::ir::cycle::Cycle;
-use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::ir::{Feed, Function, Origin, Pos, Side, Tap};
 use crate::machine::Axis;
 use crate::text::{FileId, Span};
 
@@ -212,6 +212,14 @@ impl Sink for Looks<'_> {
             }
         }
         self.next.function(function, ctx, origin);
+    }
+
+    fn tap(&mut self, tap: &Tap, ctx: &CtxRef, origin: &Origin) {
+        let mut end = ctx.frame.unapply(&self.seen.at);
+        end.set(tap.axis, tap.end());
+        let end = ctx.frame.apply(&end);
+        self.seen.goes(&end, (Way::Thread, None, Side::None, false), origin, self.trail.steps());
+        self.next.tap(tap, ctx, origin);
     }
 
     fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef, origin: &Origin) {

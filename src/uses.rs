@@ -6,7 +6,7 @@ use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{Corner, CtxRef, Load, Move, Sink};
 use crate::ir::cycle::{Cycle, families};
 use crate::ir::function::Spindle;
-use crate::ir::{Function, Origin, Pos, Side};
+use crate::ir::{Function, Origin, Pos, Side, Tap};
 use crate::text::Loc;
 
 /// What a program uses; each with the first block that does.
@@ -85,6 +85,10 @@ impl Sink for Watch<'_> {
             _ => {}
         }
         self.next.function(function, ctx, origin);
+    }
+
+    fn tap(&mut self, tap: &Tap, ctx: &CtxRef, origin: &Origin) {
+        self.next.tap(tap, ctx, origin);
     }
 
     fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef, origin: &Origin) {

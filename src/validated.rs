@@ -3,8 +3,8 @@
 use crate::diag::Diags;
 use crate::driver::Failure;
 use crate::emit::Printer;
-use crate::ir::motion::{Move, Sink};
-use crate::ir::{Function, Origin, Pos};
+use crate::ir::motion::{Move, Place, Sink};
+use crate::ir::{Function, Origin, Pos, Tap};
 use crate::validate::Validator;
 
 /// Hands items to the printer, and what it makes of them to the validator.
@@ -60,6 +60,14 @@ impl Sink for Validated<'_> {
         self.look();
         let (bytes, end) = self.printer.held();
         self.validator.movement(mv, origin, bytes, end);
+        self.printer.release();
+    }
+
+    fn tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) {
+        self.printer.tap(tap, place, origin);
+        self.look();
+        let (bytes, end) = self.printer.held();
+        self.validator.tap(tap, place, origin, bytes, end);
         self.printer.release();
     }
 

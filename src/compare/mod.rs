@@ -20,7 +20,7 @@ use crate::machine::Axis;
 pub use play::{Stop, play};
 pub use steps::{Does, Kind, Step, Steps, Travel};
 
-use steps::shown;
+use steps::{Stroke, shown};
 
 /// How far ahead the place is looked for where two programs agree again, in steps.
 const AHEAD: usize = 40;
@@ -238,6 +238,7 @@ fn same_travel(a: &Travel, b: &Travel, tolerance: f64) -> bool {
     let same_kind = match (a.kind, b.kind) {
         (Kind::Rapid, Kind::Rapid) | (Kind::Line, Kind::Line) => true,
         (Kind::Thread(a), Kind::Thread(b)) => (a - b).abs() <= tolerance,
+        (Kind::Tap(a), Kind::Tap(b)) => same_stroke(&a, &b, tolerance),
         (
             Kind::Arc { plane, center, sweep },
             Kind::Arc { plane: other_plane, center: other_center, sweep: other_sweep },
@@ -258,6 +259,19 @@ fn same_travel(a: &Travel, b: &Travel, tolerance: f64) -> bool {
         && same_feed(a.feed, b.feed, tolerance)
         && ends_alike(a, b)
         && gap(&a.end, &b.end) <= tolerance
+}
+
+fn same_stroke(a: &Stroke, b: &Stroke, tolerance: f64) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() <= tolerance;
+    // What nobody said is not another speed.
+    let same = |a: Option<f64>, b: Option<f64>| a.zip(b).is_none_or(|(a, b)| near(a, b));
+    a.axis == b.axis
+        && a.turn == b.turn
+        && near(a.depth, b.depth)
+        && near(a.lead, b.lead)
+        && near(a.dwell, b.dwell)
+        && same(a.speed, b.speed)
+        && same(a.back, b.back)
 }
 
 /// Neither names an axis of which the other knows nothing.

@@ -3,8 +3,10 @@
 use core::f64::consts::TAU;
 
 use crate::geo::{Plane, Point2};
-use crate::ir::motion::{Arc, Move, Path, Sink};
-use crate::ir::{Function, Origin, Pos, Side};
+use crate::ir::function::Turn;
+use crate::ir::motion::{Arc, Move, Path, Place, Sink};
+use crate::ir::tap::Stroke;
+use crate::ir::{Function, Origin, Pos, Side, Tap};
 use crate::machine::{Axis, AxisSet};
 use crate::read::{self, AXES, Act, Reader, Rules};
 use crate::sema::gcode::function::{self, plane, real};
@@ -28,8 +30,8 @@ impl std::fmt::Display for Stop {
 /// # Errors
 /// The first line that is no plain G-code.
 pub fn play(text: &[u8], sink: &mut dyn Sink) -> Result<(), Stop> {
-    let mut player =
-        Player { reader: Reader::switched_on(rules_of(text)), sink, selected: None, waiting: None, cutter: None };
+    let reader = Reader::switched_on(rules_of(text));
+    let mut player = Player { reader, sink, selected: None, waiting: None, cutter: None, open: None };
     let (mut rest, mut end) = (text, text.len());
     loop {
         let before = player.reader.lines();
@@ -62,6 +64,8 @@ struct Player<'a> {
     /// A T word that a change in the same line may use: the tool and the line.
     waiting: Option<(u32, u64)>,
     cutter: Option<read::Cutter>,
+    /// A tap that went in.
+    open: Option<Tap>,
 }
 
 impl Player<'_> {
@@ -88,6 +92,12 @@ impl Player<'_> {
         self.bring_forth(Some(&act));
         match act {
             Act::Move(mv) => return self.movement(&mv),
+            Act::Tap => return self.tap(),
+            Act::Dwell(seconds) if self.open.is_some() => {
+                if let Some(open) = &mut self.open {
+                    open.strokes.iter_mut().for_each(|stroke| stroke.dwell += real(seconds));
+                }
+            }
             Act::Select(tool) => {
                 self.selected = Some(tool);
                 self.waiting = Some((tool, self.reader.lines()));
@@ -103,6 +113,53 @@ impl Player<'_> {
             }
         }
         Ok(())
+    }
+
+    /// A stroke, or one of its two ways.
+    fn tap(&mut self) -> Result<(), &'static str> {
+        let read = *self.reader.tap();
+        let axis = Axis::ALL[read.axis];
+        let speed = read.speed.map(real);
+        let item = Tap {
+            axis,
+            start: real(read.from),
+            surface: read.steps.map_or(real(read.from), |[surface, ..]| real(surface)),
+            strokes: vec![Stroke { to: real(read.to), back: real(read.back), dwell: real(read.dwell) }],
+            lead: real(read.lead),
+            turn: if read.left { Turn::CounterClockwise } else { Turn::Clockwise },
+            speed_in: speed,
+            speed_out: speed.map(|speed| if read.factor == 0 { speed } else { speed * real(read.factor) }),
+            orient: None,
+            pause: 0.0,
+            again: None,
+        };
+        match (read.way, self.open.take()) {
+            (read::Way::Both, None) => {
+                let strokes = steps(&read).unwrap_or_else(|| item.strokes.clone());
+                self.send_tap(&Tap { strokes, ..item });
+            }
+            (read::Way::In, None) => self.open = Some(item),
+            (read::Way::In, Some(open)) => self.open = Some(Tap { start: open.start, ..item }),
+            (read::Way::Out, Some(open)) => {
+                let strokes = open.strokes.iter().map(|stroke| Stroke { back: real(read.back), ..*stroke }).collect();
+                self.send_tap(&Tap { strokes, speed_out: speed, ..open });
+            }
+            (read::Way::Both, Some(_)) | (read::Way::Out, None) => {
+                return Err("the ways in and out of a tap do not belong together");
+            }
+        }
+        Ok(())
+    }
+
+    fn send_tap(&mut self, tap: &Tap) {
+        let mut at = Pos::UNKNOWN;
+        for axis in bits(self.reader.known()) {
+            at.set(axis, real(self.reader.at()[axis.index()]));
+        }
+        at.set(tap.axis, tap.start);
+        let plane = self.reader.modes().plane.map_or(Plane::Xy, plane);
+        let origin = self.origin();
+        self.sink.tap(tap, &Place { at, plane }, &origin);
     }
 
     fn movement(&mut self, mv: &read::Move) -> Result<(), &'static str> {
@@ -138,6 +195,24 @@ impl Player<'_> {
         }
         function::side(cutter)
     }
+}
+
+/// The strokes of a cycle that makes them by itself.
+fn steps(read: &read::Tap) -> Option<Vec<Stroke>> {
+    const MOST: i64 = 10_000;
+    let [surface, way, back] = read.steps?;
+    let deep = surface.checked_sub(read.to)?;
+    let count = (deep - 1).checked_div(way)?.clamp(0, MOST);
+    let stroke = |at: i64| {
+        let depth = surface - at * way;
+        Stroke {
+            to: real(depth),
+            back: real(if back == 0 { read.from } else { (depth + back).min(read.from) }),
+            dwell: 0.0,
+        }
+    };
+    let last = Stroke { to: real(read.to), back: real(read.back), dwell: 0.0 };
+    Some((1..=count).map(stroke).chain([last]).collect())
 }
 
 /// An arc by its exact sweep.

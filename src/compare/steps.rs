@@ -4,8 +4,8 @@ use core::f64::consts::TAU;
 
 use crate::geo::{Plane, Point2, distance, turned};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
-use crate::ir::motion::{Move, Path, Sink};
-use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::ir::motion::{Move, Path, Place, Sink};
+use crate::ir::{Feed, Function, Origin, Pos, Side, Tap};
 use crate::machine::Axis;
 
 /// One thing that a program does, and the block that asks for it.
@@ -44,11 +44,27 @@ pub enum Kind {
     Line,
     /// The way of a turn of the spindle.
     Thread(f64),
+    /// In step with the spindle along one axis to a depth and back.
+    Tap(Stroke),
     Arc {
         plane: Plane,
         center: Point2,
         sweep: f64,
     },
+}
+
+/// A stroke of a tap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stroke {
+    pub axis: Axis,
+    pub depth: f64,
+    pub lead: f64,
+    pub turn: Turn,
+    /// Turns a minute, as far as they were said.
+    pub speed: Option<f64>,
+    /// On the way out.
+    pub back: Option<f64>,
+    pub dwell: f64,
 }
 
 impl Travel {
@@ -81,6 +97,10 @@ impl Travel {
                 libm::hypot(radius * sweep, way(Axis::ALL[third]))
             }
             Kind::Rapid | Kind::Line | Kind::Thread(_) => libm::hypot(libm::hypot(x, y), z),
+            Kind::Tap(stroke) => {
+                let deep = |pos: &Pos| pos.get(stroke.axis).map_or(0.0, |at| (at - stroke.depth).abs());
+                deep(&self.start) + deep(&self.end)
+            }
         }
     }
 }
@@ -95,13 +115,23 @@ pub struct Steps {
     tool: Option<u32>,
     cutter: CutterData,
     offset: Option<u8>,
+    /// Of the spindle, in turns a minute.
+    speed: Option<f64>,
 }
 
 impl Steps {
     /// Ways up to half the tolerance are none.
     pub fn new(tolerance: f64) -> Steps {
         let (list, at) = (Vec::new(), Pos::UNKNOWN);
-        Steps { list, nothing: tolerance / 2.0, at, tool: None, cutter: CutterData::default(), offset: None }
+        Steps {
+            list,
+            nothing: tolerance / 2.0,
+            at,
+            tool: None,
+            cutter: CutterData::default(),
+            offset: None,
+            speed: None,
+        }
     }
 
     /// All steps. A program that does not say how it ends stops at its end.
@@ -120,6 +150,13 @@ impl Steps {
     }
 
     fn spindle(&mut self, spindle: Spindle, number: u8, origin: &Origin) {
+        if number == 0 {
+            match spindle {
+                Spindle::Speed(speed) => self.speed = Some(speed),
+                Spindle::CuttingSpeed { .. } => self.speed = None,
+                Spindle::Start(_) | Spindle::Stop | Spindle::Orient(_) => {}
+            }
+        }
         let number = f64::from(number);
         match spindle {
             Spindle::Start(Turn::Clockwise) => self.function("M3", [number, 0.0], origin),
@@ -203,6 +240,43 @@ impl Sink for Steps {
             mv.axes.iter().for_each(|axis| self.at.forget(axis));
         } else {
             self.at = end;
+        }
+    }
+
+    fn tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) {
+        // A tap starts the spindle by itself, at its speed: what was said of it just before has no effect.
+        while self.list.last().is_some_and(|step| is_of_spindle(&step.does)) {
+            self.list.pop();
+        }
+        let (speed, tool) = (tap.speed_in.or(self.speed), self.tool);
+        let back = tap.speed_out.or(speed);
+        for (at, stroke) in tap.strokes.iter().enumerate() {
+            if at > 0 && tap.pause > 0.0 {
+                self.dwell(tap.pause, origin);
+            }
+            let does = Stroke {
+                axis: tap.axis,
+                depth: stroke.to,
+                lead: tap.lead,
+                turn: tap.turn,
+                speed,
+                back,
+                dwell: stroke.dwell,
+            };
+            let start = self.at;
+            self.at.update(&place.at);
+            self.at.set(tap.axis, stroke.back);
+            let travel = Travel {
+                kind: Kind::Tap(does),
+                start,
+                end: self.at,
+                feed: None,
+                side: Side::None,
+                machine: false,
+                tool,
+            };
+            let (file, line) = (origin.loc.file.0, origin.loc.line);
+            self.list.push(Step { file, line, does: Does::Travel(travel) });
         }
     }
 
@@ -290,6 +364,7 @@ impl Travel {
             Kind::Rapid => "G0",
             Kind::Line => "G1",
             Kind::Thread(_) => "G33",
+            Kind::Tap(_) => "tap",
             Kind::Arc { sweep, .. } if sweep > 0.0 => "G3",
             Kind::Arc { .. } => "G2",
         };
@@ -311,6 +386,19 @@ impl Travel {
                 }
             }
             Kind::Thread(lead) => text += &format!(" K{}", shown(lead)),
+            Kind::Tap(Stroke { axis, depth, lead, turn, speed, back, dwell }) => {
+                let hand = if turn == Turn::Clockwise { "right" } else { "left" };
+                text += &format!(" to {}{}, {hand}-hand, pitch {}", axis.letter(), shown(depth), shown(lead));
+                if let Some(speed) = speed {
+                    text += &format!(", S{}", shown(speed));
+                }
+                if let Some(back) = back.filter(|back| speed != Some(*back)) {
+                    text += &format!(", back at S{}", shown(back));
+                }
+                if dwell > 0.0 {
+                    text += &format!(", dwell {}", shown(dwell));
+                }
+            }
             Kind::Rapid | Kind::Line => {}
         }
         match self.feed {
@@ -324,6 +412,18 @@ impl Travel {
             Side::Left => " left of the contour",
             Side::Right => " right of the contour",
         }
+    }
+}
+
+/// The speed of the first spindle, its start, its stop at an angle, and M29, which announces a tap.
+fn is_of_spindle(does: &Does) -> bool {
+    match does {
+        Does::Travel(_) => false,
+        Does::Function(word, [number, _]) => match word.as_str() {
+            "S" | "M3" | "M4" | "M19" => *number == 0.0,
+            "M" => *number == 29.0,
+            _ => false,
+        },
     }
 }
 

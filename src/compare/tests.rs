@@ -105,3 +105,37 @@ fn what_is_no_plain_program_is_said_with_its_line() {
         assert!(stop.line == line && stop.why.contains(why), "{text}: {stop}");
     }
 }
+
+/// The words of a receiver do not matter, and what the spindle is told just in front of a tap that starts it.
+#[test]
+fn a_tap_is_the_same_in_the_words_of_each_receiver() {
+    let tap = "S500 M3\nG0 X0 Y0\nG0 Z2\nG33.1 Z-10 K1.25\nM5\n";
+    let head = |target: &str| format!("(partc 0.1.0, target {target})\nG17 G94 G40 G80\nS500\nG0 X0. Y0.\nG0 Z2.\n");
+    for other in [
+        format!("{}M29 S500\nG99 G84 X0. Y0. Z-10. R2. F625.\nG80\nM5\n", head("fanuc")),
+        format!("{}G99 G84 X0. Y0. Z-10. R2. F625.\nG80\nM5\n", head("haas")),
+        format!("{}G95\nG99 G84.2 X0. Y0. Z-10. R2. F1.25\nG80\nM5\n", head("mazak")),
+    ] {
+        let plain = tap.replace("S500 M3\n", "S500\n").replace("G0 Z2\n", "G0 Z2\nM3\n");
+        let (found, text) = between(&plain, &other);
+        assert!(found.is_same(), "{other}\n{text}");
+        let (found, _) = between(&plain, &other.replace("625.", "500.").replace("F1.25", "F1."));
+        assert!(!found.is_same(), "{other}");
+    }
+}
+
+#[test]
+fn a_tap_is_no_pair_of_threads_and_its_hand_and_depth_count() {
+    let tap = "S500 M3\nG0 X0 Y0 Z2\nG33.1 Z-10 K1.25\nM5\n";
+    for other in [
+        "S500 M3\nG0 X0 Y0 Z2\nG33 Z-10 K1.25\nM4\nG33 Z2 K1.25\nM5\n".to_owned(),
+        tap.replace("M3", "M4"),
+        tap.replace("Z-10", "Z-9"),
+        tap.replace("K1.25", "K1.5"),
+        tap.replace("K1.25", "K1.25 I2"),
+        tap.replace("S500", "S400"),
+    ] {
+        let (found, _) = between(tap, &other);
+        assert!(!found.is_same(), "{other}");
+    }
+}

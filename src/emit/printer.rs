@@ -2,6 +2,7 @@
 
 mod carried;
 mod dialog;
+mod dialog_taps;
 #[cfg(test)]
 pub mod disturb;
 mod functions;
@@ -11,14 +12,15 @@ mod measures;
 mod moves;
 mod refusals;
 mod straight;
+mod taps;
 
 use std::io;
 
 use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::Plane;
 use crate::ir::function::{CutterData, Turn};
-use crate::ir::motion::{Move, Path, Sink};
-use crate::ir::{Function, Origin, Pos, Side};
+use crate::ir::motion::{Move, Path, Place, Sink};
+use crate::ir::{Function, Origin, Pos, Side, Tap};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet, MachineKind, OutputSettings, Settings, Tools};
 use crate::target::{CompensationWords, Form, Target};
@@ -65,6 +67,8 @@ pub struct Printer<'a> {
     doubted: bool,
     /// What the spindle and the coolant do, where a speed stands with the start, and no word ends both with the program.
     running: Running,
+    /// What the target was told of its spindle.
+    told: taps::Told,
 }
 
 /// The spindle, as far as a tool change by hand stops it.
@@ -141,6 +145,7 @@ impl<'a> Printer<'a> {
             ended: false,
             doubted: false,
             running: Running::default(),
+            told: taps::Told::default(),
         };
         // G96 outlives the program that programmed it: the first speed of a lathe says G97.
         printer.modal.cutting_speed = lathe;
@@ -405,6 +410,12 @@ impl Sink for Printer<'_> {
     fn movement(&mut self, mv: &Move, origin: &Origin) {
         if !self.page.full() {
             self.print_move(mv, origin);
+        }
+    }
+
+    fn tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) {
+        if !self.page.full() {
+            self.print_tap(tap, place, origin);
         }
     }
 

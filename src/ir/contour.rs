@@ -11,7 +11,7 @@ use crate::machine::Axis;
 use super::captured::{Captured, Unfit};
 use super::cycle::Cycle;
 use super::undercut::Undercut;
-use super::{Compensation, Feed, Frame, Function, Origin, Pos, Side};
+use super::{Compensation, Feed, Frame, Function, Origin, Pos, Side, Tap};
 
 /// Farthest that a coordinate, centre or radius may lie, in mm: 100 km. Beyond, binary fractions are coarser than what
 /// the streams promise.
@@ -227,6 +227,9 @@ pub trait Sink {
     /// those after it behind, or in front as [`Corner::early`] says. A tool change, work offset, plane or end does not
     /// wait: a corner in front of it has no second neighbour.
     fn function(&mut self, function: &Function, ctx: &CtxRef, origin: &Origin);
+    /// A hole is tapped from where the tool stands, axis and spindle in step all the time. No corner waits for it, and no move
+    /// is compensated.
+    fn tap(&mut self, tap: &Tap, ctx: &CtxRef, origin: &Origin);
     /// A cycle with all its arguments; where it leaves the tool is [`Cycle::leaves`].
     fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef, origin: &Origin);
     /// The position is no longer what the moves so far say: an error was reported, or the program moves in

@@ -11,6 +11,16 @@ pub enum Turn {
     CounterClockwise,
 }
 
+impl Turn {
+    /// The other way round.
+    pub fn reversed(self) -> Turn {
+        match self {
+            Turn::Clockwise => Turn::CounterClockwise,
+            Turn::CounterClockwise => Turn::Clockwise,
+        }
+    }
+}
+
 /// What a spindle does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Spindle {

@@ -12,6 +12,7 @@ pub mod frame;
 pub mod function;
 pub mod motion;
 pub mod pos;
+pub mod tap;
 pub mod transformation;
 pub mod undercut;
 pub mod verify;
@@ -23,6 +24,7 @@ pub use compensation::Compensation;
 pub use frame::Frame;
 pub use function::Function;
 pub use pos::Pos;
+pub use tap::Tap;
 pub use transformation::Transformation;
 
 /// Where an item comes from: the block, and how the program got there.

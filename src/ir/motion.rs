@@ -6,7 +6,8 @@ use crate::geo::{Element, Plane, Point2};
 use crate::machine::axis::AxisSet;
 
 use super::cycle::turning::Towards;
-use super::{Feed, Function, Origin, Pos, Side};
+use super::tap::Part;
+use super::{Feed, Function, Origin, Pos, Side, Tap};
 
 /// A move from the end of the move before.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -69,10 +70,40 @@ pub struct Arc {
     pub sweep: f64,
 }
 
+/// Where a tap begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// All axes whose position is known, that of the tap at its start.
+    pub at: Pos,
+    /// Working plane.
+    pub plane: Plane,
+}
+
+impl Place {
+    /// A move of a tap to this coordinate of its axis.
+    pub fn along(&self, tap: &Tap, to: f64, path: Path) -> Move {
+        let mut end = self.at;
+        end.set(tap.axis, to);
+        Move { end, axes: AxisSet::of(tap.axis), path, side: Side::None, plane: self.plane, machine: false }
+    }
+}
+
 /// Takes what a program does, in order. Each item comes with the block that caused it.
 pub trait Sink {
     fn movement(&mut self, mv: &Move, origin: &Origin);
     fn function(&mut self, function: &Function, origin: &Origin);
+    /// A hole is tapped, axis and spindle in step all the time. Who does not say otherwise gets it as its parts: lines in
+    /// step with the spindle, and what the spindle does between them. Who hands items on hands this one on as it is.
+    fn tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) {
+        tap.parts(&mut |part| match part.function() {
+            Some(function) => self.function(&function, origin),
+            None => {
+                if let Part::To(to) = part {
+                    self.movement(&place.along(tap, to, Path::Thread { lead: tap.lead }), origin);
+                }
+            }
+        });
+    }
     /// What the target believes of its position no longer holds: an error was reported, or the program moves in a way that
     /// is not in the stream.
     fn lost(&mut self, origin: &Origin);

@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use xxhash_rust::xxh3::Xxh3;
 
-use crate::ir::motion::{Move, Sink};
-use crate::ir::{Function, Origin, Pos};
+use crate::ir::motion::{Move, Place, Sink};
+use crate::ir::{Function, Origin, Pos, Tap};
 
 /// Takes everything that a program does, in order, without its comments and the places of its blocks.
 #[derive(Default)]
@@ -36,6 +36,10 @@ impl Imprint {
 impl Sink for Imprint {
     fn movement(&mut self, mv: &Move, _: &Origin) {
         self.take(mv);
+    }
+
+    fn tap(&mut self, tap: &Tap, place: &Place, _: &Origin) {
+        self.take(&(tap, place));
     }
 
     fn function(&mut self, function: &Function, _: &Origin) {

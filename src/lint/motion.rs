@@ -9,10 +9,12 @@ use crate::geo::Plane;
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Corner, CtxRef, Load};
 use crate::ir::cycle::Cycle;
-use crate::ir::cycle::drilling::{Method, Tap};
+use crate::ir::cycle::drilling;
+use crate::ir::cycle::drilling::Method;
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::motion::{self, Move, Path};
-use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::ir::tap::Part;
+use crate::ir::{Feed, Function, Origin, Pos, Side, Tap};
 use crate::machine::{Axis, MachineKind, Settings};
 use crate::text::Sources;
 
@@ -249,6 +251,8 @@ pub struct Watch<'a> {
     cycle: Option<Origin>,
     /// It taps with a compensating chuck.
     taps: bool,
+    /// The moves are parts of a tap without one.
+    rigid: bool,
     /// Side of the last programmed move.
     side: Side,
 }
@@ -264,8 +268,8 @@ pub type Watching<'a> = Rc<RefCell<Watch<'a>>>;
 impl<'a> Watch<'a> {
     pub fn new(rules: Vec<Box<dyn MotionRule + 'a>>, diags: &'a Diags) -> Watching<'a> {
         let moving = rules.iter().enumerate().filter(|(_, rule)| rule.wants_moves()).map(|(at, _)| at).collect();
-        let watch =
-            Watch { rules, moving, machine: Machine::default(), diags, cycle: None, taps: false, side: Side::None };
+        let machine = Machine::default();
+        let watch = Watch { rules, moving, machine, diags, cycle: None, taps: false, rigid: false, side: Side::None };
         Rc::new(RefCell::new(watch))
     }
 
@@ -281,7 +285,7 @@ impl<'a> Watch<'a> {
     fn movement(&mut self, mv: &Move, origin: &Origin) {
         let mut step = Step::new(mv, &self.machine.at, origin);
         step.of_cycle = self.cycle.is_some_and(|cycle| cycle == *origin);
-        step.of_tap = step.of_cycle && self.taps;
+        step.of_tap = self.rigid || step.of_cycle && self.taps;
         let to = step.to;
         // What rules find ends nothing.
         if !self.diags.has_failed() {
@@ -297,6 +301,19 @@ impl<'a> Watch<'a> {
         if mv.machine {
             mv.axes.iter().for_each(|axis| self.machine.at.forget(axis));
         }
+    }
+
+    /// The parts of a tap, one by one.
+    fn tap(&mut self, tap: &Tap, place: &motion::Place, origin: &Origin) {
+        self.rigid = true;
+        tap.parts(&mut |part| {
+            if let Some(function) = part.function() {
+                self.function(&function, origin);
+            } else if let Part::To(to) = part {
+                self.movement(&place.along(tap, to, Path::Thread { lead: tap.lead }), origin);
+            }
+        });
+        self.rigid = false;
     }
 
     fn function(&mut self, function: &Function, origin: &Origin) {
@@ -339,6 +356,11 @@ pub struct OnMotion<'w, 'a> {
 }
 
 impl motion::Sink for OnMotion<'_, '_> {
+    fn tap(&mut self, tap: &Tap, place: &motion::Place, origin: &Origin) {
+        self.watch.borrow_mut().tap(tap, place, origin);
+        self.next.tap(tap, place, origin);
+    }
+
     fn movement(&mut self, mv: &Move, origin: &Origin) {
         self.watch.borrow_mut().movement(mv, origin);
         self.next.movement(mv, origin);
@@ -388,6 +410,10 @@ impl contour::Sink for OnContour<'_, '_> {
         self.next.corner(corner, ctx, origin);
     }
 
+    fn tap(&mut self, tap: &Tap, ctx: &CtxRef, origin: &Origin) {
+        self.next.tap(tap, ctx, origin);
+    }
+
     fn function(&mut self, function: &Function, ctx: &CtxRef, origin: &Origin) {
         {
             let watch = &mut *self.watch.borrow_mut();
@@ -401,7 +427,7 @@ impl contour::Sink for OnContour<'_, '_> {
             let watch = &mut *self.watch.borrow_mut();
             watch.cycle = Some(*origin);
             watch.taps = matches!(cycle, Cycle::Drilling(drilling)
-                if matches!(drilling.method, Method::Tap(Tap { lead: None, .. })));
+                if matches!(drilling.method, Method::Tap(drilling::Tap { lead: None, .. })));
         }
         self.next.cycle(cycle, ctx, origin);
     }

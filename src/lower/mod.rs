@@ -15,6 +15,7 @@ pub mod cycles;
 pub mod frames;
 pub mod limits;
 pub mod step;
+mod tap;
 pub mod transformation;
 pub mod undercut;
 
@@ -25,7 +26,7 @@ use crate::geo::{Element, Vec2};
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Coords, Corner, CtxRef, Load, Sink};
 use crate::ir::cycle::Cycle;
-use crate::ir::{Function, Origin, Pos, Side, Transformation, motion, verify};
+use crate::ir::{Function, Origin, Pos, Side, Tap, Transformation, motion, verify};
 use crate::machine::{Axis, Machine};
 
 use arcs::{Adjusted, Extra, LastDirection};
@@ -386,6 +387,11 @@ impl Sink for Lower<'_> {
         if matches!(function, Function::WorkOffset(_)) && !self.start.known().is_empty() {
             self.out.begins_at(&self.start);
         }
+    }
+
+    fn tap(&mut self, tap: &Tap, ctx: &CtxRef, origin: &Origin) {
+        self.follow_ctx(ctx, origin);
+        self.tap_hole(tap, origin);
     }
 
     fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef, origin: &Origin) {

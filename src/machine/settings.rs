@@ -262,6 +262,8 @@ pub struct OutputSettings {
     pub rapid_feed: Option<u32>,
     /// How far lines may leave an arc that the target cannot say, in millionths of a mm; `None`: it is refused.
     pub arc_fallback: Option<u32>,
+    /// What a tap of the target leaves out or does in its own way is taken without a word.
+    pub tapping_as_target: bool,
     /// What is printed is read back and compared with what was meant.
     pub validate: bool,
     /// Keys that the configuration states, and where.
@@ -301,6 +303,7 @@ impl Default for OutputSettings {
             dwell_unit: None,
             rapid_feed: None,
             arc_fallback: None,
+            tapping_as_target: false,
             validate: true,
             stated: Stated::default(),
         }

@@ -9,6 +9,8 @@ pub const LETTERS: &[u8; AXES] = b"XYZABCUVW";
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Act {
     Move(Move),
+    /// A hole is tapped in step with the spindle, or a part of one; how, the reader says.
+    Tap,
     /// The changer brings this tool forth.
     Select(u32),
     /// The tool brought forth goes into the spindle.
@@ -51,6 +53,53 @@ pub enum Path {
     /// In step with the spindle: the way of a turn.
     Thread(i64),
     Arc(Arc),
+}
+
+/// A tap in step with the spindle along one axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Tap {
+    pub axis: usize,
+    /// Where it begins, where it turns round, and where it ends.
+    pub from: i64,
+    pub to: i64,
+    pub back: i64,
+    /// Way of a turn, above zero.
+    pub lead: i64,
+    /// A left-hand thread.
+    pub left: bool,
+    /// Turns a minute on the way in, or on the one way that it goes.
+    pub speed: Option<i64>,
+    /// On the speed of the way back.
+    pub factor: i64,
+    /// Seconds at the depth.
+    pub dwell: i64,
+    /// Angle of the spindle before, where the line says it.
+    pub angle: Option<i64>,
+    pub way: Way,
+    /// Depths count from here in steps of so much, with this way back between them; 0 for out of the hole.
+    pub steps: Option<[i64; 3]>,
+}
+
+/// Which way a line taps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Way {
+    #[default]
+    Both,
+    In,
+    Out,
+}
+
+/// What the spindle does, as far as lines said it.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Turning {
+    /// Turns a minute.
+    pub speed: Option<i64>,
+    /// M3 or M4.
+    pub turn: Option<u32>,
+    /// It stands under control of its position.
+    pub is_axis: bool,
+    /// The next cycle taps in step with it.
+    pub is_ready: bool,
 }
 
 /// An arc in the axes of its plane.

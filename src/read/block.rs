@@ -4,6 +4,7 @@ use super::Fault;
 use super::act::{Cutter, FeedKind, Plane};
 use super::number::{SCALE, decimal};
 use super::rules::{G, Rules, Words};
+use super::tap;
 
 /// M functions of a line.
 const MOST_M: usize = 4;
@@ -37,6 +38,10 @@ pub(super) struct Block {
     /// This letter has the number of the work offset, counted on from so many.
     pub offset_by_number: Option<(u8, u8)>,
     pub path_control: bool,
+    /// Where a cycle returns to.
+    pub level: bool,
+    /// The angle at which the spindle stops, in a word of its own.
+    pub orient: Option<i64>,
     m: [u32; MOST_M],
     m_count: usize,
     /// Groups of G functions that were met, a bit each: two of one group contradict each other.
@@ -91,6 +96,12 @@ impl Block {
                 self.diameter = Some(name == b"DIAMON");
                 Ok(behind)
             }
+            b"SPOS" if self.orient.is_none() => {
+                let number = behind.strip_prefix(b"=").ok_or_else(unknown)?;
+                let (units, len) = decimal(number).ok_or_else(unknown)?;
+                self.orient = Some(units);
+                Ok(&number[len..])
+            }
             b"SUPA" if !self.machine => {
                 self.machine = true;
                 Ok(behind)
@@ -113,6 +124,7 @@ impl Block {
             && !self.speed_limit
             && self.offset_by_number.is_none()
             && self.diameter.is_none()
+            && self.orient.is_none()
     }
 
     fn word(&mut self, letter: u8, units: i64, rules: &Rules) -> Result<(), Fault> {
@@ -204,6 +216,21 @@ impl Block {
             0 | 10 | 20 | 30 | 330 => {
                 self.motion = Some((tenths / 10) as u8);
                 0
+            }
+            331 | 740 | 840 | 3310 | 3320 => {
+                self.motion = Some(match tenths {
+                    331 => tap::RETURN,
+                    740 => tap::LEFT_CYCLE,
+                    840 => tap::CYCLE,
+                    3310 => tap::INTO,
+                    _ => tap::OUT,
+                });
+                0
+            }
+            // Behind it the tool stands where the cycle began, at either level.
+            990 => {
+                self.level = true;
+                14
             }
             800 => {
                 self.stop_motion = true;

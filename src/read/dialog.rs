@@ -3,7 +3,7 @@
 
 use core::f64::consts::TAU;
 
-use super::act::{Act, Arc, LETTERS, Move, Path, Plane, Speed};
+use super::act::{Act, Arc, LETTERS, Move, Path, Plane, Speed, Tap};
 use super::number::{SCALE, decimal};
 use super::{Fault, Lack, Reader};
 
@@ -24,7 +24,14 @@ pub(super) struct Dialog {
     open: Open,
     /// Nothing but the last block may follow.
     stopped: bool,
+    /// Values of the parameters of a tap, in the order of [`TAP`].
+    tap: [i64; TAP.len()],
 }
+
+/// Parameters of taps: those of 207, then those that 209 has besides.
+const TAP: [&[u8]; 9] = [b"Q200", b"Q201", b"Q239", b"Q203", b"Q204", b"Q257", b"Q256", b"Q336", b"Q403"];
+/// Those of 207.
+const PLAIN: usize = 5;
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 enum Open {
@@ -34,6 +41,10 @@ enum Open {
     Dwell,
     /// The second line of a preset.
     Preset,
+    /// A parameter of a tap, of which so many are left.
+    Tap(usize),
+    /// The call of a tap.
+    Call,
 }
 
 /// The words of a block that are still to be read.
@@ -141,8 +152,10 @@ impl Reader {
     }
 
     fn dialog_block(&mut self, line: &[u8]) -> Result<(), Fault> {
-        if self.dialog.open == Open::Preset {
-            return self.preset(line);
+        match self.dialog.open {
+            Open::Preset => return self.preset(line),
+            Open::Tap(left) => return self.tap_parameter(line, left),
+            Open::Nothing | Open::Dwell | Open::Call => {}
         }
         let digits = line.iter().take_while(|b| b.is_ascii_digit()).count();
         let number = line[..digits].iter().fold(0u64, |n, b| n.wrapping_mul(10).wrapping_add(u64::from(b - b'0')));
@@ -166,6 +179,9 @@ impl Reader {
         }
         if self.dialog.open == Open::Dwell {
             return self.waits(word, &mut words);
+        }
+        if self.dialog.open == Open::Call {
+            return self.calls_tap(word, &mut words);
         }
         if self.dialog.stopped && word != b"END" {
             return Err(Fault::new("something stands behind the end of the program"));
@@ -367,9 +383,70 @@ impl Reader {
         self.dialog.open = match words.next() {
             Some(b"9.0") if def && words.are("DWELL TIME") => Open::Dwell,
             Some(b"247") if def && words.are("DATUM SETTING ~") => Open::Preset,
+            Some(b"207") if def && words.are("RIGID TAPPING ~") => self.tap_begins(PLAIN),
+            Some(b"209") if def && words.are("TAPPING W/ CHIP BRKG ~") => self.tap_begins(TAP.len()),
             _ => return Err(Fault::new("a cycle that is not read")),
         };
         Ok(())
+    }
+
+    fn tap_begins(&mut self, parameters: usize) -> Open {
+        self.dialog.tap = [0; TAP.len()];
+        // Never, out of the hole, anywhere, as fast as in.
+        self.dialog.tap[TAP.len() - 1] = SCALE;
+        Open::Tap(parameters)
+    }
+
+    /// A line `Q200=+2 ;SET-UP CLEARANCE ~`; the last one does not go on.
+    fn tap_parameter(&mut self, line: &[u8], left: usize) -> Result<(), Fault> {
+        let word = Words(line).next().unwrap_or_default();
+        let (name, number) = word.split_at(word.iter().position(|b| *b == b'=').unwrap_or(0));
+        let comment = line[word.len()..].trim_ascii();
+        let goes_on = left > 1;
+        let place = TAP.iter().position(|known| *known == name);
+        let place = place.filter(|_| comment.starts_with(b";") && comment.ends_with(b"~") == goes_on);
+        let place = place.ok_or_else(|| Fault::new("the parameter of a tap is meant"))?;
+        self.dialog.tap[place] = whole(&number[1..], word)?;
+        self.dialog.open = if goes_on { Open::Tap(left - 1) } else { Open::Call };
+        Ok(())
+    }
+
+    /// CYCL CALL: the tap that was defined, at once.
+    fn calls_tap(&mut self, word: &[u8], words: &mut Words<'_>) -> Result<(), Fault> {
+        self.dialog.open = Open::Nothing;
+        if word != b"CYCL" || !words.is("CALL") || words.next().is_some() {
+            return Err(Fault::new("the call of the tap is meant"));
+        }
+        let mut lengths = [0; TAP.len()];
+        for (length, value) in lengths.iter_mut().zip(self.dialog.tap) {
+            *length = self.length(value)?;
+        }
+        let [clearance, deep, lead, surface, second, way, ..] = lengths;
+        let [.., pitches, angle, factor] = self.dialog.tap;
+        let from = self.place(2).ok_or_else(|| Fault::unsaid("a tap from an unknown place", Lack::Place(2)))?;
+        let sum = |a: i64, b: i64| a.checked_add(b).ok_or_else(|| Fault::new("a place is too far away"));
+        if sum(surface, clearance)? != from || second != clearance || deep >= 0 || lead == 0 || factor <= 0 {
+            return Err(Fault::new("a tap that does not begin where the tool stands, or has no depth"));
+        }
+        let speed = self.dialog.speed.filter(|speed| *speed > 0);
+        let speed = Some(speed.ok_or_else(|| Fault::new("a tap without a speed"))?);
+        let back = (i128::from(pitches) * i128::from(lead.abs()) / i128::from(SCALE)) as i64;
+        let tap = Tap {
+            axis: 2,
+            from,
+            to: sum(surface, deep)?,
+            back: from,
+            lead: lead.abs(),
+            left: lead < 0,
+            speed,
+            factor,
+            dwell: 0,
+            angle: Some(angle),
+            way: super::Way::Both,
+            steps: (way > 0).then_some([surface, way, back]),
+        };
+        self.feed = None;
+        self.push_tap(tap)
     }
 
     fn waits(&mut self, word: &[u8], words: &mut Words<'_>) -> Result<(), Fault> {

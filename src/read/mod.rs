@@ -14,12 +14,14 @@ mod number;
 mod rules;
 mod run;
 mod straight;
+mod tap;
 
-pub use act::{AXES, Act, Arc, Cutter, FeedKind, Move, Path, Plane, Speed};
+pub use act::{AXES, Act, Arc, Cutter, FeedKind, Move, Path, Plane, Speed, Tap, Way};
 pub use number::SCALE;
 pub use rules::Rules;
 pub use straight::Straight;
 
+use act::Turning;
 use block::Block;
 use dialog::Dialog;
 use rules::Words;
@@ -83,7 +85,7 @@ pub struct Modes {
     pub offset: u8,
     /// Exact stop or blending was asked for.
     pub path_control: bool,
-    /// The move that axis words mean by themselves: 0 to 3, 33.
+    /// The move that axis words mean by themselves: 0 to 3, 33, and those of [`tap`].
     motion: Option<u8>,
 }
 
@@ -105,6 +107,9 @@ pub struct Reader {
     dialog: Dialog,
     /// The tool that T chose, and the one in the spindle.
     tools: [Option<u32>; 2],
+    spindle: Turning,
+    /// The last tap.
+    tap: Tap,
     acts: [Act; ACTS],
     /// The acts of the last line that are still to be handed out: from, up to.
     open: (usize, usize),
@@ -151,6 +156,8 @@ impl Reader {
             speed_limit: None,
             dialog: Dialog::default(),
             tools: [None; 2],
+            spindle: Turning::default(),
+            tap: Tap::default(),
             acts: [Act::Change; ACTS],
             open: (0, 0),
         }
@@ -267,6 +274,11 @@ impl Reader {
     #[inline]
     pub fn modes(&self) -> &Modes {
         &self.modes
+    }
+
+    /// The tap of the act that was handed out last.
+    pub fn tap(&self) -> &Tap {
+        &self.tap
     }
 
     /// Has the program ended?

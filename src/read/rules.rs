@@ -23,8 +23,23 @@ pub struct Rules {
     pub side_moves: bool,
     /// G43 stands in a move along Z only: alone it would move by the length.
     pub length_moves: bool,
+    /// What its tapping cycles want.
+    pub taps: Taps,
     /// Rapid traverse goes at the last F, so that each such move has to have this one; negative where nobody said which.
     pub rapid_feed: Option<i64>,
+}
+
+/// How a drilling cycle taps in step with the spindle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Taps {
+    /// It does not, or its words are others.
+    No,
+    /// M29 announces it; F is the pitch under a feed per revolution, pitch times speed otherwise; P is a dwell.
+    Announced,
+    /// It always does, and F is pitch times speed; J is a factor on the speed of the way back.
+    Plain,
+    /// G84.2 and G84.3 do, and F is the pitch.
+    ByPitch,
 }
 
 /// Families of G functions.
@@ -62,6 +77,7 @@ pub(super) const RS274: Rules = Rules {
     turret: None,
     side_moves: false,
     length_moves: false,
+    taps: Taps::No,
     rapid_feed: None,
 };
 
@@ -78,6 +94,7 @@ const FANUC: Rules = Rules {
     turret: None,
     side_moves: true,
     length_moves: true,
+    taps: Taps::Announced,
     rapid_feed: None,
 };
 
@@ -85,7 +102,7 @@ const LATHE: Rules = Rules { words: Words::LatheA, diameters: true, turret: Some
 
 const MACH: Rules = Rules { words: Words::Mach, turns: false, side_moves: true, ..RS274 };
 
-const OKUMA: Rules = Rules { words: Words::Okuma, dwell: (b'F', 1), ..FANUC };
+const OKUMA: Rules = Rules { words: Words::Okuma, taps: Taps::No, dwell: (b'F', 1), ..FANUC };
 
 const DIALOG: Rules = Rules { words: Words::Dialog, turns: false, ..RS274 };
 
@@ -98,11 +115,13 @@ impl Rules {
     /// Those of a receiver by its name.
     pub fn of(target: &str) -> Rules {
         match target {
-            "fanuc" | "haas" | "mazak" => FANUC,
-            "centroid" => Rules { dwell: (b'P', 1), ..FANUC },
+            "fanuc" => FANUC,
+            "haas" => Rules { taps: Taps::Plain, ..FANUC },
+            "mazak" => Rules { taps: Taps::ByPitch, ..FANUC },
+            "centroid" => Rules { dwell: (b'P', 1), taps: Taps::No, ..FANUC },
             "fanuc-lathe" => LATHE,
-            "fanuc-lathe-b" => Rules { words: Words::LatheB, ..LATHE },
-            "fanuc-lathe-c" => Rules { words: Words::LatheC, ..LATHE },
+            "fanuc-lathe-b" => Rules { words: Words::LatheB, taps: Taps::No, ..LATHE },
+            "fanuc-lathe-c" => Rules { words: Words::LatheC, taps: Taps::No, ..LATHE },
             "sinumerik" => SIEMENS,
             "heidenhain" => DIALOG,
             "mach3" => MACH,
@@ -172,7 +191,7 @@ impl Rules {
             },
             Words::Siemens => match tenths {
                 0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 330 | 400 | 410 | 420 | 540 | 550 | 560 | 570 | 900 | 910
-                | 940 | 950 => g(tenths),
+                | 940 | 950 | 3310 | 3320 => g(tenths),
                 5050..=5990 if tenths % 10 == 0 => Some(G::Offset((tenths / 10 - 500) as u8)),
                 7000 => g(200),
                 7100 => g(210),
@@ -185,6 +204,10 @@ impl Rules {
             },
             Words::FanucMill => match tenths {
                 200 | 210 | 430 | 490 | 610 | 640 | 900 | 910 | 940 | 950 => g(tenths),
+                740 | 840 if matches!(self.taps, Taps::Announced | Taps::Plain) => g(tenths),
+                842 if self.taps == Taps::ByPitch => g(840),
+                843 if self.taps == Taps::ByPitch => g(740),
+                990 if self.taps != Taps::No => g(tenths),
                 920 => Some(G::SpeedLimit),
                 // Haas has G154 for it.
                 541 | 1540 => Some(G::OffsetByNumber(b'P', 6)),
@@ -193,6 +216,7 @@ impl Rules {
             Words::LatheA => match tenths {
                 200 | 210 => g(tenths),
                 320 => g(330),
+                840 if self.taps == Taps::Announced => g(tenths),
                 500 => Some(G::SpeedLimit),
                 980 => g(940),
                 990 => g(950),

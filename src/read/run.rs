@@ -5,7 +5,7 @@ use super::act::{AXES, Act, Arc, Cutter, FeedKind, LETTERS, Move, Path, Plane, S
 use super::block::Block;
 use super::number::SCALE;
 use super::rules::Words;
-use super::{ACTS, Fault, Lack, Reader};
+use super::{ACTS, Fault, Lack, Reader, tap};
 
 impl Reader {
     /// Carries out the words of a line.
@@ -29,6 +29,9 @@ impl Reader {
         self.speed_words(&mut block, spindle)?;
         if let Some(tool) = block.take_whole(b'T')? {
             self.tool(tool)?;
+        }
+        if let Some(angle) = block.orient {
+            self.push(Act::M { number: 19, spindle: 0, angle: Some(angle) })?;
         }
         self.functions(&mut block, spindle)?;
         if block.dwell {
@@ -61,6 +64,7 @@ impl Reader {
     pub(super) fn push(&mut self, act: Act) -> Result<(), Fault> {
         let place = self.acts.get_mut(self.open.1).ok_or_else(|| Fault::new("too much in one line"))?;
         *place = act;
+        self.spindle_hears(&act);
         self.open.1 += 1;
         debug_assert!(self.open.1 <= ACTS);
         Ok(())
@@ -225,13 +229,21 @@ impl Reader {
 
     fn motion(&mut self, block: &mut Block, new_feed: bool) -> Result<(), Fault> {
         let named = LETTERS.iter().any(|letter| block.has(*letter));
-        let cuts = matches!(block.motion.or(self.modes.motion), Some(1..=3));
+        let motion = block.motion.or(self.modes.motion);
+        let cuts = matches!(motion, Some(1..=3));
         if named && cuts && self.modes.feed_kind == Some(FeedKind::InverseTime) && !new_feed {
             return Err(Fault::new("each move by time wants its F"));
         }
-        self.modes.motion = block.motion.or(self.modes.motion);
+        self.modes.motion = motion;
+        if let Some(motion) = motion.filter(|_| named && tap::is_tap(motion)) {
+            return self.taps(block, motion);
+        }
+        if block.level {
+            return Err(Fault::new("where a cycle returns to, without a cycle"));
+        }
         if !named {
             return match block.motion {
+                motion if tap::is_tap(motion) => Err(Fault::new("a tap without a depth")),
                 Some(2 | 3) => Err(Fault::new("an arc without an end")),
                 Some(33) => Err(Fault::new("a thread without an end")),
                 _ if block.machine => Err(Fault::new("G53 without an axis")),

@@ -1,6 +1,6 @@
 //! What a target can say, in short words: for `partc targets` and docs/targets.md.
 
-use super::{Change, DwellUnit, Form, Length, Limit, ProgramName, Sequence, Target, Turns};
+use super::{Change, DwellUnit, Form, Length, Limit, ProgramName, RigidTap, Sequence, Target, Turns};
 
 impl Target {
     /// Each ability, and the words or the limit for it; `-` where the target has none.
@@ -54,6 +54,14 @@ impl Target {
             Limit::Word(limit) => format!("{}, {limit}", words.on),
             Limit::Block(limit) => format!("{}, {limit} S", words.on),
         });
+        let tap = self.motion.rigid_tap.map(|tap| match tap {
+            RigidTap::Return { word, .. } => word.to_owned(),
+            RigidTap::Cycle(words) => {
+                [words.ready, Some(words.right), words.left].into_iter().flatten().collect::<Vec<_>>().join(", ")
+            }
+            RigidTap::InAndOut { into, out, .. } => format!("{into}, {out}"),
+            RigidTap::Dialog(words) => words.plain.split(' ').skip(2).next().unwrap_or_default().to_owned(),
+        });
         let dwell = format!(
             "{} {}{}",
             self.dwell.word,
@@ -80,6 +88,7 @@ impl Target {
             ("feed per revolution", text(self.feed.per_revolution)),
             ("feed by time", text(self.feed.inverse_time)),
             ("threads", text(self.motion.thread.map(|thread| thread.word))),
+            ("rigid tapping", tap.unwrap_or_else(|| "-".to_owned())),
             (
                 "arcs",
                 dialog

@@ -45,6 +45,7 @@ pub(super) const BASE: Target = Target {
         machine_feed: false,
         machine_drops_length: false,
         thread: None,
+        rigid_tap: None,
         planes: Some(["G17", "G18", "G19"]),
     },
     feed: FeedWords {

@@ -10,7 +10,7 @@ pub(super) const TARGET: Target = Target {
     frame: Frame { name: ProgramName::Number { letter: b'O', digits: 5, most: 99_999 }, ..FANUC.frame },
     numbers: Numbers { zero: true, ..FANUC.numbers },
     // Neither G53 nor a feed per revolution is confirmed.
-    motion: Motion { machine: None, ..FANUC.motion },
+    motion: Motion { machine: None, rigid_tap: None, ..FANUC.motion },
     feed: FeedWords { per_revolution: None, ..FANUC.feed },
     spindle: SpindleWords { cutting_speed: None, ..FANUC.spindle },
     more_offsets: None,

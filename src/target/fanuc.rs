@@ -5,8 +5,8 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Comments, CompensationWords, CuttingSpeed, Dwell, DwellUnit, FeedWords, Frame, Length, LengthNumber,
-    LengthWords, Limit, Line, MFunctions, MoreOffsets, Motion, Numbers, ProgramName, SpindleWords, Target, ToolWords,
-    base::BASE,
+    LengthWords, Limit, Line, MFunctions, MoreOffsets, Motion, Numbers, ProgramName, RigidTap, SpindleWords, TapCycle,
+    TapPitch, Target, ToolWords, base::BASE,
 };
 
 // Rotary axes (what F counts is a matter of parameters), feeds by time and G33 on a mill are options of the machine, M7 is
@@ -37,7 +37,7 @@ pub(super) const TARGET: Target = Target {
         speed: Some(0),
         ..BASE.numbers
     },
-    motion: Motion { machine: Some("G53"), ..BASE.motion },
+    motion: Motion { machine: Some("G53"), rigid_tap: Some(RigidTap::Cycle(TAP)), ..BASE.motion },
     feed: FeedWords { per_revolution: Some("G95"), ..BASE.feed },
     // Eight digits.
     arcs: Arcs { most_radius: 50_000.0, ..BASE.arcs },
@@ -74,6 +74,19 @@ pub(super) const TARGET: Target = Target {
     }),
     m: MFunctions { own: OWN, ..BASE.m },
     ..BASE
+};
+
+// In steps (Q) it taps by parameters that nobody knows here: partc prints each step as a cycle of its own.
+pub(super) const TAP: TapCycle = TapCycle {
+    ready: Some("M29"),
+    right: "G84",
+    left: Some("G74"),
+    level: Some("G99"),
+    off: "G80",
+    from_start: false,
+    pitch: TapPitch::Either,
+    dwell: Some(b'P'),
+    factor: None,
 };
 
 pub(super) const OWN: &[(u32, &str)] = &[

@@ -4,8 +4,9 @@
 use core::f64::consts::PI;
 
 use super::{
-    Arcs, Change, CuttingSpeed, FeedWords, Frame, Lead, Length, Limit, Motion, SpindleWords, Target, Thread, ToolWords,
-    fanuc::TARGET as FANUC,
+    Arcs, Change, CuttingSpeed, FeedWords, Frame, Lead, Length, Limit, Motion, RigidTap, SpindleWords, TapCycle,
+    Target, Thread, ToolWords,
+    fanuc::{TAP, TARGET as FANUC},
 };
 
 /// G-code system A.
@@ -23,6 +24,8 @@ pub(super) const A: Target = Target {
         // Whether it is there, and where X is counted then, is not confirmed.
         machine: None,
         thread: Some(Thread { word: "G32", lead: Lead::OneAxis(b'F'), stops: false }),
+        // G74 is another cycle here, and R counts from where the tool stands.
+        rigid_tap: Some(RigidTap::Cycle(TapCycle { left: None, level: None, from_start: true, ..TAP })),
         ..FANUC.motion
     },
     feed: FeedWords { per_minute: "G98", per_revolution: Some("G99"), ..FANUC.feed },
@@ -50,7 +53,12 @@ pub(super) const B: Target = Target {
     name: "fanuc-lathe-b",
     about: "Fanuc lathes, G-code system B",
     frame: Frame { head: &["G90 G21 G40 G94"], inch_head: Some(&["G90 G20 G40 G94"]), ..A.frame },
-    motion: Motion { thread: Some(Thread { word: "G33", lead: Lead::OneAxis(b'F'), stops: false }), ..A.motion },
+    motion: Motion {
+        thread: Some(Thread { word: "G33", lead: Lead::OneAxis(b'F'), stops: false }),
+        // What R counts from is not confirmed.
+        rigid_tap: None,
+        ..A.motion
+    },
     feed: FeedWords { per_minute: "G94", per_revolution: Some("G95"), ..A.feed },
     spindle: SpindleWords {
         cutting_speed: Some(CuttingSpeed { on: "G96", off: "G97", limit: Limit::Block("G92") }),

@@ -7,7 +7,7 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Change, Comments, Dialog, Dwell, FeedWords, Flow, Form, Frame, HelixWords, Length, Line, MFunctions, Motion,
-    Numbers, ProgramName, Sequence, Target, ToolWords, base::BASE,
+    Numbers, ProgramName, RigidTap, Sequence, TapDialog, Target, ToolWords, base::BASE,
 };
 
 // What F counts where a rotary axis goes along is not confirmed, and what M136 counts differs by generation: neither is said.
@@ -52,7 +52,15 @@ pub(super) const TARGET: Target = Target {
     comments: Comments { open: "; ", close: "", forbidden: b"~", ..BASE.comments },
     line: Line { digits: 9, whole: 5, sequence: Sequence::Blocks, ..BASE.line },
     numbers: Numbers { length: [4, 4], most: 4, feed: Some([3, 3]), speed: Some(3), time: Some(3), ..BASE.numbers },
-    motion: Motion { rapid: "L", line: "L", machine: Some("M91"), machine_feed: true, planes: None, ..BASE.motion },
+    motion: Motion {
+        rapid: "L",
+        line: "L",
+        machine: Some("M91"),
+        machine_feed: true,
+        planes: None,
+        rigid_tap: Some(RigidTap::Dialog(&TAP)),
+        ..BASE.motion
+    },
     feed: FeedWords { per_minute: "F", ..BASE.feed },
     arcs: Arcs {
         clockwise: "DR-",
@@ -75,6 +83,25 @@ pub(super) const TARGET: Target = Target {
     offsets: &["Q339=+1", "Q339=+2", "Q339=+3", "Q339=+4", "Q339=+5", "Q339=+6", "Q339=+7", "Q339=+8", "Q339=+9"],
     m: MFunctions { own: OWN, ..BASE.m },
     ..BASE
+};
+
+const TAP: TapDialog = TapDialog {
+    plain: "CYCL DEF 207 RIGID TAPPING",
+    stepped: "CYCL DEF 209 TAPPING W/ CHIP BRKG",
+    call: "CYCL CALL",
+    parameters: [
+        ("Q200", "SET-UP CLEARANCE"),
+        ("Q201", "DEPTH OF THREAD"),
+        ("Q239", "THREAD PITCH"),
+        ("Q203", "SURFACE COORDINATE"),
+        ("Q204", "2ND SET-UP CLEARANCE"),
+        ("Q257", "DEPTH FOR CHIP BRKNG"),
+        ("Q256", "DIST FOR CHIP BRKNG"),
+        ("Q336", "ANGLE OF SPINDLE"),
+        ("Q403", "RPM FACTOR"),
+    ],
+    of_plain: 5,
+    places: 4,
 };
 
 const OWN: &[(u32, &str)] = &[

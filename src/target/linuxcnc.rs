@@ -4,7 +4,7 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, CompensationWords, CoolantWords, CuttingSpeed, FeedWords, Frame, Lead, Length, LengthNumber, LengthWords,
-    Limit, MFunctions, Motion, SpindleWords, Target, Thread, ToolWords, Turns, base::BASE,
+    Limit, MFunctions, Motion, RigidTap, SpindleWords, Target, Thread, ToolWords, Turns, base::BASE,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -26,6 +26,7 @@ pub(super) const TARGET: Target = Target {
         machine: Some("G53"),
         machine_feed: true,
         thread: Some(Thread { word: "G33", lead: Lead::Way(b'K'), stops: true }),
+        rigid_tap: Some(RigidTap::Return { word: "G33.1", lead: b'K', factor: b'I' }),
         ..BASE.motion
     },
     feed: FeedWords { per_revolution: Some("G95"), inverse_time: Some("G93"), ..BASE.feed },

@@ -23,7 +23,7 @@ pub(super) const MACH3: Target = Target {
     },
     line: Line { digits: 0, ..FANUC.line },
     numbers: Numbers { zero: true, length: [4, 4], ..FANUC.numbers },
-    motion: Motion { machine: None, ..FANUC.motion },
+    motion: Motion { machine: None, rigid_tap: None, ..FANUC.motion },
     feed: FeedWords { per_revolution: None, ..FANUC.feed },
     // Its check of arcs.
     arcs: Arcs { mismatch: [0.002, 0.00508], ..FANUC.arcs },

@@ -1,11 +1,23 @@
 //! Mazak mills in EIA/ISO: Fanuc without percent signs around the program. A preview: what published post processors write.
 
-use super::{Frame, SpindleWords, Target, fanuc::TARGET as FANUC};
+use super::fanuc::{TAP, TARGET as FANUC};
+use super::{Frame, Motion, RigidTap, SpindleWords, TapCycle, TapPitch, Target};
 
 pub(super) const TARGET: Target = Target {
     name: "mazak",
     about: "Mazak mills in EIA/ISO (preview: after published post processors)",
     frame: Frame { first: None, last: None, ..FANUC.frame },
+    motion: Motion {
+        rigid_tap: Some(RigidTap::Cycle(TapCycle {
+            ready: None,
+            right: "G84.2",
+            left: Some("G84.3"),
+            pitch: TapPitch::PerRevolution,
+            dwell: None,
+            ..TAP
+        })),
+        ..FANUC.motion
+    },
     more_offsets: None,
     spindle: SpindleWords { cutting_speed: None, ..FANUC.spindle },
     ..FANUC

@@ -15,7 +15,7 @@ pub(super) const TARGET: Target = Target {
         ..FANUC.frame
     },
     numbers: Numbers { feed_point: false, zero: true, ..FANUC.numbers },
-    motion: Motion { rapid: "G00", line: "G01", machine: None, ..FANUC.motion },
+    motion: Motion { rapid: "G00", line: "G01", machine: None, rigid_tap: None, ..FANUC.motion },
     feed: FeedWords { per_revolution: None, ..FANUC.feed },
     arcs: Arcs { clockwise: "G02", counter_clockwise: "G03", mismatch: [0.02, 0.02], ..FANUC.arcs },
     spindle: SpindleWords {

@@ -6,7 +6,7 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Comments, CompensationWords, CoolantWords, Dwell, FeedWords, Frame, Lead, Length, LengthNumber, LengthWords,
-    MFunctions, MoreOffsets, Motion, Target, Thread, ToolWords, Turns, base::BASE,
+    MFunctions, MoreOffsets, Motion, RigidTap, Target, Thread, ToolWords, Turns, base::BASE,
 };
 
 // Which axes F counts is a matter of the machine (FGROUP): no rotary ones. G96 would take the feed per revolution with it.
@@ -30,6 +30,7 @@ pub(super) const TARGET: Target = Target {
         machine_feed: true,
         machine_drops_length: true,
         thread: Some(Thread { word: "G33", lead: Lead::AlongZ(b'K'), stops: false }),
+        rigid_tap: Some(RigidTap::InAndOut { ready: "SPOS=", into: "G331", out: "G332", leads: *b"IJK" }),
         ..BASE.motion
     },
     feed: FeedWords { per_revolution: Some("G95"), ..BASE.feed },

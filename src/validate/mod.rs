@@ -9,6 +9,7 @@
 mod arcs;
 mod functions;
 mod moves;
+mod taps;
 #[cfg(test)]
 mod tests;
 

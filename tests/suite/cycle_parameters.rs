@@ -11,9 +11,10 @@ use std::path::Path;
 use partc::internals::dialect;
 use partc::internals::machine::Settings;
 use partc::internals::sema::cycle_table::{Rule, Signature, Status};
+use partc::internals::target;
 use partc::internals::text::files::NoFiles;
 
-use super::book::find;
+use super::book::{Case, find};
 use super::common::{Compiled, compile_bytes};
 use super::cycle_cases::cases;
 
@@ -125,6 +126,17 @@ fn result(compiled: &Compiled) -> (Vec<String>, Vec<String>) {
     (moves, said)
 }
 
+/// The tap of LinuxCNC comes out of the hole at each step: the blocks of a SINUMERIK say how far back it goes.
+fn tells_taps_apart(case: &Case, cycle: &str, changed: &str) -> bool {
+    let on_sinumerik = |program: &[u8]| {
+        let mut settings = case.settings();
+        settings.output.target = target::find("sinumerik").expect("a target");
+        settings.output.tool_length = Some(false);
+        result(&compile_bytes(&case.file, program.to_vec(), &case.dialect, &settings, case))
+    };
+    cycle == "CYCLE84" && on_sinumerik(&case.program) != on_sinumerik(changed.as_bytes())
+}
+
 #[test]
 fn no_parameter_is_ignored() {
     let mut bad = Vec::new();
@@ -151,7 +163,8 @@ fn no_parameter_is_ignored() {
                     continue;
                 };
                 let without = found.compile_instead(&changed);
-                if result(&found.compile()) == result(&without) {
+                let says_nothing = result(&found.compile()) == result(&without);
+                if says_nothing && !tells_taps_apart(found, cycle.name, &changed) {
                     bad.push(format!("{what}: {case} is the same without it"));
                 }
                 if parameter.rule == Rule::Needed && !without.has_errors() {

@@ -27,13 +27,13 @@ books! {
     errors_heidenhain_turning = "errors/heidenhain-turning":
         G L T0 T1 T200 T201 T202 T203 T205 T207 T3 T8 T9;
     errors_klartext = "errors/klartext":
-        G G32 K0 K100 K1005 K101 K18 K20 K21 K22 K23 K24 K25 K26 K27 K28 K29 K294 K295 K30 K8 K81 K814 K900 K901 K903 K904 L1 L2 O P;
+        G G305 G32 K0 K100 K1005 K101 K18 K20 K21 K22 K23 K24 K25 K26 K27 K28 K29 K294 K295 K30 K8 K81 K814 K900 K901 K903 K904 L1 L2 O P;
     errors_mtc200 = "errors/mtc200":
         G L M0 M100 M1006 M101 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O P P0205;
     errors_sinumerik = "errors/sinumerik":
         G G330 G332 L1 L2 O P P0205 S0 S1 S200 S201 S202 S203 S204 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
     gcode = "gcode":
-        lines speeds;
+        lines rigid_taps speeds;
     heidenhain_turning = "heidenhain-turning":
         angles arcs calls compensation contours corners drilling finishing flow modal moves noses program recess
         recess_turning roughing shifts threads tools undercut variables;
@@ -83,7 +83,7 @@ books! {
     sinumerik = "sinumerik":
         angles axes calls circles contour_cycles contours corners diameter drilling examples feeds flow frames
         functions lexical machine_coordinates offsets output patterns polar rotary settings tapping threads
-        tools transformations undercut_corners undercut_cycles units variables;
+        tools transformations undercut_corners undercut_cycles units variables rigid_taps;
     sinumerik_approach = "sinumerik/approach":
         lines;
     sinumerik_calls = "sinumerik/calls":
@@ -127,9 +127,9 @@ books! {
     sinumerik_variables = "sinumerik/variables":
         arrays;
     targets_klartext = "targets/klartext":
-        compensation;
+        compensation rigid_taps;
     targets_sinumerik = "targets/sinumerik":
-        compensation spindle;
+        compensation rigid_taps spindle;
 }
 
 fn check(book: &str) {

@@ -3,6 +3,7 @@
 
 use partc::internals::dialect;
 use partc::internals::sema::cycle_table::{Kind, Name, Parameter, Rule, Signature, Status};
+use partc::internals::target;
 use partc::internals::text::files::NoFiles;
 
 use super::common::{compile_bytes, settings};
@@ -307,7 +308,12 @@ fn run(number: u32, cycle: &Signature, at: usize, given: Given) -> (Vec<String>,
         program += "CYCL CALL\n";
     }
     program += "L X+9 Y+9 M30\nLBL 1\nL X-40 Y-30 RL\nL X+40\nL Y+30\nL X-40\nL Y-30\nLBL 0\nLBL 2\nL X-40 Y-30 RL\nL X+40\nLBL 0\nEND PGM T MM\n";
-    let compiled = compile_bytes("T.H", program.into_bytes(), "klartext", &settings(TOOL), &NoFiles);
+    let mut settings = settings(TOOL);
+    if number == 209 {
+        // The tap of LinuxCNC comes out of the hole at each step: these blocks say how far back it goes.
+        settings.output.target = target::find("sinumerik").expect("a target");
+    }
+    let compiled = compile_bytes("T.H", program.into_bytes(), "klartext", &settings, &NoFiles);
     let moves = compiled.output.lines().filter(|line| !line.starts_with('(')).map(str::to_owned).collect();
     (moves, compiled.findings.iter().map(|found| format!("{} {}", found.code.id, found.text())).collect())
 }

@@ -5,7 +5,7 @@ use partc::internals::machine::settings::Quantity;
 
 use partc::internals::ir::function::{Coolant, CutterData, Spindle, Turn};
 use partc::internals::ir::motion::{self, Path, Sink};
-use partc::internals::ir::{Feed, Function, Origin, Side};
+use partc::internals::ir::{Feed, Function, Origin, Side, Tap};
 use partc::internals::machine::axis::AXES;
 use partc::internals::machine::{MachineKind, Settings};
 
@@ -27,6 +27,14 @@ pub enum Does {
     /// Constant cutting speed up to a speed, or the speed itself again.
     CuttingSpeed(bool, f64),
     Orient(u8, f64),
+    /// In step with the spindle along an axis to a depth and back to the start: lead, sense, speed.
+    Tap {
+        axis: usize,
+        to: f64,
+        lead: f64,
+        turn: i8,
+        speed: f64,
+    },
     Mist,
     Flood,
     CoolantOff,
@@ -56,6 +64,13 @@ impl Does {
             (Does::Speed(a, _), Does::Speed(b, _)) | (Does::Orient(a, _), Does::Orient(b, _)) => a == b,
             (Does::CuttingSpeed(a, _), Does::CuttingSpeed(b, _)) => a == b,
             (Does::Dwell(_), Does::Dwell(_)) => true,
+            (
+                Does::Tap { axis, to, lead, turn, speed },
+                Does::Tap { axis: b_axis, to: b_to, lead: b_lead, turn: b_turn, speed: b_speed },
+            ) => {
+                let near = |a: f64, b: f64| (a - b).abs() <= tolerance;
+                axis == b_axis && turn == b_turn && near(*to, *b_to) && near(*lead, *b_lead) && near(*speed, *b_speed)
+            }
             _ => self == other,
         };
         near && exact
@@ -154,6 +169,7 @@ pub struct Recorder {
     /// The same of X, which may be a diameter.
     scale_of_x: f64,
     ended: bool,
+    speed: f64,
 }
 
 impl Recorder {
@@ -171,6 +187,7 @@ impl Recorder {
             scale,
             scale_of_x: if diameters { 2.0 * scale } else { scale },
             ended: false,
+            speed: 0.0,
         }
     }
 
@@ -218,6 +235,9 @@ impl Recorder {
                 if number.is_none() && std::mem::take(&mut self.constant_cut) {
                     self.does(Does::CuttingSpeed(false, 0.0));
                 }
+                if number.is_none() {
+                    self.speed = speed;
+                }
                 self.does(Does::Speed(own, speed));
             }
             Spindle::CuttingSpeed { speed, limit } => {
@@ -246,7 +266,29 @@ impl Recorder {
     }
 }
 
+/// Is this said of the first spindle, which a tap starts by itself?
+pub fn is_of_spindle(does: &Does) -> bool {
+    matches!(does, Does::Speed(0, _) | Does::Turns(0, 1 | -1) | Does::Orient(0, _))
+}
+
 impl Sink for Recorder {
+    /// As LinuxCNC taps: each stroke comes back to the start, and nothing waits at the depth.
+    fn tap(&mut self, tap: &Tap, _: &motion::Place, _: &Origin) {
+        while self.items.last().is_some_and(|item| matches!(item, Meant::Does(does) if is_of_spindle(does))) {
+            self.items.pop();
+        }
+        if let Some(speed) = tap.speed_in {
+            self.speed = speed;
+        }
+        let (axis, turn) = (tap.axis.index(), if tap.turn == Turn::Clockwise { 1 } else { -1 });
+        for (at, stroke) in tap.strokes.iter().enumerate() {
+            if at > 0 && tap.pause > 0.0 {
+                self.does(Does::Dwell(tap.pause));
+            }
+            self.does(Does::Tap { axis, to: stroke.to, lead: tap.lead, turn, speed: self.speed });
+        }
+    }
+
     fn movement(&mut self, mv: &motion::Move, _: &Origin) {
         let before = self.at;
         for axis in mv.axes.iter() {

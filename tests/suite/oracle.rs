@@ -7,7 +7,7 @@ use partc::internals::dialect;
 use partc::internals::driver::Session;
 use partc::internals::emit::Printer;
 use partc::internals::ir::motion;
-use partc::internals::ir::{Function, Origin, Pos};
+use partc::internals::ir::{Function, Origin, Pos, Tap};
 use partc::internals::machine::Settings;
 use partc::internals::machine::settings::{Quantity, ToolChange};
 use partc::internals::text::{Files, Memory, Opened};
@@ -37,6 +37,7 @@ pub enum Item {
     Move(Box<motion::Move>),
     Function(Function),
     BeginsAt(Pos),
+    Tap(Tap, motion::Place),
     Lost,
 }
 
@@ -59,6 +60,11 @@ impl motion::Sink for Items<'_> {
     fn movement(&mut self, mv: &motion::Move, origin: &Origin) {
         self.printer.movement(mv, origin);
         self.keep(Item::Move(Box::new(*mv)));
+    }
+
+    fn tap(&mut self, tap: &Tap, place: &motion::Place, origin: &Origin) {
+        self.printer.tap(tap, place, origin);
+        self.keep(Item::Tap(tap.clone(), *place));
     }
 
     fn function(&mut self, function: &Function, origin: &Origin) {
@@ -135,6 +141,7 @@ impl Case {
             let (bytes, end, origin) = (text.as_bytes(), text.len(), Origin::default());
             match item {
                 Item::Move(mv) => validator.movement(mv, &origin, bytes, end),
+                Item::Tap(tap, place) => validator.tap(tap, place, &origin, bytes, end),
                 Item::Function(function) => validator.function(function, &origin, bytes, end),
                 Item::BeginsAt(at) => validator.begins_at(at),
                 Item::Lost => validator.lost(),
@@ -252,6 +259,14 @@ fn golden_outputs_mean_what_they_say_to_rs274() {
     report(&failures, cases.len());
 }
 
+/// G33.1 comes back to where it began and does not wait: a warning says so of each tap of which more was asked.
+fn as_linuxcnc_taps(tap: &Tap) -> Tap {
+    let mut tap = tap.clone();
+    let start = tap.start;
+    tap.strokes.iter_mut().for_each(|stroke| (stroke.back, stroke.dwell) = (start, 0.0));
+    tap
+}
+
 /// `partc diff` finds no difference between a program and what is printed for it.
 #[test]
 fn a_program_and_its_output_are_the_same_motion() {
@@ -265,6 +280,7 @@ fn a_program_and_its_output_are_the_same_motion() {
             let origin = Origin::default();
             match item {
                 Item::Move(mv) => motion::Sink::movement(&mut meant, mv, &origin),
+                Item::Tap(tap, place) => motion::Sink::tap(&mut meant, &as_linuxcnc_taps(tap), place, &origin),
                 Item::Function(function) => motion::Sink::function(&mut meant, function, &origin),
                 Item::BeginsAt(at) => motion::Sink::begins_at(&mut meant, at),
                 Item::Lost => motion::Sink::lost(&mut meant, &origin),

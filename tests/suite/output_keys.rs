@@ -32,6 +32,7 @@ const KEYS: &[(&str, &[&str])] = &[
     ("dwell_unit", &["\"seconds\"", "\"milliseconds\""]),
     ("rapid_feed", &["4000"]),
     ("arc_fallback_tolerance", &["0.01"]),
+    ("tapping", &["\"as-target\""]),
 ];
 
 /// Keys without which the target prints nothing, `key` itself left out where another value is to be tried.
@@ -66,6 +67,8 @@ fn program(target: &Target, key: &str) -> String {
         ("arc_fallback_tolerance", false) => "G0 X0 Y0 Z5\nG18 G2 X10 Y5 Z5 I5 K0 F100\nG17",
         ("compensation", false) => "G0 X-20 Y-20\nG1 G41 X0 Y0 F100\nG1 X10\nG40 X30 Y-20",
         ("compensation", true) => "G0 X80 Z20\nG1 G42 X40 Z2 F100\nG1 Z-10\nG40 X80 Z20",
+        // A dwell, and another speed out.
+        ("tapping", _) => "G0 Z5\nCYCLE84(5,0,2,-10,,0.5,5,,1.5,,100,150)",
         // What has an angle to say.
         ("decimals.angle", _) if target.axes.contains('A') => "G0 A10.123456",
         ("decimals.angle", _) if target.spindle.orient.is_some() => "SPOS=90.123456",
@@ -91,7 +94,9 @@ fn print(target: &'static Target, key: &str, value: Option<&str>) -> Compiled {
 /// What came of it: the text, or the errors instead.
 fn outcome(compiled: &Compiled) -> String {
     if !compiled.has_errors() {
-        return compiled.output.clone();
+        // What a key keeps from being said is an outcome as well.
+        let told = compiled.findings.iter().filter(|found| found.code.id == "O4008").map(|found| found.code.id);
+        return compiled.output.clone() + &told.collect::<String>();
     }
     let mut codes: Vec<&str> = compiled.findings.iter().map(|found| found.code.id).collect();
     codes.retain(|code| !UNUSED.contains(code));

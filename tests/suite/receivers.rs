@@ -9,8 +9,8 @@ use partc::internals::diag::{Diags, Severity};
 use partc::internals::dialect;
 use partc::internals::driver::Session;
 use partc::internals::emit::Printer;
-use partc::internals::ir::motion::{Move, Sink};
-use partc::internals::ir::{Function, Origin, Pos};
+use partc::internals::ir::motion::{Move, Place, Sink};
+use partc::internals::ir::{Function, Origin, Pos, Tap};
 use partc::internals::machine::settings::{Quantity, ToolChange};
 use partc::internals::machine::{Settings, schema};
 use partc::internals::target::{self, Target};
@@ -198,6 +198,10 @@ fn is_word(text: &str) -> bool {
 struct Both<'a>(Vec<Printer<'a>>);
 
 impl Sink for Both<'_> {
+    fn tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) {
+        self.0.iter_mut().for_each(|printer| printer.tap(tap, place, origin));
+    }
+
     fn movement(&mut self, mv: &Move, origin: &Origin) {
         self.0.iter_mut().for_each(|printer| printer.movement(mv, origin));
     }

@@ -183,6 +183,54 @@ fn without_spindle(found: &[Found]) -> Vec<Found> {
     found.iter().filter(|one| !said(one)).cloned().collect()
 }
 
+/// What a tapping cycle counts on.
+#[derive(Default)]
+struct Taps {
+    speed: f64,
+    per_turn: bool,
+    /// M29 was said.
+    ready: bool,
+    /// A cycle is on.
+    on: bool,
+}
+
+impl Taps {
+    /// A line of a tap in words of LinuxCNC; `None` for other lines, and nothing for a tap that the receiver would not make.
+    fn line(&mut self, line: &str, judged: &Judged) -> Option<Option<String>> {
+        let words: Vec<&str> = line.split(' ').collect();
+        let number = |letter: char| words.iter().find_map(|word| word.strip_prefix(letter)?.parse::<f64>().ok());
+        let has = |wanted: &str| words.contains(&wanted);
+        let by_pitch = judged.name == "mazak";
+        let announced = !by_pitch && judged.name != "haas";
+        self.speed = number('S').unwrap_or(self.speed);
+        let lathe = judged.name == "fanuc-lathe";
+        for (per_minute, per_turn) in [("G94", "G95"), ("G98", "G99")].into_iter().take(1 + usize::from(lathe)) {
+            self.per_turn = has(per_turn) || self.per_turn && !has(per_minute);
+        }
+        if has("M29") {
+            self.ready = true;
+            return Some(announced.then(|| format!("S{}\n", self.speed)));
+        }
+        if has("G80") && words.len() == 1 && std::mem::take(&mut self.on) {
+            return Some(Some(String::new()));
+        }
+        let (right, left) = if by_pitch { ("G84.2", "G84.3") } else { ("G84", "G74") };
+        if !has(right) && !has(left) {
+            return None;
+        }
+        let fits = std::mem::take(&mut self.ready) == announced && lathe == (number('R') == Some(0.0) && !has("G99"));
+        self.on = true;
+        let lead = match (number('F')?, self.per_turn) {
+            (feed, true) if judged.name != "haas" => feed,
+            (feed, false) if !by_pitch => feed / self.speed,
+            _ => return Some(None),
+        };
+        let turn = if has(right) { "M3" } else { "M4" };
+        let depth = number('Z')?;
+        Some((fits && !(lathe && has(left))).then(|| format!("{turn}\nG33.1 Z{depth} K{lead:.6}\n")))
+    }
+}
+
 /// The program in the words of LinuxCNC, or the first line that the receiver would not take.
 fn rewritten(text: &str, judged: &Judged) -> Result<String, String> {
     let text = if judged.commands { &commands(text)? } else { text };
@@ -195,6 +243,7 @@ fn rewritten(text: &str, judged: &Judged) -> Result<String, String> {
     }
     let mut out = "%\n".to_owned();
     let mut limit = None;
+    let mut taps = Taps::default();
     for line in lines.filter(|line| *line != "%") {
         let says = |why: &str| format!("{line}: {why}");
         if line.len() > 80 || !line.is_ascii() {
@@ -207,6 +256,10 @@ fn rewritten(text: &str, judged: &Judged) -> Result<String, String> {
             if inner.contains(['(', ')', '%']) || judged.upper && inner.contains(strange) {
                 return Err(says("characters of a comment"));
             }
+            continue;
+        }
+        if let Some(tapped) = taps.line(line, judged) {
+            out += &tapped.ok_or_else(|| says("no tap"))?;
             continue;
         }
         let mut words: Vec<String> = Vec::new();

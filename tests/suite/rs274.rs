@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use partc::internals::machine::axis::AXES;
 
-use super::meant::{BEFORE, Cutter, Does, Found, How, Kind, Way};
+use super::meant::{BEFORE, Cutter, Does, Found, How, Kind, Way, is_of_spindle};
 use super::tools;
 
 /// X Y Z A B C; the stand-alone interpreter has no U V W.
@@ -235,6 +235,8 @@ struct Canon {
     /// What stands behind F: of inverse times the calls show what they come to.
     printed_feed: f64,
     lead: Option<f64>,
+    /// Speed and sense of the first spindle.
+    spindle: (f64, i8),
     /// What G41 and G42 will name, and what holds.
     named: Cutter,
     cutter: Cutter,
@@ -259,6 +261,7 @@ fn read(canonical: &str) -> Answer {
         inverse_time: false,
         printed_feed: 0.0,
         lead: None,
+        spindle: (0.0, 0),
         named: Cutter::default(),
         cutter: Cutter::default(),
         length: 0,
@@ -306,6 +309,7 @@ impl Canon {
                 let feed = self.feed_in_force();
                 self.straight(Way::Feed(end_of(&numbers)?), Some(feed));
             }
+            "RIGID_TAP" => self.tap(&numbers)?,
             "ARC_FEED" => self.arc(&numbers)?,
             "SELECT_TOOL" => self.does(Does::Select(number(0)? as u32)),
             "START_CHANGE" => self.changing = true,
@@ -321,9 +325,19 @@ impl Canon {
                 }
                 self.constant_cut = on;
             }
-            "SET_SPINDLE_SPEED" => self.does(Does::Speed(number(0)? as u8, number(1)?)),
-            "START_SPINDLE_CLOCKWISE" => self.does(Does::Turns(number(0)? as u8, 1)),
-            "START_SPINDLE_COUNTERCLOCKWISE" => self.does(Does::Turns(number(0)? as u8, -1)),
+            "SET_SPINDLE_SPEED" => {
+                if number(0)? == 0.0 {
+                    self.spindle.0 = number(1)?;
+                }
+                self.does(Does::Speed(number(0)? as u8, number(1)?));
+            }
+            "START_SPINDLE_CLOCKWISE" | "START_SPINDLE_COUNTERCLOCKWISE" => {
+                let turn = if name.ends_with("_CLOCKWISE") { 1 } else { -1 };
+                if number(0)? == 0.0 {
+                    self.spindle.1 = turn;
+                }
+                self.does(Does::Turns(number(0)? as u8, turn));
+            }
             // A change of tool stops all spindles.
             "STOP_SPINDLE_TURNING" if self.changing => {}
             "STOP_SPINDLE_TURNING" => self.does(Does::Turns(number(0)? as u8, 0)),
@@ -410,6 +424,21 @@ impl Canon {
         };
         self.at = way.end();
         self.list.push(Found::Move(way, how));
+    }
+
+    /// Down and back to where the axis stands; the spindle turns on as before.
+    fn tap(&mut self, numbers: &[f64]) -> Result<(), String> {
+        let (Some(lead), &[x, y, z]) = (self.lead, numbers) else { return Err("a tap without a lead".to_owned()) };
+        let mut moved = [x, y, z].into_iter().enumerate().filter(|(axis, to)| (self.at[*axis] - to).abs() > 1e-9);
+        let (Some((axis, to)), None) = (moved.next(), moved.next()) else {
+            return Err("a tap along no axis, or along two".to_owned());
+        };
+        while self.list.last().is_some_and(|item| matches!(item, Found::Does(does) if is_of_spindle(does))) {
+            self.list.pop();
+        }
+        let (speed, turn) = self.spindle;
+        self.does(Does::Tap { axis, to, lead, turn, speed });
+        Ok(())
     }
 
     fn arc(&mut self, numbers: &[f64]) -> Result<(), String> {

@@ -103,6 +103,9 @@ moves most, and check the end point."
 G3022 Error "thread-scaled-unevenly" "thread under unequal scaling"
 "Scaling with different factors changes the lead of a thread in a way that depends on its direction. Cancel the scaling in front of the thread."
 
+G3050 Error "tap-axis-changed" "the frame changes the axis along which a hole is tapped"
+"A tap without a compensating chuck goes along one axis, in step with the spindle. A frame that turns or mirrors this axis would have the tap cut another thread, and one that scales it would stretch a pitch that the tap has ground into it. Shifts, and whatever a frame does to the other axes, are allowed. Tap the hole in front of the frame, or behind its end."
+
 G3060 Error "undercut-plane" "undercut outside the plane of the turned contour"
 "An undercut belongs to the contour of a turned part, which lies in the plane of Z and X (G18). In another working plane there is none. \
 Select G18 in front of the contour."

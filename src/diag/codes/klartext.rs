@@ -283,8 +283,8 @@ K2408 Note "stop-distance" "advanced stop distance changes in even steps"
 the values between; partc takes even steps. The drilled hole is the same."
 
 K2409 Note "tapping-chuck" "tapping reverses the spindle by M3 and M4"
-"The output taps with moves in step with the spindle (or at the programmed feed) and reverses it between them, which takes a chuck with length \
-compensation. A target with its own cycle for rigid tapping does it better."
+"Cycles 2 and 206 tap at the programmed feed, and the spindle is reversed between the way in and the way out, which takes a chuck with length compensation, as on the control. \
+Cycles 17, 207 and 209 are printed as taps without one."
 
 K2410 Note "pattern-order" "order of a grid of places"
 "Manuals do not say in which order the control visits the places of PAT and FRAME. partc goes line by line, to and fro; the holes are the same."

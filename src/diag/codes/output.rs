@@ -61,6 +61,12 @@ O4005 Warning "compensation-begins-at-rapid" "radius compensation of the target 
 for one goes at rapid traverse to a place beside the contour that may lie farther along it, where the tool cuts already. Lead to the contour at a feed (F in the block of \
 G41, G42, RL or RR), or have partc compute the path: `compensation = \"resolve\"`."
 
+O4007 Warning "chip-removed-for-broken" "the tap leaves the hole to break the chip"
+"The program breaks the chip of a tapped hole by a short way back within the hole. The tapping word of the selected target always goes back to where it began, so the hole is tapped in several strokes, each deeper than the one before and each out of the hole again. The thread is the same; the chip is removed where it would have been broken, and it takes longer. State that you want it so: `[output] tapping = \"as-target\"`."
+
+O4008 Warning "tap-without-detail" "the tap is printed without a detail"
+"The tapping word of the selected target has no place for a detail that the program gives: the dwell at the bottom, another speed for the way out, the speed of the way down to the last depth, or the angle of the spindle at which the thread begins. Depth, pitch and hand of the thread are exact. Take the detail out of the program, or see that nothing depends on it; `[output] tapping = \"as-target\"` says that it may be left out."
+
 O9001 Error "word-unknown-to-target" "the target has no word for this"
 "The program asks for something that the selected target cannot express. Choose another target or change the program."
 
@@ -216,6 +222,12 @@ names, a rapid feed where G0 has one. Nothing of the program is lost. Leave the 
 O9337 Error "tool-offset-too-large" "the target may not count tool offsets that far"
 "The length and the radius of a tool are called by its number: T1000 by H1000 and D1000. How many offsets a control has is an option, and a number that it does not have raises an alarm, or is read as another one. \
 99 are taken for granted. Give the tool a smaller number (`number` of its entry in `[tools]`), or say how many there are: `[output] tool_offsets = 400`."
+
+O9340 Error "rigid-tap-unknown-to-target" "the target has no word for tapping without a compensating chuck"
+"The program taps a hole without a compensating chuck (cycles 17, 207 and 209, CYCLE84, G331 with G332, G33.1): axis and spindle go in step all the time, while the spindle turns round, too. The selected target has no word for that, or none that is confirmed. A feed that only fits the speed would tear the thread or break the tap. Tap with a compensating chuck (cycle 206, CYCLE840, G63) where the target can do that, cut the thread by a milling cycle, or take another target."
+
+O9341 Error "rigid-tap-in-other-words" "the target cannot tap this hole"
+"The selected target taps by a word of its own, which has a fixed form: along Z downwards, back to where it began, with a speed that is known, on some receivers right-hand threads only. This hole is another one, or its pitch cannot be printed exactly enough. What the target lacks is in the message."
 
 O9330 Error "line-longer-than-read" "line has more characters than the target reads"
 "The selected target takes lines of a certain length and refuses or cuts longer ones. A line that is a little too long gives its F to a line in front of it; under G93, \

@@ -122,8 +122,8 @@ S8024 Note "siemens-nose" "nose radius is not compensated"
 "Retired: CYCLE94, CYCLE96 and CYCLE940 cut the undercut with the nose of the tool, as the control does. Without its radius and position they are refused (S2201)."
 
 S8025 Warning "siemens-tap" "tapping with a tension-compression chuck"
-"CYCLE84, CYCLE840, G331 and G332: the target cuts a thread in step with the spindle and reverses in between, which is not rigid: the tap needs a chuck that gives way. Where the \
-target has rigid tapping of its own, replace the two moves by it."
+"CYCLE840: the target cuts a thread in step with the spindle, or goes at the feed, and the spindle is reversed in between. Axis and spindle are not in step while it turns round: the tap needs the chuck that gives \
+way, as on the control. CYCLE84, and G331 with G332, are printed as taps without one."
 
 S8026 Warning "siemens-contour-differs" "blocks and records of a stored contour differ"
 "The contour editor stores a contour twice: as NC blocks, which run, and as hidden records of what was typed. They make different points here, so one \

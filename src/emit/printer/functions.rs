@@ -41,6 +41,7 @@ impl Printer<'_> {
             Function::Stop if !self.has_m(0, origin) => {}
             Function::Stop => {
                 self.page.words(flow.stop, origin);
+                self.told.turn = None;
                 self.modal.may_have_moved();
             }
             Function::OptionalStop if !self.has_m(1, origin) => {}
@@ -49,6 +50,7 @@ impl Printer<'_> {
                     self.optional_stop_is_idle(origin);
                 }
                 self.page.words(flow.optional_stop, origin);
+                self.told.turn = None;
                 self.modal.may_have_moved();
             }
             Function::Aux(number) => self.m_function(*number, origin),
@@ -93,8 +95,9 @@ impl Printer<'_> {
     }
 
     fn tool_change(&mut self, number: u32, origin: &Origin) {
-        // The change may have moved any axis.
+        // The change may have moved any axis, and stopped the spindle.
         self.modal.may_have_moved();
+        self.told.turn = None;
         if self.settings.tool_change == ToolChange::Stop {
             // D1 is a length of the tool that T has named.
             let of_call = match self.target.tool.length {
@@ -333,9 +336,15 @@ impl Printer<'_> {
                 return;
             }
             match spindle {
-                Spindle::Start(_) => self.spindle = HandChange::Turns,
-                Spindle::Stop | Spindle::Orient(_) => self.spindle = HandChange::Stands,
-                Spindle::Speed(_) | Spindle::CuttingSpeed { .. } => {}
+                Spindle::Start(turn) => {
+                    self.spindle = HandChange::Turns;
+                    self.told.turn = Some(turn);
+                }
+                Spindle::Stop | Spindle::Orient(_) => {
+                    self.spindle = HandChange::Stands;
+                    self.told.turn = None;
+                }
+                Spindle::Speed(_) | Spindle::CuttingSpeed { .. } => self.told.speed = None,
             }
         }
         match spindle {
@@ -350,6 +359,9 @@ impl Printer<'_> {
             Spindle::Stop => self.page.text.word(words.stop),
             Spindle::Speed(speed) => {
                 let Some(units) = self.speed_units(speed, origin) else { return };
+                if number.is_none() {
+                    self.told.speed = Some(units);
+                }
                 let text = &mut self.page.text;
                 if let Some(cutting) = &words.cutting_speed
                     && number.is_none()
@@ -419,7 +431,7 @@ impl Printer<'_> {
     }
 
     /// A speed in printed units; reported where there is none. One that prints as zero would let the spindle stand.
-    fn speed_units(&mut self, speed: f64, origin: &Origin) -> Option<i64> {
+    pub(super) fn speed_units(&mut self, speed: f64, origin: &Origin) -> Option<i64> {
         let Some(units) = self.measures.speed.units(speed) else {
             self.unprintable(origin);
             return None;

@@ -3,7 +3,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::machine::Axis;
 use crate::machine::settings::Compensation;
-use crate::target::{DwellUnit, EVERY_PLANE, Form, Length, ProgramName, Sequence};
+use crate::target::{DwellUnit, EVERY_PLANE, Form, Length, ProgramName, RigidTap, Sequence};
 use crate::text::Loc;
 
 use super::Printer;
@@ -59,6 +59,12 @@ impl Printer<'_> {
                 let every = target.arcs.helices && target.arcs.planes == EVERY_PLANE;
                 (every && matches!(target.form, Form::Words)).then_some("goes round in every plane")
             }
+            "tapping" => match target.motion.rigid_tap {
+                None => Some("has no tap without a compensating chuck"),
+                // Its blocks say everything.
+                Some(RigidTap::InAndOut { .. }) => Some("says every tap as it is"),
+                Some(RigidTap::Return { .. } | RigidTap::Cycle(_) | RigidTap::Dialog(_)) => None,
+            },
             "tool_length" => match target.tool.length {
                 // "G43" is refused where a tool is called.
                 Length::None => Some("has no table of tool lengths"),

@@ -17,6 +17,8 @@ pub(super) struct Measures {
     feed_per_revolution: Places,
     inverse_time: Places,
     pub lead: Places,
+    /// A factor, in the places of a lead in millimetres.
+    pub factor: Places,
     pub speed: Places,
     pub time: Places,
     pub inches: bool,
@@ -36,6 +38,7 @@ impl Measures {
             feed_per_revolution: length(Quantity::FeedPerRevolution).written(numbers.feed_point, numbers.zero),
             inverse_time: plain(Quantity::InverseTime),
             lead: length(Quantity::Lead),
+            factor: plain(Quantity::Lead),
             // A whole number has no point where the target counts whole turns.
             speed: Places::new(output.places(Quantity::Speed)).written(numbers.point && numbers.speed.is_none(), true),
             time: plain(Quantity::Time),

@@ -163,6 +163,8 @@ pub fn usual_ahead(depth: f64) -> f64 {
 /// Tapping. The spindle turns one way in and the other way out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tap {
+    /// Without a compensating chuck: axis and spindle go in step all the time. Wants a lead, and no dwell after the reversal.
+    pub rigid: bool,
     /// mm per turn, over 0; the hand of the thread is in `turn`. `None`: with the feed of the hole both ways, for a
     /// compensating chuck.
     pub lead: Option<f64>,

@@ -6,9 +6,9 @@ use crate::geo::{angle, distance};
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{Arc, ArcShape, Coords, Corner, CornerShape, CtxRef, Load, Move, Path, Sink};
 use crate::ir::cycle::Cycle;
-use crate::ir::{Function, Origin, Pos};
+use crate::ir::{Function, Origin, Pos, Tap};
 
-use super::{Fault, MOST_TURNS, TOLERANCE, displaces, ensure, feed, finite, finite_pos, function, hold, lead};
+use super::{Fault, MOST_TURNS, TOLERANCE, displaces, ensure, feed, finite, finite_pos, function, hold, lead, near};
 
 /// Passes the items of a contour stream on and checks them.
 pub struct Contour<'a> {
@@ -103,6 +103,14 @@ impl Check {
         function(item)
     }
 
+    pub(super) fn tap(&mut self, tap: &Tap, ctx: &CtxRef) -> Result<(), Fault> {
+        self.enter(ctx);
+        self.moved = true;
+        let starts = self.at.get(tap.axis).is_none_or(|at| near(at, tap.start));
+        self.at.set(tap.axis, tap.end());
+        ensure(starts && tap.check().is_ok(), Fault::Tap)
+    }
+
     pub(super) fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef) {
         self.enter(ctx);
         self.moved = true;
@@ -179,6 +187,11 @@ impl Sink for Contour<'_> {
     fn function(&mut self, item: &Function, ctx: &CtxRef, origin: &Origin) {
         hold(self.check.function(item, ctx), item);
         self.out.function(item, ctx, origin);
+    }
+
+    fn tap(&mut self, tap: &Tap, ctx: &CtxRef, origin: &Origin) {
+        hold(self.check.tap(tap, ctx), tap);
+        self.out.tap(tap, ctx, origin);
     }
 
     fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef, origin: &Origin) {

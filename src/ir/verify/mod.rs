@@ -59,6 +59,8 @@ pub enum Fault {
     Corner,
     /// A time, speed or radius below zero.
     Function,
+    /// A tap that does not begin where the tool stands, or does not go in and out.
+    Tap,
     /// Where axes stand is said after the first move.
     Late,
     /// The description of a contour begins twice, or ends before it begins.

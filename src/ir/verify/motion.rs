@@ -1,8 +1,8 @@
 //! The motion stream, and the steps between the passes of lower.
 
 use crate::geo::{distance, turned};
-use crate::ir::motion::{Arc, Move, Path, Sink};
-use crate::ir::{Feed, Function, Origin, Pos};
+use crate::ir::motion::{Arc, Move, Path, Place, Sink};
+use crate::ir::{Feed, Function, Origin, Pos, Tap};
 use crate::machine::Axis;
 
 use super::{Fault, MOST_TURNS, TOLERANCE, displaces, ensure, feed, finite, finite_pos, function, hold, lead, near};
@@ -38,6 +38,20 @@ impl Chain {
         } else {
             self.at.update(&mv.end);
         }
+        Ok(())
+    }
+
+    /// A tap from where the moves before it lead.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn tap(&mut self, tap: &Tap, place: &Place) -> Result<(), Fault> {
+        for (axis, value) in place.at.iter() {
+            ensure(self.at.get(axis).is_none_or(|at| near(at, value)), Fault::Gap(axis))?;
+        }
+        let starts = place.at.get(tap.axis).is_some_and(|at| near(at, tap.start));
+        ensure(starts && tap.check().is_ok(), Fault::Tap)?;
+        self.at.set(tap.axis, tap.end());
         Ok(())
     }
 
@@ -130,6 +144,11 @@ impl Sink for Motion<'_> {
     fn movement(&mut self, mv: &Move, origin: &Origin) {
         hold(self.chain.follow(mv), mv);
         self.out.movement(mv, origin);
+    }
+
+    fn tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) {
+        hold(self.chain.tap(tap, place), tap);
+        self.out.tap(tap, place, origin);
     }
 
     fn function(&mut self, item: &Function, origin: &Origin) {

@@ -37,7 +37,7 @@ impl<'a> TapPitch<'a> {
 impl MotionRule for TapPitch<'_> {
     fn movement(&mut self, step: &Step<'_>, machine: &Machine, say: Say<'_>) {
         let (pitch, [least, most]) = match step.mv.path {
-            Path::Thread { lead } => (lead, OF_THREADS),
+            Path::Thread { lead } => (lead, if step.of_tap { OF_TAPS } else { OF_THREADS }),
             Path::Line(feed) => {
                 let Some(pitch) = self.of_feed(feed).filter(|pitch| !(OF_TAPS[0]..=OF_TAPS[1]).contains(pitch)) else {
                     return;
@@ -59,6 +59,7 @@ impl MotionRule for TapPitch<'_> {
                 format!("this tap goes {pitch:.4} mm in a turn: {feed} mm per minute at {speed} turns")
             }
             Path::Line(_) => format!("this tap goes {pitch} mm in a turn"),
+            _ if step.of_tap => format!("this tap has a pitch of {pitch} mm"),
             _ => format!("this thread has a pitch of {pitch} mm"),
         };
         say.about(

@@ -148,6 +148,7 @@ mod tests {
         let mut text = Vec::new();
         let mut last = Point2::new(5.0, 25.0);
         cut.expand(&start, &mut |item| match item {
+            CycleItem::Tap(_) => unreachable!("nothing is tapped"),
             CycleItem::Function(function) => text.push(format!("{function:?}")),
             CycleItem::Move(mv) | CycleItem::Beside(mv, _) => {
                 let to = mv.end.in_plane(Plane::Zx).expect("a point");

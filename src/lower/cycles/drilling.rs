@@ -7,6 +7,7 @@ use crate::ir::contour::{Coords, Move, Path, Thread};
 use crate::ir::cycle::Family;
 use crate::ir::cycle::drilling::{Bore, Chip, DeepHole, Drilling, DrillingFault, Levels, Method, Tap};
 use crate::ir::function::{Coolant, Spindle, Turn};
+use crate::ir::tap::{Stroke, Tap as RigidTap};
 use crate::ir::{Feed, Function, Pos, Side};
 use crate::machine::Axis;
 
@@ -167,7 +168,52 @@ impl Hole<'_> {
         }
     }
 
+    /// Axis and spindle in step all the time.
+    fn rigid_tap(&mut self, tap: &Tap, lead: f64, depths: &[f64]) {
+        let axis = self.drilling.axis;
+        let (levels, out) = (self.levels, self.levels.outward());
+        let start = self.drilling.entry.map_or(levels.start_plane(), |entry| entry.height);
+        let chip = tap.step.map(|step| step.chip);
+        let stroke = |(at, to): (usize, &f64)| {
+            let back = match chip {
+                // Never further out than the start plane.
+                Some(Chip::Break { back }) if at + 1 < depths.len() => *to + back.min((start - *to) * out) * out,
+                _ => start,
+            };
+            Stroke { to: *to, back, dwell: tap.dwell }
+        };
+        let (pause, again) = match chip {
+            Some(Chip::Remove { ahead }) => (tap.dwell, Some(ahead)),
+            Some(Chip::Break { .. }) | None => (0.0, None),
+        };
+        let item = RigidTap {
+            axis,
+            start,
+            surface: levels.reference,
+            strokes: depths.iter().enumerate().map(stroke).collect(),
+            lead,
+            turn: tap.turn,
+            speed_in: tap.speed_in,
+            speed_out: tap.speed_out,
+            orient: tap.orient,
+            pause,
+            again,
+        };
+        (self.out)(CycleItem::Tap(item));
+        self.after_tap(tap);
+    }
+
+    fn after_tap(&mut self, tap: &Tap) {
+        if let Some(speed) = tap.speed_after {
+            self.spindle(Spindle::Speed(speed));
+        }
+        self.spindle(tap.after);
+    }
+
     fn tap(&mut self, tap: &Tap, depths: &[f64]) {
+        if let (true, Some(lead)) = (tap.rigid, tap.lead) {
+            return self.rigid_tap(tap, lead, depths);
+        }
         if let Some(angle) = tap.orient {
             self.spindle(Spindle::Orient(angle));
         }
@@ -185,7 +231,7 @@ impl Hole<'_> {
             if !tap.dwell_reversed {
                 self.dwell(tap.dwell);
             }
-            self.turn(other(tap.turn), tap.speed_out.or(tap.speed_in));
+            self.turn(tap.turn.reversed(), tap.speed_out.or(tap.speed_in));
             if tap.dwell_reversed {
                 self.dwell(tap.dwell);
             }
@@ -196,10 +242,7 @@ impl Hole<'_> {
             };
             self.tap_to(to, tap);
         }
-        if let Some(speed) = tap.speed_after {
-            self.spindle(Spindle::Speed(speed));
-        }
-        self.spindle(tap.after);
+        self.after_tap(tap);
     }
 
     /// From the start plane through the thread that is cut, where that has a speed of its own.
@@ -260,13 +303,6 @@ impl Hole<'_> {
         }
         self.spindle(Spindle::Start(bore.turn));
         Ok(())
-    }
-}
-
-fn other(turn: Turn) -> Turn {
-    match turn {
-        Turn::Clockwise => Turn::CounterClockwise,
-        Turn::CounterClockwise => Turn::Clockwise,
     }
 }
 

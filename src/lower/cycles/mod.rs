@@ -35,7 +35,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Ctx, CtxRef, Move, Sink};
 use crate::ir::cycle::{Cycle, families};
-use crate::ir::{Compensation, Function, Origin, Pos};
+use crate::ir::{Compensation, Function, Origin, Pos, Tap};
 use crate::machine::Axis;
 
 use track::{Failure, Stroke};
@@ -47,6 +47,8 @@ pub enum CycleItem {
     /// A move beside a contour, by rules of the cycle's own.
     Beside(Move, Rc<Compensation>),
     Function(Function),
+    /// Without a compensating chuck.
+    Tap(Tap),
 }
 
 /// Where a cycle starts: where the tool stands, in the programmed frame, and the axes of the working plane.
@@ -117,6 +119,10 @@ pub fn expand(
             beside = Some(known);
         }
         CycleItem::Function(function) => out.function(&function, ctx, origin),
+        CycleItem::Tap(tap) => {
+            cuts = true;
+            out.tap(&tap, ctx, origin);
+        }
     };
     expand_family(cycle, &start, &mut send).map_err(|failure| {
         let found = Diagnostic::new(failure.code, origin.loc, failure.message);

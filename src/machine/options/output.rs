@@ -104,6 +104,14 @@ pub const KEYS: &[Key] = &[
             put(&mut s.output.arc_fallback, Some(libm::round(most * 1e6) as u32))
         },
     ),
+    key(
+        "tapping",
+        Kind::Choice(&["warn", "as-target"]),
+        "what the tap of the target leaves out (dwell, speed of the way out, angle), or does by leaving the hole instead of \
+         breaking the chip: warn of it, or take it",
+        |s, v| put(&mut s.output.tapping_as_target, is(v, "as-target")),
+    )
+    .or(r#""warn""#),
 ];
 
 pub const LIMITS: &[Key] = &[

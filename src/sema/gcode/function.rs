@@ -11,7 +11,7 @@ use crate::read::{self, Act, FeedKind, Reader, SCALE, Speed};
 /// What the act lacks.
 pub fn function(act: &Act) -> Result<Option<Function>, &'static str> {
     Ok(Some(match *act {
-        Act::Move(_) | Act::Select(_) | Act::Change => return Ok(None),
+        Act::Move(_) | Act::Tap | Act::Select(_) | Act::Change => return Ok(None),
         Act::Speed(speed) if speed.value < 0 => return Err("a speed below zero"),
         Act::Speed(Speed { constant_cut: Some(Some(limit)), .. }) if limit <= 0 => {
             return Err("a limit of the speed that is not above zero");

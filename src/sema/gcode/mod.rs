@@ -11,8 +11,10 @@ use std::rc::Rc;
 use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Arc, ArcShape, Coords, Ctx, CtxRef, Move, Path, Sink, Thread};
-use crate::ir::{Function, Pos};
-use crate::machine::{Axis, MachineKind, Settings, Unit};
+use crate::ir::function::{Spindle, Turn};
+use crate::ir::tap::Stroke;
+use crate::ir::{Function, Pos, Tap};
+use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::read::{self, AXES, Act, Lack, Modes, Reader, Rules, SCALE};
@@ -150,6 +152,8 @@ struct Run<'a> {
     start: Start,
     /// A work offset was selected.
     offset_said: bool,
+    /// The sense in which the spindle turns behind a tap, where no line said it yet.
+    turns_on: Option<Turn>,
     /// A line was refused: what later ones lack may have stood there.
     lost: bool,
 }
@@ -193,6 +197,7 @@ impl<'a> Run<'a> {
             cutter: None,
             start,
             offset_said: false,
+            turns_on: None,
             lost: false,
         }
     }
@@ -386,9 +391,24 @@ impl Run<'_> {
         Refused::Words(Box::new(Diagnostic::new(codes::R2001, self.here.origin.loc, message).help(help)))
     }
 
+    /// Behind a tap the spindle turns on as before; said, unless the next act says what it does.
+    fn turns_on(&mut self, act: &Act) {
+        let Some(turn) = self.turns_on else { return };
+        match act {
+            Act::M { number: 3..=5 | 19, spindle: 0, .. } | Act::Tap => self.turns_on = None,
+            Act::Speed(_) => {}
+            Act::Move(_) | Act::Select(_) | Act::Change | Act::M { .. } | Act::Dwell(_) | Act::Offset(_) => {
+                self.turns_on = None;
+                self.does(&Function::Spindle(Spindle::Start(turn)));
+            }
+        }
+    }
+
     fn act(&mut self, act: &Act, changes: bool) -> Result<(), Refused> {
+        self.turns_on(act);
         match *act {
             Act::Move(mv) => return self.movement(&mv),
+            Act::Tap => self.tap(),
             Act::Select(number) => {
                 self.selected = Some(number);
                 if !changes {
@@ -436,6 +456,31 @@ impl Run<'_> {
             return self.start.end();
         }
         stand(&mut self.reader, &self.start);
+    }
+
+    /// G33.1: down and back in step; the spindle turns on as before behind it.
+    fn tap(&mut self) {
+        let read = *self.reader.tap();
+        let speed = read.speed.map(function::real);
+        let turn = if read.left { Turn::CounterClockwise } else { Turn::Clockwise };
+        let start = function::real(read.from);
+        let faster = (read.factor != read::SCALE).then_some(function::real(read.factor));
+        let tap = Tap {
+            axis: Axis::ALL[read.axis],
+            start,
+            surface: start,
+            strokes: vec![Stroke { to: function::real(read.to), back: function::real(read.back), dwell: 0.0 }],
+            lead: function::real(read.lead),
+            turn,
+            speed_in: speed.filter(|_| faster.is_some()),
+            speed_out: speed.zip(faster).map(|(speed, factor)| speed * factor),
+            orient: None,
+            pause: 0.0,
+            again: None,
+        };
+        self.core.send_tap(&tap, &self.ctx);
+        self.turns_on = Some(turn);
+        self.start.touch(AxisSet::of(tap.axis));
     }
 
     fn movement(&mut self, mv: &read::Move) -> Result<(), Refused> {

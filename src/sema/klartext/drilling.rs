@@ -222,18 +222,20 @@ impl Run<'_> {
 
     /// `lead` is positive for a right-hand thread; without one the feed of the hole holds both ways.
     pub(super) fn tapping(&mut self, cut: Cut, lead: Option<f64>) -> Outcome<Method> {
-        let here = self.here.origin.loc;
-        self.job.diags.push_once(Diagnostic::new(
-            codes::K2409,
-            here,
-            "the spindle is reversed by M4 and M3: the tap needs a compensating chuck on the target",
-        ));
+        if lead.is_none() {
+            self.job.diags.push_once(Diagnostic::new(
+                codes::K2409,
+                self.here.origin.loc,
+                "the spindle is reversed by M4 and M3: the tap needs a compensating chuck on the target",
+            ));
+        }
         let turn = match lead {
             Some(lead) if lead < 0.0 => Turn::CounterClockwise,
             Some(_) => Turn::Clockwise,
             None => self.st.spindle.turn().unwrap_or(Turn::Clockwise),
         };
         Ok(Method::Tap(Tap {
+            rigid: lead.is_some(),
             lead: lead.map(f64::abs),
             turn,
             dwell: cut.dwell,

@@ -29,7 +29,7 @@ use crate::geo::Plane;
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{Corner, Ctx, CtxRef, Load, Move, Sink};
 use crate::ir::cycle::Cycle;
-use crate::ir::{Function, Origin, Pos};
+use crate::ir::{Function, Origin, Pos, Tap};
 use crate::machine::options::mtc200::Reading;
 use crate::machine::{Axis, Compensation};
 use crate::parser::mtc200::ast::{Block, Stmt, Target, Value};
@@ -519,6 +519,8 @@ impl Sink for Nowhere {
     fn corner(&mut self, _: &Corner, _: &CtxRef, _: &Origin) {}
 
     fn function(&mut self, _: &Function, _: &CtxRef, _: &Origin) {}
+
+    fn tap(&mut self, _: &Tap, _: &CtxRef, _: &Origin) {}
 
     fn cycle(&mut self, _: &Cycle, _: &CtxRef, _: &Origin) {}
 

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use crate::diag::{Diagnostic, codes};
 use crate::ir::contour::{Coords, Corner, CtxRef, Move, Sink, TOO_LARGE, TOO_LARGE_HELP};
 use crate::ir::cycle::Cycle;
-use crate::ir::{Function, Origin, Pos};
+use crate::ir::{Function, Origin, Pos, Tap};
 use crate::parser::problem::Problem;
 use crate::parser::straight::Straight;
 use crate::parser::symbols::Symbols;
@@ -286,6 +286,18 @@ impl<L: Language> Core<'_, L> {
         }
         self.moved = true;
         self.out.cycle(cycle, ctx, &self.here.origin);
+    }
+
+    /// A tap from where the tool stands.
+    pub fn send_tap(&mut self, tap: &Tap, ctx: &CtxRef) {
+        let origin = self.here.origin;
+        self.send_tap_of(tap, ctx, &origin);
+    }
+
+    /// A tap of another block than the one in hand.
+    pub fn send_tap_of(&mut self, tap: &Tap, ctx: &CtxRef, origin: &Origin) {
+        self.moved = true;
+        self.out.tap(tap, ctx, origin);
     }
 
     /// Nobody knows where the tool is.

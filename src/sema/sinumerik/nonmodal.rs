@@ -112,7 +112,9 @@ impl Channel<'_> {
         if !(0.0..=MOST_SECONDS).contains(&seconds) {
             return self.fail(codes::S2041, span, "a dwell lies between 0 and 100000 seconds");
         }
-        self.function(Function::Dwell(seconds));
+        if !self.waits_in_tap(seconds) {
+            self.function(Function::Dwell(seconds));
+        }
         Ok(())
     }
 

@@ -2,10 +2,15 @@
 //!
 //! Source: S 0, 2.1, 7.2 and 7.3 (docs/sources.md).
 
+use std::rc::Rc;
+
 use crate::diag::{Diagnostic, codes};
-use crate::ir::Pos;
-use crate::ir::contour::{Path, Thread};
+use crate::geo::Plane;
+use crate::ir::contour::{CtxRef, Path, Thread};
+use crate::ir::cycle::drilling::MOST_PECKS;
 use crate::ir::function::{Spindle, Turn};
+use crate::ir::tap::Stroke;
+use crate::ir::{Origin, Pos, Tap};
 use crate::machine::{Axis, AxisSet};
 use crate::text::{Loc, Span};
 
@@ -21,14 +26,14 @@ const STILL: f64 = 1e-9;
 const START_ANGLE: &str = "$SC_THREAD_START_ANGLE";
 
 /// Threads and taps that later blocks go on with.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Threads {
     /// Lead of the last thread and the axis along which it counts.
     lead: Option<(Axis, f64)>,
     /// The same of the last tap, with its sign.
     tap_lead: Option<(Axis, f64)>,
-    /// The spindle turns for a tap, in this sense.
-    tapping: Option<Turn>,
+    /// A hole that blocks tap, which waits for their end.
+    open: Option<Box<OpenTap>>,
     chain: Option<ThreadChain>,
 }
 
@@ -36,7 +41,7 @@ impl Threads {
     /// A block is to be asked whether it ends the tap or the chain.
     #[inline]
     pub fn are_open(&self) -> bool {
-        self.tapping.is_some() || self.chain.is_some()
+        self.open.is_some() || self.chain.is_some()
     }
 
     /// The next thread does not follow on another one.
@@ -48,6 +53,27 @@ impl Threads {
     /// A contour names the lead of its threads itself.
     pub fn forget_lead(&mut self) {
         self.lead = None;
+    }
+}
+
+/// A hole between the first G331 and the block behind the last G332.
+#[derive(Debug, Clone)]
+struct OpenTap {
+    /// With the strokes that are complete.
+    tap: Tap,
+    /// The block of the first G331, and what held there.
+    origin: Origin,
+    ctx: CtxRef,
+    /// The depth of the stroke that did not come back yet, and the seconds that it waits there.
+    inside: Option<(f64, f64)>,
+    /// Speeds of the way in and out.
+    speeds: [f64; 2],
+}
+
+impl OpenTap {
+    /// Where it stands along its axis.
+    fn at(&self) -> f64 {
+        self.inside.map_or_else(|| self.tap.end(), |(depth, _)| depth)
     }
 }
 
@@ -71,10 +97,18 @@ impl Channel<'_> {
         code.is_tapping() && !w.axes.is_empty() && shaped.iter().all(|group| w.code_of(*group).is_none())
     }
 
+    /// A block that may stand inside a tap: one without a move, a function or a G function, and a dwell at the depth.
+    fn rests_in_tap(&self, w: &Words) -> bool {
+        let inside = self.st.threads.open.as_ref().is_some_and(|open| open.inside.is_some());
+        let dwells = w.code_of(Group::Nonmodal).is_some_and(|(code, _)| code == GCode::G4);
+        let idle = w.axes.is_empty() && w.m.is_empty() && w.get(Address::T).is_none();
+        idle && (w.codes.is_empty() || inside && dwells)
+    }
+
     /// A block that is no move in step with the spindle ends the tapping, and may break a chain of threads.
     #[cold]
     pub(super) fn beside_threads(&mut self, w: &Words) {
-        if self.st.threads.tapping.is_some() && !self.goes_on_tapping(w) {
+        if self.st.threads.open.is_some() && !self.goes_on_tapping(w) && !self.rests_in_tap(w) {
             self.tapping_ends();
         }
         if self.st.threads.chain.is_some() {
@@ -85,11 +119,37 @@ impl Channel<'_> {
         }
     }
 
-    /// The spindle stands while no block taps.
-    pub(super) fn tapping_ends(&mut self) {
-        if self.st.threads.tapping.take().is_some() {
-            self.send_spindle(self.st.spindles.master(), Spindle::Stop);
+    /// The tap waits at its depth; false where none is there.
+    pub(super) fn waits_in_tap(&mut self, seconds: f64) -> bool {
+        let inside = self.st.threads.open.as_mut().and_then(|open| open.inside.as_mut());
+        if let Some((_, waits)) = inside {
+            *waits += seconds;
+            return true;
         }
+        false
+    }
+
+    /// The hole is complete; the spindle stands while no block taps.
+    pub(super) fn tapping_ends(&mut self) {
+        let Some(open) = self.st.threads.open.take() else { return };
+        if open.inside.is_some() {
+            let found = Diagnostic::new(codes::S2081, open.origin.loc, "G331 taps down, and no G332 comes back");
+            let help = "program G332 to the height in front of G331 behind it, with nothing but G4 in between";
+            self.report(found.help(help));
+            self.st.position.lose(AxisSet::of(open.tap.axis));
+            return self.lost();
+        }
+        let OpenTap { mut tap, origin, ctx, speeds: [speed_in, speed_out], .. } = *open;
+        let now = self.st.spindles.speed();
+        let changes = speed_in != speed_out || now != Some(speed_in);
+        if changes {
+            (tap.speed_in, tap.speed_out) = (Some(speed_in), Some(speed_out));
+        }
+        self.core.send_tap_of(&tap, &ctx, &origin);
+        if let Some(now) = now.filter(|_| changes) {
+            self.send_spindle(self.st.spindles.master(), Spindle::Speed(now));
+        }
+        self.send_spindle(self.st.spindles.master(), Spindle::Stop);
     }
 
     /// G33
@@ -241,29 +301,103 @@ impl Channel<'_> {
         };
         self.starts_are_known(w, span)?;
         self.taps_along(axis, &end, w, span)?;
-        let forward = if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise };
-        let back = if lead > 0.0 { Turn::CounterClockwise } else { Turn::Clockwise };
-        let turn = if code == GCode::G331 { forward } else { back };
-        if !self.is_capturing() {
-            self.turn_with_the_tap(turn, code, span);
+        let to = end.get(axis).unwrap_or_default();
+        if self.is_capturing() {
+            self.send(&end, Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }));
+            return Ok(());
         }
-        self.send(&end, Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }));
+        if self.st.offsets.in_machine() {
+            let help = "select a work offset (G54) in front of the hole";
+            return self.fail_help(codes::S2081, span, "a hole is tapped in coordinates of the machine", help);
+        }
+        if code == GCode::G331 {
+            self.taps_in((axis, lead), to, span)?
+        } else {
+            self.taps_out((axis, lead), to, span)?
+        }
+        self.stands_behind_tap(code, span);
+        self.note_outer();
+        if self.st.plane() != Plane::Xy {
+            self.length_acts_along_z();
+        }
+        self.note_heading(&end, &Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }));
+        self.st.position.move_to(&end);
         Ok(())
     }
 
-    fn turn_with_the_tap(&mut self, turn: Turn, code: GCode, span: Span) {
-        let word = code.word();
-        self.note_once(codes::S8025, span, format!("{word}: the tap needs a compensating chuck on the target"));
+    /// G331: the tap goes down, or farther down.
+    fn taps_in(&mut self, (axis, lead): (Axis, f64), to: f64, span: Span) -> Outcome {
+        let start = self.st.position.get(axis).unwrap_or_default();
+        let speed = self.st.spindles.speed().unwrap_or_default();
+        let turn = if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise };
+        let Some(open) = &mut self.st.threads.open else {
+            let tap = Tap {
+                axis,
+                start,
+                surface: start,
+                strokes: Vec::new(),
+                lead: lead.abs(),
+                turn,
+                speed_in: None,
+                speed_out: None,
+                orient: None,
+                pause: 0.0,
+                again: None,
+            };
+            let (origin, ctx) = (self.here.origin, Rc::clone(&self.st.ctx));
+            let open = OpenTap { tap, origin, ctx, inside: Some((to, 0.0)), speeds: [speed; 2] };
+            self.st.threads.open = Some(Box::new(open));
+            return Ok(());
+        };
+        let same = open.tap.axis == axis && open.tap.turn == turn && (open.tap.lead - lead.abs()).abs() <= STILL;
+        let down = to - open.at();
+        let deeper = down * (open.tap.strokes.first().map_or(open.at(), |stroke| stroke.to) - open.tap.start) > 0.0;
+        let waits = open.inside.is_some_and(|(_, waits)| waits > 0.0);
+        if !same || !deeper || waits || open.speeds[0] != speed {
+            let message = "G331 goes on with another pitch, at another speed or in another direction";
+            let help = "program the steps of one hole alike, or retract by G0 between two holes";
+            self.st.threads.open = None;
+            return self.fail_help(codes::S2081, span, message, help);
+        }
+        if open.tap.strokes.len() >= MOST_PECKS {
+            return self.fail(codes::S2081, span, "the tap makes too many steps");
+        }
+        open.inside = Some((to, 0.0));
+        Ok(())
+    }
+
+    /// G332: the tap comes back.
+    fn taps_out(&mut self, (axis, lead): (Axis, f64), to: f64, span: Span) -> Outcome {
+        let speed = self.st.spindles.speed().unwrap_or_default();
+        let turn = if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise };
+        let Some((open, (depth, dwell))) =
+            self.st.threads.open.as_mut().and_then(|open| open.inside.map(|inside| (open, inside)))
+        else {
+            let help = "program G331 down to the depth in front of it, and one G332 back";
+            return self.fail_help(codes::S2081, span, "G332 comes back, and no G331 went down", help);
+        };
+        let from = open.tap.strokes.last().map_or(open.tap.start, |stroke| stroke.back);
+        let same = open.tap.axis == axis && open.tap.turn == turn && (open.tap.lead - lead.abs()).abs() <= STILL;
+        let alike = open.tap.strokes.is_empty() || open.speeds[1] == speed;
+        if !same || !alike || (to - depth) * (from - depth) <= 0.0 {
+            let message = "G332 comes back with another pitch, at another speed than before, or not back";
+            let help = "program the lead of G331 and a height towards its start";
+            self.st.threads.open = None;
+            return self.fail_help(codes::S2081, span, message, help);
+        }
+        open.tap.strokes.push(Stroke { to: depth, back: to, dwell });
+        (open.inside, open.speeds[1]) = (None, speed);
+        Ok(())
+    }
+
+    fn stands_behind_tap(&mut self, code: GCode, span: Span) {
         if let Some(before) = self.st.spindles.turn() {
             self.st.spindles.set_turn(None);
-            let m = if before == Turn::Clockwise { "M3" } else { "M4" };
+            let (m, word) = (if before == Turn::Clockwise { "M3" } else { "M4" }, code.word());
             let message = format!("the spindle stands behind {word}: the {m} in front of it does not count any more");
             self.note_once(codes::S8041, span, message);
         }
         self.st.spindles.forget_angle();
-        if self.st.threads.tapping.replace(turn) != Some(turn) {
-            self.send_spindle(self.st.spindles.master(), Spindle::Start(turn));
-        }
     }
 
     /// Words that cannot stand in a block that taps.

@@ -85,6 +85,7 @@ impl Run<'_> {
             );
         }
         let tap = Tap {
+            rigid: true,
             lead: Some(lead),
             turn,
             dwell: 0.0,

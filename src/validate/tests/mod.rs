@@ -2,6 +2,7 @@
 
 mod faults;
 mod streams;
+mod taps;
 
 use crate::diag::Diags;
 use crate::emit::Printer;
@@ -44,6 +45,7 @@ fn validate(stream: &Stream, disturb: Option<(usize, Disturbance)>, tamper: Tamp
         let origin = Origin::default();
         match item {
             Some(Item::Move(mv)) => printer.movement(mv, &origin),
+            Some(Item::Tap(tap, place)) => printer.tap(tap, place, &origin),
             Some(Item::Function(function)) => printer.function(function, &origin),
             Some(Item::BeginsAt(at)) => printer.begins_at(at),
             None if n == last => printer.close(),
@@ -58,6 +60,7 @@ fn validate(stream: &Stream, disturb: Option<(usize, Disturbance)>, tamper: Tamp
             let (bytes, end) = (piece.as_bytes(), piece.len());
             match item {
                 Some(Item::Move(mv)) => validator.movement(mv, &origin, bytes, end),
+                Some(Item::Tap(tap, place)) => validator.tap(tap, place, &origin, bytes, end),
                 Some(Item::Function(function)) => validator.function(function, &origin, bytes, end),
                 Some(Item::BeginsAt(at)) => validator.begins_at(at),
                 None if n == last => validator.finish(bytes, end),

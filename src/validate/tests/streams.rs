@@ -4,8 +4,9 @@ use core::f64::consts::{PI, TAU};
 
 use crate::geo::{Plane, Point2, turned};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
-use crate::ir::motion::{Arc, Move, Path};
-use crate::ir::{Feed, Function, Pos, Side};
+use crate::ir::motion::{Arc, Move, Path, Place};
+use crate::ir::tap::Stroke;
+use crate::ir::{Feed, Function, Pos, Side, Tap};
 use crate::machine::settings::{Quantity, ToolChange};
 use crate::machine::{Axis, AxisSet, MachineKind, Settings};
 
@@ -40,6 +41,7 @@ impl Dice {
 pub enum Item {
     Move(Move),
     Function(Function),
+    Tap(Tap, Place),
     BeginsAt(Pos),
 }
 
@@ -101,6 +103,35 @@ pub fn stream_for(dice: &mut Dice, length: usize, target: &str) -> Stream {
     maker.begin();
     while maker.items.len() < length {
         maker.item();
+    }
+    maker.end();
+    Stream { items: maker.items, settings }
+}
+
+/// Holes at random places, on a target that may be a lathe.
+pub fn stream_of_taps(dice: &mut Dice, target: &str) -> Stream {
+    let mut settings = Settings::default();
+    settings.output.target = crate::target::find(target).expect("a target");
+    let lathe = settings.output.target.frame.mill.is_none();
+    if lathe {
+        settings.machine.kind = MachineKind::Lathe;
+    }
+    settings.output.tool_length = Some(false);
+    let plane = if lathe { Plane::Zx } else { Plane::Xy };
+    let unit = 1.0 / f64::from(10u32.pow(u32::from(settings.output.places(Quantity::Length))));
+    let feed = Feed::PerMinute(100.0);
+    let (at, side, items) = (Pos::UNKNOWN, Side::None, Vec::new());
+    let (linuxcnc, grbl, by_time) = (false, false, false);
+    let mut maker = Maker { dice, at, plane, feed, side, unit, linuxcnc, grbl, by_time, items };
+    for _ in 0..3 {
+        let mut end = Pos::UNKNOWN;
+        let axes: &[Axis] = if lathe { &[Axis::X, Axis::Z] } else { &[Axis::X, Axis::Y, Axis::Z] };
+        for axis in axes {
+            let value = maker.number();
+            end.set(*axis, value);
+        }
+        maker.push(end, end.known(), Path::Rapid);
+        maker.tap();
     }
     maker.end();
     Stream { items: maker.items, settings }
@@ -278,6 +309,40 @@ impl Maker<'_> {
         }
         let (feed, length) = (1.0 + self.dice.part() * 800.0, 0.5 + self.dice.part() * 20.0);
         self.push(end, end.known(), Path::Carried { feed, length });
+    }
+
+    /// A hole of up to four strokes from where the tool stands, and what the spindle does behind it.
+    fn tap(&mut self) {
+        let Some(start) = self.at.get(Axis::Z) else { return self.everywhere(Path::Rapid) };
+        let lead = self.dice.of(&[1.5, 0.75, 1.27, 2.0, 1.0 / 3.0]);
+        let speed = self.dice.of(&[100.0, 300.0, 1500.0]);
+        let back = self.dice.of(&[speed, speed, 2.0 * speed, 1.5 * speed]);
+        let surface = start - self.dice.of(&[0.0, 2.0]);
+        let odd = 0.7 + self.dice.part();
+        let step = self.dice.of(&[2.0, 3.5, odd]);
+        let chip = self.dice.of(&[None, Some(0.3), Some(0.2 * lead)]);
+        let count = 1 + self.dice.roll(4);
+        let dwell = self.dice.of(&[0.0, 0.0, 0.5]);
+        let stroke = |at: usize| {
+            let to = surface - step * (at + 1) as f64;
+            let back = chip.filter(|_| at + 1 < count).map_or(start, |back| (to + back).min(start));
+            Stroke { to, back, dwell }
+        };
+        let tap = Tap {
+            axis: Axis::Z,
+            start,
+            surface,
+            strokes: (0..count).map(stroke).collect(),
+            lead,
+            turn: self.dice.of(&[Turn::Clockwise, Turn::Clockwise, Turn::CounterClockwise]),
+            speed_in: Some(speed),
+            speed_out: Some(back),
+            orient: self.dice.of(&[None, None, Some(30.0)]),
+            pause: self.dice.of(&[0.0, 0.0, 0.25]),
+            again: self.dice.of(&[None, Some(1.0)]),
+        };
+        self.items.push(Item::Tap(tap, Place { at: self.at, plane: self.plane }));
+        self.does(Function::Spindle(Spindle::Stop));
     }
 
     fn speed(&mut self) -> f64 {

@@ -217,8 +217,20 @@ pub(super) const BUILT: &[Built] = &[
     },
     Built {
         code: "O9325",
-        fires: || on("sinumerik", "G331 Z-10 K1.5\nG332 Z5 K1.5", ""),
-        silent: || on("linuxcnc", "G331 Z-10 K1.5\nG332 Z5 K1.5", ""),
+        fires: || on("sinumerik", "F100\nCYCLE840(5,0,2,-10,,0,4,3,0,,1.5)", ""),
+        silent: || on("linuxcnc", "F100\nCYCLE840(5,0,2,-10,,0,4,3,0,,1.5)", ""),
+    },
+    Built { code: "O4007", fires: || on("fanuc", STEPPED, TAPPED), silent: || on("sinumerik", STEPPED, TAPPED) },
+    Built { code: "O4008", fires: || on("haas", WAITING, TAPPED), silent: || on("sinumerik", WAITING, TAPPED) },
+    Built {
+        code: "O9340",
+        fires: || on_grbl("G331 Z-10 K1.5\nG332 Z5 K1.5", ""),
+        silent: || on_grbl("G1 Z-10 F100", ""),
+    },
+    Built {
+        code: "O9341",
+        fires: || on("haas", "G331 Z-10 K1.5\nG332 Z2 K1.5", TAPPED),
+        silent: || on("haas", "G331 Z-10 K1.5\nG332 Z5 K1.5", TAPPED),
     },
 ];
 
@@ -269,6 +281,11 @@ fn on(target: &str, block: &str, configuration: &str) -> Compiled {
     let text = format!("G90 G0 X0 Y0 Z5\nS1000 M3\n{block}\nM30\n");
     compile_bytes("PART.MPF", text.into_bytes(), "sinumerik", &settings, &NoFiles)
 }
+
+/// The length of a tool begins with a move of its own where it has to.
+const TAPPED: &str = "[output]\ntool_length = \"off\"";
+const STEPPED: &str = "G331 Z-4 K1.5\nG332 Z-3 K1.5\nG331 Z-10 K1.5\nG332 Z5 K1.5";
+const WAITING: &str = "G331 Z-10 K1.5\nG4 F0.5\nG332 Z5 K1.5";
 
 pub(super) const PART: &str = "0 BEGIN PGM PART MM\n1 L X+10 Y+5 R0 F300\n2 END PGM PART MM\n";
 const TOOL_CALL: &str = "0 BEGIN PGM PART MM\n1 TOOL CALL 5 Z S2000\n2 L X+10 Y+5 R0 F300\n3 END PGM PART MM\n";

@@ -3,6 +3,7 @@ use proptest::prelude::*;
 use super::pecking::depths;
 use super::*;
 use crate::ir::cycle::drilling::{Ahead, Breaks, Chip, Degression, Pecking, Removal, Resolved, TapStep};
+use crate::ir::tap::Part;
 
 const XYZ: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
@@ -23,6 +24,19 @@ fn number(v: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
+fn function(function: &Function) -> String {
+    match function {
+        Function::Dwell(s) => format!("G4 {}", number(*s)),
+        Function::Spindle(Spindle::Start(Turn::Clockwise)) => "M3".to_owned(),
+        Function::Spindle(Spindle::Start(Turn::CounterClockwise)) => "M4".to_owned(),
+        Function::Spindle(Spindle::Stop) => "M5".to_owned(),
+        Function::Spindle(Spindle::Speed(s)) => format!("S{s}"),
+        Function::Spindle(Spindle::Orient(a)) => format!("M19 R{a}"),
+        Function::Stop => "M0".to_owned(),
+        other => panic!("{other:?}"),
+    }
+}
+
 fn words(drilling: &Drilling) -> Vec<String> {
     let mut start = Pos::UNKNOWN;
     start.set(Axis::X, 10.0);
@@ -30,6 +44,15 @@ fn words(drilling: &Drilling) -> Vec<String> {
     let mut list = Vec::new();
     expand(drilling, &start, XYZ, &mut |part| {
         list.push(match part {
+            CycleItem::Tap(tap) => {
+                tap.parts(&mut |part| {
+                    list.push(match part {
+                        Part::To(to) => format!("G33 K{} Z{}", number(tap.lead), number(to)),
+                        other => function(&other.function().expect("a function")),
+                    });
+                });
+                return;
+            }
             CycleItem::Move(mv) | CycleItem::Beside(mv, _) => {
                 let end = mv.end;
                 let axes: Vec<_> = end.iter().map(|(axis, v)| format!("{}{}", axis.letter(), number(v))).collect();
@@ -41,16 +64,7 @@ fn words(drilling: &Drilling) -> Vec<String> {
                 };
                 format!("{word} {}", axes.join(" "))
             }
-            CycleItem::Function(function) => match function {
-                Function::Dwell(s) => format!("G4 {}", number(s)),
-                Function::Spindle(Spindle::Start(Turn::Clockwise)) => "M3".to_owned(),
-                Function::Spindle(Spindle::Start(Turn::CounterClockwise)) => "M4".to_owned(),
-                Function::Spindle(Spindle::Stop) => "M5".to_owned(),
-                Function::Spindle(Spindle::Speed(s)) => format!("S{s}"),
-                Function::Spindle(Spindle::Orient(a)) => format!("M19 R{a}"),
-                Function::Stop => "M0".to_owned(),
-                other => panic!("{other:?}"),
-            },
+            CycleItem::Function(item) => function(&item),
         });
     })
     .expect("a hole");
@@ -162,6 +176,7 @@ fn boring_lifts_the_edge_off() {
 #[test]
 fn tapping_turns_back_on_the_way_out() {
     let tap = Tap {
+        rigid: true,
         lead: Some(1.25),
         turn: Turn::Clockwise,
         dwell_reversed: false,

@@ -61,7 +61,7 @@ impl CycleCall<'_, '_> {
             }
         }
         let feed = hole_feed;
-        if matches!(method, Method::Tap(_)) {
+        if matches!(method, Method::Tap(Tap { rigid: false, .. })) {
             self.note_once(
                 codes::S8025,
                 args.span,
@@ -303,6 +303,7 @@ impl CycleCall<'_, '_> {
         }
         let after = self.after()?;
         Ok(Method::Tap(Tap {
+            rigid: true,
             lead: Some(lead.abs()),
             turn: if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise },
             dwell: self.dwell_at_depth(DTB)?,
@@ -401,6 +402,7 @@ impl CycleCall<'_, '_> {
         // With an automatic reversal the spindle turns on as before, and SDAC may be left out.
         let as_before = args.or_zero(SDR) == 0.0 && args.or_zero(SDAC) == 0.0;
         Ok(Method::Tap(Tap {
+            rigid: false,
             lead,
             turn,
             dwell,

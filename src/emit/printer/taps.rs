@@ -1,0 +1,391 @@
+//! Holes that are tapped without a compensating chuck, each in the word of the target.
+
+use crate::diag::{Answer, Diagnostic, codes};
+use crate::geo::Plane;
+use crate::ir::function::{Function, Spindle, Turn};
+use crate::ir::motion::{Path, Place};
+use crate::ir::{Origin, Side, Tap};
+use crate::machine::axis::AXES;
+use crate::machine::{Axis, AxisSet};
+use crate::target::{RigidTap, TapCycle, TapPitch};
+
+use super::super::modal::FeedKind;
+use super::{HandChange, Printer};
+
+/// What the printed pitch may sum up to along the hole, in mm.
+const MOST_OFF: f64 = 0.005;
+/// Whole factors on the speed of the way back that a control takes.
+const FACTORS: std::ops::RangeInclusive<f64> = 1.0..=9.0;
+/// Two factors are one.
+const SAME: f64 = 1e-9;
+
+/// Why the target cannot tap a hole: what it would need, and the way out. `None` where something was said already.
+pub(super) type Unfit = Option<(String, &'static str)>;
+
+/// A tap as it is printed: coordinates along its axis in units.
+pub(super) struct Hole<'t> {
+    pub tap: &'t Tap,
+    pub start: i64,
+    /// Depth and return of each stroke.
+    pub strokes: Vec<(i64, i64)>,
+}
+
+/// What the target was told of the spindle.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Told {
+    /// In units of the last place.
+    pub speed: Option<i64>,
+    pub turn: Option<Turn>,
+}
+
+impl Printer<'_> {
+    #[inline(never)]
+    pub(super) fn print_tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) {
+        match self.tap(tap, place, origin) {
+            Ok(()) => {
+                // The control starts and stops the spindle by itself.
+                self.spindle = HandChange::Stands;
+                self.modal.forget_feed();
+            }
+            Err(unfit) => {
+                if let Some((what, help)) = unfit {
+                    let code = if self.target.motion.rigid_tap.is_some() { codes::O9341 } else { codes::O9340 };
+                    self.lacks(code, origin, &what, help);
+                }
+                self.pretend(&place.along(tap, tap.end(), Path::Rapid));
+            }
+        }
+    }
+
+    fn tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) -> Result<(), Unfit> {
+        let Some(words) = self.target.motion.rigid_tap else {
+            let help = "tap with a compensating chuck where the target can, mill the thread, or take another target";
+            return Err(Some(("tapping without a compensating chuck".to_owned(), help)));
+        };
+        if self.compensation.side != Side::None {
+            return Err(unfit("a tap inside radius compensation", "end the compensation in front of the hole"));
+        }
+        if !self.axes.contains(tap.axis) || self.length.waits && tap.axis == Axis::Z {
+            return Err(unfit("a tap along an axis that was not moved", "move to the hole in front of the tap"));
+        }
+        if self.modal.cutting_speed {
+            let help = "program a constant speed (G97 S) in front of the hole";
+            return Err(unfit("a tap under a constant cutting speed", help));
+        }
+        let hole = self.hole(tap, origin)?;
+        // Where somebody may have moved the axis, its place is said again.
+        self.straight(self.target.motion.rapid, &place.along(tap, tap.start, Path::Rapid), None, origin);
+        match words {
+            RigidTap::Return { word, lead, factor } => self.returning_taps(&hole, (word, lead, factor), origin)?,
+            RigidTap::Cycle(words) => self.tapping_cycles(&hole, &words, origin)?,
+            RigidTap::InAndOut { ready, into, out, leads } => {
+                let Some(lead) = leads.get(tap.axis.index()).copied() else {
+                    return Err(unfit("a tap along this axis", "tap along X, Y or Z"));
+                };
+                self.taps_in_and_out(&hole, (ready, into, out, lead), origin)?;
+            }
+            RigidTap::Dialog(words) => self.dialog_taps(&hole, words, origin)?,
+        }
+        let mut ends = [0; AXES];
+        ends[tap.axis.index()] = hole.strokes.last().map_or(hole.start, |(_, back)| *back);
+        self.modal.reach(AxisSet::of(tap.axis), &ends);
+        Ok(())
+    }
+
+    fn hole<'t>(&mut self, tap: &'t Tap, origin: &Origin) -> Result<Hole<'t>, Unfit> {
+        let places = self.places_of(tap.axis);
+        let start = places.units(tap.start);
+        let strokes = tap.strokes.iter().map(|stroke| places.units(stroke.to).zip(places.units(stroke.back)));
+        let (Some(start), Some(strokes)) = (start, strokes.collect::<Option<Vec<_>>>()) else {
+            self.unprintable(origin);
+            return Err(None);
+        };
+        let mut at = start;
+        for (to, back) in &strokes {
+            if *to == at || to == back {
+                self.report(codes::O1003, origin, "the tap has no length that can be printed");
+                return Err(None);
+            }
+            at = *back;
+        }
+        Ok(Hole { tap, start, strokes })
+    }
+
+    /// A word that comes back to where it began: what is left of the strokes.
+    pub(super) fn returns(&self, hole: &Hole<'_>, origin: &Origin) -> Result<(), Unfit> {
+        let Some(((_, last), others)) = hole.strokes.split_last() else { return Err(None) };
+        if *last != hole.start {
+            let help = "let the tap come back to where it began: G332 to the height in front of G331";
+            return Err(unfit("a tap that ends at another height than it began", help));
+        }
+        if others.iter().any(|(_, back)| *back != hole.start) {
+            let message = "the chip is broken within the hole, and the target's tap always comes back to where it began: \
+                           each step leaves the hole";
+            self.told_of_tap(codes::O4007, message.to_owned(), origin);
+        }
+        Ok(())
+    }
+
+    fn told_of_tap(&self, code: &'static crate::diag::Code, message: String, origin: &Origin) {
+        if self.settings.tapping_as_target || !self.diags.first_text(code, &message) {
+            return;
+        }
+        let help = Answer::key("output", "tapping").help("where that is meant, set `[output] tapping = \"as-target\"`");
+        self.diags.push(Diagnostic::new(code, origin.loc, message).help(help).called(origin.call));
+    }
+
+    /// Details of a tap for which the target has no word, and which do not change the thread.
+    pub(super) fn leaves_out(&self, details: &[&str], origin: &Origin) {
+        if let [others @ .., last] = details {
+            let list = if others.is_empty() { (*last).to_owned() } else { format!("{} and {last}", others.join(", ")) };
+            self.told_of_tap(codes::O4008, format!("the target's tap has no word for {list}, left out here"), origin);
+        }
+    }
+
+    /// What a word leaves out that cannot wait, or goes back at its own speed.
+    pub(super) fn lost_details(&self, tap: &Tap, dwell: bool, factor: bool) -> Vec<&'static str> {
+        let waits = dwell && tap.strokes.iter().any(|stroke| stroke.dwell > 0.0);
+        let slower = factor && (tap.factor() - 1.0).abs() > SAME;
+        let again = (0..tap.strokes.len()).any(|stroke| tap.resumes(stroke).is_some());
+        let details = [
+            (waits, "the dwell at the bottom"),
+            (slower, "the speed of the way out"),
+            (again, "the speed of the way down through the thread"),
+        ];
+        details.into_iter().filter(|(lost, _)| *lost).map(|(_, what)| what).collect()
+    }
+
+    /// The speed of the way in, in units; said, where the target does not know it and `said`.
+    pub(super) fn tap_speed(&mut self, tap: &Tap, said: bool, origin: &Origin) -> Result<Option<i64>, Unfit> {
+        let Some(speed) = tap.speed_in else { return Ok(self.told.speed) };
+        let units = self.speed_units(speed, origin).ok_or(None)?;
+        if said && self.told.speed != Some(units) {
+            self.print_function(&Function::Spindle(Spindle::Speed(speed)), origin);
+        }
+        Ok(Some(units))
+    }
+
+    /// The pitch in units of its places, and that it is exact enough along the hole.
+    pub(super) fn tap_lead(&self, tap: &Tap, origin: &Origin) -> Result<i64, Unfit> {
+        let places = self.measures.lead;
+        let Some(units) = places.units(tap.lead).filter(|units| *units > 0) else {
+            self.report(codes::O1003, origin, "the pitch of this tap prints as zero or not at all");
+            return Err(None);
+        };
+        if (units as f64 / places.scale() - tap.lead).abs() * tap.turns() > MOST_OFF {
+            return Err(unfit("this pitch with all its places", "print more places of a pitch: `[output] decimals`"));
+        }
+        Ok(units)
+    }
+
+    /// The spindle turns, and a block goes in and comes back.
+    fn returning_taps(&mut self, hole: &Hole<'_>, words: (&str, u8, u8), origin: &Origin) -> Result<(), Unfit> {
+        let (word, address, of_factor) = words;
+        let tap = hole.tap;
+        self.returns(hole, origin)?;
+        let lead = self.tap_lead(tap, origin)?;
+        self.leaves_out(&self.lost_details(tap, true, false), origin);
+        if let Some(angle) = tap.orient {
+            self.print_function(&Function::Spindle(Spindle::Orient(angle)), origin);
+        }
+        self.tap_speed(tap, true, origin)?;
+        if self.told.turn != Some(tap.turn) {
+            self.print_function(&Function::Spindle(Spindle::Start(tap.turn)), origin);
+        }
+        let factor = tap.factor();
+        for (at, (to, _)) in hole.strokes.iter().enumerate() {
+            if at > 0 && tap.pause > 0.0 {
+                self.print_function(&Function::Dwell(tap.pause), origin);
+            }
+            let places = self.places_of(tap.axis);
+            self.page.text.word(word).number(tap.axis.letter() as u8, *to, places);
+            self.page.text.number(address, lead, self.measures.lead);
+            if (factor - 1.0).abs() > SAME
+                && let Some(units) = self.measures.factor.units(factor)
+            {
+                self.page.text.number(of_factor, units, self.measures.factor);
+            }
+            self.page.end_line(origin);
+        }
+        Ok(())
+    }
+
+    /// A cycle for each stroke.
+    fn tapping_cycles(&mut self, hole: &Hole<'_>, words: &TapCycle, origin: &Origin) -> Result<(), Unfit> {
+        let tap = hole.tap;
+        if tap.axis != Axis::Z || tap.outward() < 0.0 {
+            return Err(unfit(
+                "a tap in another direction than down Z",
+                "set the part up so that Z goes into the hole",
+            ));
+        }
+        let word = match tap.turn {
+            Turn::Clockwise => Some(words.right),
+            Turn::CounterClockwise => words.left,
+        };
+        let Some(word) = word else {
+            return Err(unfit("a left-hand tap", "cut the thread another way, or take another target"));
+        };
+        self.returns(hole, origin)?;
+        let factor = tap.factor();
+        let whole = libm::round(factor);
+        let fits = words.factor.filter(|_| (factor - whole).abs() <= SAME && FACTORS.contains(&whole));
+        let mut lost = self.lost_details(tap, words.dwell.is_none(), fits.is_none());
+        lost.extend(tap.orient.map(|_| "the angle of the spindle at which it begins"));
+        self.leaves_out(&lost, origin);
+        let Some(speed) = self.tap_speed(tap, words.ready.is_none(), origin)? else {
+            return Err(unfit("a tap at a speed that is not known", "program S in front of the hole"));
+        };
+        if !words.from_start {
+            self.select_plane(Plane::Xy, origin);
+        }
+        let (kind, feed) = self.tap_feed(tap, words.pitch, speed)?;
+        for (at, ((to, _), stroke)) in hole.strokes.iter().zip(&tap.strokes).enumerate() {
+            if at > 0 && tap.pause > 0.0 {
+                self.print_function(&Function::Dwell(tap.pause), origin);
+            }
+            if self.modal.feed_kind_changes(kind)
+                && let Some(word) = kind.word(&self.target.feed)
+            {
+                self.page.by_time = false;
+                self.page.words(word, origin);
+            }
+            if let Some(ready) = words.ready {
+                self.page.text.word(ready).number(self.target.spindle.speed, speed, self.measures.speed);
+                self.page.end_line(origin);
+                self.told.speed = Some(speed);
+            }
+            self.tapping_cycle(hole, words, word, (*to, stroke.dwell));
+            if let (Some(address), true) = (fits, whole > 1.0) {
+                self.page.text.whole(address, whole as u64);
+            }
+            self.page.text.number(self.target.feed.address, feed, self.feed_places(kind));
+            self.page.end_line(origin);
+            self.page.words(words.off, origin);
+        }
+        self.told.turn = None;
+        Ok(())
+    }
+
+    /// The words of a cycle but for those of its speeds.
+    fn tapping_cycle(&mut self, hole: &Hole<'_>, words: &TapCycle, word: &str, (to, dwell): (i64, f64)) {
+        let axis = hole.tap.axis;
+        let places = self.places_of(axis);
+        if let Some(level) = words.level {
+            self.page.text.word(level);
+        }
+        self.page.text.word(word);
+        for other in [Axis::X, Axis::Y] {
+            if let Some(at) = self.modal.place(other).filter(|at| !words.from_start && self.modal.says(other, *at)) {
+                self.axis_word(other, at);
+            }
+        }
+        self.page.text.number(axis.letter() as u8, to, places);
+        self.page.text.number(b'R', if words.from_start { 0 } else { hole.start }, places);
+        if let Some(address) = words.dwell
+            && dwell > 0.0
+            && let Some(units) = self.measures.time.units(dwell)
+        {
+            self.page.text.whole(address, units.unsigned_abs());
+        }
+    }
+
+    /// F of a tapping cycle, under the kind of feed in which the pitch is more exact.
+    fn tap_feed(&self, tap: &Tap, pitch: TapPitch, speed: i64) -> Result<(FeedKind, i64), Unfit> {
+        let turns = speed as f64 / self.measures.speed.scale();
+        let as_feed = |kind: FeedKind, per: f64| {
+            let places = self.feed_places(kind);
+            let units = places.units(tap.lead * per).filter(|units| *units > 0)?;
+            let off = (units as f64 / places.scale() / per - tap.lead).abs() * tap.turns();
+            Some((kind, units, off))
+        };
+        let per_minute = as_feed(FeedKind::PerMinute, turns);
+        let per_turn = as_feed(FeedKind::PerRevolution, 1.0);
+        let best = match pitch {
+            TapPitch::PerMinute => per_minute,
+            TapPitch::PerRevolution => per_turn,
+            TapPitch::Either => match (per_minute, per_turn) {
+                (Some(minute), Some(turn)) if turn.2 + SAME < minute.2 => Some(turn),
+                (minute, turn) => minute.or(turn),
+            },
+        };
+        match best {
+            Some((kind, units, off)) if off <= MOST_OFF => Ok((kind, units)),
+            _ => Err(unfit(
+                "this pitch with all its places",
+                "program another speed, or print more places of a feed: `[output] decimals.feed`",
+            )),
+        }
+    }
+
+    /// The spindle becomes an axis; in and out are blocks of their own.
+    fn taps_in_and_out(
+        &mut self,
+        hole: &Hole<'_>,
+        (ready, into, out, address): (&str, &str, &str, u8),
+        origin: &Origin,
+    ) -> Result<(), Unfit> {
+        let tap = hole.tap;
+        let lead = self.tap_lead(tap, origin)?;
+        let lead = if tap.turn == Turn::Clockwise { lead } else { -lead };
+        let Some(speed_in) = self.tap_speed(tap, false, origin)? else {
+            return Err(unfit("a tap at a speed that is not known", "program S in front of the hole"));
+        };
+        let speed_out = match tap.speed_out {
+            Some(speed) => self.speed_units(speed, origin).ok_or(None)?,
+            None => speed_in,
+        };
+        let places = self.places_of(tap.axis);
+        let (Some(angle), Some(resumes)) = (
+            self.measures.angle.units(tap.orient.unwrap_or(0.0)),
+            (0..tap.strokes.len())
+                .map(|stroke| tap.resumes(stroke).map_or(Some(None), |to| places.units(to).map(Some)))
+                .collect::<Option<Vec<_>>>(),
+        ) else {
+            self.unprintable(origin);
+            return Err(None);
+        };
+        self.page.text.valued(ready, angle, self.measures.angle);
+        self.page.end_line(origin);
+        let letter = tap.axis.letter() as u8;
+        // The first block states its speed.
+        self.told.speed = None;
+        for (at, (to, back)) in hole.strokes.iter().enumerate() {
+            if at > 0 && tap.pause > 0.0 {
+                self.print_function(&Function::Dwell(tap.pause), origin);
+            }
+            let again = resumes[at].filter(|again| again != to).map(|again| (into, again, speed_out));
+            for (word, end, speed) in again.into_iter().chain([(into, *to, speed_in)]) {
+                self.synchronous(word, (letter, end), (address, lead), speed, origin);
+            }
+            if tap.strokes[at].dwell > 0.0 {
+                self.print_function(&Function::Dwell(tap.strokes[at].dwell), origin);
+            }
+            self.synchronous(out, (letter, *back), (address, lead), speed_out, origin);
+        }
+        self.told.turn = None;
+        Ok(())
+    }
+
+    fn synchronous(
+        &mut self,
+        word: &str,
+        (letter, end): (u8, i64),
+        (address, lead): (u8, i64),
+        speed: i64,
+        origin: &Origin,
+    ) {
+        let places = Axis::of(letter).map_or(self.places, |axis| self.places_of(axis));
+        self.page.text.word(word).number(letter, end, places);
+        self.page.text.number(address, lead, self.measures.lead);
+        if self.told.speed.replace(speed) != Some(speed) {
+            self.page.text.number(self.target.spindle.speed, speed, self.measures.speed);
+        }
+        self.page.end_line(origin);
+    }
+}
+
+/// What the target would need, and the way out.
+pub(super) fn unfit(what: &str, help: &'static str) -> Unfit {
+    Some((what.to_owned(), help))
+}

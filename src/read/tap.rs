@@ -1,0 +1,182 @@
+//! Holes that are tapped in step with the spindle, as each receiver says them: a block that comes back, a cycle, a block in
+//! and a block out.
+
+use super::act::{AXES, Act, FeedKind, LETTERS, Tap, Way};
+use super::block::Block;
+use super::number::SCALE;
+use super::rules::{Taps, Words};
+use super::{Fault, Lack, Reader};
+
+/// The M function of the spindle that turns right, and left.
+const TURNS: [u32; 2] = [3, 4];
+
+/// Moves of taps among the numbers of [`Modes::motion`](super::Modes).
+pub(super) const RETURN: u8 = 133;
+pub(super) const CYCLE: u8 = 84;
+pub(super) const LEFT_CYCLE: u8 = 74;
+pub(super) const INTO: u8 = 131;
+pub(super) const OUT: u8 = 132;
+
+/// Is this a move of a tap?
+pub(super) fn is_tap(motion: Option<u8>) -> bool {
+    matches!(motion, Some(RETURN | CYCLE | LEFT_CYCLE | INTO | OUT))
+}
+
+impl Reader {
+    /// What the acts of a line make of the spindle.
+    pub(super) fn spindle_hears(&mut self, act: &Act) {
+        match *act {
+            Act::Speed(speed) if speed.spindle == 0 => {
+                self.spindle.speed = speed.constant_cut.is_none().then_some(speed.value);
+            }
+            Act::M { number: number @ (3..=5), spindle: 0, .. } => {
+                self.spindle.turn = TURNS.contains(&number).then_some(number);
+                self.spindle.is_axis = false;
+            }
+            Act::M { number: 19, spindle: 0, .. } => {
+                self.spindle.turn = None;
+                self.spindle.is_axis = true;
+            }
+            Act::M { number: 29, .. } => self.spindle.is_ready = true,
+            Act::Move(_)
+            | Act::Tap
+            | Act::Select(_)
+            | Act::Change
+            | Act::Speed(_)
+            | Act::M { .. }
+            | Act::Dwell(_)
+            | Act::Offset(_) => {}
+        }
+    }
+
+    /// A line of a tap.
+    pub(super) fn taps(&mut self, block: &mut Block, motion: u8) -> Result<(), Fault> {
+        if block.machine {
+            return Err(Fault::new("a tap in machine coordinates"));
+        }
+        if self.modes.incremental != Some(false) {
+            return Err(Fault::unsaid("a tap without absolute coordinates", Lack::Mode));
+        }
+        if self.modes.constant_cut {
+            return Err(Fault::new("a tap under a constant cutting speed"));
+        }
+        match motion {
+            RETURN => self.tap_returns(block),
+            CYCLE | LEFT_CYCLE => self.tap_cycle(block, motion == LEFT_CYCLE),
+            _ => self.tap_one_way(block, motion == INTO),
+        }
+    }
+
+    /// The one axis that the line names, where it stands, and where it goes.
+    fn tap_axis(&mut self, block: &mut Block) -> Result<(usize, i64, i64), Fault> {
+        let mut named = (0..3).filter(|axis| block.has(LETTERS[*axis]));
+        let (Some(axis), None) = (named.next(), named.next()) else {
+            return Err(Fault::new("a tap goes along one axis"));
+        };
+        let from = self.place(axis).ok_or_else(|| Fault::unsaid("a tap from an unknown place", Lack::Place(axis)))?;
+        let number = block.take(LETTERS[axis]).unwrap_or_default();
+        let mut to = self.length(number)?;
+        if axis == 0 && self.modes.diameter == Some(true) {
+            to /= 2;
+        }
+        if to == from {
+            return Err(Fault::new("a tap without a depth"));
+        }
+        Ok((axis, from, to))
+    }
+
+    /// G33.1: to the depth and back, the spindle turning before.
+    fn tap_returns(&mut self, block: &mut Block) -> Result<(), Fault> {
+        let (axis, from, to) = self.tap_axis(block)?;
+        let lead = block.take(b'K').filter(|lead| *lead > 0).ok_or_else(|| Fault::new("a tap without a lead"))?;
+        let lead = self.length(lead)?;
+        let factor = block.take(b'I').unwrap_or(SCALE);
+        let turn = self.spindle.turn.ok_or_else(|| Fault::new("the spindle does not turn in front of a tap"))?;
+        if factor <= 0 {
+            return Err(Fault::new("a factor of the way back that is not above zero"));
+        }
+        let left = turn == TURNS[1];
+        self.push_tap(Tap { axis, from, to, back: from, lead, left, factor, way: Way::Both, ..self.bare_tap() })?;
+        // It is no mode: axes by themselves mean nothing behind it.
+        self.modes.motion = None;
+        Ok(())
+    }
+
+    /// G84 and its like: down from R and back to it.
+    fn tap_cycle(&mut self, block: &mut Block, left: bool) -> Result<(), Fault> {
+        if !self.modes.cycles_are_off {
+            return Err(Fault::new("a tapping cycle while another one is on"));
+        }
+        let kind = self.modes.feed_kind;
+        let speed = self.spindle.speed.filter(|speed| *speed > 0);
+        if self.rules.taps == Taps::Announced && !std::mem::take(&mut self.spindle.is_ready) {
+            return Err(Fault::new("a tapping cycle without M29 needs a compensating chuck"));
+        }
+        for axis in 0..2 {
+            let Some(number) = block.take(LETTERS[axis]) else { continue };
+            if self.place(axis) != Some(self.length(number)?) {
+                return Err(Fault::new("a tapping cycle at another place than where the tool stands"));
+            }
+        }
+        let (axis, from, to) = self.tap_axis(block)?;
+        let level = block.take(b'R').ok_or_else(|| Fault::new("a tapping cycle without R"))?;
+        let level = self.length(level)?;
+        let from_start = !matches!(self.rules.words, Words::FanucMill);
+        if axis != 2 || (if from_start { level != 0 } else { level != from }) || to > from {
+            return Err(Fault::new("a tapping cycle that does not begin where the tool stands"));
+        }
+        let speed = speed.ok_or_else(|| Fault::new("a tapping cycle without a speed"))?;
+        let feed = self.feed.filter(|feed| *feed > 0).ok_or_else(|| Fault::new("a tapping cycle without F"))?;
+        let lead = match (self.rules.taps, kind) {
+            (Taps::Announced | Taps::Plain, Some(FeedKind::PerMinute)) => {
+                (i128::from(feed) * i128::from(SCALE) / i128::from(speed)) as i64
+            }
+            (Taps::Announced | Taps::ByPitch, Some(FeedKind::PerRevolution)) => feed,
+            _ => return Err(Fault::new("what F of this tapping cycle is, nobody knows")),
+        };
+        let by_letter = self.rules.taps == Taps::Announced;
+        let dwell = if by_letter { block.take(b'P').unwrap_or(0) } else { 0 };
+        let factor = if self.rules.taps == Taps::Plain { block.take(b'J').unwrap_or(SCALE) } else { SCALE };
+        let dwell = self.rules.seconds(dwell).ok_or_else(|| Fault::new("a wait in parts of a millisecond"))?;
+        self.push_tap(Tap {
+            axis,
+            from,
+            to,
+            back: from,
+            lead,
+            left,
+            factor,
+            dwell,
+            way: Way::Both,
+            ..self.bare_tap()
+        })?;
+        self.modes.cycles_are_off = false;
+        // The control stops the spindle.
+        self.spindle.turn = None;
+        Ok(())
+    }
+
+    /// G331 in and G332 out, the spindle an axis.
+    fn tap_one_way(&mut self, block: &mut Block, into: bool) -> Result<(), Fault> {
+        if !self.spindle.is_axis {
+            return Err(Fault::new("a tap while the spindle is no axis"));
+        }
+        let (axis, from, to) = self.tap_axis(block)?;
+        let lead = block.take(b"IJK"[axis]).filter(|lead| *lead != 0);
+        let lead = self.length(lead.ok_or_else(|| Fault::new("a tap without a lead"))?)?;
+        let way = if into { Way::In } else { Way::Out };
+        let (left, lead) = (lead < 0, lead.abs());
+        self.push_tap(Tap { axis, from, to, back: to, lead, left, way, ..self.bare_tap() })
+    }
+
+    pub(super) fn bare_tap(&self) -> Tap {
+        Tap { speed: self.spindle.speed, ..Tap::default() }
+    }
+
+    pub(super) fn push_tap(&mut self, tap: Tap) -> Result<(), Fault> {
+        debug_assert!(tap.axis < AXES);
+        self.stand(tap.axis, tap.back);
+        self.tap = tap;
+        self.push(Act::Tap)
+    }
+}
