@@ -87,6 +87,7 @@ fn fields(tool: &Tool) -> Vec<(&'static str, String)> {
         ("corner_radius", tool.corner_radius),
         ("tip_angle", tool.tip_angle),
         ("plunge_angle", tool.plunge_angle),
+        ("teeth", tool.teeth.map(f64::from)),
         ("delta_length", Some(tool.deltas[0]).filter(|delta| *delta != 0.0)),
         ("delta_radius", Some(tool.deltas[1]).filter(|delta| *delta != 0.0)),
         ("delta_corner", Some(tool.deltas[2]).filter(|delta| *delta != 0.0)),
@@ -356,8 +357,10 @@ fn lose(tool: &Tool, key: &ToolKey, kept: &[&str], lost: &mut Vec<String>) {
 
 fn tool_t(contents: &Contents, lost: &mut Vec<String>) -> String {
     lose_further(contents, lost);
-    let titles = ["T", "NAME", "L", "R", "R2", "DL", "DR", "DR2", "ANGLE", "T-ANGLE"];
-    let mut rows = vec![titles.map(str::to_owned).to_vec()];
+    let mut titles = vec!["T", "NAME", "L", "R", "R2", "DL", "DR", "DR2", "ANGLE", "T-ANGLE"];
+    let counted = contents.tools.values().any(|tool| tool.teeth.is_some());
+    titles.extend(counted.then_some("CUT"));
+    let mut rows = vec![titles.into_iter().map(str::to_owned).collect()];
     let kept = [
         "name",
         "radius",
@@ -365,6 +368,7 @@ fn tool_t(contents: &Contents, lost: &mut Vec<String>) -> String {
         "corner_radius",
         "tip_angle",
         "plunge_angle",
+        "teeth",
         "delta_length",
         "delta_radius",
         "delta_corner",
@@ -383,7 +387,7 @@ fn tool_t(contents: &Contents, lost: &mut Vec<String>) -> String {
             lost.push(format!("tool {key}: its name is longer than {NAME} characters"));
         }
         let angle = |angle: Option<f64>| angle.map(shown).unwrap_or_default();
-        rows.push(vec![
+        let mut row = vec![
             number_of(key),
             name.chars().filter(|c| !c.is_control()).take(NAME).collect(),
             number(tool.length),
@@ -394,7 +398,9 @@ fn tool_t(contents: &Contents, lost: &mut Vec<String>) -> String {
             number(Some(tool.deltas[2])),
             angle(tool.plunge_angle),
             angle(tool.tip_angle),
-        ]);
+        ];
+        row.extend(counted.then(|| tool.teeth.map_or_else(String::new, |teeth| teeth.to_string())));
+        rows.push(row);
     }
     format!("BEGIN TOOL    .T MM\n{}[END]\n", aligned(&rows))
 }

@@ -15,6 +15,7 @@ pub mod joint;
 pub mod offset;
 pub mod open;
 pub mod overlay;
+pub mod parts;
 pub mod pattern;
 pub mod plane;
 pub mod profile;

@@ -187,6 +187,7 @@ impl Reader {
                     let angle = number(node).filter(|angle| (0.0..=90.0).contains(angle));
                     tool.plunge_angle = Some(angle.ok_or_else(|| node.fail("an angle of plunging is 0 to 90"))?);
                 }
+                "teeth" => tool.teeth = Some(small(99).ok_or_else(|| node.fail("1 to 99"))?),
                 "orientation" => tool.orientation = Some(small(9).ok_or_else(|| node.fail("1 to 9"))?),
                 "clearance" => {
                     let angle = number(node).filter(|angle| *angle > 0.0 && *angle <= 90.0);

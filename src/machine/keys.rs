@@ -109,6 +109,11 @@ pub(super) const TOOL_KEYS: &[Key] = &[
         Kind::Number,
         "greatest angle in degrees at which a cutter goes down into material (ANGLE of the tool table); 0 straight down only",
     ),
+    part(
+        "teeth",
+        Kind::Whole,
+        "cutting edges that follow each other in a turn (CUT of the tool table): what FZ counts",
+    ),
     part("orientation", Kind::Whole, "cutting-edge position 1 to 9 (lathe)"),
     part(
         "clearance",

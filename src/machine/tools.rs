@@ -52,6 +52,8 @@ pub struct Tool {
     pub tip_angle: Option<f64>,
     /// Greatest angle at which a cutter goes down into material, degrees.
     pub plunge_angle: Option<f64>,
+    /// Cutting edges that follow each other in a turn.
+    pub teeth: Option<u8>,
     /// Wear or oversize of length, radius and corner radius in the table.
     pub deltas: [f64; 3],
     /// Cutting-edge position 1 to 9.
@@ -82,6 +84,7 @@ impl Tool {
             corner_radius: self.corner_radius.or(other.corner_radius),
             tip_angle: self.tip_angle.or(other.tip_angle),
             plunge_angle: self.plunge_angle.or(other.plunge_angle),
+            teeth: self.teeth.or(other.teeth),
             deltas: if self.deltas == none.deltas { other.deltas } else { self.deltas },
             orientation: self.orientation.or(other.orientation),
             clearance: self.clearance.or(other.clearance),

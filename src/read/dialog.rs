@@ -3,7 +3,7 @@
 
 use core::f64::consts::TAU;
 
-use super::act::{Act, Arc, LETTERS, Move, Path, Plane, Speed, Tap};
+use super::act::{Act, Arc, FeedKind, LETTERS, Move, Path, Plane, Speed, Tap};
 use super::number::{SCALE, decimal};
 use super::{Fault, Lack, Reader};
 
@@ -81,6 +81,8 @@ struct Way {
     /// Counter-clockwise.
     sense: Option<bool>,
     feed: Option<i64>,
+    /// The feed is that of a turn.
+    by_turn: bool,
     rapid: bool,
     uncompensated: bool,
     machine: bool,
@@ -97,6 +99,10 @@ impl Way {
                 b"R0" => !std::mem::replace(&mut way.uncompensated, true),
                 b"M91" => !std::mem::replace(&mut way.machine, true),
                 b"DR+" | b"DR-" => way.sense.replace(word[2] == b'+').is_none(),
+                [b'F', b'U', number @ ..] => {
+                    way.by_turn = true;
+                    way.feed.replace(whole(number, word)?).is_none()
+                }
                 [b'F', number @ ..] => way.feed.replace(whole(number, word)?).is_none(),
                 [b'I', b'P', b'A', number @ ..] => way.angle.replace(whole(number, word)?).is_none(),
                 _ => return Err(unknown(word)),
@@ -147,7 +153,8 @@ impl Reader {
         self.dialog_block(line)?;
         let Dialog { number, open, stopped, .. } = self.dialog;
         let goes_on = number > 0 && open == Open::Nothing && !stopped && !self.ended;
-        self.plain = goes_on && self.modes.inches == Some(false);
+        let by_minute = self.modes.feed_kind == Some(FeedKind::PerMinute);
+        self.plain = goes_on && by_minute && self.modes.inches == Some(false);
         Ok(())
     }
 
@@ -226,13 +233,14 @@ impl Reader {
         self.push(Act::M { number, spindle: 0, angle: None })
     }
 
-    /// The feed of a block holds on; in inches it counts tenths.
-    fn dialog_feed(&mut self, feed: Option<i64>) -> Result<(), Fault> {
-        let Some(feed) = feed else { return Ok(()) };
+    /// The feed of a block holds on, and what it counts; in inches a minute it counts tenths.
+    fn dialog_feed(&mut self, way: &Way) -> Result<(), Fault> {
+        let Some(feed) = way.feed else { return Ok(()) };
         if feed < 0 {
             return Err(Fault::new("a feed below zero"));
         }
-        let tenths = if self.modes.inches == Some(true) { 10 } else { 1 };
+        self.modes.feed_kind = Some(if way.by_turn { FeedKind::PerRevolution } else { FeedKind::PerMinute });
+        let tenths = if self.modes.inches == Some(true) && !way.by_turn { 10 } else { 1 };
         self.feed = Some(self.length(feed)? / tenths);
         Ok(())
     }
@@ -243,7 +251,7 @@ impl Reader {
         if way.axes == 0 {
             return Err(Fault::new("a line without an axis"));
         }
-        self.dialog_feed(way.feed)?;
+        self.dialog_feed(&way)?;
         self.goes(&way)?;
         let path = if way.rapid { Path::Rapid } else { Path::Line };
         if way.machine {
@@ -305,7 +313,7 @@ impl Reader {
         if way.axes != (1 << first) | (1 << second) {
             return Err(Fault::new("C wants both axes of its plane, and no other"));
         }
-        self.dialog_feed(way.feed)?;
+        self.dialog_feed(&way)?;
         self.goes(&way)?;
         let to = [self.at[first], self.at[second]];
         let turns = if way.sense == Some(true) { 1 } else { -1 };
@@ -326,7 +334,7 @@ impl Reader {
         if angle.signum() != sense || angle.abs() > 15 * TURN {
             return Err(Fault::new("IPA and DR contradict each other, or it turns too far"));
         }
-        self.dialog_feed(way.feed)?;
+        self.dialog_feed(&way)?;
         self.goes(&way)?;
         let to = if angle % TURN == 0 { from } else { turned(from, center, angle)? };
         [self.at[first], self.at[second]] = to;

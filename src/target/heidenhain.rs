@@ -11,6 +11,7 @@ use super::{
 };
 
 // What F counts where a rotary axis goes along is not confirmed, and what M136 counts differs by generation: neither is said.
+// A feed per revolution is said by FU.
 pub(super) const TARGET: Target = Target {
     name: "heidenhain",
     about: "HEIDENHAIN Klartext (iTNC 530, TNC 320 to 640, TNC7): plain moves",
@@ -51,7 +52,15 @@ pub(super) const TARGET: Target = Target {
     // At the end of a line, the comment would go on in the next one.
     comments: Comments { open: "; ", close: "", forbidden: b"~", ..BASE.comments },
     line: Line { digits: 9, whole: 5, sequence: Sequence::Blocks, ..BASE.line },
-    numbers: Numbers { length: [4, 4], most: 4, feed: Some([3, 3]), speed: Some(3), time: Some(3), ..BASE.numbers },
+    numbers: Numbers {
+        length: [4, 4],
+        most: 4,
+        feed: Some([3, 3]),
+        feed_per_revolution: Some([3, 3]),
+        speed: Some(3),
+        time: Some(3),
+        ..BASE.numbers
+    },
     motion: Motion {
         rapid: "L",
         line: "L",
@@ -61,7 +70,7 @@ pub(super) const TARGET: Target = Target {
         rigid_tap: Some(RigidTap::Dialog(&TAP)),
         ..BASE.motion
     },
-    feed: FeedWords { per_minute: "F", ..BASE.feed },
+    feed: FeedWords { per_minute: "F", per_revolution: Some("FU"), ..BASE.feed },
     arcs: Arcs {
         clockwise: "DR-",
         counter_clockwise: "DR+",

@@ -64,9 +64,9 @@ fn forms_read_again_hold_the_same() {
         "{}",
         ran.err
     );
-    folder.write("CUT.T", "BEGIN TOOL .T MM\nT   L     CUT.  LTOL\n1   3.1   4\n2   5     4\n[END]\n");
+    folder.write("CUT.T", "BEGIN TOOL .T MM\nT   L     LTOL  CUT.\n1   3.1   4\n2   5     4\n[END]\n");
     let ran = folder.run(&["tools", "CUT.T"]).exits(0);
-    assert_eq!(ran.err, "CUT.T:3: note: column CUT. is left out: partc has no use for it\n");
+    assert_eq!(ran.err, "CUT.T:3: note: column LTOL is left out: partc has no use for it\n");
     // In inches nothing is 25.400000000000002.
     folder.write("INCH.T", "BEGIN TOOL .T INCH\nT   L      R\n1   3.1    0.1\n[END]\n");
     assert!(shown(&folder, &["INCH.T"]).contains("1       2.54    78.74"), "{}", shown(&folder, &["INCH.T"]));

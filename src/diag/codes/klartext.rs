@@ -131,6 +131,10 @@ K2013 Warning "feed-per-revolution-large" "feed under M136 is far too large for 
 "M136 acts at the start of its block and makes every F that follows count millimetres per revolution of the spindle, the F of its own block \
 included. A number like 200 was most likely meant per minute. Write the feed per revolution, or M137 first."
 
+K2014 Note "corner-radius-oversize" "oversize of the corner radius changes no path"
+"DR2 in a TOOL CALL enlarges the corner radius of the tool for 3-D compensation with surface normals, which partc does not compile. Paths in three axes, and the radius compensation \
+RL and RR, do not count the corner radius: the output is the same with and without DR2."
+
 K2101 Error "pole-missing" "no circle centre or pole in force"
 "C, CP, LP and CTP refer to the last CC block, and there is none before this block that is still valid. Program `CC X… Y…` first."
 
@@ -292,6 +296,10 @@ K2410 Note "pattern-order" "order of a grid of places"
 K2411 Error "pattern-data" "pattern cannot be read"
 "PATTERN DEF takes POS, ROW, PAT, FRAME, CIRC and PITCHCIRC, each with a number and its data in brackets, absolute: \
 `ROW1 (X+12 Y+20 D+9 NUM4 ROT+15 Z+0)`. Where the places have a surface Z of their own, Q203 of the cycle has to be 0."
+
+K2412 Note "cycle-never-called" "cycle that is not supported is defined and never called"
+"The definition of a cycle that partc does not compile is no fault as long as nothing calls it: it moves nothing. The same holds for definitions that only give data to such cycles (271, 285, \
+1271). Is a call missing? Otherwise remove the definition."
 
 K2501 Warning "shift-while-turned" "datum shift while mirrored, rotated or scaled"
 "Manuals do not say whether a datum shift programmed under an active mirror, rotation or scaling is measured along the original axes. \
@@ -457,9 +465,9 @@ K9012 Error "datum-table" "datum table is not available"
 "A datum shift takes a row of a datum table, and no table is selected in the program; the control may have one selected by hand. Select it (`SEL TABLE \"NAME.D\"`), \
 name it in partc.toml (`[control] datum_table = \"NAME.D\"`), or program the values: `CYCL DEF 7.1 X+…`."
 
-K9013 Error "feed-form" "feed per tooth or by time is not supported"
-"FZ is a feed per tooth and needs the number of teeth, FT and FMAXT give the time of the block. Neither is known or printed. Program \
-the feed in mm/min (F) or mm per revolution (FU)."
+K9013 Error "feed-form" "feed per tooth without the teeth, or feed by time"
+"FZ is a feed per tooth: it needs the number of teeth, `[tools.N] teeth` or CUT of the tool table. FT and FMAXT give the time of the block, which is not \
+compiled. Program the feed in mm/min (F) or mm per revolution (FU)."
 
 K9014 Error "machine-function" "block talks to the machine"
 "The block waits for, reads or sets a signal of the machine control. Leaving it out could start a motion too early, so it is refused."
@@ -486,8 +494,22 @@ one where the other is programmed anew, or where the plane turns back first, no 
 the plane after the shift that belongs to it. A mirror of X or Y and an uneven scaling by cycle 26 have to be programmed after the turn, too, and reset before the next one."
 
 K2853 Note "plane-turned" "turn about the tool axis is printed in the coordinates"
-"PLANE or cycle 19 turns the system about the tool axis only, so nothing is tilted. The control may turn the rotary table instead of the \
+"PLANE, cycle 19 or the basic rotation of TCH PROBE 404 turns the system about the tool axis only, so nothing is tilted. The control may turn the rotary table instead of the \
 coordinates; on the part it is the same. The output has turned coordinates, and the table of the target stays where it is."
+
+K2854 Warning "probing-sets-datum" "datum that a touch probe cycle sets is not set in the output"
+"On the control the coordinates behind this cycle count from a datum, or along axes, that it has just set; the output leaves the cycle out and prints the blocks in front of it and \
+behind it into one work offset. Where the offset of the target is set, before the program runs, as the cycle sets it, and nothing but the probe moved in front, that is right: say so by \
+`[control] probing_datum = \"set\"`. `\"refuse\"` compiles no such program. Nothing is said where the parameters of the cycle show that the feature reads what it read before, nor where the datum \
+goes into a row of the preset table that a later cycle 247 selects."
+
+K2855 Error "system-data-unit" "unit of a length that the control gives is open"
+"FN 18: SYSREAD reads a length in a program in INCH. A TNC7 gives millimetres, whatever the unit of the program; of older controls no manual page says whether they give millimetres or inches. \
+`[control] system_unit = \"mm\"` or `\"program\"` says it; `klartext = \"tnc7\"` needs neither."
+
+K2856 Error "work-before-datum" "moves in front of a datum count from another one"
+"`[control] probing_datum = \"set\"` says that the work offset of the target is the datum that a touch probe cycle sets. Other tools than the probe moved in front of this cycle, in coordinates \
+of the datum before: one work offset cannot be both. Split the program there, or select a preset of its own by cycle 247."
 
 K8020 Warning "cycle-19-reading" "cycle 19 is read as space angles"
 "The machine's configuration decides whether the angles of cycle 19 are space angles or positions of the rotary axes. As a space angle C turns the \

@@ -34,6 +34,14 @@ K2806 Warning "pattern-feed-open" "feed between the places of a pattern is open"
 or rapid traverse. partc takes the feed programmed last, the slower way; `[control] pattern_feed = \"rapid\"` selects the other. Write \
 F or FMAX into the call to be sure."
 
+K8026 Warning "feed-by-word" "FU or FZ in a TOOL CALL or in a cycle"
+"How a feed per revolution (FU) or per tooth (FZ) is written in a TOOL CALL and behind a parameter of a cycle (`Q206=FU0.2`) is not confirmed by a manual page; in path blocks it is. \
+partc reads it as in a path block, FZ times the teeth of the tool. Compare it with the control, or write the feed in mm/min."
+
+K8027 Warning "call-without-surface" "CYCL CALL POS without the tool axis"
+"In CYCL CALL POS the coordinate of the tool axis shifts the surface of the cycle (Q203) for this call. Where it is missing, partc shifts nothing, as with 0; manuals want all three \
+coordinates, and do not say what the control does without one. Write Z+0."
+
 K2807 Warning "order-of-transformations" "order of mirror, scaling and rotation is open"
 "A mirror, or an uneven scaling by cycle 26, is in force together with a rotation, and the contour lies elsewhere depending on which comes first. partc mirrors and \
 scales the programmed coordinates first and turns the result; `[control] mirror = \"last\"` turns first. Manuals at hand do not say; program the two \

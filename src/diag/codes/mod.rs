@@ -76,7 +76,8 @@ pub struct Code {
 const EXAMPLES: &str = include_str!("examples.txt");
 
 /// Warnings and notes that say that the path, or what the machine does, is not what the blocks say.
-const FIRM: &[&str] = &["G3009", "G3025", "G3210", "G3211", "G3212", "G8101", "K2851", "P0006", "P0201", "S8130"];
+const FIRM: &[&str] =
+    &["G3009", "G3025", "G3210", "G3211", "G3212", "G8101", "K2851", "K2854", "P0006", "P0201", "S8130"];
 
 impl Code {
     /// Can nobody ignore it: is it an error, or does it say that the tool goes another way than programmed?

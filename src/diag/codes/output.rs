@@ -24,7 +24,7 @@ O1005 Error "wait-prints-as-zero" "wait is shorter than its last printed place"
 whole milliseconds. Look at the number behind the wait and at its unit, program a wait that can be said, or leave it out."
 
 O1006 Warning "feed-or-speed-rounded" "rounding changes a feed, a speed or a lead by more than one per cent"
-"The target reads so many places behind F, S and the lead of a thread, or `[output] decimals` says so many, and the number of the program has more: 0.01 mm a turn are 0.00039 inch, and 0.0004 with four places. The first \
+"The target reads so many places behind F, S and the lead of a thread, or `[output] decimals` says so many, and the number of the program has more: 0.01 mm a turn are 0.00039 inch, and 0.0004 with four places. Of a feed per revolution, which has few digits, a tenth of a per cent is told. The first \
 one of a program is told. Print more places where the target reads them, or program a number that it can say."
 
 O1007 Error "feed-or-speed-becomes-another" "rounding makes another feed, speed or lead of it"

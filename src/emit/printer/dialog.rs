@@ -12,6 +12,7 @@ use crate::machine::{Axis, AxisSet};
 use crate::target::{Dialog, HelixWords};
 
 use super::super::arc::{self, Printed};
+use super::super::modal::FeedKind;
 use super::super::number::Places;
 use super::Printer;
 use super::moves::ArcBlock;
@@ -41,8 +42,8 @@ impl Printer<'_> {
         }
         if rapid {
             self.page.text.word(dialog.rapid);
-        } else if let Some((units, places)) = feed {
-            self.page.text.hot_number(self.target.feed.address, units, places);
+        } else {
+            self.dialog_feed(feed);
         }
         if mv.machine {
             self.page.text.word(motion.machine.unwrap_or_default());
@@ -165,9 +166,14 @@ impl Printer<'_> {
         self.page.text.word(if arc.sweep > 0.0 { words.counter_clockwise } else { words.clockwise });
     }
 
+    #[inline]
     fn dialog_feed(&mut self, feed: Option<(i64, Places)>) {
-        if let Some((units, places)) = feed {
-            self.page.text.number(self.target.feed.address, units, places);
+        let Some((units, places)) = feed else { return };
+        match self.target.feed.per_revolution {
+            Some(word) if self.modal.has_feed_kind(FeedKind::PerRevolution) => {
+                self.page.text.valued(word, units, places);
+            }
+            _ => self.page.text.hot_number(self.target.feed.address, units, places),
         }
     }
 

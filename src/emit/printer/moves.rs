@@ -203,6 +203,8 @@ impl Printer<'_> {
         if self.modal.feed_kind_changes(kind) {
             self.page.by_time = kind == FeedKind::InverseTime;
             match kind.word(&self.target.feed) {
+                // In a dialog each feed says what it counts.
+                Some(_) if matches!(self.target.form, Form::Dialog(_)) => {}
                 Some(word) => self.page.words(word, origin),
                 None => {
                     let what = if kind == FeedKind::PerRevolution { "feed per revolution" } else { "feed by time" };

@@ -7,12 +7,15 @@ use crate::machine::settings::Quantity;
 use crate::machine::{Axis, AxisSet};
 use crate::text::Loc;
 
+use super::super::modal::FeedKind;
 use super::super::number::Places;
 use super::Printer;
 
 /// Rounding of a feed or a speed by more than this part of it is told, and by more than that is refused. Where one ends and
 /// the other begins is a matter of taste: overrides go in steps of ten per cent, tables of cutting data hardly say one.
 const NOTICED: f64 = 0.01 + 1e-9;
+/// The same of a feed per revolution, whose few places say less: 0.1016 is no 0.102.
+const NOTICED_A_TURN: f64 = 0.001 + 1e-9;
 const ANOTHER: f64 = 0.1 + 1e-9;
 
 impl Printer<'_> {
@@ -198,7 +201,8 @@ impl Printer<'_> {
     #[inline]
     pub(super) fn is_near(&self, what: &str, value: f64, units: i64, places: Places, origin: &Origin) -> bool {
         let off = units as f64 / (value * places.scale()) - 1.0;
-        value == 0.0 || off.abs() <= NOTICED || self.is_rounded(what, off, units, places, origin)
+        let noticed = if what == FeedKind::PerRevolution.name() { NOTICED_A_TURN } else { NOTICED };
+        value == 0.0 || off.abs() <= noticed || self.is_rounded(what, off, units, places, origin)
     }
 
     #[cold]

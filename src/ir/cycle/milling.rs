@@ -2,18 +2,16 @@
 
 use core::fmt;
 
-use crate::geo::{Deg, Plane, Point2, angle};
+use crate::geo::{self, Deg, Plane, Point2, angle};
 use crate::ir::{Feed, Pos};
 use crate::machine::Axis;
 
 /// Most levels of a cycle; more is a lost decimal point.
 pub const MOST_LEVELS: usize = 10_000;
-/// What arithmetic may add to a quotient without one more part.
-const WHOLE: f64 = 1e-9;
 
 /// Into how many equal parts of at most `most` a way is divided: at least one.
 pub fn parts(way: f64, most: f64) -> usize {
-    if most > 0.0 && way > most { libm::ceil(way / most - WHOLE).clamp(1.0, 1e9) as usize } else { 1 }
+    if most > 0.0 && way > most { geo::parts::count(way, most).clamp(1.0, 1e9) as usize } else { 1 }
 }
 
 /// What every milling cycle takes.
@@ -227,6 +225,7 @@ mod tests {
         let whole = Heights { division: Division::Whole, ..heights(-17.5, 4.0, 0.2) };
         assert_eq!(whole.levels(), [-4.0, -8.0, -12.0, -16.0, -17.3]);
         assert_eq!(heights(-12.0, 4.0, 0.0).levels(), [-4.0, -8.0, -12.0]);
+        assert_eq!(heights(-12.000_000_9, 4.0, 0.0).levels().len(), 3);
         assert_eq!(heights(-12.0, 0.0, 0.0).levels(), [-12.0]);
     }
 

@@ -3,7 +3,7 @@
 
 use core::fmt;
 
-use crate::geo::Point2;
+use crate::geo::{Point2, parts};
 use crate::ir::{Feed, Pos};
 
 use super::Family;
@@ -12,8 +12,6 @@ use super::milling::{Mill, MillFault, Place};
 
 /// Most turns or passes; more is a lost decimal point.
 const MOST: f64 = 10_000.0;
-/// What arithmetic may add to a quotient without one more turn.
-const WHOLE: f64 = 1e-9;
 /// A shorter way has no length, mm.
 const NOTHING: f64 = 1e-6;
 
@@ -179,13 +177,13 @@ impl ThreadMilling {
     /// The helices one after the other: more than one where the edge has fewer teeth than the thread turns.
     pub fn helices(&self) -> Vec<Helix> {
         let heights = &self.mill.heights;
-        let whole = |v: f64| libm::ceil(v - WHOLE).max(1.0);
+        let whole = |way: f64, most: f64| parts::count(way, most).max(1.0);
         let (count, turns, strip) = match self.turns {
-            Turns::Continuous => (1.0, whole(heights.way() / self.pitch), 0.0),
+            Turns::Continuous => (1.0, whole(heights.way(), self.pitch), 0.0),
             Turns::Once => (1.0, 1.0, 0.0),
             Turns::Strips(teeth) => {
                 let strip = self.pitch * f64::from(teeth);
-                (whole(heights.way() / strip), 1.0, strip)
+                (whole(heights.way(), strip), 1.0, strip)
             }
         };
         let outwards = self.along() * heights.outward() > 0.0;

@@ -79,12 +79,18 @@ pub enum Tok {
     #[regex(r"(?i)SEL[ \t]+CONTOUR", tail)]
     #[regex(r"(?i)CONTOUR[ \t]+DEF", tail)]
     #[regex(r"(?i)DECLARE[ \t]+CONTOUR", tail)]
+    #[regex(r"(?i)QC[0-9]+[ \t]*=", tail, priority = 50)]
     ContourDef(Span),
     #[regex(r"(?i)DECLARE[ \t]+STRING")]
     DeclareString,
     #[token("FUNCTION", tail, ignore(case))]
     #[token("POLARKIN", tail, ignore(case))]
-    #[regex(r"(?i)(TABDATA|SECTION|MONITORING|PRESET)", tail)]
+    #[regex(r"(?i)(TABDATA|SECTION|MONITORING|PRESET|SQL|ELSE)", tail)]
+    #[regex(r"(?i)SEL[ \t]+(CYCLE|CORR-TABLE)", tail)]
+    #[regex(r"(?i)OPEN[ \t]+FILE", tail)]
+    #[regex(r"(?i)FIXTURE[ \t]+SELECT", tail)]
+    #[regex(r"(?i)IF[ \t][^\n;]*[ \t]THEN", tail)]
+    #[regex(r"(?i)(END|ELSE)[ \t]*IF", tail)]
     Function(Span),
     /// Cycle parameters for PREDEF, over all lines of the block.
     #[regex(r"(?i)GLOBAL[ \t]+DEF", all_lines)]
@@ -182,6 +188,9 @@ pub enum Tok {
     LWord(ValueWord),
     #[regex(r"(?i)S(?&value)", value_word, priority = 40)]
     S(ValueWord),
+    /// `S( VC = 120 )`
+    #[regex(r"(?i)S[ \t]*\([ \t]*VC[^)\n;]*\)", priority = 45)]
+    SCut,
     #[regex(r"(?i)M[ \t]*[0-9]+\.?", m_number, priority = 40)]
     M(u32),
     #[token("M", priority = 20, ignore(case))]
@@ -291,6 +300,10 @@ pub enum Tok {
     Sgn,
     #[token("PI", ignore(case))]
     Pi,
+
+    /// A parameter by name, `{Depth}`.
+    #[regex(r"\{[^{}\n;]*\}")]
+    Named,
 
     #[regex(b";[^\n]*", allow_greedy = true)]
     Comment,

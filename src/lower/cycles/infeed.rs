@@ -1,12 +1,10 @@
 //! How a depth is divided into cuts.
 
 use crate::diag::codes;
+use crate::geo::parts;
 use crate::ir::cycle::thread::Infeed;
 
 use super::track::Failure;
-
-/// What division may lose: 0.9 / 0.3 is three cuts, not four.
-const SLACK: f64 = 1e-9;
 
 /// The depths of a series of cuts, each from the surface, increasing up to the whole depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,12 +21,11 @@ impl Series {
     pub fn new(infeed: Infeed, depth: f64) -> Series {
         let mut rest = 0.0;
         let cuts = match infeed {
-            Infeed::ConstantArea { first } => ceil(depth / first * (depth / first)),
-            Infeed::Equal { most } => ceil(depth / most),
+            Infeed::ConstantArea { first } => parts::count_of_areas(depth, first),
+            Infeed::Equal { most } => parts::count(depth, most),
             Infeed::RemainderSplit { most } | Infeed::Remainder { most } => {
-                let whole = (depth / most * (1.0 + SLACK)).floor();
-                let left = depth - whole * most;
-                rest = if left > depth * SLACK { left } else { 0.0 };
+                let (whole, left) = parts::whole(depth, most);
+                rest = left;
                 let split = if matches!(infeed, Infeed::RemainderSplit { .. }) && whole > 0.0 { 3.0 } else { 0.0 };
                 whole + split + if rest > 0.0 { 1.0 } else { 0.0 }
             }
@@ -74,14 +71,9 @@ impl Series {
     }
 }
 
-/// Parts of at most one.
-fn ceil(parts: f64) -> f64 {
-    (parts * (1.0 - SLACK)).ceil()
-}
-
 /// Number of equal steps of at most `most` that make up `depth`; 0 for no depth.
 pub fn steps(depth: f64, most: f64) -> u64 {
-    ceil((depth / most).max(0.0)) as u64
+    parts::count(depth, most) as u64
 }
 
 /// Place after `k` of `steps` equal steps from one place to another; the end is exact.
@@ -143,6 +135,23 @@ mod tests {
     }
 
     #[test]
+    fn a_depth_that_is_whole_infeeds_but_for_the_last_bits_has_no_cut_of_nothing() {
+        for infeed in [
+            Infeed::Equal { most: 0.25 },
+            Infeed::Remainder { most: 0.25 },
+            Infeed::RemainderSplit { most: 0.25 },
+            Infeed::ConstantArea { first: 0.25 },
+        ] {
+            let exact = depths(infeed, 0.75);
+            for off in [-9e-7, -1e-8, 1e-8, 9e-7] {
+                let near = depths(infeed, 0.75 + off);
+                assert_eq!(near.len(), exact.len(), "{infeed:?} {off}");
+                assert!(near.iter().zip(&exact).all(|(a, b)| (a - b).abs() < 1.1e-6), "{infeed:?} {off} {near:?}");
+            }
+        }
+    }
+
+    #[test]
     fn numbered_passes_as_computed_by_hand() {
         let area = depths(Infeed::AreaPasses { passes: 5 }, 0.87);
         let expected = [0.3891, 0.5502, 0.6739, 0.7782, 0.87];
@@ -188,7 +197,7 @@ mod tests {
             let (Infeed::ConstantArea { first: most } | Infeed::Equal { most } | Infeed::RemainderSplit { most } | Infeed::Remainder { most }) = infeed else { return Ok(()) };
             let mut last = 0.0;
             for d in depths(infeed, depth) {
-                prop_assert!(d - last <= most * (1.0 + 1e-8) + 1e-9);
+                prop_assert!(d - last <= most + parts::NOTHING + 1e-9);
                 last = d;
             }
         }

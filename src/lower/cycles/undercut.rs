@@ -8,7 +8,7 @@ mod nose;
 
 use crate::diag::codes;
 use crate::geo::undercut::{Allowance, Corner, Fault, Frame, Placed, Reference, Shape, place};
-use crate::geo::{Deg, Element, Plane, Point2, Vec2, gap};
+use crate::geo::{Deg, Element, Plane, Point2, Vec2, gap, parts};
 use crate::ir::contour::{self, ArcShape, Coords, Move, Path};
 use crate::ir::cycle::Family;
 use crate::ir::cycle::undercut::{Leave, UndercutCycle, UndercutFault};
@@ -19,7 +19,7 @@ use super::{CycleItem, Expand, Start};
 
 /// Most depth steps.
 const MOST_STEPS: f64 = 10_000.0;
-/// What division may lose: 0.9 / 0.3 is three steps, not four.
+/// What arithmetic loses where the tool stands at the face.
 const SLACK: f64 = 1e-9;
 /// What arithmetic loses in a distance, mm.
 const NEAR: f64 = 1e-6;
@@ -96,7 +96,7 @@ fn steps(cycle: &UndercutCycle) -> Result<Vec<Step>, Failure> {
     if let Some(step) = cycle.step {
         let (shape, moved) = left(&cycle.shape, cycle.leave);
         let depth = shape.depth();
-        let count = libm::ceil(depth / step - SLACK).max(1.0);
+        let count = parts::count(depth, step).max(1.0);
         if count > MOST_STEPS {
             let message = format!("the undercut takes {count:.0} cuts of {step} mm");
             return Err(Failure::new(codes::G3040, message, "program a larger infeed"));

@@ -102,6 +102,19 @@ pub const KEYS: &[Key] = &[
         put(&mut s.control.klartext_choices.probing_left_out, is(v, "leave-out"))
     })
     .or(r#""refuse""#),
+    key(
+        "probing_datum",
+        Kind::Choice(&["set", "refuse"]),
+        "touch probe cycles that are left out and set a datum or a basic rotation; set: the work offset of the target is \
+         set as they set it; without it they warn",
+        |s, v| put(&mut s.control.klartext_choices.probing_datum, Some(is(v, "set"))),
+    ),
+    key(
+        "system_unit",
+        Kind::Choice(&["program", "mm"]),
+        "unit of the lengths that FN 18 reads in an INCH program; without it mm on a TNC7, and refused on older controls",
+        |s, v| put(&mut s.control.klartext_choices.system_in_mm, Some(is(v, "mm"))),
+    ),
     key("cycle_19", Kind::Choice(&["space", "axes"]), "angles of cycle 19: space angles, or rotary axes", |s, v| {
         put(&mut s.control.klartext_choices.cycle_19_axes, is(v, "axes"))
     })
@@ -234,6 +247,11 @@ pub struct KlartextChoices {
     pub open_subprogram_ends: bool,
     /// Probing cycles are left out instead of being refused.
     pub probing_left_out: bool,
+    /// Where probing cycles are left out, the datum that they set is there on the target (true), or they are refused (false);
+    /// `None` where nobody said.
+    pub probing_datum: Option<bool>,
+    /// FN 18 reads lengths in mm in INCH programs, too (true), or in the unit of the program; `None` where nobody said.
+    pub system_in_mm: Option<bool>,
     /// Angles of cycle 19 are positions of the rotary axes, not space angles.
     pub cycle_19_axes: bool,
     /// M98 is refused instead of being a line between both sides of the corner.

@@ -6,9 +6,9 @@ use super::columns::Columns;
 use super::{Contents, TableError};
 
 /// Columns that become fields of a tool.
-const READ: &[&str] = &["T", "NAME", "L", "R", "R2", "DL", "DR", "DR2", "ANGLE", "T-ANGLE"];
+const READ: &[&str] = &["T", "NAME", "L", "R", "R2", "DL", "DR", "DR2", "CUT", "CUT.", "ANGLE", "T-ANGLE"];
 /// Columns that hold numbers or nothing; all others are text or belong to the machine.
-const NUMBERS: &[&str] = &["T", "L", "R", "R2", "DL", "DR", "DR2", "ANGLE", "T-ANGLE", "LCUTS", "RT"];
+const NUMBERS: &[&str] = &["T", "L", "R", "R2", "DL", "DR", "DR2", "CUT", "CUT.", "ANGLE", "T-ANGLE", "LCUTS", "RT"];
 
 pub(super) fn is_text(title: &str) -> bool {
     !NUMBERS.contains(&title)
@@ -46,6 +46,7 @@ pub(super) fn read(text: &str) -> Result<Contents, TableError> {
             corner_radius: table.length(row, "R2")?,
             plunge_angle: table.number(row, "ANGLE")?,
             tip_angle: table.number(row, "T-ANGLE")?.filter(|angle| *angle != 0.0),
+            teeth: table.number(row, "CUT")?.or(table.number(row, "CUT.")?).and_then(teeth),
             deltas: [delta("DL")?, delta("DR")?, delta("DR2")?],
             ..Tool::default()
         };
@@ -64,6 +65,11 @@ pub(super) fn read(text: &str) -> Result<Contents, TableError> {
         return Err(TableError { line: text.lines().count().max(1), message });
     }
     Ok(contents)
+}
+
+/// 0 stands for a number that nobody gave.
+fn teeth(count: f64) -> Option<u8> {
+    (count.fract() == 0.0 && (1.0..=99.0).contains(&count)).then_some(count as u8)
 }
 
 /// What looks like a value in a name: a number with its sign, or one that stands apart.

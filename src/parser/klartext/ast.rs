@@ -304,6 +304,8 @@ pub enum Addr {
     FeedOther,
     /// S
     Speed,
+    /// `S( VC = 120 )`
+    CuttingSpeed,
     /// `L` with a value (TOOL DEF)
     Length,
     DeltaLength,

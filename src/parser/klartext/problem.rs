@@ -3,7 +3,7 @@
 use lalrpop_util::ParseError;
 
 use crate::diag::codes;
-use crate::lexer::klartext::Tok;
+use crate::lexer::klartext::{Tok, Tokens};
 use crate::machine::tree::did_you_mean;
 use crate::text::Span;
 use crate::text::decode::{named, readable};
@@ -54,6 +54,11 @@ const FORMS: &[(&str, &str)] = &[
 
 /// The finding for a block that the grammar does not take. `from` is where the statement starts.
 pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u32) -> Problem {
+    if let Some(span) = named_parameter(text, from) {
+        let shown = readable(span.of(text)).into_owned();
+        return Problem::new(codes::K9011, span, format!("`{shown}` is a parameter by name, which is not supported"))
+            .help("use a Q parameter: `Q1`");
+    }
     match error {
         ParseError::User { error } => Problem::new(codes::K1001, error.span, error.message).form(text, from),
         ParseError::UnrecognizedToken { token: (start, tok, end), .. }
@@ -64,6 +69,11 @@ pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u
             Problem::new(codes::K1001, span, "block ends too early").form(text, from)
         }
     }
+}
+
+/// The first parameter by name, `{Depth}`, outside of texts and comments.
+fn named_parameter(text: &[u8], from: u32) -> Option<Span> {
+    Tokens::new(text, from as usize).find(|(_, tok, _)| *tok == Tok::Named).map(|(start, _, end)| Span { start, end })
 }
 
 fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {

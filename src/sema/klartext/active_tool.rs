@@ -18,6 +18,8 @@ pub(super) struct ActiveTool {
     pub corner_radius: Option<f64>,
     /// At which it goes down into material at most, degrees.
     pub plunge_angle: Option<f64>,
+    /// Cutting edges that follow each other in a turn.
+    pub teeth: Option<u8>,
     /// Angle at the tip, degrees.
     pub tip_angle: Option<f64>,
     /// Oversizes of length, radius and corner radius from the table.

@@ -3,7 +3,7 @@
 //! Source: F B1 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::Deg;
+use crate::geo::{Deg, parts};
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, Place};
 use crate::ir::cycle::{BoreMilling, Cycle};
 
@@ -93,7 +93,7 @@ impl Run<'_> {
         // A helix in the solid leaves no core.
         let width = if drilled < radius { width.min(radius) } else { width };
         let base = drilled.max(radius);
-        let count = libm::ceil((size - base) / width - SAME).max(1.0);
+        let count = parts::count(size - base, width).max(1.0);
         if count == 1.0 {
             return Ok(vec![size - radius]);
         }

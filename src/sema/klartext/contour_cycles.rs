@@ -40,7 +40,7 @@ pub(super) struct Pocket {
 impl Run<'_> {
     /// The contours that the cycle takes.
     pub(super) fn named_contours(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Rc<NamedContours>> {
-        if call.placed {
+        if call.placed() {
             return self.cycle_unbuilt(cycle, "a contour at the places of a pattern or of CYCL CALL POS");
         }
         match &self.contours.named {

@@ -3,6 +3,7 @@
 //! A definition may go over several blocks (`7.0`, `7.1`, …) or lines; it acts when it is complete.
 //! Source: K 4.4 and 4.5 (docs/sources.md).
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use crate::diag::{Diagnostic, codes};
@@ -10,12 +11,12 @@ use crate::ir::Function;
 use crate::lexer::klartext::QRef;
 use crate::machine::{AxisSet, Generation};
 use crate::parser::klartext::ast::{Addr, Block, CallKind, Stmt};
-use crate::text::Span;
+use crate::text::{FileId, Loc, Span};
 
 use super::contour_data::Known;
 use super::cycle_definition::{DottedValue, Open, What};
 use super::cycles::DefinedCycle;
-use super::cycles::call::{Call, Retract};
+use super::cycles::call::{By, Call, Retract};
 use super::cycles::contours::ROUGH_OUT;
 use super::cycles::{Nature, find};
 use super::words::Admits;
@@ -28,6 +29,16 @@ pub(super) struct Cycles {
     defined: Option<Defined>,
     /// M89: every positioning block calls the cycle.
     modal: bool,
+    /// Definitions of cycles that are not supported, by place.
+    unsupported: BTreeMap<(FileId, u32, u32), Unsupported>,
+}
+
+/// A definition of a cycle that is not supported.
+#[derive(Debug)]
+struct Unsupported {
+    number: u32,
+    loc: Loc,
+    called: bool,
 }
 
 /// What CYCL CALL, M99 and M89 run.
@@ -55,6 +66,12 @@ impl Cycles {
 
     pub fn set_modal(&mut self, on: bool) {
         self.modal = on;
+    }
+
+    /// A cycle that is not supported is defined there, and perhaps called.
+    fn defines_unsupported(&mut self, number: u32, loc: Loc, called: bool) {
+        let place = (loc.file, loc.line, loc.span.start);
+        self.unsupported.entry(place).or_insert(Unsupported { number, loc, called }).called |= called;
     }
 }
 
@@ -232,11 +249,18 @@ impl Run<'_> {
             }
             Nature::Preset => self.preset(open),
             Nature::Setting(setting) => setting(self, open),
-            Nature::Data => Ok(()),
+            Nature::Data => {
+                self.cycles.defines_unsupported(open.number, self.here.origin.loc, false);
+                Ok(())
+            }
+            Nature::Acting => self.acts_unsupported(open.number),
             Nature::Drilling(_) | Nature::Milling(_) | Nature::Machining => {
                 let mm = self.level().frame.unit.mm();
                 let cycle = DefinedCycle::new(open, self.here.origin.loc, mm);
                 self.check_definition(&cycle)?;
+                if matches!(row.nature, Nature::Machining) {
+                    self.cycles.defines_unsupported(open.number, cycle.loc, false);
+                }
                 self.cycles.defined = Some(Defined::Machining { cycle: Rc::new(cycle), refused: false });
                 self.cycles.modal = false;
                 Ok(())
@@ -382,7 +406,7 @@ impl Run<'_> {
             }
             Some(Defined::Machining { cycle, .. }) if cycle.row().nature.runs() => {
                 let cycle = Rc::clone(cycle);
-                let result = self.run_cycle(&cycle, Call { shift: 0.0, retract: Retract::Far, placed: false });
+                let result = self.run_cycle(&cycle, Call { shift: 0.0, retract: Retract::Far, by: By::Block });
                 if result.is_err() {
                     let drills = cycle.row().nature.drilling().is_some();
                     if cycle.number == ROUGH_OUT {
@@ -395,6 +419,7 @@ impl Run<'_> {
             }
             Some(Defined::Machining { cycle, refused }) => {
                 let (number, loc, again) = (cycle.number, cycle.loc, std::mem::replace(refused, true));
+                self.cycles.defines_unsupported(number, loc, true);
                 if !again {
                     let what = find(number).called();
                     self.report(
@@ -408,6 +433,31 @@ impl Run<'_> {
                 self.lost();
                 Err(Reported)
             }
+        }
+    }
+}
+
+impl Run<'_> {
+    /// A cycle that acts where it is defined, which cannot be compiled.
+    fn acts_unsupported(&mut self, number: u32) -> Outcome {
+        let what = find(number).called();
+        self.error(codes::K9001, format!("cycle {number} {what} acts where it is defined, and is not supported"));
+        self.lose_all();
+        Err(Reported)
+    }
+
+    /// Says of definitions that nothing used that their cycles are not supported.
+    pub(super) fn note_uncalled(&mut self) {
+        let all = std::mem::take(&mut self.cycles.unsupported);
+        for Unsupported { number, loc, .. } in all.into_values().filter(|cycle| !cycle.called) {
+            let row = find(number);
+            let what = if matches!(row.nature, Nature::Data) {
+                "is defined for cycles that are not supported, and none of them is called"
+            } else {
+                "is defined and never called; it is not supported"
+            };
+            let message = format!("cycle {number} {} {what}", row.called());
+            self.report(Diagnostic::new(codes::K2412, loc, message).help("remove the definition, or call the cycle"));
         }
     }
 }

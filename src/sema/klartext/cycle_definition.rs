@@ -21,6 +21,8 @@ pub(super) struct Open {
     pub parameters: Vec<(u32, f64)>,
     /// Q parameters that are set to a word: FMAX, FAUTO, FU, PREDEF.
     pub words: Vec<(u32, &'static str)>,
+    /// Feeds that FU and FZ give with a number.
+    pub feeds: Vec<WordFeed>,
     /// Parameters stand in lines of their own, without `~`.
     pub loose: bool,
     /// What the parts of an old machining cycle hold.
@@ -40,6 +42,16 @@ pub(super) struct AxisValue {
     pub loc: Loc,
 }
 
+/// `Q206=FU0.2`
+#[derive(Debug, Clone, Copy)]
+pub(super) struct WordFeed {
+    pub parameter: u32,
+    /// FZ.
+    pub per_tooth: bool,
+    /// In the unit of the definition.
+    pub value: f64,
+}
+
 /// A value with the name in front of it, in upper case.
 #[derive(Debug, Clone)]
 pub(super) struct Labelled {
@@ -57,6 +69,7 @@ impl Open {
             values: Vec::new(),
             parameters: Vec::new(),
             words: Vec::new(),
+            feeds: Vec::new(),
             loose: false,
             parts: Vec::new(),
             table_row: false,

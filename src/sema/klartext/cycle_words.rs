@@ -8,9 +8,9 @@ use crate::lexer::klartext::{QKind, QRef, Value};
 use crate::machine::AxisSet;
 use crate::parser::klartext::ast::{Addr, Block, Word};
 use crate::sema::cycle_table::Name;
-use crate::text::Span;
+use crate::text::{Span, number::decimal};
 
-use super::cycle_definition::{AxisValue, Labelled, What};
+use super::cycle_definition::{AxisValue, Labelled, What, WordFeed};
 use super::cycles::{Nature, find};
 use super::global_def::Given;
 use super::vars::Slot;
@@ -83,11 +83,16 @@ impl Run<'_> {
                     self.keep_part(What::Feed, value);
                 }
                 Addr::Assign(q) => self.cycle_parameter(q, word, text)?,
+                Addr::Feed | Addr::FeedMax if matches!(nature, Nature::Tilt) => {
+                    let label = if word.addr == Addr::Feed { "F" } else { "FMAX" }.to_owned();
+                    let value = self.number_if(word.value, word.span)?.unwrap_or_default();
+                    self.open_cycle().values.push(Labelled { label, value });
+                }
                 Addr::Text => {
                     let name = self.program_name(strip_pgm(word.span.of(text)))?;
                     self.open_cycle().program = Some(name);
                 }
-                // Words of cycles that are refused where they are called; cycle 19 has F and DIST.
+                // Words of cycles that are refused.
                 _ => {}
             }
         }
@@ -131,6 +136,12 @@ impl Run<'_> {
             Value::None => Some(named_value(word.span.of(text))),
             _ => None,
         };
+        if matches!(named, Some("FU" | "FZ"))
+            && let Some(value) = number_behind(word.span.of(text))
+        {
+            self.reads_feed_by_word(word.span);
+            self.open_cycle().feeds.push(WordFeed { parameter: q.number, per_tooth: named == Some("FZ"), value });
+        }
         let value = match named {
             Some("PREDEF") => match self.predefined(q, word.span)? {
                 Given::Number(value) => value,
@@ -214,11 +225,11 @@ impl Run<'_> {
             (Drilling(_), _) if drilling.is_some() => false,
             (Milling(_), _) if number < 20 => self.takes_in_old_pocket(number, word),
             (
-                Drilling(_) | Milling(_) | Machining | Pattern(_) | Setting(_) | Data | Unknown | Preset,
+                Drilling(_) | Milling(_) | Machining | Pattern(_) | Setting(_) | Data | Acting | Unknown | Preset,
                 Addr::Assign(_) | Addr::AssignText(_),
             ) => true,
-            // Refused where they are called, whatever they say.
-            (Machining | Unknown, _) => true,
+            // Refused, whatever they say.
+            (Machining | Acting | Unknown, _) => true,
             // The name of cycle 14.
             (Setting(_), Addr::Name) => part == Some(0),
             (Data, Addr::Name | Addr::Value | Addr::Slash | Addr::Text) => true,
@@ -290,6 +301,15 @@ fn named_value(assignment: &[u8]) -> &'static str {
         word if begins(word, b"FZ") => "FZ",
         _ => "a word",
     }
+}
+
+/// The number in `Q206=FU0.2`.
+fn number_behind(assignment: &[u8]) -> Option<f64> {
+    let value = assignment.iter().position(|b| *b == b'=').map_or(assignment, |at| &assignment[at + 1..]);
+    let number = value.trim_ascii().get(2..)?.trim_ascii();
+    let number = number.strip_prefix(b"+").unwrap_or(number);
+    let (value, len) = decimal(number, true)?;
+    (len == number.len()).then_some(value)
 }
 
 fn begins(word: &[u8], head: &[u8]) -> bool {

@@ -202,7 +202,7 @@ impl Run<'_> {
 
     /// Corner and signed sizes of a face, which has a place of its own.
     fn face_of(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<(Point2, [f64; 2])> {
-        if call.placed {
+        if call.placed() {
             return self.cycle_unbuilt(cycle, "a pattern or CYCL CALL POS with a face that has a place of its own");
         }
         let corner = Point2::new(self.cycle_length(cycle, START.0)?, self.cycle_length(cycle, START.1)?);

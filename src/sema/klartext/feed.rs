@@ -19,14 +19,34 @@ const INCH_FEED: f64 = 25.4 / 10.0;
 /// Feed per revolution in mm above which a feed per minute was meant.
 const MOST_PER_REVOLUTION: f64 = 10.0;
 
+/// The feed of a TOOL CALL.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ToolFeed {
+    pub feed: Feed,
+    /// The number as written.
+    pub written: f64,
+    /// FU or FZ, which count revolutions whatever M136 says.
+    pub by_word: bool,
+    /// FZ.
+    pub per_tooth: bool,
+}
+
+impl ToolFeed {
+    fn minutes(feed: f64) -> ToolFeed {
+        ToolFeed { feed: Feed::PerMinute(feed), written: feed, by_word: false, per_tooth: false }
+    }
+}
+
 /// What F and its M functions say.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FeedState {
     modal: ModalFeed,
     /// Number of the feed word in force, as written: what a move of rotary axes alone takes as degrees.
     written: f64,
-    /// F of the last TOOL CALL, and the number as written.
-    of_tool: Option<(Feed, f64)>,
+    /// F of the last TOOL CALL.
+    of_tool: Option<ToolFeed>,
+    /// The feed in force is one of FZ, which counts the teeth of the tool in the spindle.
+    per_tooth: bool,
     /// M103: highest share of the feed in the negative tool axis.
     plunge_share: Option<f64>,
     /// M116: feed of rotary axes at the surface.
@@ -42,7 +62,8 @@ impl FeedState {
         FeedState {
             modal: ModalFeed::new(feed, Some(FeedKind::PerMinute)),
             written: feed.unwrap_or_default(),
-            of_tool: feed.map(|feed| (Feed::PerMinute(feed), feed)),
+            of_tool: feed.map(ToolFeed::minutes),
+            per_tooth: false,
             plunge_share: None,
             at_surface: false,
             at: FeedAt::Centre,
@@ -65,25 +86,35 @@ impl FeedState {
     }
 
     /// F of the last TOOL CALL.
-    pub fn of_tool(&self) -> Option<Feed> {
-        self.of_tool.map(|(feed, _)| feed)
+    pub fn of_tool(&self) -> Option<ToolFeed> {
+        self.of_tool
     }
 
     /// F, with the number as written.
     pub fn program(&mut self, feed: Feed, written: f64) {
         self.modal.program(feed);
         self.written = written;
+        self.per_tooth = false;
     }
 
     /// F of a TOOL CALL: it holds until another one is programmed, in a block or a TOOL CALL.
-    pub fn program_of_tool(&mut self, feed: Feed, written: f64) {
-        self.of_tool = Some((feed, written));
-        self.program(feed, written);
+    pub fn program_of_tool(&mut self, feed: ToolFeed) {
+        self.of_tool = Some(feed);
+        self.program(feed.feed, feed.written);
+        self.per_tooth = feed.per_tooth;
+    }
+
+    /// Another tool, with teeth of its own: a feed of FZ holds no longer.
+    pub fn change_teeth(&mut self) {
+        if self.per_tooth {
+            self.modal = ModalFeed::new(None, Some(FeedKind::per_revolution(self.modal.is_per_revolution())));
+            self.per_tooth = false;
+        }
     }
 
     /// A TOOL CALL without F.
     pub fn reset_of_tool(&mut self, feed: Option<f64>) {
-        self.of_tool = feed.map(|feed| (Feed::PerMinute(feed), feed));
+        self.of_tool = feed.map(ToolFeed::minutes);
     }
 
     /// Feeds do not count: one that is missing is not worth a report.
@@ -108,15 +139,20 @@ impl Run<'_> {
             self.feed_in_contour(w);
             return Ok(());
         }
+        let mm = self.level().frame.unit.mm();
         let (feed, written) = match w.feed {
             FeedWord::None | FeedWord::Max => return Ok(()),
             FeedWord::Value(f) => {
                 self.large_per_revolution(self.loc(w.feed_span), f);
                 (self.feed_of(f), f)
             }
-            FeedWord::PerRevolution(f) => (Feed::PerRevolution(f), f),
+            FeedWord::PerRevolution(f) => (Feed::PerRevolution(f), f / mm),
+            FeedWord::PerTooth(f) => {
+                let feed = self.feed_of_teeth(f, w.feed_span)?;
+                (feed, feed.value() / mm)
+            }
             FeedWord::Auto => match self.st.feed.of_tool {
-                Some((Feed::PerMinute(_), _)) if self.st.feed.is_per_revolution() => {
+                Some(ToolFeed { feed: Feed::PerMinute(_), .. }) if self.st.feed.is_per_revolution() => {
                     return self.fail_help(
                         codes::K2003,
                         w.feed_span,
@@ -124,7 +160,9 @@ impl Run<'_> {
                         "program F in mm/rev, or M137 first",
                     );
                 }
-                Some((Feed::PerRevolution(_), _)) if !self.st.feed.is_per_revolution() => {
+                Some(ToolFeed { feed: Feed::PerRevolution(_), by_word: false, .. })
+                    if !self.st.feed.is_per_revolution() =>
+                {
                     return self.fail_help(
                         codes::K2003,
                         w.feed_span,
@@ -132,7 +170,7 @@ impl Run<'_> {
                         "program F in mm/min, or M136 first",
                     );
                 }
-                Some(feed) => feed,
+                Some(feed) => (feed.feed, feed.written),
                 None => {
                     return self.fail_help(
                         codes::K2003,
@@ -148,7 +186,31 @@ impl Run<'_> {
             return self.feed_not_positive(w.feed_span, written);
         }
         self.st.feed.program(feed, written);
+        self.st.feed.per_tooth = match w.feed {
+            FeedWord::PerTooth(_) => true,
+            FeedWord::Auto => self.st.feed.of_tool.is_some_and(|feed| feed.per_tooth),
+            _ => false,
+        };
         Ok(())
+    }
+
+    /// FZ: `feed` mm for each tooth of the tool in the spindle.
+    pub(super) fn feed_of_teeth(&mut self, feed: f64, span: Span) -> Outcome<Feed> {
+        let Some(tool) = self.st.tool.active() else {
+            let what = "FZ is a feed per tooth, and no tool is called";
+            return self.fail_help(codes::K9013, span, what, "program TOOL CALL first, or the feed in mm/min");
+        };
+        if let Some(teeth) = tool.teeth {
+            return Ok(Feed::PerRevolution(feed * f64::from(teeth)));
+        }
+        let called = &tool.called;
+        self.fail_help(
+            codes::K9013,
+            span,
+            format!("FZ is a feed per tooth, and how many teeth tool {called} has is not known"),
+            Answer::tool(called, "teeth")
+                .help(format!("add `[tools.{called}]` with `teeth = …` to partc.toml, or CUT to the tool table")),
+        )
     }
 
     /// M136 makes a feed that was meant per minute count per revolution.

@@ -24,15 +24,22 @@ pub(super) struct FrameState {
     system: u32,
     /// Cycle 247 selected a preset.
     preset_selected: bool,
+    /// The row that it selected last.
+    row: Option<u32>,
 }
 
 impl FrameState {
     pub fn new(transform: Transformation) -> FrameState {
-        FrameState { transform, system: 0, preset_selected: false }
+        FrameState { transform, system: 0, preset_selected: false, row: None }
     }
 
     pub fn transform(&self) -> &Transformation {
         &self.transform
+    }
+
+    /// The row of the preset table that the program selected last.
+    pub fn preset_row(&self) -> Option<u32> {
+        self.row
     }
 
     /// Number of the input system: another one after each change.
@@ -372,6 +379,9 @@ impl Run<'_> {
         self.st.position.stand_at_start();
         self.st.polar.forget_last();
         self.st.frames.system += 1;
+        self.st.frames.row = row;
+        // What moved in front counts from another work offset.
+        self.st.tool.worked = AxisSet::EMPTY;
         Ok(())
     }
 

@@ -5,6 +5,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Feed;
 
+use super::cycle_definition::WordFeed;
 use super::cycles::call::{Call, Heights};
 use super::cycles::{CLEARANCE, DefinedCycle, Nature, Q, SECOND_CLEARANCE, SURFACE};
 use super::{Outcome, Reported, Run};
@@ -151,8 +152,10 @@ impl Run<'_> {
         if let Some(word) = cycle.word(q) {
             let message = format!("cycle {}: {word} as the value of {q} is not supported", cycle.number);
             let help = match word {
-                "FU" => "write it a minute: mm per revolution times the speed",
-                "FZ" => "write it a minute: mm per tooth times the teeth and the speed",
+                "FU" => "write the number of FU behind it, or the feed a minute: mm per revolution times the speed",
+                "FZ" => {
+                    "write the number of FZ behind it, or the feed a minute: mm per tooth times the teeth and the speed"
+                }
                 _ => "write a number",
             };
             self.report(
@@ -196,6 +199,9 @@ impl Run<'_> {
         if cycle.word(q) == Some("FAUTO") {
             return self.tool_feed_of(cycle, q);
         }
+        if let Some(feed) = cycle.feed(q) {
+            return self.word_feed_of(cycle, q, feed);
+        }
         let value = self.cycle_number(cycle, q)?;
         match instead {
             Some(feed) if value == 0.0 => Ok(feed),
@@ -203,10 +209,20 @@ impl Run<'_> {
         }
     }
 
+    /// `Q206=FU0.2`
+    fn word_feed_of(&mut self, cycle: &DefinedCycle, q: Q, feed: WordFeed) -> Outcome<Feed> {
+        let value = feed.value * cycle.mm;
+        if value <= 0.0 {
+            return self.cycle_value(cycle, &format!("the feed {q} = {value} is not above zero"));
+        }
+        if feed.per_tooth { self.feed_of_teeth(value, self.block_span()) } else { Ok(Feed::PerRevolution(value)) }
+    }
+
     /// FAUTO: the F of the last TOOL CALL.
     fn tool_feed_of(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<Feed> {
+        let per_revolution = self.st.feed.is_per_revolution();
         match self.st.feed.of_tool() {
-            Some(feed) if matches!(feed, Feed::PerRevolution(_)) == self.st.feed.is_per_revolution() => Ok(feed),
+            Some(of) if of.by_word || matches!(of.feed, Feed::PerRevolution(_)) == per_revolution => Ok(of.feed),
             Some(_) => self.cycle_unbuilt(cycle, &format!("{q}=FAUTO with a TOOL CALL that counts F in another way")),
             None => {
                 self.report(

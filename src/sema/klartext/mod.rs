@@ -50,6 +50,7 @@ mod pockets;
 mod point_table;
 mod polar;
 mod probing;
+mod probing_datum;
 mod program_pattern;
 mod refused;
 mod rotary;
@@ -497,6 +498,7 @@ impl Run<'_> {
         if self.cycles.is_open() {
             self.finish_cycle();
         }
+        self.note_uncalled();
         self.forgotten_change();
         self.refuse_compensated("the program ends");
         if self.st.compensation.is_on() {

@@ -347,7 +347,10 @@ impl Run<'_> {
                 self.feed_of(f)
             }
             FeedWord::PerRevolution(f) if f > 0.0 => Feed::PerRevolution(f),
-            FeedWord::Value(f) | FeedWord::PerRevolution(f) => return self.feed_not_positive(w.feed_span, f),
+            FeedWord::PerTooth(f) if f > 0.0 => self.feed_of_teeth(f, w.feed_span)?,
+            FeedWord::Value(f) | FeedWord::PerRevolution(f) | FeedWord::PerTooth(f) => {
+                return self.feed_not_positive(w.feed_span, f);
+            }
             FeedWord::Max | FeedWord::Auto => {
                 let text = self.word_text(w.feed_span);
                 return self.fail_help(

@@ -12,7 +12,7 @@ use crate::lexer::klartext::{QKind, QRef};
 use crate::parser::klartext::ast::Block;
 use crate::text::{Loc, Span, number::decimal};
 
-use super::cycles::call::{Call, Retract};
+use super::cycles::call::{By, Call, Retract};
 use super::cycles::{DefinedCycle, SURFACE};
 use super::patterns::{FIRST_PLACED, PLACES_A_STEP};
 use super::words::Admits;
@@ -381,7 +381,7 @@ impl Run<'_> {
             // The higher one of the clearances here and at the next place.
             let next = places.list.get(i + 1).and_then(|next| next.clearance);
             let height = [place.clearance, next].into_iter().flatten().fold(height, f64::max);
-            self.run_cycle(&cycle, Call { shift: place.surface, retract: Retract::To(height), placed: true })?;
+            self.run_cycle(&cycle, Call { shift: place.surface, retract: Retract::To(height), by: By::Pattern })?;
         }
         self.m_at_end(w)
     }
@@ -429,7 +429,7 @@ impl Run<'_> {
             end.set_in_plane(self.st.plane(), place.at);
             self.st.polar.forget_last();
             self.send(&end, Path::straight(feed));
-            self.run_cycle(cycle, Call { shift: 0.0, retract: Retract::Far, placed: true })?;
+            self.run_cycle(cycle, Call { shift: 0.0, retract: Retract::Far, by: By::Pattern })?;
         }
         self.m_at_end(w)
     }

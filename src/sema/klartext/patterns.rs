@@ -8,14 +8,14 @@ use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::contour::Path;
 use crate::ir::{Feed, Pos};
-use crate::machine::AxisSet;
+use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::Block;
 use crate::sema::common::plane::plane_axes;
 use crate::sema::cycle_table::Name;
 use crate::text::Loc;
 
 use super::cycles::DefinedCycle;
-use super::cycles::call::{Call, Heights, Retract};
+use super::cycles::call::{By, Call, Heights, Retract};
 use super::cycles::faces::TOP;
 use super::cycles::patterns::{
     AT_SECOND, CENTER, CIRCLE, COLUMNS, LINES, NUMBER, ON_ARCS, SPACING, START, START_ANGLE, STEP, STOP_ANGLE, TURN,
@@ -72,7 +72,7 @@ impl Run<'_> {
             if old {
                 self.rapid_to(heights.start());
             }
-            self.run_cycle(&cycle, Call { shift: 0.0, retract, placed: true })?;
+            self.run_cycle(&cycle, Call { shift: 0.0, retract, by: By::Pattern })?;
             if old {
                 self.rapid_to(retract.height(&heights));
             }
@@ -238,6 +238,22 @@ impl Run<'_> {
         Ok(feed)
     }
 
+    /// CYCL CALL POS without the tool axis: the surface is that of the cycle.
+    fn names_its_surface(&self, named: AxisSet, axis: Axis) {
+        if named.contains(axis) {
+            return;
+        }
+        let axis = axis.letter();
+        self.report(
+            Diagnostic::new(
+                codes::K8027,
+                self.here.origin.loc,
+                format!("CYCL CALL POS names no {axis}: the surface stays at Q203, as with {axis}+0"),
+            )
+            .help(format!("write {axis}+0 into the call")),
+        );
+    }
+
     /// CYCL CALL POS: to the position in the plane, then the cycle, whose surface Z lifts. Where the tool stands below
     /// the surface, it first goes to the set-up clearance.
     pub(super) fn run_cycle_at(&mut self, cycle: &DefinedCycle, block: &Block) -> Outcome {
@@ -250,12 +266,8 @@ impl Run<'_> {
         let axis = self.st.axis();
         let plane = plane_axes(self.st.plane());
         let named = w.axes.known();
-        let all = plane.union(AxisSet::of(axis));
-        if cycle.number < FIRST_PLACED
-            || !w.incremental.is_empty()
-            || !named.without(all).is_empty()
-            || !all.without(named).is_empty()
-        {
+        let strange = !named.without(plane.union(AxisSet::of(axis))).is_empty();
+        if cycle.number < FIRST_PLACED || !w.incremental.is_empty() || strange || !plane.without(named).is_empty() {
             let span = if w.axes_span.is_empty() { self.block_span() } else { w.axes_span };
             return self.fail_help(
                 codes::K9001,
@@ -265,6 +277,7 @@ impl Run<'_> {
             );
         }
         self.has_a_surface(cycle, "CYCL CALL POS")?;
+        self.names_its_surface(named, axis);
         self.m_at_start(&w, true)?;
         let feed = self.pattern_feed(&w, "CYCL CALL POS")?;
         let shift = w.axes.get(axis).unwrap_or(0.0);
@@ -284,7 +297,7 @@ impl Run<'_> {
         }
         self.st.polar.forget_last();
         self.send(&end, Path::straight(feed));
-        self.run_cycle(cycle, Call { shift, retract: Retract::Far, placed: true })?;
+        self.run_cycle(cycle, Call { shift, retract: Retract::Far, by: By::Position })?;
         self.m_at_end(&w)
     }
 }

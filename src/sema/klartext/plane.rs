@@ -13,7 +13,7 @@ use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::Block;
 use crate::text::{Span, decode::readable, number::decimal};
 
-use super::cycle_definition::Open;
+use super::cycle_definition::{Labelled, Open};
 use super::plane_normal;
 use super::state::State;
 use super::vars::Slot;
@@ -30,6 +30,8 @@ struct Plane {
     positioning: Option<String>,
     /// MB: the tool is retracted before the axes turn.
     retract: bool,
+    /// How the rotary axes go, as written; not STAY, which moves nothing, nor COORD ROT, which is what is compiled.
+    ways: Vec<String>,
     /// A word that is not known.
     open: bool,
 }
@@ -61,10 +63,13 @@ impl Plane {
                 (1, kind, "") => plane.kind = kind.to_owned(),
                 (_, "STAY" | "TURN" | "MOVE", "") if plane.positioning.is_none() => {
                     plane.positioning = Some(name.to_owned());
+                    plane.ways.extend((name != "STAY").then(|| name.to_owned()));
                 }
                 // How fast, about which point, which solution.
-                (_, "FMAX" | "FAUTO" | "COORD" | "TABLE" | "ROT", "") | (_, "SEQ" | "SYM", "+" | "-") => {}
-                (_, "F" | "DIST" | "ABST", number) if value(number).is_some() => {}
+                (_, "COORD" | "ROT", "") => {}
+                (_, "TABLE", "") => plane.ways.push("TABLE ROT".to_owned()),
+                (_, "FMAX" | "FAUTO", "") | (_, "SEQ" | "SYM", "+" | "-") => plane.ways.push(word.to_owned()),
+                (_, "F" | "DIST" | "ABST", number) if value(number).is_some() => plane.ways.push(word.to_owned()),
                 (_, "MB", rest) if !plane.retract && (rest.is_empty() || value(rest).is_some()) => plane.retract = true,
                 (_, "MAX", "") if plane.retract => {}
                 _ => match value(rest).or_else(|| parameter(rest)) {
@@ -200,7 +205,7 @@ fn end_of_name(word: &str) -> usize {
 }
 
 /// `+0`, `-12,5`, `40`.
-fn value(text: &str) -> Option<f64> {
+pub(super) fn value(text: &str) -> Option<f64> {
     let (sign, digits) = match text.as_bytes() {
         [b'-', digits @ ..] => (-1.0, digits),
         [b'+', digits @ ..] => (1.0, digits),
@@ -272,7 +277,7 @@ impl Run<'_> {
             Effect::Open => return refuse(self, plane.why_open()),
         };
         let moves = plane.positioning.as_deref().is_some_and(|word| word != "STAY");
-        self.turn_plane(&name, angle, moves, plane.positioning.as_deref() == Some("TURN"))
+        self.turn_plane(&name, angle, (moves, plane.positioning.as_deref() == Some("TURN")), &plane.ways)
     }
 
     /// `+Q1`, `-QL5`: its value, `None` where `text` is no parameter.
@@ -330,12 +335,17 @@ impl Run<'_> {
         }
         // Whether the rotary axes are positioned at once is up to the machine; the tool does not follow them.
         let moves = turn != self.st.frames.transform().turn.0;
-        self.turn_plane("cycle 19", turn, moves, moves)
+        let word = |value: &Labelled| match value.label.as_str() {
+            "FMAX" => "FMAX".to_owned(),
+            label => format!("{label}{}", value.value),
+        };
+        let ways: Vec<String> = open.values.iter().map(word).collect();
+        self.turn_plane("cycle 19", turn, (moves, moves), &ways)
     }
 
     /// The working plane stands at `angle` about Z from here on. With `moves` the control may turn the table to it, and
-    /// with `leaves` the tool does not follow.
-    fn turn_plane(&mut self, name: &str, angle: f64, moves: bool, leaves: bool) -> Outcome {
+    /// with `leaves` the tool does not follow; `ways` are the words that say how.
+    fn turn_plane(&mut self, name: &str, angle: f64, (moves, leaves): (bool, bool), ways: &[String]) -> Outcome {
         let angle = if Deg(angle).normal().0 == 0.0 { 0.0 } else { angle };
         let before = self.st.frames.transform().turn.0;
         if moves || angle != 0.0 {
@@ -388,8 +398,14 @@ impl Run<'_> {
             self.st.end_compensation();
         }
         if angle != 0.0 {
+            let ways = match ways {
+                [] => String::new(),
+                ways => {
+                    format!("; {}, which tells the control how to turn its axes, has no effect here", ways.join(" "))
+                }
+            };
             self.report(
-                Diagnostic::new(codes::K2853, here, format!("{name} turns the coordinates by {angle}° about Z")).help(
+                Diagnostic::new(codes::K2853, here, format!("{name} turns the coordinates by {angle}° about Z{ways}")).help(
                     "the rotary table of the target stays where it is: clamp the part as it lies at table angle zero",
                 ),
             );
@@ -408,7 +424,8 @@ impl Run<'_> {
 
     /// While the working plane is turned, the turn is in the coordinates: a rotary axis that moves would turn twice.
     pub(super) fn no_rotary_move_under_turn(&mut self, axes: AxisSet, span: Span) -> Outcome {
-        if self.st.frames.transform().turn.0 == 0.0 {
+        let turned = self.st.frames.transform();
+        if turned.turn.0 == 0.0 && !turned.is_turned_as_a_whole() {
             return Ok(());
         }
         let Some(axis) = axes.iter().find(|axis| axis.is_rotary()) else { return Ok(()) };
@@ -416,10 +433,10 @@ impl Run<'_> {
             codes::K9004,
             span,
             format!(
-                "{} moves while the working plane is turned about Z, and the turn is printed already",
+                "{} moves while the coordinates are turned about Z, and the turn is printed already",
                 axis.letter()
             ),
-            "leave the move out, or program the rotary axis without PLANE and cycle 19",
+            "leave the move out, or program the rotary axis without PLANE, cycle 19 and TCH PROBE 404",
         )
     }
 

@@ -11,7 +11,7 @@ use crate::ir::cycle::milling::{MOST_LEVELS, Mill, Place, parts};
 use crate::ir::cycle::pocket::{Between, Finish, Insertion, Onto, Pocket, Room, Shape, Strategy};
 
 use super::cycles::DefinedCycle;
-use super::cycles::call::Call;
+use super::cycles::call::{By, Call};
 use super::cycles::milling::{CORNER, DIAMETER, FIRST_SIDE, POSITION, SECOND_SIDE, TURN};
 use super::cycles::pockets::{CENTER, NUMBER, OPENING, PITCH_CIRCLE, SLOT_TURN, START_ANGLE, STEP};
 use super::milling::{Asked, Plunging, shown};
@@ -110,8 +110,12 @@ impl Run<'_> {
         let angle = self.cycle_number(cycle, START_ANGLE)?;
         let start = self.call_point(cycle)?;
         let (center, first) = match self.choice(cycle, POSITION, 3)? {
-            0 if call.placed => {
-                return self.cycle_unbuilt(cycle, "a pattern or CYCL CALL POS with a centre of its own (Q367=0)");
+            0 if call.by == By::Pattern => {
+                return self.cycle_otherwise(
+                    cycle,
+                    "a pattern of slots whose centre is Q216 and Q217 (Q367=0), so that every place would be the same slot,",
+                    "write Q367=+2, so that the places are those of the middles of the slots",
+                );
             }
             0 => (Point2::new(self.cycle_length(cycle, CENTER.0)?, self.cycle_length(cycle, CENTER.1)?), angle),
             2 => (start - Deg(angle).unit() * radius, angle - sweep / 2.0),

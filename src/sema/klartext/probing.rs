@@ -7,6 +7,7 @@ use crate::diag::{Diagnostic, codes};
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Block, Stmt};
+use crate::text::Span;
 use crate::text::decode::readable;
 
 use super::cycles::find;
@@ -19,12 +20,14 @@ const RESULTS: u32 = 4;
 
 /// A TCH PROBE block as far as it says what it changes.
 #[derive(Debug, PartialEq)]
-struct Probe {
-    number: u32,
+pub(super) struct Probe {
+    pub number: u32,
     /// Not the first block of an old cycle (0.1).
     goes_on: bool,
     /// Parameters named as such: results, or inputs that the control keeps.
     parameters: Vec<QRef>,
+    /// What its own parameters are set to, as written.
+    given: Vec<(u32, String)>,
 }
 
 impl Probe {
@@ -36,9 +39,11 @@ impl Probe {
         let digits: String = body.trim_start().chars().take_while(char::is_ascii_digit).collect();
         let part = body.trim_start()[digits.len()..].strip_prefix('.').unwrap_or_default();
         let goes_on = part.starts_with(|c: char| ('1'..='9').contains(&c));
-        let mut probe = Probe { number: digits.parse().unwrap_or(u32::MAX), goes_on, parameters: Vec::new() };
+        let mut probe =
+            Probe { number: digits.parse().unwrap_or(u32::MAX), goes_on, parameters: Vec::new(), given: Vec::new() };
         for line in std::iter::once(body.to_owned()).chain(lines) {
             let line = line.split(';').next().unwrap_or_default();
+            probe.given.extend(assignments(line));
             // What stands behind the sign is read, not written.
             let line = line.split('=').next().unwrap_or_default();
             for word in line.split_whitespace() {
@@ -48,6 +53,11 @@ impl Probe {
             }
         }
         probe
+    }
+
+    /// What stands behind `Q305=`.
+    pub(super) fn text_of(&self, parameter: u32) -> Option<&str> {
+        self.given.iter().rev().find(|(q, _)| *q == parameter).map(|(_, text)| text.as_str())
     }
 
     /// Measuring in a direction fills a run of parameters.
@@ -68,6 +78,21 @@ impl Probe {
     }
 }
 
+/// Is the block one that measures nothing, so that it is compiled?
+pub(super) fn is_computed(code: &[u8]) -> bool {
+    Probe::read(code).sets_rotation()
+}
+
+/// `Q263=+25`: the parameters that a line sets, and to what.
+fn assignments(line: &str) -> impl Iterator<Item = (u32, String)> {
+    line.match_indices('=').filter_map(|(at, _)| {
+        let name = line[..at].split_whitespace().next_back()?;
+        let number = name.strip_prefix('Q')?.parse().ok()?;
+        let value = line[at + 1..].trim_start().split(|c: char| c.is_whitespace() || c == '~').next()?;
+        Some((number, value.to_owned()))
+    })
+}
+
 /// `Q5`, `QL5`, `QR5`.
 fn parameter(word: &str) -> Option<QRef> {
     let rest = word.strip_prefix('Q')?;
@@ -83,10 +108,14 @@ impl Run<'_> {
     /// TCH PROBE: refused, or left out with everything it touches unknown.
     pub(super) fn probe(&mut self, block: &Block, text: &[u8]) -> Outcome {
         let (name, span) = self.block_name(block, text, 2);
+        let probe = Probe::read(block.span.of(text));
+        if probe.sets_rotation() {
+            return self.set_basic_rotation(&probe, span);
+        }
         if !self.job.settings.control.klartext_choices.probing_left_out {
             return self.refuse_motion(codes::K9005, span, "touch probe cycles run only at the machine");
         }
-        let probe = Probe::read(block.span.of(text));
+        let setting = self.setting_of(&probe, span)?;
         let here = self.here.origin.loc;
         let run = if probe.fills_a_run() { RESULTS } else { 1 };
         let named = probe.parameters.iter().flat_map(|q| (q.number..q.number + run).map(|n| QRef { number: n, ..*q }));
@@ -95,6 +124,7 @@ impl Run<'_> {
         for q in named.chain(own).filter(|q| exists(*q)) {
             self.vars.set(locals, q, Slot::AtMachine(here));
         }
+        self.tell_of_setting(&probe, &setting, span)?;
         self.forget_positions(probe.turns());
         if probe.measures_tools() {
             self.st.tool.measure();
@@ -110,6 +140,15 @@ impl Run<'_> {
                 .help("set up on the target machine what this cycle measures, before the program runs"),
         );
         Ok(())
+    }
+
+    /// A value that a cycle takes.
+    pub(super) fn probe_value(&mut self, probe: &Probe, parameter: u32, span: Span) -> Outcome<Option<f64>> {
+        let Some(text) = probe.text_of(parameter) else { return Ok(None) };
+        if let Some(number) = super::plane::value(text) {
+            return Ok(Some(number));
+        }
+        self.signed_parameter(text, span).transpose()
     }
 
     /// The probe moved, and the datum may be another: the next block of each axis has to be absolute.
@@ -160,10 +199,12 @@ mod tests {
     fn what_a_probe_names() {
         let q = |number| QRef { kind: QKind::Q, number };
         let probe = Probe::read(b"TCH PROBE 419 DATUM Q ~\n Q263=+Q7 ;1ST POINT Q8 ~\n Q303=+1");
-        assert_eq!(probe, Probe { number: 419, goes_on: false, parameters: vec![q(263), q(303)] });
+        let given = vec![(263, "+Q7".to_owned()), (303, "+1".to_owned())];
+        assert_eq!(probe, Probe { number: 419, goes_on: false, parameters: vec![q(263), q(303)], given });
+        assert_eq!((probe.text_of(303), probe.text_of(305)), (Some("+1"), None));
         assert!(!probe.measures_tools() && !probe.turns() && !probe.fills_a_run());
         let probe = Probe::read(b"tch probe 0.0 REF. PLANE Q5 X-");
-        assert_eq!(probe, Probe { number: 0, goes_on: false, parameters: vec![q(5)] });
+        assert_eq!(probe, Probe { number: 0, goes_on: false, parameters: vec![q(5)], given: vec![] });
         assert!(Probe::read(b"TCH PROBE 481 TOOL LENGTH ~\n Q340=+1").measures_tools());
         assert!(Probe::read(b"TCH PROBE 421 ~\n Q330=5").measures_tools());
         assert!(Probe::read(b"TCH PROBE 403 ~").turns());

@@ -79,7 +79,7 @@ impl Run<'_> {
     fn run_shifted(&mut self, name: &str, place: &Place) -> Outcome {
         let base = self.st.frames.transform().clone();
         let (first, second, _) = self.st.plane().axes();
-        if !base.is_shift_only() || base.turn.0 != 0.0 {
+        if !base.is_shift_only() || base.turn.0 != 0.0 || base.is_turned_as_a_whole() {
             let message = format!(
                 "CYCL CALL PAT with the program `{name}` of cycle 12 under a rotation, mirror or scaling: along which axes the places shift is open"
             );

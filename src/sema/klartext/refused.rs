@@ -29,6 +29,8 @@ impl Run<'_> {
                 "write the name of the table: `SEL TABLE \"NAME.D\"`",
             ),
             Refused::Contour => {
+                let by_parameter = name.get(..2).is_some_and(|head| head.eq_ignore_ascii_case("QC"));
+                let (name, span) = if by_parameter { self.block_name(block, text, 1) } else { (name, span) };
                 self.fail(codes::K9018, span, format!("{name}: contours that are put together are not supported"))
             }
             Refused::GlobalDef => self.global_def(block, text),
@@ -41,12 +43,30 @@ impl Run<'_> {
                 Ok(())
             }
             Refused::Function => {
-                let (name, span) =
-                    self.block_name(block, text, if name.eq_ignore_ascii_case("FUNCTION") { 2 } else { 1 });
+                let (name, span) = self.block_name(block, text, words_of_name(&name));
+                if let Some(name) = named_branch(&name) {
+                    self.lose_all();
+                    let help = "write the branch as a jump: `FN 9: IF +Q1 EQU +5 GOTO LBL 1`";
+                    return self.fail_help(codes::K9011, span, format!("{name} is not supported"), help);
+                }
                 self.refuse_motion(codes::K9011, span, &format!("{name} is not supported"))
             }
         }
     }
+}
+
+/// The name of a block of `IF … THEN`.
+fn named_branch(name: &str) -> Option<&'static str> {
+    let name = name.to_ascii_uppercase();
+    [("IF", "IF … THEN"), ("ELSE", "ELSE"), ("ELSEIF", "ELSE IF"), ("END IF", "END IF"), ("ENDIF", "END IF")]
+        .into_iter()
+        .find_map(|(head, shown)| (name == head).then_some(shown))
+}
+
+/// How many words name the function that begins with `first`.
+fn words_of_name(first: &str) -> usize {
+    let of_two = ["FUNCTION", "SEL", "OPEN", "FIXTURE", "END"];
+    if of_two.iter().any(|head| first.eq_ignore_ascii_case(head)) { 2 } else { 1 }
 }
 
 /// FUNCTION blocks that no path depends on: milling mode, which is the only one here; the end of functions that are

@@ -17,7 +17,7 @@ use super::{Outcome, Run};
 impl Run<'_> {
     /// Cycle 231.
     pub(super) fn ruled_surface(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
-        if call.placed {
+        if call.placed() {
             return self.cycle_unbuilt(cycle, "a pattern or CYCL CALL POS with a surface that has a place of its own");
         }
         let mut corners = [Corner { at: Point2::origin(), height: 0.0 }; 4];

@@ -11,7 +11,7 @@ use crate::ir::cycle::milling::{Heights, Mill, Place};
 use crate::ir::cycle::pocket::{Between, Finish, Insertion, Onto, Pocket, Shape, Strategy};
 
 use super::cycles::DefinedCycle;
-use super::cycles::call::Call;
+use super::cycles::call::{By, Call};
 use super::cycles::milling::{FINISHING_INFEED, FIRST_SIDE, OPERATION, SECOND_SIDE, TURN};
 use super::cycles::patterns::{CENTER, CIRCLE, START_ANGLE};
 use super::cycles::pockets::OPENING;
@@ -50,10 +50,14 @@ impl Run<'_> {
         self.slot_in_strokes(cycle, mill, (place, length), Shape::Bow { radius, sweep: Deg(sweep), width })
     }
 
-    /// The place that a cycle names itself, so that a pattern has nothing to say.
+    /// The place that a cycle names itself: it runs there wherever CYCL CALL POS takes the tool, and a pattern has nothing
+    /// to say.
     pub(super) fn center_of_its_own(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Point2> {
-        if call.placed {
-            return self.cycle_unbuilt(cycle, "a pattern or CYCL CALL POS with a centre of its own (Q216, Q217)");
+        if call.by == By::Pattern {
+            return self.cycle_unbuilt(
+                cycle,
+                "a pattern with a centre of its own (Q216, Q217), so that every place would be the same,",
+            );
         }
         Ok(Point2::new(self.cycle_length(cycle, CENTER.0)?, self.cycle_length(cycle, CENTER.1)?))
     }

@@ -1,11 +1,11 @@
 //! FN 18: SYSREAD, for what the program text determines.
 //!
-//! Source: K 5.7 (docs/sources.md). It lists ID 20 NR 1, ID 50, ID 210, ID 220 and ID 270; further answers are a reading that
-//! warns.
+//! Source: K 5.7, and 7.2 for the unit of lengths (docs/sources.md). It lists ID 20 NR 1, ID 50, ID 210, ID 220 and ID 270;
+//! further answers are a reading that warns.
 
 use crate::diag::{Answer, Diagnostic, codes};
 use crate::lexer::klartext::QRef;
-use crate::machine::{Axis, ToolKey};
+use crate::machine::{Axis, Generation, ToolKey, Unit};
 use crate::parser::klartext::ast::{Addr, Block};
 
 use super::vars::Slot;
@@ -24,6 +24,18 @@ impl Request {
     fn name(self) -> String {
         let idx = self.idx.map(|idx| format!(" IDX{idx}")).unwrap_or_default();
         format!("ID{} NR{}{idx}", self.id, self.nr)
+    }
+}
+
+impl Request {
+    /// Does it ask for a length?
+    fn is_length(self) -> bool {
+        let rotary = self.idx.is_some_and(|n| (4.0..=6.0).contains(&n));
+        match (self.id, self.nr) {
+            (50, 1..=6) | (200, 1..=3) => true,
+            (220, 2) | (270, 1) => !rotary,
+            _ => false,
+        }
     }
 }
 
@@ -64,8 +76,31 @@ impl Run<'_> {
         Ok(request)
     }
 
+    /// Millimetres per unit of the lengths that the control gives.
+    fn unit_of_lengths(&mut self) -> f64 {
+        let control = &self.job.settings.control;
+        let in_mm = control.klartext_choices.system_in_mm.unwrap_or(control.klartext >= Generation::Tnc7);
+        if in_mm { 1.0 } else { self.level().frame.unit.mm() }
+    }
+
+    /// No manual page of an older control says in which unit FN 18 reads a length in an INCH program.
+    fn unit_is_said(&mut self, r: Request, value: f64, block: &Block) -> Outcome {
+        let control = &self.job.settings.control;
+        let said = control.klartext_choices.system_in_mm.is_some() || control.klartext >= Generation::Tnc7;
+        if said || value == 0.0 || self.level().frame.unit == Unit::Mm || !r.is_length() {
+            return Ok(());
+        }
+        self.fail_help(
+            codes::K2855,
+            block.span,
+            format!("{} is a length, and in an INCH program controls may give it in inches or in mm", r.name()),
+            Answer::key("control", "system_unit")
+                .help("say which by `[control] system_unit = \"program\"` or `\"mm\"`; a TNC7 gives mm (`klartext = \"tnc7\"`)"),
+        )
+    }
+
     fn answer(&mut self, r: Request, block: &Block) -> Outcome<f64> {
-        let mm = self.level().frame.unit.mm();
+        let mm = self.unit_of_lengths();
         let index = r.idx.filter(|n| n.fract() == 0.0 && (1.0..=9.0).contains(n)).map(|n| n as usize);
         let axis = index.map(|n| Axis::ALL[n - 1]);
         let t = self.st.frames.transform();
@@ -95,6 +130,7 @@ impl Run<'_> {
                     _ => None,
                 }
             }),
+            (210, 1) => t.basic.map(|angle| angle.0),
             (210, 2) => Some(t.angle.0),
             (210, 3) => {
                 Some((0..3).map(|i| if t.mirror.contains(Axis::ALL[i]) { f64::from(1 << i) } else { 0.0 }).sum())
@@ -109,6 +145,7 @@ impl Run<'_> {
             (270, 1) => match axis {
                 Some(axis) => {
                     let value = self.position_of(axis, block.span, "SYSREAD")?;
+                    self.unit_is_said(r, value, block)?;
                     return Ok(if axis.is_rotary() { self.st.shown(axis, value) } else { value / mm });
                 }
                 None => None,
@@ -117,6 +154,7 @@ impl Run<'_> {
         };
         match known {
             Some(value) => {
+                self.unit_is_said(r, value, block)?;
                 if matches!((r.id, r.nr), (20, 2..) | (200, _)) {
                     self.job.diags.push_once(
                         Diagnostic::new(
@@ -153,7 +191,7 @@ impl Run<'_> {
 
     /// ID 50: tool table, NR 1 L, 2 R, 3 R2, 4 DL, 5 DR, 6 DR2; IDX is the tool.
     fn table_value(&mut self, r: Request, block: &Block) -> Outcome<f64> {
-        let mm = self.level().frame.unit.mm();
+        let mm = self.unit_of_lengths();
         let Some(n) = r.idx.filter(|n| *n >= 1.0) else {
             return self.fail_help(
                 codes::K9016,
@@ -179,7 +217,10 @@ impl Run<'_> {
             n => Some(tool.deltas[n as usize - 4]),
         });
         match value {
-            Some(value) => Ok(value / mm),
+            Some(value) => {
+                self.unit_is_said(r, value, block)?;
+                Ok(value / mm)
+            }
             None => self.fail_help(
                 codes::K2008,
                 block.span,

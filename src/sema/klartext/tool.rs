@@ -5,22 +5,23 @@
 use rustc_hash::FxHashMap;
 
 use crate::diag::{Answer, Diagnostic, codes};
-use crate::ir::Function;
 use crate::ir::function::{CutterData, Spindle};
+use crate::ir::{Feed, Function};
 use crate::lexer::klartext::Value;
 use crate::machine::tools::ToolKey;
-use crate::machine::{Axis, Tool};
+use crate::machine::{Axis, AxisSet, Tool};
 use crate::parser::klartext::ast::{Addr, Block, Word};
 use crate::text::Span;
 
 use super::active_tool::{ActiveTool, Change};
+use super::feed::ToolFeed;
 use super::vars::Val;
 use super::{Outcome, Reported, Run};
 
 /// Highest tool number.
 const MOST_TOOLS: f64 = 32767.0;
-/// How far two radii of one tool may lie apart by rounding, in mm.
-const SAME_RADIUS: f64 = 1e-9;
+/// How far two radii of one tool may lie apart by rounding, in mm: a value in inches has no whole micrometre.
+const SAME_RADIUS: f64 = 0.001 + 1e-9;
 
 /// A tool as a block names it.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +50,8 @@ struct Call {
     speed: Option<f64>,
     speed_span: Span,
     feed: Option<f64>,
+    /// FU, FZ, or F.
+    feed_word: Option<Addr>,
     feed_span: Span,
     /// DL, DR, DR2 as far as written.
     deltas: [Option<f64>; 3],
@@ -70,6 +73,8 @@ pub(super) struct ToolState {
     pub in_spindle: Option<u32>,
     /// A cycle that measures tools was left out: what the tables say of them is not what the control has.
     measured: bool,
+    /// Axes that moved in the work offset in force with tools before this one.
+    pub worked: AxisSet,
 }
 
 impl ToolState {
@@ -149,6 +154,7 @@ impl Run<'_> {
             None => (None, block.words.as_slice()),
         };
         let call = self.call_words(rest, block)?;
+        self.note_corner_radius(&call, block.span);
         self.refuse_compensated("TOOL CALL stands");
         // The side stays: a contour that goes on compensated behind a tool change is refused.
         if self.st.compensation.is_on() && tool.is_some() {
@@ -182,17 +188,48 @@ impl Run<'_> {
             self.spindle_speed(speed, call.speed_span)?;
         }
         if let Some(feed) = call.feed {
-            if feed <= 0.0 {
-                return self.feed_not_positive(call.feed_span, feed);
-            }
-            // The feed of a TOOL CALL holds until another one is programmed, in a block or a TOOL CALL.
-            let written = feed;
-            let feed = self.feed_of(written);
-            self.st.feed.program_of_tool(feed, written);
+            // It holds until another one is programmed, in a block or a TOOL CALL.
+            let feed = self.feed_of_call(&call, feed)?;
+            self.st.feed.program_of_tool(feed);
         } else if tool.is_some() {
             self.st.feed.reset_of_tool(self.job.settings.control.feed);
         }
         Ok(())
+    }
+
+    /// F, FU or FZ of a TOOL CALL.
+    fn feed_of_call(&mut self, call: &Call, written: f64) -> Outcome<ToolFeed> {
+        let span = call.feed_span;
+        if written <= 0.0 {
+            return self.feed_not_positive(span, written);
+        }
+        let mm = self.level().frame.unit.mm();
+        let per_tooth = call.feed_word == Some(Addr::FeedOther);
+        let feed = match call.feed_word {
+            Some(Addr::FeedPerRev) => Feed::PerRevolution(written * mm),
+            Some(Addr::FeedOther) => self.feed_of_teeth(written * mm, span)?,
+            _ => self.feed_of(written),
+        };
+        let by_word = per_tooth || call.feed_word == Some(Addr::FeedPerRev);
+        if by_word {
+            self.reads_feed_by_word(span);
+        }
+        let written = if by_word { feed.value() / mm } else { written };
+        Ok(ToolFeed { feed, written, by_word, per_tooth })
+    }
+
+    /// How FU and FZ are written outside of path blocks is not confirmed by a manual page.
+    pub(super) fn reads_feed_by_word(&self, span: Span) {
+        if !self.job.diags.first_time(codes::K8026) {
+            return;
+        }
+        let text = self.word_text(span);
+        let what = if text.to_ascii_uppercase().contains("FZ") { "for each tooth" } else { "for each revolution" };
+        let message = format!("`{text}` is read as a feed {what}");
+        self.report(
+            Diagnostic::new(codes::K8026, self.loc(span), message)
+                .help("compare it with the control, or write the feed in mm/min"),
+        );
     }
 
     /// G43 of the target adds the length of the tool to Z.
@@ -242,7 +279,10 @@ impl Run<'_> {
             let slot = match (word.addr, delta) {
                 (_, Some(i)) => &mut call.deltas[i],
                 (Addr::Speed, _) => &mut call.speed,
-                (Addr::Feed, _) => &mut call.feed,
+                (Addr::Feed | Addr::FeedPerRev, _) => &mut call.feed,
+                (Addr::FeedOther, _) if self.counts_teeth(word) => &mut call.feed,
+                (Addr::FeedOther, _) => return self.feed_by_time(word),
+                (Addr::CuttingSpeed, _) => return self.cutting_speed(word),
                 (Addr::Axis { axis, incremental: false }, _) if word.value == Value::None && !axis.is_rotary() => {
                     if call.axis.replace(axis).is_some() {
                         return self.twice(word, block);
@@ -257,13 +297,39 @@ impl Run<'_> {
             }
             match word.addr {
                 Addr::Speed => call.speed_span = word.span,
-                Addr::Feed => call.feed_span = word.span,
+                Addr::Feed | Addr::FeedPerRev | Addr::FeedOther => {
+                    (call.feed_span, call.feed_word) = (word.span, Some(word.addr));
+                }
                 _ => {}
             }
             let value = self.number(word.value, word.span)?;
             *slot = Some(if delta.is_some() { value * mm } else { value });
         }
         Ok(call)
+    }
+
+    /// `S( VC = 120 )`
+    fn cutting_speed<T>(&self, word: Word) -> Outcome<T> {
+        self.fail_help(
+            codes::K9011,
+            word.span,
+            format!(
+                "`{}` is a cutting speed, and partc does not compute the speed of the spindle from it",
+                self.word_text(word.span)
+            ),
+            "write the speed: S = 1000 · VC / (π · diameter of the tool)",
+        )
+    }
+
+    /// Says once a tool that DR2 changes no path.
+    fn note_corner_radius(&self, call: &Call, span: Span) {
+        let Some(delta) = call.deltas[2].filter(|delta| *delta != 0.0) else { return };
+        let message =
+            format!("DR2 {delta:+} mm changes no path: in three axes the corner radius of the tool does not count");
+        self.report(
+            Diagnostic::new(codes::K2014, self.loc(span), message)
+                .help("give the oversize of the radius by DR and that of the length by DL"),
+        );
     }
 
     fn change_tool(&mut self, tool: &Named, call: &Call, turned: bool, span: Span) -> Outcome {
@@ -305,6 +371,7 @@ impl Run<'_> {
                 _ => None,
             },
         };
+        self.leave_tool();
         self.st.tool.active = Some(ActiveTool {
             number,
             own,
@@ -314,6 +381,7 @@ impl Run<'_> {
             other_radius,
             corner_radius,
             plunge_angle: data.plunge_angle,
+            teeth: data.teeth,
             tip_angle: data.tip_angle,
             table_deltas: data.deltas,
             call_deltas: call.deltas.map(Option::unwrap_or_default),
@@ -321,6 +389,17 @@ impl Run<'_> {
         self.call_for_change(number);
         self.send_cutter();
         Ok(())
+    }
+
+    /// Another tool comes: what was moved with the one in the spindle, and what only it makes a feed of.
+    fn leave_tool(&mut self) {
+        self.st.feed.change_teeth();
+        if self.st.tool.active.is_none() {
+            return;
+        }
+        let at = &self.st.position;
+        let moved: AxisSet = AxisSet::MAIN.iter().filter(|axis| at.get(*axis).is_some()).collect();
+        self.st.tool.worked = self.st.tool.worked.union(moved);
     }
 
     /// TOOL CALL without a tool: the oversizes are set anew.

@@ -26,6 +26,8 @@ pub(super) struct Transformation {
     pub plane: Plane,
     /// About Z by PLANE or cycle 19, outside of the others.
     pub turn: Deg,
+    /// Basic rotation by TCH PROBE 404: all others count in what it turns about Z. `None` for what is set up at the machine.
+    pub basic: Option<Deg>,
     /// The datum shift in X and Y was measured along the axes that `turn` turned.
     pub shifted_in_turn: bool,
     /// Cycle 11.
@@ -47,6 +49,7 @@ impl Default for Transformation {
             angle: Deg(0.0),
             plane: Plane::Xy,
             turn: Deg(0.0),
+            basic: None,
             shifted_in_turn: false,
             scale: 1.0,
             unscaled: None,
@@ -97,6 +100,11 @@ impl Transformation {
         self.mirror.contains(Axis::X) != self.mirror.contains(Axis::Y) || self.axis_scale[0] != self.axis_scale[1]
     }
 
+    /// Is a basic rotation in force that the coordinates hold?
+    pub fn is_turned_as_a_whole(&self) -> bool {
+        self.basic.is_some_and(|angle| angle.0 != 0.0)
+    }
+
     /// Is the datum shifted in X or Y?
     pub fn is_shifted_in_plane(&self) -> bool {
         self.shift[..2].iter().any(|v| *v != 0.0)
@@ -121,7 +129,7 @@ impl Transformation {
         } else if self.mirror.contains(main) {
             Some("mirror")
         } else if self.angle.0 != 0.0 && (main.index() == first || main.index() == second)
-            || self.turn.0 != 0.0 && main != Axis::Z
+            || (self.turn.0 != 0.0 || self.is_turned_as_a_whole()) && main != Axis::Z
         {
             Some("rotation")
         } else {
@@ -185,7 +193,14 @@ impl Transformation {
             shift[i] += rest[i];
         }
         shift[tool_axis.index()] += lift;
-        Frame::new(self.linear(), shift)
+        let mut linear = self.linear();
+        if let Some(angle) = self.basic.filter(|angle| angle.0 != 0.0) {
+            let basic = turn_about(Plane::Xy, angle);
+            linear = basic * linear;
+            let turned = basic * Vector3::new(shift[0], shift[1], shift[2]);
+            shift[..3].copy_from_slice(turned.as_slice());
+        }
+        Frame::new(linear, shift)
     }
 }
 
@@ -233,6 +248,15 @@ mod tests {
         assert!(t.mirror_order_counts());
         t.angle = Deg(-180.0);
         assert!(!t.mirror_order_counts());
+    }
+
+    #[test]
+    fn a_datum_shift_counts_in_the_basic_rotation() {
+        let mut t = Transformation { basic: Some(Deg(90.0)), ..Transformation::default() };
+        t.shift[0] = 10.0;
+        // (1, 2) -> shift (11, 2) -> turn (-2, 11)
+        let p = t.frame(Axis::Z, 0.0).unwrap().apply(&at(1.0, 2.0));
+        assert!((p.get(Axis::X).unwrap() + 2.0).abs() < 1e-12 && (p.get(Axis::Y).unwrap() - 11.0).abs() < 1e-12);
     }
 
     #[test]

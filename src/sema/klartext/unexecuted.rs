@@ -18,7 +18,7 @@ use super::cycles::{Nature, find};
 use super::labels::{Label, Labels};
 use super::path::{corner_words, path_words};
 use super::words::{Admits, same_matter};
-use super::{m_table, plane, refused};
+use super::{m_table, plane, probing, refused};
 
 /// Looks at every block of the main program after its run.
 pub fn check_unexecuted(job: &Job<'_>) {
@@ -131,6 +131,11 @@ fn excludes(first: &Word, second: &Word) -> bool {
     counts(first) && counts(second) && !(radius(first) || radius(second)) && same_matter(first.addr, second.addr)
 }
 
+/// FZ counts teeth, which the tool table may give; FT and FMAXT are times.
+fn begins_with_fz(word: &[u8]) -> bool {
+    word.get(..2).is_some_and(|head| head.eq_ignore_ascii_case(b"FZ"))
+}
+
 /// Why partc would refuse the block.
 fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
     let code = match block.stmt {
@@ -138,7 +143,9 @@ fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
         Stmt::Iso => Some(codes::K9009),
         Stmt::Refused(what, _) => match what {
             Refused::Plane => plane::tilts(block.span.of(text)).then_some(codes::K9004),
-            Refused::TouchProbe => (!job.settings.control.klartext_choices.probing_left_out).then_some(codes::K9005),
+            Refused::TouchProbe => (!job.settings.control.klartext_choices.probing_left_out
+                && !probing::is_computed(block.span.of(text)))
+            .then_some(codes::K9005),
             Refused::Pattern => Some(codes::K9010),
             Refused::Contour => Some(codes::K9018),
             Refused::GlobalDef => Some(codes::K9011),
@@ -148,7 +155,9 @@ fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
         Stmt::FnOther { number: 26..=28, .. } => Some(codes::K9006),
         Stmt::FnOther { number: 17 | 25, .. } => Some(codes::K9014),
         Stmt::FnOther { number: 24, .. } => Some(codes::K9011),
-        Stmt::Cycle { number, part: None | Some(0) } if matches!(find(number).nature, Nature::Unknown) => {
+        Stmt::Cycle { number, part: None | Some(0) }
+            if matches!(find(number).nature, Nature::Acting | Nature::Unknown) =>
+        {
             Some(codes::K9001)
         }
         _ => None,
@@ -156,7 +165,8 @@ fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
     code.or_else(|| {
         block.words.iter().find_map(|word| match word.addr {
             Addr::M(number) => m_table::refused_code(number, &job.settings.output.pass_m),
-            Addr::FeedOther => Some(codes::K9013),
+            Addr::FeedOther if !begins_with_fz(word.span.of(text)) => Some(codes::K9013),
+            Addr::CuttingSpeed => Some(codes::K9011),
             _ => None,
         })
     })

@@ -83,6 +83,7 @@ pub(super) enum FeedWord {
     Max,
     Auto,
     PerRevolution(f64),
+    PerTooth(f64),
 }
 
 /// An M function with what it takes.
@@ -290,15 +291,30 @@ impl Run<'_> {
                 let value = self.number(word.value, word.span)?;
                 FeedWord::PerRevolution(value * mm)
             }
-            _ => {
-                return self.fail_help(
-                    codes::K9013,
-                    word.span,
-                    "feed per tooth or by time is not supported",
-                    "program the feed in mm/min or, with FU, in mm/rev",
-                );
+            _ if self.counts_teeth(word) => {
+                let value = self.number(word.value, word.span)?;
+                FeedWord::PerTooth(value * mm)
             }
+            _ => return self.feed_by_time(word),
         })
+    }
+
+    /// Is this FZ, and not FT or FMAXT?
+    pub(super) fn counts_teeth(&self, word: Word) -> bool {
+        self.word_text(word.span).to_ascii_uppercase().starts_with("FZ")
+    }
+
+    #[cold]
+    pub(super) fn feed_by_time<T>(&self, word: Word) -> Outcome<T> {
+        self.fail_help(
+            codes::K9013,
+            word.span,
+            format!(
+                "`{}` gives the time of the block in place of a feed, which is not supported",
+                self.word_text(word.span)
+            ),
+            "program the feed in mm/min or, with FU, in mm/rev",
+        )
     }
 
     /// `word` says again what an earlier word of the block says.

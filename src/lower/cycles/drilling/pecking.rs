@@ -1,13 +1,11 @@
 //! Steps of a hole: where they end, and what the tool does between them.
 
+use crate::geo::parts::NOTHING;
 use crate::ir::cycle::drilling::{
     Ahead, Breaks, Degression, DrillingFault, Levels, MOST_PECKS, Pecking, Removal, usual_ahead,
 };
 
 use super::Hole;
-
-/// Rest of a hole that is no step of its own: the error of the sum of the steps before.
-const NOTHING: f64 = 1e-9;
 
 /// Depths of the steps of a hole, the last one at the bottom.
 ///
@@ -31,8 +29,8 @@ pub(super) fn depths(levels: &Levels, first: f64, degression: Degression) -> Res
     let mut step = first.min(total);
     let mut done = step;
     let mut list = Vec::new();
-    let nothing = if matches!(degression, Degression::Plain { .. }) { NOTHING } else { 0.0 };
-    while total - done > nothing {
+    // A rest of nothing is no step of its own.
+    while total - done > NOTHING {
         list.push(done);
         if list.len() >= MOST_PECKS {
             return Err(DrillingFault::TooManyPecks);
@@ -54,7 +52,7 @@ pub(super) fn depths(levels: &Levels, first: f64, degression: Degression) -> Res
                 step = (step - less).max(least);
                 if done + step + NOTHING >= total { total } else { done + step }
             }
-            Degression::Even { .. } if done + step >= total => total,
+            Degression::Even { .. } if done + step + NOTHING >= total => total,
             Degression::Even { least } if total - (done + step) < least => done + rest / 2.0,
             Degression::Even { .. } => done + step,
             Degression::Amount(amount) => {
@@ -63,8 +61,8 @@ pub(super) fn depths(levels: &Levels, first: f64, degression: Degression) -> Res
                 match (whole, rest > 2.0 * amount) {
                     (true, true) => done + step,
                     (true, false) if rest > amount => done + rest / 2.0,
-                    (false, true) if rest > step => total - amount,
-                    (false, false) if rest > step => done + rest / 2.0,
+                    (false, true) if rest > step + NOTHING => total - amount,
+                    (false, false) if rest > step + NOTHING => done + rest / 2.0,
                     _ => total,
                 }
             }

@@ -6,8 +6,25 @@ pub(in super::super) struct Call {
     /// Lifts the surface, in mm.
     pub shift: f64,
     pub retract: Retract,
-    /// By a pattern, or by CYCL CALL POS: at a place of its own.
-    pub placed: bool,
+    pub by: By,
+}
+
+/// What says where the cycle runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) enum By {
+    /// CYCL CALL, M99, M89: it runs where the tool stands.
+    Block,
+    /// CYCL CALL POS names the place.
+    Position,
+    /// A pattern or a table of points: one place of many.
+    Pattern,
+}
+
+impl Call {
+    /// Does the call name the place?
+    pub fn placed(self) -> bool {
+        self.by != By::Block
+    }
 }
 
 /// Where the tool goes behind a hole of a pattern.

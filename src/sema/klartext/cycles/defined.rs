@@ -4,7 +4,7 @@ use crate::machine::Axis;
 use crate::sema::cycle_table::Name;
 use crate::text::Loc;
 
-use super::super::cycle_definition::{DottedValue, Open};
+use super::super::cycle_definition::{DottedValue, Open, WordFeed};
 use super::{Q, Row, What};
 
 /// A machining cycle as it was defined.
@@ -17,6 +17,7 @@ pub(in super::super) struct DefinedCycle {
     pub mm: f64,
     parameters: Vec<u32>,
     words: Vec<(u32, &'static str)>,
+    feeds: Vec<WordFeed>,
     parts: Vec<DottedValue>,
 }
 
@@ -28,6 +29,7 @@ impl DefinedCycle {
             mm,
             parameters: open.parameters.iter().map(|(q, _)| *q).collect(),
             words: open.words.clone(),
+            feeds: open.feeds.clone(),
             parts: open.parts.clone(),
         }
     }
@@ -40,6 +42,11 @@ impl DefinedCycle {
     /// The word that the definition sets it to.
     pub fn word(&self, q: Q) -> Option<&'static str> {
         self.words.iter().rev().find(|(number, _)| *number == q.0).map(|(_, word)| *word)
+    }
+
+    /// The feed that FU or FZ gives it with a number.
+    pub fn feed(&self, q: Q) -> Option<WordFeed> {
+        self.feeds.iter().rev().find(|feed| feed.parameter == q.0).copied()
     }
 
     pub fn row(&self) -> &'static Row {

@@ -65,6 +65,8 @@ pub(super) enum Nature {
     Setting(SettingOf),
     /// The same, for cycles that are refused.
     Data,
+    /// Would act where it is defined.
+    Acting,
     /// Drills when called.
     Drilling(&'static Drilling),
     /// Mills when called.
@@ -120,7 +122,10 @@ impl Nature {
     /// Does it act at once, so that what it says would be lost if it were not taken?
     pub fn acts(self) -> bool {
         !self.is_machining()
-            && !matches!(self, Nature::Pattern(_) | Nature::Setting(_) | Nature::Data | Nature::Unknown)
+            && !matches!(
+                self,
+                Nature::Pattern(_) | Nature::Setting(_) | Nature::Data | Nature::Acting | Nature::Unknown
+            )
     }
 
     /// Does it run when it is called?
@@ -145,7 +150,7 @@ impl Row {
     /// Do its values stand in parts, `1.1`, `1.2`, …, which have to be there?
     pub fn has_parts(&self, number: u32) -> bool {
         match self.nature {
-            Nature::Preset | Nature::Pattern(_) | Nature::Data | Nature::Unknown => false,
+            Nature::Preset | Nature::Pattern(_) | Nature::Data | Nature::Acting | Nature::Unknown => false,
             Nature::Drilling(_) | Nature::Milling(_) | Nature::Setting(_) | Nature::Machining => number < 20,
             _ => true,
         }

@@ -1,17 +1,36 @@
-//! Cycles that are known by number and name, and refused where they are called.
+//! Cycles that are known by number and name, and refused: where they are called, or where they are defined if they act there.
+//!
+//! Source: K 4.4, 6.9 (docs/sources.md).
 
 use crate::sema::cycle_table::{Signature, Status};
 
 use super::{Nature, REMOVE, Row};
 
+/// Runs when it is called.
 const fn named(number: u32, name: &'static str, what: &'static str) -> Row {
     group(number, number, name, what)
 }
 
 const fn group(first: u32, last: u32, name: &'static str, what: &'static str) -> Row {
-    let status = Status::Refused { code: "K9001" };
+    row((first, last), name, what, (Nature::Machining, REFUSED))
+}
+
+/// Acts where it is defined.
+const fn acting(numbers: (u32, u32), name: &'static str, what: &'static str) -> Row {
+    row(numbers, name, what, (Nature::Acting, REFUSED))
+}
+
+/// Says what other cycles of this list use.
+const fn data(numbers: (u32, u32), name: &'static str, what: &'static str) -> Row {
+    let read = Status::Checked { code: "K9001", why: "read, and the cycles that use it are refused" };
+    row(numbers, name, what, (Nature::Data, read))
+}
+
+const REFUSED: Status = Status::Refused { code: "K9001" };
+
+const fn row(numbers: (u32, u32), name: &'static str, what: &'static str, (nature, status): (Nature, Status)) -> Row {
     let signature = Signature { name, what, status, source: "", parameters: &[] };
-    Row { numbers: (first, last), nature: Nature::Machining, signature, form: REMOVE }
+    Row { numbers, nature, signature, form: REMOVE }
 }
 
 pub(super) const ROWS: &[Row] = &[
@@ -25,15 +44,25 @@ pub(super) const ROWS: &[Row] = &[
     named(39, "CYCL DEF 39", "CYLINDER SURFACE CONTOUR"),
     named(204, "CYCL DEF 204", "BACK BORING"),
     named(225, "CYCL DEF 225", "ENGRAVING"),
+    acting((238, 238), "CYCL DEF 238", "MEASURE MACHINE STATUS"),
+    acting((239, 239), "CYCL DEF 239", "ASCERTAIN THE LOAD"),
     named(258, "CYCL DEF 258", "POLYGON STUD"),
     group(272, 277, "CYCL DEF 272 to 277", "OCM cycle"),
-    group(285, 288, "CYCL DEF 285 to 288", "gear cycle"),
+    data((285, 285), "CYCL DEF 285", "DEFINE GEAR"),
+    group(286, 288, "CYCL DEF 286 to 288", "gear cycle"),
     named(880, "CYCL DEF 880", "gear cycle"),
-    group(290, 292, "CYCL DEF 290 to 292", "interpolation turning"),
-    group(800, 879, "CYCL DEF 800 to 879", "turning cycle"),
+    named(290, "CYCL DEF 290", "INTERPOLATION TURNING"),
+    acting((291, 291), "CYCL DEF 291", "COUPLING OF INTERPOLATION TURNING"),
+    named(292, "CYCL DEF 292", "CONTOUR INTERPOLATION TURNING"),
+    acting((800, 800), "CYCL DEF 800", "ADJUST ROTARY COORDINATE SYSTEM"),
+    acting((801, 801), "CYCL DEF 801", "RESET ROTARY COORDINATE SYSTEM"),
+    group(802, 879, "CYCL DEF 802 to 879", "turning cycle"),
     named(882, "CYCL DEF 882", "turning cycle"),
     named(883, "CYCL DEF 883", "turning cycle"),
-    named(892, "CYCL DEF 892", "turning cycle"),
-    group(1000, 1030, "CYCL DEF 1000 to 1030", "grinding cycle"),
-    group(1271, 1278, "CYCL DEF 1271 to 1278", "OCM figure"),
+    acting((892, 892), "CYCL DEF 892", "CHECK UNBALANCE"),
+    acting((1000, 1003), "CYCL DEF 1000 to 1003", "RECIPROCATING STROKE"),
+    acting((1004, 1020), "CYCL DEF 1004 to 1020", "dressing cycle"),
+    group(1021, 1029, "CYCL DEF 1021 to 1029", "grinding cycle"),
+    acting((1030, 1033), "CYCL DEF 1030 to 1033", "ACTIVATE WHEEL EDGE, GRINDING WHEEL COMPENSATION"),
+    data((1271, 1282), "CYCL DEF 1271 to 1282", "OCM figure"),
 ];

@@ -2,7 +2,7 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::open::Solved;
-use crate::geo::open::window::{Fault, Item, Serial, Shape};
+use crate::geo::open::window::{Fault, Item, Place, Serial, Shape};
 use crate::geo::{Point2, distance};
 use crate::machine::Axis;
 
@@ -28,6 +28,22 @@ fn name(item: &Item) -> &'static str {
         (Shape::Arc(_), false) => "FC",
         (Shape::Arc(_), true) => "FCT",
     }
+}
+
+/// The first two lines in a row that lie on one straight, and of whose joint nothing is said.
+fn open_joint(free: &Free) -> Option<[&Waiting; 2]> {
+    let mut elements = free.queue.iter().filter(|waiting| matches!(waiting.kind, Kind::Element { .. }));
+    let mut first = elements.next()?;
+    for second in elements {
+        let (a, b) = (item(first), item(second));
+        let straight = a.shape == Shape::Line && b.shape == Shape::Line && b.smooth;
+        let open = a.end == Place::default() && a.length.is_none() && a.closes.is_none() && b.length.is_none();
+        if straight && open {
+            return Some([first, second]);
+        }
+        first = second;
+    }
+    None
 }
 
 impl Run<'_> {
@@ -65,6 +81,11 @@ impl Run<'_> {
     pub(super) fn fk_fault(&self, free: &Free, fault: &Fault) -> Reported {
         let waiting = free.waiting(fault.serial()).or(free.queue.back());
         let Some(waiting) = waiting else { return Reported };
+        if matches!(fault, Fault::Open { missing: 0, .. })
+            && let Some(joint) = open_joint(free)
+        {
+            return self.joint_is_open(free, joint);
+        }
         let item = item(waiting);
         let (name, loc) = (name(&item), waiting.here.loc(&self.job, waiting.span));
         let found = match *fault {
@@ -107,6 +128,23 @@ impl Run<'_> {
             .help("write the end point of an element between them"),
         };
         self.say(free, waiting, found);
+        Reported
+    }
+
+    /// Reports that two lines on one straight meet anywhere on it, however much else is known.
+    fn joint_is_open(&self, free: &Free, [first, second]: [&Waiting; 2]) -> Reported {
+        let names = [first, second].map(|waiting| name(&item(waiting)));
+        let [x, y] = self.letters();
+        let message = format!(
+            "{} and the {} behind it lie on one straight, and no datum says where on it the one ends and the other begins",
+            names[0], names[1]
+        );
+        let found = Diagnostic::new(codes::K3001, first.here.loc(&self.job, first.span), message)
+            .also(second.here.loc(&self.job, second.span), "goes on along the same straight")
+            .help(format!(
+                "write {x} of the end, {y} of the end or LEN into the first of the two, or make one line of them"
+            ));
+        self.say(free, first, found);
         Reported
     }
 

@@ -3,7 +3,7 @@
 //! Source: C 5.8 to 5.10 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
-use crate::geo::{Deg, Point2};
+use crate::geo::{Deg, Point2, parts};
 use crate::ir::cycle::thread::{Flank, Infeed, Thread, ThreadPart};
 use crate::ir::cycle::turning::Towards;
 use crate::ir::cycle::{Cycle, Family};
@@ -226,8 +226,7 @@ impl CycleCall<'_, '_> {
             return self.cycle_fault(args.span_of(MID), 61001, "the infeed `_MID` is below 0", help);
         }
         // The first cut of equal cross-sections is the depth by the root of their number.
-        let cuts = if area { (way / infeed) * (way / infeed) } else { way / infeed };
-        let cuts = libm::ceil(cuts - 1e-9).max(1.0);
+        let cuts = if area { parts::count_of_areas(way, infeed) } else { parts::count(way, infeed) }.max(1.0);
         let given = args.or_zero(NRC);
         if given == 0.0 {
             if cuts > MOST_PASSES {

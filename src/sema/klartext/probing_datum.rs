@@ -1,0 +1,252 @@
+//! Datums and rotations that touch probe cycles set, where the cycles themselves are left out.
+//!
+//! A datum that the control sets in the middle of a program makes two systems: blocks in front of the cycle count in the one,
+//! blocks behind it in the other, and all of them are printed into one work offset. Only where the cycle sets what the
+//! feature reads already, or where nothing moved in front but the probe, is that one system.
+//!
+//! Source: K 7.1 (docs/sources.md).
+
+use crate::diag::{Answer, Diagnostic, codes};
+use crate::geo::Deg;
+use crate::machine::{Axis, AxisSet};
+use crate::text::Span;
+
+use super::probing::Probe;
+use super::{Outcome, Run};
+
+/// A datum that reads the same to within this is the same, mm.
+const SAME: f64 = 1e-6;
+
+/// Parameters by number: the row of the table that takes the datum, and which table it is.
+const ROW: u32 = 305;
+const TABLE: u32 = 303;
+/// The tool axis is set, too.
+const TOOL_AXIS_TOO: u32 = 381;
+/// The axis of a cycle with one: 1, 2, 3.
+const ONE_AXIS: u32 = 272;
+/// Basic rotation.
+const ANGLE: u32 = 307;
+/// Cycles 14xx: what they correct.
+const CORRECTS: [u32; 2] = [1120, 1121];
+
+/// What a cycle sets that is left out.
+#[derive(Debug)]
+pub(super) enum Setting {
+    /// Nothing, or what the feature reads already, or a row that a later cycle 247 selects.
+    Nothing,
+    /// The datum of these axes; where each of them lay and what it reads then, in mm, where the parameters say so.
+    Datum { axes: AxisSet, reads: Vec<(Axis, f64, f64)> },
+    /// A basic rotation or the turn of a table, by what is measured.
+    Rotation,
+    /// The machine's builder knows.
+    Unknown,
+}
+
+/// A feature with a place by its parameters: the place, and what it reads then.
+#[derive(Debug, Clone, Copy)]
+struct Feature {
+    /// First axis and second one.
+    at: [u32; 2],
+    reads: [u32; 2],
+}
+
+impl Probe {
+    /// TCH PROBE 404 measures nothing and moves nothing.
+    pub(super) fn sets_rotation(&self) -> bool {
+        self.number == 404
+    }
+}
+
+impl Run<'_> {
+    /// What a cycle sets that is left out.
+    pub(super) fn setting_of(&mut self, probe: &Probe, span: Span) -> Outcome<Setting> {
+        let plane = AxisSet::MAIN.without(AxisSet::of(self.st.axis()));
+        Ok(match probe.number {
+            408..=419 if self.waits_in_a_row(probe, span)? => Setting::Nothing,
+            408 | 409 => self.one_axis(probe, [321, 322, 0], 405, span)?,
+            410..=413 => self.feature(probe, Feature { at: [321, 322], reads: [331, 332] }, span)?,
+            416 => self.feature(probe, Feature { at: [273, 274], reads: [331, 332] }, span)?,
+            417 => {
+                let axis = self.st.axis();
+                self.datum(probe, &[(axis, 294, 333)], span)?
+            }
+            419 => self.one_axis(probe, [263, 264, 261], 333, span)?,
+            414 | 415 | 418 => Setting::Datum { axes: plane, reads: Vec::new() },
+            400..=402 if self.waits_in_a_row(probe, span)? => Setting::Nothing,
+            400..=403 | 405 => Setting::Rotation,
+            1400..=1499 => self.correction(probe, plane, span)?,
+            0..=4 | 9 | 30..=33 | 420..=499 | 600 | 601 => Setting::Nothing,
+            _ => Setting::Unknown,
+        })
+    }
+
+    /// Does the datum wait in a row of the preset table for a cycle 247, and is another row in force?
+    fn waits_in_a_row(&mut self, probe: &Probe, span: Span) -> Outcome<bool> {
+        let row = self.probe_value(probe, ROW, span)?.unwrap_or(0.0);
+        let presets = self.probe_value(probe, TABLE, span)? == Some(1.0);
+        // The row that is in force may take it at once.
+        let other = self.st.frames.preset_row().is_some_and(|now| f64::from(now) != row);
+        Ok(row > 0.0 && presets && other)
+    }
+
+    /// Q272 says which axis.
+    fn one_axis(&mut self, probe: &Probe, at: [u32; 3], reads: u32, span: Span) -> Outcome<Setting> {
+        let number = self.probe_value(probe, ONE_AXIS, span)?;
+        match (1..=3u32).find(|n| number == Some(f64::from(*n))) {
+            Some(n) => {
+                let i = n as usize - 1;
+                self.datum(probe, &[(Axis::ALL[i], at[i], reads)], span)
+            }
+            None => Ok(Setting::Datum { axes: AxisSet::MAIN, reads: Vec::new() }),
+        }
+    }
+
+    fn feature(&mut self, probe: &Probe, feature: Feature, span: Span) -> Outcome<Setting> {
+        let (first, second, third) = self.st.plane().axes();
+        let [first, second, third] = [first, second, third].map(|i| Axis::ALL[i]);
+        let mut axes = vec![(first, feature.at[0], feature.reads[0]), (second, feature.at[1], feature.reads[1])];
+        if self.probe_value(probe, TOOL_AXIS_TOO, span)? == Some(1.0) {
+            axes.push((third, 384, 333));
+        }
+        self.datum(probe, &axes, span)
+    }
+
+    /// The datum of axes by the parameters of their places and of what they read then.
+    fn datum(&mut self, probe: &Probe, list: &[(Axis, u32, u32)], span: Span) -> Outcome<Setting> {
+        let mm = self.level().frame.unit.mm();
+        let mut reads = Vec::new();
+        for &(axis, at, then) in list {
+            if let (Some(at), Some(then)) = (self.probe_value(probe, at, span)?, self.probe_value(probe, then, span)?) {
+                reads.push((axis, at * mm, then * mm));
+            }
+        }
+        if reads.len() < list.len() {
+            reads.clear();
+        } else if reads.iter().all(|(_, at, then)| (at - then).abs() <= SAME) {
+            return Ok(Setting::Nothing);
+        }
+        let axes = list.iter().map(|(axis, ..)| *axis).collect();
+        Ok(Setting::Datum { axes, reads })
+    }
+
+    /// 14xx correct the preset in force, and a rotation, where they are told to.
+    fn correction(&mut self, probe: &Probe, plane: AxisSet, span: Span) -> Outcome<Setting> {
+        let [datum, rotation] = CORRECTS;
+        if self.probe_value(probe, rotation, span)?.is_some_and(|value| value != 0.0) {
+            return Ok(Setting::Rotation);
+        }
+        let shifts = self.probe_value(probe, datum, span)?.is_some_and(|value| value != 0.0);
+        Ok(if shifts { Setting::Datum { axes: plane, reads: Vec::new() } } else { Setting::Nothing })
+    }
+
+    /// Says what becomes of a datum that is set while its cycle is left out.
+    pub(super) fn tell_of_setting(&mut self, probe: &Probe, setting: &Setting, span: Span) -> Outcome {
+        let number = probe.number;
+        // 400 to 405 and 420 to 431 may end the one in force.
+        if self.st.frames.transform().is_turned_as_a_whole() && matches!(number, 400..=405 | 420..=431) {
+            let message = format!(
+                "TCH PROBE {number} ends the basic rotation of TCH PROBE 404, or goes on with it: which is open"
+            );
+            let help = "end the basic rotation in front of it: TCH PROBE 404 with Q307=+0";
+            return self.refuse_setting(span, message, help);
+        }
+        let (axes, what) = match setting {
+            Setting::Nothing => return Ok(()),
+            Setting::Datum { axes, reads } => (*axes, self.datum_in_words(reads)),
+            Setting::Rotation => (AxisSet::MAIN, "turns the part or its coordinates by what it measures".to_owned()),
+            Setting::Unknown => (AxisSet::MAIN, "is a cycle of the machine's builder and may set the datum".to_owned()),
+        };
+        let message = format!("TCH PROBE {number} {what}");
+        let worked = self.worked_in(axes);
+        match self.job.settings.control.klartext_choices.probing_datum {
+            Some(true) if worked.is_empty() => Ok(()),
+            // A check of a tool between two tools is no datum.
+            Some(true) if !matches!(setting, Setting::Unknown) => {
+                self.lose_all();
+                self.fail_help(
+                    codes::K2856,
+                    span,
+                    format!("{message}, and {worked} moved in front of it with another tool"),
+                    "one work offset cannot be both datums: split the program in front of the cycle, or select another preset by cycle 247",
+                )
+            }
+            Some(false) => {
+                let help = "`[control] probing_datum = \"refuse\"` compiles no such program";
+                self.refuse_setting(span, message, help)
+            }
+            None | Some(true) => {
+                self.report(
+                    Diagnostic::new(
+                        codes::K2854,
+                        self.loc(span),
+                        format!("{message}; blocks in front of it and behind it are printed into one work offset"),
+                    )
+                    .help(Answer::key("control", "probing_datum").help(
+                        "if the work offset of the target is set as this cycle sets it before the program runs, set `[control] probing_datum = \"set\"`; \
+                         `\"refuse\"` compiles no such program",
+                    )),
+                );
+                Ok(())
+            }
+        }
+    }
+
+    fn refuse_setting(&mut self, span: Span, message: String, help: &'static str) -> Outcome {
+        self.lose_all();
+        self.fail_help(codes::K9005, span, message, help)
+    }
+
+    /// Where the feature lay, and what it reads then.
+    fn datum_in_words(&self, reads: &[(Axis, f64, f64)]) -> String {
+        let mm = self.levels.last().map_or(1.0, |level| level.frame.unit.mm());
+        let shown = |value: f64| libm::round(value / mm * 1e4) / 1e4 + 0.0;
+        let words = |pick: fn(&(Axis, f64, f64)) -> f64| {
+            let list: Vec<String> = reads.iter().map(|one| format!("{}{}", one.0.letter(), shown(pick(one)))).collect();
+            list.join(" ")
+        };
+        if reads.is_empty() {
+            return "sets the datum by what it measures".to_owned();
+        }
+        format!("sets the datum: what lay at {} reads {} from here on", words(|one| one.1), words(|one| one.2))
+    }
+
+    /// Which of these axes other tools moved in front, in coordinates of the datum before.
+    fn worked_in(&self, axes: AxisSet) -> String {
+        let worked = AxisSet::MAIN.iter().filter(|axis| axes.contains(*axis) && self.st.tool.worked.contains(*axis));
+        let letters: Vec<String> = worked.map(|axis| axis.letter().to_string()).collect();
+        letters.join(" and ")
+    }
+
+    /// TCH PROBE 404: the basic rotation is a parameter. Nothing is measured, and nothing moves.
+    pub(super) fn set_basic_rotation(&mut self, probe: &Probe, span: Span) -> Outcome {
+        let Some(angle) = self.probe_value(probe, ANGLE, span)? else {
+            return self.fail_help(
+                codes::K2402,
+                span,
+                "TCH PROBE 404 lacks its angle Q307",
+                "write the basic rotation: `Q307=+0`",
+            );
+        };
+        if self.probe_value(probe, ROW, span)?.unwrap_or(0.0) != 0.0 {
+            let message = "TCH PROBE 404 writes the basic rotation into a row of the preset table (Q305), which only the machine has";
+            let help = "write Q305=+0, which sets the rotation at once, or turn the coordinates by cycle 10";
+            return self.refuse_setting(span, message.to_owned(), help);
+        }
+        if self.st.axis() != Axis::Z {
+            let axis = self.st.axis().letter();
+            let message = format!("TCH PROBE 404 turns the coordinates about Z, and the tool axis is {axis}");
+            return self.refuse_setting(span, message, "turn the coordinates by cycle 10");
+        }
+        self.refuse_compensated("the basic rotation changes");
+        let mut next = self.st.frames.transform().clone();
+        next.basic = Some(Deg(angle));
+        if angle != 0.0 {
+            let message = format!("TCH PROBE 404 turns the coordinates by {angle}° about Z");
+            self.report(
+                Diagnostic::new(codes::K2853, self.loc(span), message)
+                    .help("the coordinates are printed turned: no rotation may be set on the target besides"),
+            );
+        }
+        self.set_transformation(next)
+    }
+}
