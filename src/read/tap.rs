@@ -57,7 +57,7 @@ impl Reader {
         if self.modes.incremental != Some(false) {
             return Err(Fault::unsaid("a tap without absolute coordinates", Lack::Mode));
         }
-        if self.modes.constant_cut {
+        if self.modes.constant_cut == Some(true) {
             return Err(Fault::new("a tap under a constant cutting speed"));
         }
         match motion {
