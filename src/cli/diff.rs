@@ -172,7 +172,11 @@ fn draw(args: &Diff, picture: &Path) -> Result<(), Trouble> {
     let mut drawn = Plot::new(first.settings(), &title, options);
     for path in [&args.a, &args.b] {
         drawn.program(&file_name(path));
-        Program::load(path, &args.common)?.play(path, &mut drawn)?;
+        let program = Program::load(path, &args.common)?;
+        program.play(path, &mut drawn)?;
+        if let Program::Part(part) = &program {
+            part.files.unchanged()?;
+        }
     }
     drawn.finish(None, &mut out).map_err(trouble)?;
     out.commit().map_err(trouble)

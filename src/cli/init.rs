@@ -203,6 +203,7 @@ impl Trial {
             let settings = tried(&base, &needs, &lists, folder, common)?;
             let Loaded { session, dialect, settings, files, .. } = load_with(path, common, settings)?;
             let uses = session.uses(dialect, &settings, &files);
+            files.unchanged()?;
             let asked = requests(&session, &|file| folder.root_of(file));
             let is_new = needs.take(&name, &asked);
             all.extend(asked.into_iter().map(|request| needs.by_its_name(request)));

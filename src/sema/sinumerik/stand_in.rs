@@ -4,7 +4,7 @@ use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::machine::{AxisSet, ChangeCall, StandIn};
 use crate::text::Span;
 
-use super::calls::{Missing, called_name};
+use super::callee::{Missing, called_name};
 use super::programs::without_extension;
 use super::value::Val;
 use super::vars::Argument;
@@ -24,7 +24,7 @@ impl Run<'_> {
     pub(super) fn find_called(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome<usize> {
         let found = self.look_for(name, span).or_else(|missing| match missing {
             Missing::Reported => Err(Reported),
-            Missing::Nowhere { tried, like } => {
+            Missing::Nowhere(nowhere) => {
                 let plain = called_name(name);
                 let text = arguments.iter().position(|argument| matches!(argument.value, Val::Text(_)));
                 let call = NameOfCall {
@@ -33,14 +33,7 @@ impl Run<'_> {
                     arguments: !arguments.is_empty(),
                     tool_waits: self.st.tool.next().is_some_and(|next| Some(next) != self.st.tool.active()),
                 };
-                let help = match self.job.settings.programs.get(call.name) {
-                    Some(StandIn::File(file)) => {
-                        format!("put `{file}`, which `[programs]` names, beside the program or into an include root")
-                            .into()
-                    }
-                    _ => call.help(),
-                };
-                self.program_missing(&plain, &tried, like, &help, span)
+                self.program_missing(&plain, nowhere, &call.help(), span)
             }
         });
         if found.is_err() {
