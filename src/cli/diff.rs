@@ -17,7 +17,7 @@ use crate::text::decode::{escaped_json, harmless_lines};
 
 use super::args::Diff;
 use super::closure::Targets;
-use super::disk::{IncludeRoots, file_name};
+use super::disk::{IncludeRoots, file_name, read_whole};
 use super::listing::print;
 use super::options::{Common, Findings, Format};
 use super::output::{Destination, Made, is_foreign};
@@ -40,7 +40,7 @@ enum Program {
 impl Program {
     fn load(path: &Path, common: &Common) -> Result<Program, Trouble> {
         if common.dialect == "auto" && is_plain(path) {
-            let text = fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
+            let text = read_whole(path).map_err(|error| format!("{}: {error}", path.display()))?;
             return Ok(Program::Plain(text, Box::new(config::settings(path, common)?)));
         }
         Ok(Program::Part(Box::new(load(path, common)?)))

@@ -125,7 +125,7 @@ pub(super) fn read_settings(path: &Path) -> io::Result<Vec<u8>> {
     let file = File::open(path)?;
     let before = Stamp::of(&file.metadata()?);
     let bytes = read_stream((&file).take(LARGEST_SETTINGS + 1), LARGEST_SETTINGS + 1)?;
-    if meta.is_file() && Stamp::of(&file.metadata()?) != before {
+    if before.is_of_file() && Stamp::of(&file.metadata()?) != before {
         return Err(io::Error::other(CHANGED));
     }
     if bytes.len() as u64 > LARGEST_SETTINGS {
@@ -134,6 +134,18 @@ pub(super) fn read_settings(path: &Path) -> io::Result<Vec<u8>> {
     // The byte-order mark of UTF-16, of either order.
     if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
         return Err(io::Error::other("is a UTF-16 file; save it as UTF-8"));
+    }
+    Ok(bytes)
+}
+
+/// A file of any kind, read as a whole.
+pub(super) fn read_whole(path: &Path) -> io::Result<Vec<u8>> {
+    let file = File::open(path)?;
+    let before = Stamp::of(&file.metadata()?);
+    let mut bytes = Vec::new();
+    (&file).read_to_end(&mut bytes)?;
+    if before.is_of_file() && Stamp::of(&file.metadata()?) != before {
+        return Err(io::Error::other(CHANGED));
     }
     Ok(bytes)
 }
@@ -267,7 +279,8 @@ impl IncludeRoots {
     fn configured(&self, name: &str) -> Result<Opened, FileError> {
         let path = Path::new(name);
         let tried = vec![name.to_owned()];
-        self.note(path.to_path_buf(), &tried, path.is_file());
+        // Where it lies is not what it is.
+        self.note(path.to_path_buf(), &[file_name(path)], path.is_file());
         if !path.is_file() {
             return Err(FileError::NotFound { tried, similar: Vec::new() });
         }

@@ -18,16 +18,22 @@ pub(super) struct Stamp {
     changed: Option<SystemTime>,
     /// Disk, and number of the file on it: another file may have got its name.
     place: Option<(u64, u64)>,
+    /// An ordinary file: a pipe is another one with each look.
+    is_file: bool,
 }
 
 impl Stamp {
     pub fn of(meta: &Metadata) -> Stamp {
-        Stamp { len: meta.len(), changed: meta.modified().ok(), place: place(meta) }
+        Stamp { len: meta.len(), changed: meta.modified().ok(), place: place(meta), is_file: meta.is_file() }
     }
 
     /// The version that lies at a path; `None` where nothing can be looked at.
     pub fn at(path: &Path) -> Option<Stamp> {
         path.metadata().ok().map(|meta| Stamp::of(&meta))
+    }
+
+    pub fn is_of_file(&self) -> bool {
+        self.is_file
     }
 
     pub fn len(&self) -> u64 {

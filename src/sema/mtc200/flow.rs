@@ -189,6 +189,8 @@ impl Run<'_> {
             return Ok(*place);
         }
         let at = self.level().program;
+        // It may be a label of another program in the file.
+        self.is_alone(at);
         let name = self.symbols.name(label);
         let like = self.programs[at].known.labels.as_ref().and_then(|labels| labels.like(name, &self.symbols));
         let found = Diagnostic::new(codes::M2201, self.loc(span), format!("the label .{name} is not set"));

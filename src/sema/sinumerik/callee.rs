@@ -97,7 +97,8 @@ impl Run<'_> {
     fn open_stand_in(&mut self, file: &str, name: &str, span: Span) -> Result<usize, Missing> {
         let request = Request { from: "", name: file, extensions: &[], within: Within::Configured };
         if let Err(FileError::NotFound { .. }) = self.job.files.open(&request) {
-            let message = format!("there is no program `{name}`, and no file `{file}`, which `[programs]` gives for it");
+            let message =
+                format!("there is no program `{name}`, and no file `{file}`, which `[programs]` gives for it");
             let help = "put the file where `[programs]` says, counted from its partc.toml";
             self.report(Diagnostic::new(codes::S2002.alarm(14011), self.loc(span), message).help(help));
             self.go_on_in_doubt();
@@ -148,16 +149,19 @@ impl Run<'_> {
     fn several(&self, name: &str, places: &[At], loc: Loc) -> Diagnostic {
         let files: Vec<&str> = places.iter().filter_map(file_name).collect();
         let all = places.len();
-        let message = format!("{all} programs may be `{}`, and no rule says which one runs", called_name(name));
+        let message = format!("{all} programs are named `{}`, and no rule says which of them runs", called_name(name));
         let mut found = Diagnostic::new(codes::S2046, loc, message);
         if !files.is_empty() {
-            let files = files.join(" and ");
-            found = found.here(if files.len() == all { files } else { format!("{files} is one of them") });
+            let files = files.join("` and `");
+            found =
+                found.here(if files.len() == all { format!("`{files}`") } else { format!("`{files}` is one of them") });
         }
         for unit in places.iter().filter_map(|at| self.unit_at(at)) {
-            found = found.also(self.head_of(unit), format!("{} lies in {}", unit.name, folder_of(unit)));
+            found = found.also(self.head_of(unit), folder_of(unit));
         }
-        found.help("delete or rename all but one, or call it by its path; a `;$PATH=` line behind its head places a program")
+        found.help(
+            "delete or rename all but one, or call it by its path; a `;$PATH=` line behind its head places a program",
+        )
     }
 
     /// A subprogram and a main program of one name in the folder of the main program.
@@ -166,11 +170,11 @@ impl Run<'_> {
         let mut found = Diagnostic::new(
             codes::S2047,
             loc,
-            format!("{plain}_SPF and {plain}_MPF both lie in the folder of the main program"),
+            format!("`{plain}_SPF` and `{plain}_MPF` both lie in the folder of the main program"),
         );
         let files: Vec<&str> = places.iter().filter_map(|at| file_name(at)).collect();
         if !files.is_empty() {
-            found = found.here(format!("as {}", files.join(" and ")));
+            found = found.here(format!("as `{}`", files.join("` and `")));
         }
         for unit in places.iter().filter_map(|at| self.unit_at(at)) {
             found = found.also(self.head_of(unit), "one of them");
@@ -204,7 +208,8 @@ impl Run<'_> {
         let Nowhere { tried, like, elsewhere } = nowhere;
         let found = Diagnostic::new(codes::S2002.alarm(14011), self.loc(span), format!("there is no program `{name}`"))
             .here(format!("looked for {}", tried.join(", ")));
-        let known: Vec<&str> = self.units.list.iter().map(|unit| unit.name.as_str()).filter(|known| *known != name).collect();
+        let known: Vec<&str> =
+            self.units.list.iter().map(|unit| unit.name.as_str()).filter(|known| *known != name).collect();
         let like = like.or_else(|| crate::machine::tree::did_you_mean(name, known).map(str::to_owned));
         let unknown = self.call_path.as_deref().filter(|folder| !self.search_knows(folder));
         self.report(match (like, elsewhere.first()) {
@@ -256,8 +261,8 @@ fn file_name(at: &At) -> Option<&str> {
     }
 }
 
-fn folder_of(unit: &Unit) -> &str {
-    unit.folder.as_deref().unwrap_or("no folder that a line names")
+fn folder_of(unit: &Unit) -> String {
+    unit.folder.as_ref().map_or_else(|| "no line names its folder".to_owned(), |folder| format!("in `{folder}`"))
 }
 
 /// The name of a program without folder, `_N_` and `_SPF`.

@@ -43,11 +43,20 @@ mod tests {
 
     #[test]
     fn folders_of_the_control_have_one_spelling() {
-        for path in ["/_N_WKS_DIR/_N_A_WPD", "/_n_wks_dir/_N_A_WPD/", "/WKS.DIR/A.WPD", "\\WKS.DIR\\a.wpd", "//NC:/WKS.DIR/A.WPD"] {
+        for path in [
+            "/_N_WKS_DIR/_N_A_WPD",
+            "/_n_wks_dir/_N_A_WPD/",
+            "/WKS.DIR/A.WPD",
+            "\\WKS.DIR\\a.wpd",
+            "//NC:/WKS.DIR/A.WPD",
+        ] {
             assert_eq!(control_path(path), "/_N_WKS_DIR/_N_A_WPD", "{path}");
         }
         assert_eq!(path_line(b";$PATH=/_N_SPF_DIR\r").as_deref(), Some("/_N_SPF_DIR"));
-        assert_eq!((path_line(b"; $PATH=/_N_SPF_DIR"), path_line(b";$PATH=SPF"), path_line(b";$P")), (None, None, None));
+        assert_eq!(
+            (path_line(b"; $PATH=/_N_SPF_DIR"), path_line(b";$PATH=SPF"), path_line(b";$P")),
+            (None, None, None)
+        );
         assert_eq!(
             names_below("/_N_WKS_DIR/_N_A_WPD", "X.SPF"),
             ["/_N_WKS_DIR/_N_A_WPD/X.SPF", "/_N_WKS_DIR/A.WPD/X.SPF", "/WKS.DIR/A.WPD/X.SPF"]

@@ -112,14 +112,9 @@ impl Called {
             None => (None, name.as_str()),
         };
         let upper = last.to_ascii_uppercase();
-        let ends = |ending: &str| {
-            upper.strip_suffix(ending).is_some_and(|stem| stem.ends_with(['_', '.']) && stem.len() > 1)
-        };
-        let ending = if ends("SPF") {
-            Some(Ending::Sub)
-        } else {
-            ends("MPF").then_some(Ending::Main)
-        };
+        let ends =
+            |ending: &str| upper.strip_suffix(ending).is_some_and(|stem| stem.ends_with(['_', '.']) && stem.len() > 1);
+        let ending = if ends("SPF") { Some(Ending::Sub) } else { ends("MPF").then_some(Ending::Main) };
         let bare = without_extension(&bare_name(&upper).0).to_owned();
         Called { bare, ending, folder: folder.map(str::to_owned) }
     }
@@ -188,9 +183,11 @@ impl SearchPath<'_, '_> {
         match self.look(name) {
             Found::Nowhere(_) => false,
             Found::Fails(error, _) => matches!(error, FileError::Ambiguous { .. }),
-            Found::One(_) | Found::Unplaced(..) | Found::Several(_) | Found::BothKinds(..) | Found::BehindUnknown(_) => {
-                true
-            }
+            Found::One(_)
+            | Found::Unplaced(..)
+            | Found::Several(_)
+            | Found::BothKinds(..)
+            | Found::BehindUnknown(_) => true,
         }
     }
 
@@ -198,7 +195,7 @@ impl SearchPath<'_, '_> {
     pub fn knows(&self, folder: &str) -> bool {
         let holds = self.units.list.iter().any(|unit| unit.folder.as_deref() == Some(folder));
         let ask = |name: &String| !matches!(self.open(name, Within::Main), Err(FileError::NoRoot { .. }));
-        holds || names_below(folder, "A.SPF").iter().any(ask)
+        holds || names_below(folder, "").iter().any(ask)
     }
 
     fn open(&self, name: &str, within: Within) -> Result<Opened, FileError> {
@@ -281,8 +278,7 @@ impl Search<'_, '_, '_> {
     /// What lies in the folder of the main program.
     fn current(&mut self) -> Vec<Candidate> {
         let main = self.main;
-        let mut candidates =
-            self.units(|of_unit| of_unit.is_none_or(|folder| folder == main.unwrap_or(MAIN_PROGRAMS)));
+        let mut candidates = self.units(|of_unit| of_unit.is_none_or(|folder| folder == main.unwrap_or(MAIN_PROGRAMS)));
         let mut beside = Vec::new();
         for (ending, name) in self.called.files(ALL) {
             self.ask(ending, &name, Within::Main, None, &mut beside);
@@ -361,7 +357,7 @@ impl Search<'_, '_, '_> {
                 Ok(Opened { name: shown, identity, .. }) => {
                     let folder = folder.map(str::to_owned);
                     let file = FileAt { name, within, shown, identity, folder };
-                    if !self.is_known(&file, candidates) {
+                    if !self.is_stray(&file) && !self.is_known(&file, candidates) {
                         add(Candidate { ending, at: At::File(file) }, candidates);
                     }
                     return;
@@ -386,6 +382,11 @@ impl Search<'_, '_, '_> {
         }
     }
 
+    /// Does it lie in another folder by its own line? Who keeps all files in one place answers for any folder.
+    fn is_stray(&self, file: &FileAt) -> bool {
+        self.strays.iter().any(|(_, stray)| matches!(&stray.at, At::File(stray) if stray.identity == file.identity))
+    }
+
     /// Is it the file of a program that is a candidate already?
     fn is_known(&self, file: &FileAt, candidates: &[Candidate]) -> bool {
         let SearchPath { job, units, files, .. } = self.path;
@@ -398,14 +399,17 @@ impl Search<'_, '_, '_> {
 
     /// The one that runs of all that lie in one folder.
     fn pick(&mut self, candidates: Vec<Candidate>) -> Option<Found> {
-        if matches!(self.failed, Some((FileError::Ambiguous { .. } | FileError::Io { .. } | FileError::Forbidden { .. }, _)))
-        {
+        if matches!(
+            self.failed,
+            Some((FileError::Ambiguous { .. } | FileError::Io { .. } | FileError::Forbidden { .. }, _))
+        ) {
             return self.failed.take().map(|(error, name)| Found::Fails(error, name));
         }
         if candidates.len() < 2 {
             return candidates.into_iter().next().map(|one| Found::One(one.at));
         }
-        let of = |ending| candidates.iter().filter(move |one| one.ending == ending).map(|one| &one.at).collect::<Vec<_>>();
+        let of =
+            |ending| candidates.iter().filter(move |one| one.ending == ending).map(|one| &one.at).collect::<Vec<_>>();
         let (none, sub, main) = (of(Ending::None), of(Ending::Sub), of(Ending::Main));
         let first = self.path.job.settings.control.sinumerik.called_first;
         Some(match (none.is_empty(), &sub[..], &main[..], first) {
@@ -482,7 +486,11 @@ mod tests {
             ("SUB\\DRILL", "DRILL", None, Some("SUB")),
         ] {
             let called = Called::of(name);
-            assert_eq!((called.bare.as_str(), called.ending, called.folder.as_deref()), (bare, ending, folder), "{name}");
+            assert_eq!(
+                (called.bare.as_str(), called.ending, called.folder.as_deref()),
+                (bare, ending, folder),
+                "{name}"
+            );
         }
     }
 }

@@ -227,8 +227,7 @@ impl<'a> Unexecuted<'a> {
         let is_here = match self.looked_for.get(&symbol) {
             Some(known) => *known,
             None => {
-                let is_here = self.stands_for(without_extension(&bare))
-                    || self.is_there(&upper);
+                let is_here = self.stands_for(without_extension(&bare)) || self.is_there(&upper);
                 self.looked_for.insert(symbol, is_here);
                 is_here
             }
