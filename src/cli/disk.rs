@@ -113,6 +113,18 @@ fn read_stream(from: impl Read, most: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
+thread_local! {
+    /// Configurations and tables that this thread has read, for [`noting_settings`].
+    static NOTED: RefCell<Vec<(PathBuf, Stamp)>> = const { RefCell::new(Vec::new()) };
+}
+
+/// Does something, and says which configurations and tables that read, each as it was then.
+pub(super) fn noting_settings<T>(work: impl FnOnce() -> T) -> (T, Vec<(PathBuf, Stamp)>) {
+    NOTED.take();
+    let result = work();
+    (result, NOTED.take())
+}
+
 /// A configuration or a tool table.
 pub(super) fn read_settings(path: &Path) -> io::Result<Vec<u8>> {
     let meta = fs::metadata(path)?;
@@ -127,6 +139,9 @@ pub(super) fn read_settings(path: &Path) -> io::Result<Vec<u8>> {
     let bytes = read_stream((&file).take(LARGEST_SETTINGS + 1), LARGEST_SETTINGS + 1)?;
     if before.is_of_file() && Stamp::of(&file.metadata()?) != before {
         return Err(io::Error::other(CHANGED));
+    }
+    if before.is_of_file() {
+        NOTED.with_borrow_mut(|noted| noted.push((path.to_path_buf(), before)));
     }
     if bytes.len() as u64 > LARGEST_SETTINGS {
         return Err(io::Error::other(format!("is over {} MiB, which no table is", LARGEST_SETTINGS >> 20)));

@@ -22,7 +22,7 @@ use crate::text::{FileId, Span};
 use super::args::{Check, Compile};
 use super::closure::Targets;
 use super::deps::Rule;
-use super::disk::{IncludeRoots, file_name, open_main};
+use super::disk::{IncludeRoots, file_name, noting_settings, open_main};
 use super::inputs::{Input, inputs};
 use super::listing::print;
 use super::options::Common;
@@ -51,7 +51,10 @@ const HEAD: u32 = 64 * 1024;
 
 pub(super) fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
     let input = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
-    load_with(path, common, config::settings(input, common)?)
+    let (settings, read) = noting_settings(|| config::settings(input, common));
+    let loaded = load_with(path, common, settings?)?;
+    read.into_iter().for_each(|(file, stamp)| loaded.files.reads(&file, stamp));
+    Ok(loaded)
 }
 
 /// The same under given settings.

@@ -244,6 +244,11 @@ fn init_names_folders_of_a_backup_as_the_control_does() {
 
 /// Runs partc while somebody rewrites a file in place, over and over.
 fn run_while_written(folder: &Folder, file: &str, args: &[&str]) -> Ran {
+    run_while(folder, file, [";A\n", ";B\n"], args)
+}
+
+/// The same with the two texts that its start changes between.
+fn run_while(folder: &Folder, file: &str, texts: [&str; 2], args: &[&str]) -> Ran {
     let stop = AtomicBool::new(false);
     std::thread::scope(|scope| {
         scope.spawn(|| {
@@ -253,7 +258,7 @@ fn run_while_written(folder: &Folder, file: &str, args: &[&str]) -> Ran {
                 flip = !flip;
                 // The same length: only the time tells.
                 open.seek(SeekFrom::Start(0)).expect("a place");
-                open.write_all(if flip { b";A\n" } else { b";B\n" }).expect("it is written");
+                open.write_all(texts[usize::from(flip)].as_bytes()).expect("it is written");
             }
         });
         let ran = folder.run(args);
@@ -291,4 +296,32 @@ fn a_file_that_changes_while_it_is_read_gives_no_output() {
         // When nobody writes any more, all is well.
         folder.run(&["compile", main, "-o", "-"]).exits(0);
     }
+    // A configuration, and a table that it names.
+    folder.write("partc.toml", "[tools]\ntable = \"tools.csv\"\n");
+    folder.write("tools.csv", "number,radius\n5,5\n");
+    folder.run(&["compile", "MAIN.MPF", "-o", "-"]).exits(0);
+    for (file, [one, other]) in [("partc.toml", ["[tools]"; 2]), ("tools.csv", ["number"; 2])] {
+        let ran = run_while(&folder, file, [one, other], &["compile", "MAIN.MPF", "-o", "-"]);
+        assert!(ran.exits(2).says(file).says("changed while it was read").out.is_empty());
+    }
+}
+
+/// A program that is replaced under its name is another file: the one that was read is whole, and is not the one that is there.
+#[test]
+fn a_file_that_is_replaced_while_it_is_read_gives_no_output() {
+    let blocks: String = (0..4000).map(|n| format!("G1 X{}.{:03} Z-1\n", n % 90, n % 1000)).collect();
+    let main = format!("G17 G90 G54 G0 X0 Y0 Z5\nF100 S100 M3\n{blocks}M30\n");
+    let folder = Folder::new("names_replaced").with(&[("MAIN.MPF", &main)]);
+    let stop = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            while !stop.load(Ordering::Relaxed) {
+                fs::write(folder.0.join("new"), &main).expect("a file");
+                fs::rename(folder.0.join("new"), folder.0.join("MAIN.MPF")).expect("a file");
+            }
+        });
+        let ran = folder.run(&["compile", "MAIN.MPF", "-o", "-"]);
+        stop.store(true, Ordering::Relaxed);
+        assert!(ran.exits(2).says("MAIN.MPF: changed while it was read").out.is_empty());
+    });
 }
