@@ -216,6 +216,11 @@ impl IncludeRoots {
         self.read.borrow_mut().entry(path.to_path_buf()).or_insert(stamp);
     }
 
+    /// These were read before.
+    pub(super) fn read_before(&self, files: Vec<(PathBuf, Stamp)>) {
+        self.read.borrow_mut().extend(files);
+    }
+
     /// Refuses where a file that was read is another one now: what was read may be a part of each.
     ///
     /// # Errors

@@ -52,15 +52,13 @@ const HEAD: u32 = 64 * 1024;
 pub(super) fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
     let input = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
     let (settings, read) = noting_settings(|| config::settings(input, common));
-    let loaded = load_with(path, common, settings?)?;
-    read.into_iter().for_each(|(file, stamp)| loaded.files.reads(&file, stamp));
-    Ok(loaded)
+    load_with(path, common, settings?).inspect(|loaded| loaded.files.read_before(read))
 }
 
 /// The same under given settings.
 pub(super) fn load_with(path: &Path, common: &Common, settings: Settings) -> Result<Loaded, Trouble> {
     let shown = path.display().to_string();
-    let stamp = Stamp::at(path).filter(|_| path != Path::new("-") && path.is_file());
+    let stamp = Stamp::at(path).filter(|_| path != Path::new("-"));
     let mut main = open_main(path, common.stdin_filename.as_deref()).map_err(|error| format!("{shown}: {error}"))?;
     let place = Place::default();
     main.text = place.follow(main.text);

@@ -27,9 +27,9 @@ impl Stamp {
         Stamp { len: meta.len(), changed: meta.modified().ok(), place: place(meta), is_file: meta.is_file() }
     }
 
-    /// The version that lies at a path; `None` where nothing can be looked at.
+    /// The version of the file that lies at a path; `None` where no ordinary one does.
     pub fn at(path: &Path) -> Option<Stamp> {
-        path.metadata().ok().map(|meta| Stamp::of(&meta))
+        path.metadata().ok().filter(Metadata::is_file).map(|meta| Stamp::of(&meta))
     }
 
     pub fn is_of_file(&self) -> bool {
@@ -42,7 +42,6 @@ impl Stamp {
 }
 
 #[cfg(unix)]
-#[expect(clippy::unnecessary_wraps, reason = "other systems have no such number")]
 fn place(meta: &Metadata) -> Option<(u64, u64)> {
     use std::os::unix::fs::MetadataExt as _;
     Some((meta.dev(), meta.ino()))

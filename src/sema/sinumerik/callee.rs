@@ -214,7 +214,7 @@ impl Run<'_> {
         let unknown = self.call_path.as_deref().filter(|folder| !self.search_knows(folder));
         self.report(match (like, elsewhere.first()) {
             (_, Some(place)) => found.help(Answer::folder_of(&tried).help(format!(
-                "there is one in {place}, where the control does not look: it looks in the folder of the main program, \
+                "there is one {place}, where the control does not look: it looks in the folder of the main program, \
                  SPF_DIR, CUS_DIR, CMA_DIR and CST_DIR; name that folder so under `[include] roots`, or write its path"
             ))),
             (Some(like), None) => found.help(format!("did you mean `{like}`?")),

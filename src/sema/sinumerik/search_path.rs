@@ -447,15 +447,23 @@ impl Search<'_, '_, '_> {
             if let At::Unit(unit) = candidate.at
                 && let Some(folder) = &self.path.units.list[unit].folder
             {
-                self.nowhere.elsewhere.push(format!("{folder} of this archive"));
+                self.nowhere.elsewhere.push(format!("in `{folder}` of this archive"));
+            }
+        }
+        for (own, stray) in &self.strays {
+            if let At::File(file) = &stray.at {
+                self.nowhere
+                    .elsewhere
+                    .push(format!("as `{}`, which by its `;$PATH=` line lies in `{own}`", file.shown));
             }
         }
         for (_, name) in self.called.files(ALL) {
-            match self.path.open(&name, Within::Anywhere) {
-                Ok(opened) => self.nowhere.elsewhere.push(opened.name),
-                Err(FileError::Ambiguous { names }) => self.nowhere.elsewhere.extend(names),
-                Err(_) => {}
-            }
+            let names = match self.path.open(&name, Within::Anywhere) {
+                Ok(opened) => vec![opened.name],
+                Err(FileError::Ambiguous { names }) => names,
+                Err(_) => Vec::new(),
+            };
+            self.nowhere.elsewhere.extend(names.iter().map(|name| format!("as `{name}`")));
         }
     }
 }
