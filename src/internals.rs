@@ -61,7 +61,7 @@ pub mod target {
 
 pub mod text {
     pub use crate::text::{
-        FileError, FileId, Files, Loc, Memory, Opened, ReadAt, Request, Sources, Span, files, sources,
+        FileError, FileId, Files, Loc, Memory, Opened, ReadAt, Request, Sources, Span, Within, files, sources,
     };
 }
 

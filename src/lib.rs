@@ -55,7 +55,7 @@ pub use machine::Settings;
 
 /// Where programs come from.
 pub mod files {
-    pub use crate::text::files::{FileError, Files, Folder, Memory, NoFiles, Opened, ReadAt, Request};
+    pub use crate::text::files::{FileError, Files, Folder, Memory, NoFiles, Opened, ReadAt, Request, Within};
 }
 
 /// What the user can say about a run: `partc.toml` as data.

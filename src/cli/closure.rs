@@ -30,11 +30,13 @@ impl Targets {
         Targets { files, hit: AtomicBool::new(false) }
     }
 
-    /// Refuses where one of them is the program, what it called, its configuration or a table.
+    /// Refuses where one of them is the program, what it called, its configuration or a table; and where the program or what it
+    /// called changed while it was read, for then nobody knows what was read.
     ///
     /// # Errors
-    /// A file that would be lost; a configuration that can be read no more.
+    /// A file that would be lost, or has changed; a configuration that can be read no more.
     pub fn spare(&self, program: &Path, common: &Common, files: &IncludeRoots) -> Result<(), Trouble> {
+        files.unchanged()?;
         if self.files.is_empty() {
             return Ok(());
         }

@@ -243,6 +243,7 @@ fn load(file: &Path, trust: Trust, depth: usize) -> Result<Table, Trouble> {
     make_absolute(&mut tree, folder);
     if trust == Trust::Found {
         roots_stay_below(&tree, folder)?;
+        stand_ins_stay_below(&tree, folder)?;
     }
     let Some(node) = tree.remove("extend") else { return Ok(tree) };
     let Value::Text(other) = &node.value else {
@@ -275,6 +276,20 @@ fn roots_stay_below(tree: &Table, folder: &Path) -> Result<(), Trouble> {
     Ok(())
 }
 
+/// The files that a configuration that nobody named gives in place of programs.
+fn stand_ins_stay_below(tree: &Table, folder: &Path) -> Result<(), Trouble> {
+    let Some(Value::Table(programs)) = tree.get("programs").map(|node| &node.value) else { return Ok(()) };
+    for node in programs.values() {
+        if let Value::Table(keys) = &node.value
+            && let Some(Value::Text(file)) = keys.get("file").map(|node| &node.value)
+            && !is_below(Path::new(file), folder)
+        {
+            return Err(node.fail(format!("this file {LEADS_OUT}")).to_string());
+        }
+    }
+    Ok(())
+}
+
 /// Paths in a configuration file count from its own folder.
 pub(super) fn make_absolute(tree: &mut Table, folder: &Path) {
     let anchor = |node: &mut Node| {
@@ -293,6 +308,13 @@ pub(super) fn make_absolute(tree: &mut Table, folder: &Path) {
         && let Some(Value::Table(roots)) = include.get_mut("roots").map(|node| &mut node.value)
     {
         roots.values_mut().for_each(anchor);
+    }
+    if let Some(Value::Table(programs)) = tree.get_mut("programs").map(|node| &mut node.value) {
+        let files = programs.values_mut().filter_map(|node| match &mut node.value {
+            Value::Table(keys) => keys.get_mut("file"),
+            _ => None,
+        });
+        files.for_each(anchor);
     }
     if let Some(Value::Table(dialects)) = tree.get_mut("dialects").map(|node| &mut node.value) {
         anchor_patterns(dialects, folder);

@@ -17,7 +17,7 @@ use crate::text::decode::{escaped_json, harmless_lines};
 
 use super::args::Diff;
 use super::closure::Targets;
-use super::disk::{IncludeRoots, file_name};
+use super::disk::{IncludeRoots, file_name, read_whole};
 use super::listing::print;
 use super::options::{Common, Findings, Format};
 use super::output::{Destination, Made, is_foreign};
@@ -40,7 +40,7 @@ enum Program {
 impl Program {
     fn load(path: &Path, common: &Common) -> Result<Program, Trouble> {
         if common.dialect == "auto" && is_plain(path) {
-            let text = fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
+            let text = read_whole(path).map_err(|error| format!("{}: {error}", path.display()))?;
             return Ok(Program::Plain(text, Box::new(config::settings(path, common)?)));
         }
         Ok(Program::Part(Box::new(load(path, common)?)))
@@ -172,7 +172,11 @@ fn draw(args: &Diff, picture: &Path) -> Result<(), Trouble> {
     let mut drawn = Plot::new(first.settings(), &title, options);
     for path in [&args.a, &args.b] {
         drawn.program(&file_name(path));
-        Program::load(path, &args.common)?.play(path, &mut drawn)?;
+        let program = Program::load(path, &args.common)?;
+        program.play(path, &mut drawn)?;
+        if let Program::Part(part) = &program {
+            part.files.unchanged()?;
+        }
     }
     drawn.finish(None, &mut out).map_err(trouble)?;
     out.commit().map_err(trouble)

@@ -7,7 +7,10 @@ use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Component, Path, PathBuf};
 
 use crate::machine::tree::did_you_mean;
-use crate::text::{FileError, Files, Memory, Opened, ReadAt, Request};
+use crate::text::{FileError, Files, Memory, Opened, ReadAt, Request, Within};
+
+use super::Trouble;
+use super::stamp::{CHANGED, Stamp};
 
 /// Longest name of a called program.
 const LONGEST_NAME: usize = 255;
@@ -21,7 +24,7 @@ const DEVICES: &[&str] = &["CON", "PRN", "AUX", "NUL", "CLOCK$", "CONIN$", "CONO
 /// A file read where it lies.
 pub(super) struct OnDisk {
     file: File,
-    len: u64,
+    stamp: Stamp,
     at: u64,
 }
 
@@ -32,15 +35,16 @@ impl OnDisk {
         if meta.is_dir() {
             return Err(io::Error::other("is a folder"));
         }
-        Ok(OnDisk { file, len: meta.len(), at: 0 })
+        Ok(OnDisk { file, stamp: Stamp::of(&meta), at: 0 })
     }
 }
 
 impl ReadAt for OnDisk {
     fn len(&self) -> u64 {
-        self.len
+        self.stamp.len()
     }
 
+    /// What was read so far, this part included, is of one version of the file; otherwise it is not given.
     fn read_at(&mut self, at: u64, buf: &mut [u8]) -> io::Result<usize> {
         if self.at != at {
             self.file.seek(SeekFrom::Start(at))?;
@@ -53,6 +57,9 @@ impl ReadAt for OnDisk {
             }
         };
         self.at += n as u64;
+        if Stamp::of(&self.file.metadata()?) != self.stamp {
+            return Err(io::Error::other(CHANGED));
+        }
         Ok(n)
     }
 }
@@ -106,6 +113,18 @@ fn read_stream(from: impl Read, most: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
+thread_local! {
+    /// Configurations and tables that this thread has read, for [`noting_settings`].
+    static NOTED: RefCell<Vec<(PathBuf, Stamp)>> = const { RefCell::new(Vec::new()) };
+}
+
+/// Does something, and says which configurations and tables that read, each as it was then.
+pub(super) fn noting_settings<T>(work: impl FnOnce() -> T) -> (T, Vec<(PathBuf, Stamp)>) {
+    NOTED.take();
+    let result = work();
+    (result, NOTED.take())
+}
+
 /// A configuration or a tool table.
 pub(super) fn read_settings(path: &Path) -> io::Result<Vec<u8>> {
     let meta = fs::metadata(path)?;
@@ -115,13 +134,33 @@ pub(super) fn read_settings(path: &Path) -> io::Result<Vec<u8>> {
     if !meta.is_file() && !is_pipe(&meta) {
         return Err(io::Error::other("is a device"));
     }
-    let bytes = read_stream(File::open(path)?.take(LARGEST_SETTINGS + 1), LARGEST_SETTINGS + 1)?;
+    let file = File::open(path)?;
+    let before = Stamp::of(&file.metadata()?);
+    let bytes = read_stream((&file).take(LARGEST_SETTINGS + 1), LARGEST_SETTINGS + 1)?;
+    if before.is_of_file() && Stamp::of(&file.metadata()?) != before {
+        return Err(io::Error::other(CHANGED));
+    }
+    if before.is_of_file() {
+        NOTED.with_borrow_mut(|noted| noted.push((path.to_path_buf(), before)));
+    }
     if bytes.len() as u64 > LARGEST_SETTINGS {
         return Err(io::Error::other(format!("is over {} MiB, which no table is", LARGEST_SETTINGS >> 20)));
     }
     // The byte-order mark of UTF-16, of either order.
     if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
         return Err(io::Error::other("is a UTF-16 file; save it as UTF-8"));
+    }
+    Ok(bytes)
+}
+
+/// A file of any kind, read as a whole.
+pub(super) fn read_whole(path: &Path) -> io::Result<Vec<u8>> {
+    let file = File::open(path)?;
+    let before = Stamp::of(&file.metadata()?);
+    let mut bytes = Vec::new();
+    (&file).read_to_end(&mut bytes)?;
+    if before.is_of_file() && Stamp::of(&file.metadata()?) != before {
+        return Err(io::Error::other(CHANGED));
     }
     Ok(bytes)
 }
@@ -141,7 +180,7 @@ pub(super) fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
-/// Called programs, from the folder of the caller and the configured roots.
+/// Called programs, from the folders of the programs and the configured roots.
 #[derive(Debug)]
 pub(super) struct IncludeRoots {
     /// Folder of the main program.
@@ -150,6 +189,8 @@ pub(super) struct IncludeRoots {
     roots: BTreeMap<String, PathBuf>,
     /// Files that were looked for.
     looked: RefCell<BTreeMap<PathBuf, Looked>>,
+    /// Files that are read, each as it was when it was opened.
+    read: RefCell<BTreeMap<PathBuf, Stamp>>,
 }
 
 /// What came of looking for a file.
@@ -162,12 +203,34 @@ pub(super) struct Looked {
 
 impl IncludeRoots {
     pub(super) fn new(base: PathBuf, roots: BTreeMap<String, PathBuf>) -> IncludeRoots {
-        IncludeRoots { base, roots, looked: RefCell::default() }
+        IncludeRoots { base, roots, looked: RefCell::default(), read: RefCell::default() }
     }
 
     /// Every file that was looked for so far: those that were found as they are called, the others as they would be.
     pub(super) fn looked(&self) -> BTreeMap<PathBuf, Looked> {
         self.looked.borrow().clone()
+    }
+
+    /// The file is read from now on.
+    pub(super) fn reads(&self, path: &Path, stamp: Stamp) {
+        self.read.borrow_mut().entry(path.to_path_buf()).or_insert(stamp);
+    }
+
+    /// These were read before.
+    pub(super) fn read_before(&self, files: Vec<(PathBuf, Stamp)>) {
+        self.read.borrow_mut().extend(files);
+    }
+
+    /// Refuses where a file that was read is another one now: what was read may be a part of each.
+    ///
+    /// # Errors
+    /// The first file that changed.
+    pub(super) fn unchanged(&self) -> Result<(), Trouble> {
+        let read = self.read.borrow();
+        match read.iter().find(|(path, stamp)| Stamp::at(path).as_ref() != Some(*stamp)) {
+            Some((path, _)) => Err(format!("{}: {CHANGED}; start again once it is complete", shown(path))),
+            None => Ok(()),
+        }
     }
 
     fn note(&self, path: PathBuf, name: &[String], found: bool) {
@@ -191,20 +254,81 @@ impl IncludeRoots {
     }
 
     /// Folders to look in for a name without a drive.
-    fn folders(&self, caller: &str) -> Vec<PathBuf> {
-        let mut folders = Vec::new();
-        let own = Path::new(caller).parent().filter(|dir| dir.is_absolute()).map(Path::to_path_buf);
-        for folder in own.into_iter().chain([self.base.clone()]).chain(self.roots.values().cloned()) {
-            if !folders.contains(&folder) {
-                folders.push(folder);
+    fn folders(&self, request: &Request<'_>) -> Vec<PathBuf> {
+        let caller = Path::new(request.from).parent().filter(|dir| dir.is_absolute()).map(Path::to_path_buf);
+        let base = self.base.clone();
+        let folders = match request.within {
+            Within::Main => vec![base],
+            Within::Caller => vec![caller.unwrap_or(base)],
+            Within::Anywhere => {
+                caller.into_iter().chain([base]).chain(self.roots.values().cloned()).collect::<Vec<_>>()
+            }
+            Within::Configured => Vec::new(),
+        };
+        let mut once: Vec<PathBuf> = Vec::new();
+        for folder in folders {
+            if !once.contains(&folder) {
+                once.push(folder);
             }
         }
-        folders
+        once
     }
+
+    /// The file of a folder that the name means. A name without extension that is a file as it stands has no order among
+    /// those with one.
+    fn of_folder(&self, folder: &Path, parts: &[String], extensions: &[&str]) -> Result<Option<Hit>, FileError> {
+        let mut hits: Vec<Hit> = Vec::new();
+        for name in with_extensions(parts, extensions) {
+            match find(folder, &name)? {
+                Some(path) => {
+                    let (opened, stamp) = open_inside(&path, folder)?;
+                    if !hits.iter().any(|hit| hit.opened.identity == opened.identity) {
+                        hits.push(Hit { path, name, opened, stamp });
+                    }
+                }
+                None => self.note(folder.join(name.iter().collect::<PathBuf>()), &name, false),
+            }
+        }
+        if hits.len() > 1 && hits[0].name == parts {
+            return Err(ambiguous(&hits));
+        }
+        Ok(hits.into_iter().next())
+    }
+
+    /// The file that the configuration names.
+    fn configured(&self, name: &str) -> Result<Opened, FileError> {
+        let path = Path::new(name);
+        let tried = vec![name.to_owned()];
+        // Where it lies is not what it is.
+        self.note(path.to_path_buf(), &[file_name(path)], path.is_file());
+        if !path.is_file() {
+            return Err(FileError::NotFound { tried, similar: Vec::new() });
+        }
+        let folder = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let (opened, stamp) = open_inside(path, folder)?;
+        self.reads(path, stamp);
+        Ok(opened)
+    }
+}
+
+/// A file that was found.
+struct Hit {
+    path: PathBuf,
+    /// Its name below the folder.
+    name: Vec<String>,
+    opened: Opened,
+    stamp: Stamp,
+}
+
+fn ambiguous(hits: &[Hit]) -> FileError {
+    FileError::Ambiguous { names: hits.iter().map(|hit| hit.opened.name.clone()).collect() }
 }
 
 impl Files for IncludeRoots {
     fn open(&self, request: &Request<'_>) -> Result<Opened, FileError> {
+        if request.within == Within::Configured {
+            return self.configured(request.name);
+        }
         let name = request.name.replace('\\', "/");
         let forbidden = |why: &str| Err(FileError::Forbidden { why: why.to_owned() });
         if name.len() > LONGEST_NAME {
@@ -223,35 +347,33 @@ impl Files for IncludeRoots {
                     let first = rest.split('/').next().unwrap_or(rest);
                     return Err(FileError::NoRoot { prefix: format!("/{first}") });
                 }
-                (self.folders(request.from), name)
+                (self.folders(request), name)
             }
         };
         let parts = match parts_of(&rest) {
             Ok(parts) => parts,
             Err(why) => return forbidden(why),
         };
-        let mut tried = Vec::new();
+        let mut hits: Vec<Hit> = Vec::new();
         let mut similar = Vec::new();
         for folder in &folders {
-            for candidate in with_extensions(&parts, request.extensions) {
-                match find(folder, &candidate)? {
-                    Some(path) => {
-                        let opened = open_inside(&path, folder)?;
-                        self.note(path, &candidate, true);
-                        return Ok(opened);
-                    }
-                    None => {
-                        self.note(folder.join(candidate.iter().collect::<PathBuf>()), &candidate, false);
-                        let shown = candidate.join("/");
-                        if !tried.contains(&shown) {
-                            tried.push(shown);
-                        }
-                    }
-                }
+            match self.of_folder(folder, &parts, request.extensions)? {
+                // One folder may be known by two names.
+                Some(hit) if hits.iter().any(|known| known.opened.identity == hit.opened.identity) => {}
+                Some(hit) => hits.push(hit),
+                None => similar.extend(like(folder, parts.last().map_or("", String::as_str), request.extensions)),
             }
-            similar.extend(like(folder, parts.last().map_or("", String::as_str), request.extensions));
         }
-        Err(FileError::NotFound { tried, similar })
+        if hits.len() > 1 {
+            return Err(ambiguous(&hits));
+        }
+        let Some(Hit { path, name, opened, stamp }) = hits.pop() else {
+            let tried = with_extensions(&parts, request.extensions);
+            return Err(FileError::NotFound { tried: tried.iter().map(|name| name.join("/")).collect(), similar });
+        };
+        self.reads(&path, stamp);
+        self.note(path, &name, true);
+        Ok(opened)
     }
 }
 
@@ -319,7 +441,7 @@ fn find(folder: &Path, parts: &[String]) -> Result<Option<PathBuf>, FileError> {
 }
 
 /// Opens a file after a last look at where it really lies.
-fn open_inside(path: &Path, root: &Path) -> Result<Opened, FileError> {
+fn open_inside(path: &Path, root: &Path) -> Result<(Opened, Stamp), FileError> {
     let io = |error: io::Error| FileError::Io { why: error.to_string() };
     let real = fs::canonicalize(path).map_err(io)?;
     let root = fs::canonicalize(root).map_err(io)?;
@@ -327,7 +449,8 @@ fn open_inside(path: &Path, root: &Path) -> Result<Opened, FileError> {
         return Err(FileError::Forbidden { why: "it is a link that leads out of the include roots".to_owned() });
     }
     let text = Box::new(OnDisk::open(&real).map_err(io)?);
-    Ok(Opened { name: shown(path), identity: text_of(&real), text })
+    let stamp = text.stamp.clone();
+    Ok((Opened { name: shown(path), identity: text_of(&real), text }, stamp))
 }
 
 /// The path as an editor or CI job opens it from here: relative where it lies below the current folder.
@@ -398,9 +521,9 @@ mod tests {
         assert_eq!(roots.rooted("tnc:/DIR/A.H"), Some((Path::new("/p"), "DIR/A.H")));
         assert_eq!(roots.rooted("PLC:/A.H"), None);
         assert_eq!(roots.rooted("..\u{2215}A.H"), None);
-        let request = Request { from: "", name: "PLC:\\A.H", extensions: &[] };
+        let request = Request { from: "", name: "PLC:\\A.H", extensions: &[], within: Within::Anywhere };
         assert!(matches!(roots.open(&request), Err(FileError::NoRoot { prefix }) if prefix == "PLC:"));
-        let request = Request { from: "", name: "\\\\host\\a.H", extensions: &[] };
+        let request = Request { from: "", name: "\\\\host\\a.H", extensions: &[], within: Within::Anywhere };
         assert!(matches!(roots.open(&request), Err(FileError::Forbidden { .. })));
     }
 }

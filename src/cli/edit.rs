@@ -8,9 +8,10 @@ use crate::dialect::Dialect;
 use crate::driver::Session;
 use crate::lint::fix::Fix;
 use crate::machine::Settings;
-use crate::text::{FileId, Files, Memory, Opened, Span};
+use crate::text::{FileId, Memory, Opened, Span};
 
 use super::Trouble;
+use super::disk::IncludeRoots;
 use super::options::Common;
 use super::pending::Pending;
 use super::run::{Loaded, load};
@@ -33,7 +34,7 @@ pub(super) struct Program {
     pub text: Vec<u8>,
     pub dialect: &'static Dialect,
     pub settings: Settings,
-    files: Box<dyn Files>,
+    files: IncludeRoots,
     name: String,
     identity: String,
 }
@@ -50,7 +51,7 @@ impl Program {
         }
         let text = session.sources.bytes(FileId(0), Span { start: 0, end: size as u32 });
         let (name, identity) = (session.sources.name(FileId(0)), session.sources.identity(FileId(0)));
-        Ok(Program { text, dialect, settings, files: Box::new(files), name, identity })
+        Ok(Program { text, dialect, settings, files, name, identity })
     }
 
     pub(super) fn session(&self, text: &[u8]) -> Session {
@@ -69,13 +70,18 @@ impl Program {
 
     /// Checks the text of the session, and gives what would mend some of the findings.
     pub(super) fn fixes(&self, session: &Session) -> Vec<Fix> {
-        session.check(self.dialect, &self.settings, &*self.files)
+        session.check(self.dialect, &self.settings, &self.files)
+    }
+
+    /// Refuses where the program or what it calls changed since it was read.
+    pub(super) fn unchanged(&self) -> Result<(), Trouble> {
+        self.files.unchanged()
     }
 
     /// What this text of the program does, and how many errors it has.
     pub(super) fn does(&self, text: &[u8]) -> (u128, u32) {
         let session = self.session(text);
-        let imprint = session.imprint(self.dialect, &self.settings, &*self.files);
+        let imprint = session.imprint(self.dialect, &self.settings, &self.files);
         (imprint, session.diags.errors())
     }
 }

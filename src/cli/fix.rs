@@ -60,6 +60,7 @@ pub(super) fn fix(path: &Path, common: &Common, mode: Mode, with_unsafe: bool) -
     if fixed.made == 0 {
         return Ok(fixed);
     }
+    program.unchanged()?;
     match mode {
         Mode::Write => write(path, &text)?,
         Mode::Show => {

@@ -45,6 +45,7 @@ pub(super) fn add(path: &Path, common: &Common, least: Severity) -> Result<usize
         text = made;
     }
     if added > 0 {
+        program.unchanged()?;
         write(path, &text)?;
     }
     Ok(added)

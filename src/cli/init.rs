@@ -119,16 +119,43 @@ struct Base {
 }
 
 impl Base {
-    /// The only folder that holds this file, and the key of a root for it.
+    /// The folder that holds this file, and the key of a root for it: the only one, or the one that a SINUMERIK searches
+    /// first.
     fn root_of(&self, file: &str) -> Option<(String, String)> {
-        let mut folders = self.lies_in.get(&file.to_uppercase())?.iter();
+        let folders = self.lies_in.get(&file.to_uppercase())?;
+        let (_, extension) = file.rsplit_once('.')?;
+        let below = |folder: &Path| folder.to_string_lossy().replace('\\', "/");
+        if extension.eq_ignore_ascii_case("spf") {
+            let rank = |folder: &Path| SEARCHED.iter().position(|name| is_copy_of(folder, name));
+            // Of two copies of one folder nobody knows which is meant.
+            let copies = |at: usize| folders.iter().filter(move |folder| rank(folder) == Some(at)).collect::<Vec<_>>();
+            if let Some((at, list)) = (0..SEARCHED.len()).map(|at| (at, copies(at))).find(|(_, list)| !list.is_empty())
+            {
+                let [folder] = list[..] else { return None };
+                return Some((format!("/_N_{}_DIR", SEARCHED[at]), below(folder)));
+            }
+        }
+        let mut folders = folders.iter();
         let (Some(folder), None) = (folders.next(), folders.next()) else { return None };
-        let below = folder.to_string_lossy().replace('\\', "/");
         let name = folder.file_name()?.to_string_lossy().to_uppercase();
-        let klartext = file.to_ascii_uppercase().ends_with(".H");
-        let root = if klartext { format!("TNC:/{below}") } else { format!("/_N_{name}_DIR") };
-        Some((root, below))
+        let root = match &extension.to_ascii_lowercase()[..] {
+            "h" => format!("TNC:/{}", below(folder)),
+            // No other folder and no workpiece is searched for a subprogram, and none for a main program.
+            "spf" if !name.ends_with(".WPD") && !name.ends_with("_WPD") => format!("/_N_{}_DIR", SEARCHED[0]),
+            "spf" | "mpf" => return None,
+            _ => format!("/_N_{name}_DIR"),
+        };
+        Some((root, below(folder)))
     }
+}
+
+/// Folders in which a SINUMERIK looks for a subprogram beside that of the main program, in its order.
+const SEARCHED: [&str; 4] = ["SPF", "CUS", "CMA", "CST"];
+
+/// Is the folder called as a copy of `/_N_SPF_DIR` is, where the name is SPF?
+fn is_copy_of(folder: &Path, name: &str) -> bool {
+    let folder = folder.file_name().map(|folder| folder.to_string_lossy().to_uppercase()).unwrap_or_default();
+    [format!("{name}.DIR"), format!("_N_{name}_DIR"), format!("{name}_DIR")].contains(&folder)
 }
 
 /// The files in folders below `folder`.
@@ -203,6 +230,7 @@ impl Trial {
             let settings = tried(&base, &needs, &lists, folder, common)?;
             let Loaded { session, dialect, settings, files, .. } = load_with(path, common, settings)?;
             let uses = session.uses(dialect, &settings, &files);
+            files.unchanged()?;
             let asked = requests(&session, &|file| folder.root_of(file));
             let is_new = needs.take(&name, &asked);
             all.extend(asked.into_iter().map(|request| needs.by_its_name(request)));

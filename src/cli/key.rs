@@ -122,6 +122,7 @@ fn of(input: &Input, args: &Key) -> Result<String, Trouble> {
     }
     parts.sort_unstable();
     parts.iter().for_each(|part| hash.part(&part.to_le_bytes()));
+    files.unchanged()?;
     Ok(format!("{:032x}", hash.0.digest128()))
 }
 

@@ -28,6 +28,7 @@ mod pool;
 mod progress;
 mod report;
 mod run;
+mod stamp;
 mod stats;
 mod summary;
 mod targets;

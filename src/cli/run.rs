@@ -22,7 +22,7 @@ use crate::text::{FileId, Span};
 use super::args::{Check, Compile};
 use super::closure::Targets;
 use super::deps::Rule;
-use super::disk::{IncludeRoots, file_name, open_main};
+use super::disk::{IncludeRoots, file_name, noting_settings, open_main};
 use super::inputs::{Input, inputs};
 use super::listing::print;
 use super::options::Common;
@@ -30,6 +30,7 @@ use super::output::{Destination, Group, MAP_MARK, Made, ignore_closed_pipe, is_f
 use super::pool::in_order;
 use super::progress::{Place, Ticker};
 use super::report::{Look, Presented, Reporter, Stdout, counted};
+use super::stamp::Stamp;
 use super::watch::TABLES;
 use super::{Exit, Trouble, bundle, config, fix, ignores};
 
@@ -50,12 +51,14 @@ const HEAD: u32 = 64 * 1024;
 
 pub(super) fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
     let input = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
-    load_with(path, common, config::settings(input, common)?)
+    let (settings, read) = noting_settings(|| config::settings(input, common));
+    load_with(path, common, settings?).inspect(|loaded| loaded.files.read_before(read))
 }
 
 /// The same under given settings.
 pub(super) fn load_with(path: &Path, common: &Common, settings: Settings) -> Result<Loaded, Trouble> {
     let shown = path.display().to_string();
+    let stamp = Stamp::at(path).filter(|_| path != Path::new("-"));
     let mut main = open_main(path, common.stdin_filename.as_deref()).map_err(|error| format!("{shown}: {error}"))?;
     let place = Place::default();
     main.text = place.follow(main.text);
@@ -75,6 +78,7 @@ pub(super) fn load_with(path: &Path, common: &Common, settings: Settings) -> Res
         _ => PathBuf::from("."),
     };
     let files = IncludeRoots::new(base, settings.include.roots.clone());
+    stamp.into_iter().for_each(|stamp| files.reads(path, stamp));
     Ok(Loaded { session, dialect, settings, files, place })
 }
 
@@ -479,6 +483,7 @@ fn show_fixes(args: &Check, inputs: &[Input], mut reporter: Reporter) -> Result<
                 refused = true;
                 let Loaded { session, dialect, settings, files, .. } = load(&input.path, &args.common)?;
                 session.check(dialect, &settings, &files);
+                files.unchanged()?;
                 reporter.take(look.present(session));
             }
             Ok(fixed) => {

@@ -51,6 +51,23 @@ pub struct Request<'a> {
     pub name: &'a str,
     /// Extensions to try, in order, when the name has none (without the dot).
     pub extensions: &'a [&'a str],
+    /// Where a name without a drive or folder of the control is looked for.
+    pub within: Within,
+}
+
+/// The folders in which a name without a drive or folder of the control is looked for. Which of them a control searches is
+/// part of its language; who keeps all programs in one place need not tell them apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Within {
+    /// The folder of the main program.
+    Main,
+    /// The folder of the program that asks.
+    Caller,
+    /// Every folder that is known. Of files in two of them none goes before the other.
+    #[default]
+    Anywhere,
+    /// None: the configuration names this file of the computer.
+    Configured,
 }
 
 /// A file that was found.
@@ -75,7 +92,7 @@ pub enum FileError {
     NotFound { tried: Vec<String>, similar: Vec<String> },
     /// The name points outside the include roots, or is no name a control accepts.
     Forbidden { why: String },
-    /// More than one file fits when upper and lower case are ignored.
+    /// More than one file fits: upper and lower case are ignored, or they lie in folders of one rank.
     Ambiguous { names: Vec<String> },
     /// The control's drive or folder has no entry in `[include] roots`.
     NoRoot { prefix: String },

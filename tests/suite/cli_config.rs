@@ -200,8 +200,9 @@ fn include_roots_stand_for_drives_and_folders_of_the_control() {
     // The longest prefix wins, whatever lies under the shorter one.
     calls(&folder, "TNC:\\SPECIAL\\HOLE2.H");
     refuses(&folder, "TNC:\\SPECIAL\\HOLE3.H", "P0101");
-    // Roots are searched for names without a drive, too.
-    calls(&folder, "HOLE2.H");
+    // A name without a drive means the folder of the caller; the only other one that has it is taken under a warning.
+    let (codes, moves) = calling(&folder, "HOLE2.H");
+    assert_eq!((&codes[..], moves.len()), (&["P0107".to_owned()][..], 5));
     refuses(&folder, "PLC:\\HOLE.H", "P0104");
     refuses(&folder, "TNC:\\PARTS\\GONE.H", "P0101");
 }

@@ -112,7 +112,7 @@ fn programs_of_the_machine_builder_and_folders_are_named() {
     folder.run(&["init", "."]).exits(0);
     let config = folder.read("partc.toml");
     for wanted in
-        ["#TC = { tool = 1 }", "or { ignore = true }", "#roots.\"/_N_LIB_DIR\" = \"LIB\"", "#name = \"MILL_D10\""]
+        ["#TC = { tool = 1 }", "or { ignore = true }", "#roots.\"/_N_SPF_DIR\" = \"LIB\"", "#name = \"MILL_D10\""]
     {
         assert!(config.contains(wanted), "{wanted} is missing in:\n{config}");
     }

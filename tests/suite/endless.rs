@@ -22,11 +22,14 @@ const CYCLES: [&str; 5] = ["CYCLE", "HOLES", "POCKET", "SLOT", "LONGHOLE"];
 
 impl Files for Short {
     fn open(&self, request: &Request<'_>) -> Result<Opened, FileError> {
-        if CYCLES.iter().any(|cycle| request.name.to_ascii_uppercase().starts_with(cycle)) {
+        // The same program lies in all folders, with whatever ending.
+        let name = request.name.rsplit('/').next().unwrap_or(request.name).to_ascii_uppercase();
+        if CYCLES.iter().any(|cycle| name.starts_with(cycle)) {
             return Err(FileError::NotFound { tried: Vec::new(), similar: Vec::new() });
         }
         let text = Box::new(Memory::new(self.0.as_bytes().to_vec()));
-        Ok(Opened { name: request.name.to_owned(), identity: request.name.to_owned(), text })
+        let identity = name.split('.').next().unwrap_or(&name).to_owned();
+        Ok(Opened { name, identity, text })
     }
 }
 

@@ -29,9 +29,9 @@ books! {
     errors_klartext = "errors/klartext":
         G G305 G32 K0 K100 K1005 K101 K18 K20 K2014 K21 K22 K23 K24 K2412 K25 K26 K27 K28 K2854 K2855 K2856 K29 K294 K295 K30 K8 K8026 K8027 K81 K814 K900 K901 K903 K904 L1 L2 O P;
     errors_mtc200 = "errors/mtc200":
-        G L M0 M100 M1006 M101 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O P P0205;
+        G L M0 M100 M1006 M101 M1012 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O P P0205;
     errors_sinumerik = "errors/sinumerik":
-        G G330 G332 L1 L2 O P P0205 S0 S1 S200 S201 S202 S203 S204 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
+        G G330 G332 L1 L2 O P P0107 P0205 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
     gcode = "gcode":
         lines rigid_taps speeds;
     heidenhain_turning = "heidenhain-turning":
@@ -77,7 +77,7 @@ books! {
     klartext_tools = "klartext/tools":
         compensation m6 oversizes;
     mtc200 = "mtc200":
-        arcs compensation corners flow functions manual offsets path text tools units variables;
+        arcs compensation corners flow functions manual offsets path programs text tools units variables;
     mtc200_words = "mtc200/words":
         refused;
     same_part = "same_part":
@@ -89,7 +89,7 @@ books! {
     sinumerik_approach = "sinumerik/approach":
         lines;
     sinumerik_calls = "sinumerik/calls":
-        external numbered parameters passes reserved save;
+        external numbered parameters passes reserved save search_path;
     sinumerik_circles = "sinumerik/circles":
         cip_and_ct helices;
     sinumerik_compensation = "sinumerik/compensation":

@@ -14,6 +14,7 @@ mod cli_files;
 mod cli_findings;
 mod cli_init;
 mod cli_lint;
+mod cli_names;
 mod cli_output;
 mod cli_reports;
 mod cli_run;

@@ -123,7 +123,7 @@ struct Same(&'static str);
 impl Files for Same {
     fn open(&self, request: &Request<'_>) -> Result<Opened, FileError> {
         let text = Box::new(Memory::new(self.0.as_bytes().to_vec()));
-        Ok(Opened { name: request.name.to_owned(), identity: request.name.to_owned(), text })
+        Ok(Opened { name: request.name.to_owned(), identity: "same".to_owned(), text })
     }
 }
 

@@ -32,14 +32,21 @@ P0101 Error "program-not-found" "called program is not in the include roots"
 Put the file beside the calling program, or name its folder under `[include] roots` in partc.toml, for example `\"TNC:\" = \"programs\"`.\n\
 Upper and lower case do not matter as long as one file fits."
 
+P0107 Warning "found-elsewhere" "file is not where the control looks for it"
+"A HEIDENHAIN control looks for a name without a path in the folder of the program that names it, and nowhere else. Here the file lies in another folder \
+that partc knows, in one only, and is taken from there. In a SINUMERIK text, a path names a folder of which nothing is known, and a program without a `;$PATH=` line has that \
+name. Either way the machine may run another program, or none.\n\
+Put the file where the control looks, or write its path; give a program of an archive its `;$PATH=` line."
+
 P0102 Error "path-forbidden" "called program lies outside the include roots"
 "A called program may only come from the folders in `[include] roots` (by default the folder of the main program). \
 Names with `..`, absolute paths of the host, network shares, device names and links that lead out are refused, so that compiling \
 a foreign program can never read other files of this computer."
 
 P0103 Error "file-name-ambiguous" "more than one file fits the called name"
-"Controls ignore upper and lower case in names, this computer does not, and two files differ only in that. \
-Rename one of them: which program the machine would run cannot be guessed."
+"Controls ignore upper and lower case in names, this computer does not, and two files differ only in that. Or the name has no path, and files in \
+several folders have it; or it has no extension, and a file without one lies beside one that has it. \
+Rename one of them, or write the path: which program the machine would run cannot be guessed."
 
 P0104 Error "include-root-missing" "no include root for this drive or folder of the control"
 "The program is called by a path of the control, such as `TNC:\\\\PARTS\\\\A.H`. partc.toml has to say which folder of this computer that is: \

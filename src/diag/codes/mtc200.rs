@@ -56,6 +56,10 @@ M1011 Error "mtc-calculation-beside-words" "calculation beside other words"
 "A block assigns a variable and does something else as well. In which order the control does both is not documented, and the result \
 may depend on it. Put the assignment into a block of its own."
 
+M1012 Error "mtc-second-program" "file holds a second program"
+"A line `%NPG` stands behind blocks of a program: another program begins there. JSR and JMP name programs by the number under which they are stored, which no line of a \
+transfer file says, and labels belong to one program alone. Which program is meant has to be certain: put each into a file of its own, named by its number."
+
 M1050 Error "mtc-carriage-return" "a line break that does not end the line"
 "A carriage return or a line feed stands inside of a block. Other programs show what follows it as a line of its own, the control reads it on, or loses it behind a \
 comment. Which of the two was meant cannot be told. Save the file anew with one kind of line break."

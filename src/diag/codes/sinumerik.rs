@@ -46,8 +46,9 @@ S2001 Error "siemens-name-unknown" "name is not defined"
 top of the program, by PROC, or in a definition file (SGUD, MGUD, UGUD, GUD4 to GUD9, macros in SMAC, MMAC, UMAC) beside the program."
 
 S2002 Error "siemens-program-missing" "called program is not found"
-"A word that is no word of the language is the call of a program (alarm 14011). It is looked for in the same archive, beside the program and \
-in the include roots, as .MPF and .SPF. Programs of the machine builder are answered in partc.toml: `[programs] TC = { tool = 1 }`. A mistyped word ends here, too."
+"A word that is no word of the language is the call of a program (alarm 14011). It is looked for where the control looks, whoever calls: in \
+the folder of the main program as .SPF and .MPF, then as .SPF in `/_N_SPF_DIR`, in the folder of CALLPATH, in `/_N_CUS_DIR`, `/_N_CMA_DIR` and `/_N_CST_DIR`. The programs of an \
+archive lie in the folders of their `;$PATH=` lines, and `[include] roots` names the folder of this computer for each. Other workpieces are never searched. Programs of the machine builder are answered in partc.toml: `[programs] TC = { tool = 1 }`. A mistyped word ends here, too."
 
 S2003 Error "siemens-target-missing" "jump target is not found"
 "GOTOF searches to the end of the program, GOTOB to its start, GOTO first forward and then backward, and only in the program that jumps. \
@@ -165,6 +166,16 @@ S2044 Error "siemens-m-unknown" "M function of the machine builder"
 
 S2045 Error "siemens-spindle" "spindle word cannot be carried out"
 "The speed is negative or missing, the spindle does not exist, or a dwell in turns has no fixed speed to count with."
+
+S2046 Error "siemens-programs-of-one-name" "several programs of one name and rank"
+"The call names a program, and more than one has that name in the same folder of the control: two in an archive with the same `;$PATH=` line or none, one in an archive and \
+one on the disk, or one in each of two folders that stand for it. A control keeps one of them, which depends on what was read in last.\n\
+Delete or rename all but one, place a program by a `;$PATH=` line behind its head, or call it by its path."
+
+S2047 Error "siemens-spf-beside-mpf" "subprogram and main program of one name"
+"NAME_SPF and NAME_MPF lie in the folder of the main program, and the call says NAME. Manuals disagree which of them runs: the SPF (SINUMERIK ONE, programming manual \
+12/2019, 3.4.1.4), the MPF (older ones), or none without its ending (828D).\n\
+Write the ending, `CALL \"NAME_SPF\"`, rename one of them, or say what your control runs: `[control] called_first = \"spf\"` or `\"mpf\"`."
 
 S2050 Error "siemens-pole-axis" "pole outside the working plane"
 "A pole lies in the working plane: X and Y in G17, Z and X in G18, Y and Z in G19. The control shows alarm 14270."

@@ -166,9 +166,10 @@ S8036 Warning "siemens-label-twice" "label that stands twice"
 "A jump goes to the nearest label in the direction of its search, so that a label that stands twice leads to different places from \
 different blocks, and a block inserted later changes the way. Some controls refuse such a program when it is translated. Rename one of them."
 
-S8037 Note "siemens-callpath" "search path of the control is not used"
-"CALLPATH adds a folder of the control in which called programs are looked for. partc looks beside the program that calls and in the \
-folders of `[include] roots`. If a program lies in the folder that CALLPATH names, list the folder there."
+S8037 Note "siemens-callpath" "folder of CALLPATH is not known"
+"CALLPATH adds a folder of the control in which called programs are looked for, behind `/_N_SPF_DIR` and in front of `/_N_CUS_DIR`. No `[include] roots` stands for \
+this one, and no program of the archive lies in it. Calls that are answered before the search comes to it do not depend on it; a program that would be found behind it is refused. Name \
+its folder: `[include] roots = { \"/_N_WKS_DIR/_N_SHAFT_WPD\" = \"shaft\" }`."
 
 S8038 Warning "siemens-mcall-open" "modal call that is never ended"
 "MCALL with a program or a cycle calls it behind each block that moves, up to an MCALL without a name. The program ends before: \

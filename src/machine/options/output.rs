@@ -181,7 +181,21 @@ fn decimals(node: &Node) -> Result<Decimals, ConfigError> {
 fn roots(settings: &mut Settings, node: &Node) -> Result<(), ConfigError> {
     for (prefix, node) in table_of(node) {
         let Value::Text(folder) = &node.value else { return Err(node.fail("a root is a folder")) };
+        let one = one_spelling(prefix);
+        if let Some(other) = settings.include.roots.keys().find(|other| one_spelling(other) == one) {
+            return Err(node.fail(format!("`{other}` and `{prefix}` are one folder of the control; leave one of them")));
+        }
         settings.include.roots.insert(prefix.clone(), folder.into());
     }
     Ok(())
+}
+
+/// A drive or folder of a control: upper and lower case, and which slash, make no difference there.
+fn one_spelling(prefix: &str) -> String {
+    let upper = prefix.to_ascii_uppercase().replace('\\', "/");
+    let parts = upper.trim_end_matches('/').split('/').map(|part| match part.rsplit_once('.') {
+        Some((stem, kind @ ("DIR" | "WPD"))) => format!("_N_{stem}_{kind}"),
+        _ => part.to_owned(),
+    });
+    parts.collect::<Vec<_>>().join("/")
 }

@@ -62,6 +62,13 @@ pub const KEYS: &[Key] = &[
                 Kind::Choice(&["programmed", "control"]),
                 "SINUMERIK: F on compensated arcs: as programmed, or as CFC, CFTCP and CFIN say, so that the centre gets F times its radius by that of the contour", |s, v| put(&mut s.control.sinumerik.compensation.curve_feed, is(v, "control"))).or(r#""programmed""#),
     key("md10602", Kind::Whole, "SINUMERIK: what becomes of a frame where TRANSMIT, TRACYL and TRAFOOF change the axes; 1: it stays, others are refused", |s, v| put(&mut s.control.sinumerik.transformation_keeps_frame, whole(v) == 1)),
+    key(
+                "called_first",
+                Kind::Choice(&["spf", "mpf"]),
+                "SINUMERIK: which of NAME_SPF and NAME_MPF a call of NAME runs where both lie in the folder of the main program; refused if not given", |s, v| {
+    let main = is(v, "mpf");
+    put(&mut s.control.sinumerik.called_first, Some(if main { CalledFirst::Main } else { CalledFirst::Sub }))
+}),
     key("md11120", Kind::Flag, "variables of the main program are seen in subprograms", |s, v| put(&mut s.control.sinumerik.main_variables_visible, flag(v))).or("false"),
 ];
 
@@ -116,6 +123,17 @@ pub struct Sinumerik {
     pub cycle86_lift: Option<bool>,
     /// Which pass of a flank infeed stands at the programmed start.
     pub thread_flank: Option<FlankReference>,
+    /// Which program runs where two of one name lie in the folder of the main program; `None` refuses the call.
+    pub called_first: Option<CalledFirst>,
+}
+
+/// What a call of a name runs where a subprogram and a main program have it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CalledFirst {
+    /// NAME_SPF.
+    Sub,
+    /// NAME_MPF.
+    Main,
 }
 
 /// What the machine says about the path of the tool centre.
@@ -168,6 +186,7 @@ impl Default for Sinumerik {
             compensation: CentrePath::default(),
             cycle86_lift: None,
             thread_flank: None,
+            called_first: None,
         }
     }
 }

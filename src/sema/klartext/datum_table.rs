@@ -7,8 +7,8 @@ use std::rc::Rc;
 use crate::diag::{Diagnostic, codes};
 use crate::machine::table::{self, Kind, Place};
 use crate::machine::{Axis, Unit};
-use crate::sema::run::open_program;
-use crate::text::Loc;
+use crate::sema::run::{Wanted, open_program};
+use crate::text::{Loc, Within};
 
 use super::cycle_definition::{AxisValue, Open};
 use super::point_table::whole_file;
@@ -149,7 +149,8 @@ impl Run<'_> {
             );
             return Err(Reported);
         };
-        let file = open_program(&self.job, &name, &["D", "d"], from, self.here.origin.call).ok_or(Reported)?;
+        let wanted = Wanted { name: &name, extensions: &["D", "d"], within: Within::Caller };
+        let file = open_program(&self.job, &wanted, from, self.here.origin.call).ok_or(Reported)?;
         let text = match whole_file(self.job.sources, file) {
             Ok(text) => text,
             Err(what) => return self.no_datum(format!("the datum table `{name}`: {what}"), "check the file"),

@@ -6,9 +6,9 @@ use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Generation, RepeatCount, Unit};
 use crate::parser::klartext::ast::{Block, LabelRef, Repeat};
 use crate::sema::Job;
-use crate::sema::run::{Level, Program};
+use crate::sema::run::{Level, Program, Wanted};
 use crate::text::blocks::{Cursor, Place};
-use crate::text::{FileId, Loc, Next, Span, decode::readable};
+use crate::text::{FileId, Loc, Next, Span, Within, decode::readable};
 
 use super::labels::{Label, Labels};
 use super::vars::{Locals, Val};
@@ -448,7 +448,7 @@ impl Run<'_> {
             self.error(codes::K9009, format!("`{name}` is a DIN/ISO program"));
             None
         } else {
-            self.open_called(name, &["H", "h"])
+            self.open_called(&Wanted { name, extensions: &["H", "h"], within: Within::Caller })
         };
         let Some(program) = opened else {
             // What the program would have done is unknown: nothing after it can be trusted.

@@ -9,9 +9,9 @@ use crate::machine::Axis;
 use crate::machine::table::TableError;
 use crate::machine::table::columns::{Columns, Row, signed, unit_of};
 use crate::parser::klartext::ast::Block;
-use crate::sema::run::open_program;
+use crate::sema::run::{Wanted, open_program};
 use crate::text::decode::readable_lines;
-use crate::text::{FileId, Loc, Sources, Span};
+use crate::text::{FileId, Loc, Sources, Span, Within};
 
 use super::pattern_def::{Place, Places};
 use super::{Outcome, Reported, Run};
@@ -27,9 +27,8 @@ impl Run<'_> {
         let written = Span { start: name_from, end: block.span.end }.of(text);
         let name = self.program_name(written)?;
         let here = self.here.origin;
-        let Some(file) = open_program(&self.job, &name, &["PNT", "pnt"], here.loc, here.call) else {
-            return Err(Reported);
-        };
+        let wanted = Wanted { name: &name, extensions: &["PNT", "pnt"], within: Within::Caller };
+        let file = open_program(&self.job, &wanted, here.loc, here.call).ok_or(Reported)?;
         let wrong = |run: &Self, line: usize, what: String| {
             run.report(
                 Diagnostic::new(codes::K2945, here.loc, format!("line {line} of the point table `{name}`: {what}"))

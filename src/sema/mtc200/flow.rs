@@ -11,9 +11,9 @@ use crate::parser::mtc200::{SPLIT, label_of};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::Job;
 use crate::sema::run::unexecuted::Texts;
-use crate::sema::run::{Core, Program};
+use crate::sema::run::{Core, Program, Wanted, not_opened};
 use crate::text::blocks::Place;
-use crate::text::{FileId, Loc, Span};
+use crate::text::{FileError, FileId, Loc, Next, Span, Within};
 
 use super::g_functions::Offset;
 use super::header::Header;
@@ -25,8 +25,8 @@ use super::{Outcome, Reported, Run};
 const MOST_LEVELS: usize = 10;
 /// Results nearer to zero than this, and not zero, come from rounding.
 const NEAR_ZERO: f64 = 1e-9;
-/// Extensions of called programs.
-const EXTENSIONS: &[&str] = &["dat", "npg", "DAT", "NPG"];
+/// Extensions of called programs; none goes before the other.
+const EXTENSIONS: &[&str] = &["dat", "DAT", "npg", "NPG"];
 
 /// What a level of the call stack holds.
 #[derive(Debug, Default)]
@@ -43,7 +43,13 @@ impl Labels {
     fn scan(job: &Job<'_>, file: FileId, symbols: &mut Symbols, from: Loc) -> Labels {
         let mut labels = Labels::default();
         let Some(mut texts) = Texts::open(job, file, SPLIT, from) else { return labels };
+        let mut in_head = true;
         while let Some(found) = texts.next(job) {
+            if !in_head && begins_header(found.text) {
+                // Labels of another program are none of this one, and what is wrong was said, or is said at its end.
+                break;
+            }
+            in_head &= is_of_header(found.text);
             let Some((label, span)) = label_of(found.text, symbols) else { continue };
             let place = Place { at: found.at, line: found.line };
             if let Some(first) = labels.0.get(&label) {
@@ -69,7 +75,40 @@ impl Labels {
     }
 }
 
+/// Is this the first or the last line of a file header?
+fn begins_header(line: &[u8]) -> bool {
+    line.trim_ascii().get(..4).is_some_and(|start| start.eq_ignore_ascii_case(b"%NPG"))
+}
+
+fn is_of_header(line: &[u8]) -> bool {
+    line.trim_ascii().first().is_none_or(|first| b"%!#$*".contains(first))
+}
+
 impl Run<'_> {
+    /// A program is over. What stands behind it in its file is not read, and must not be another program: which one a number
+    /// means would not be certain.
+    fn is_alone(&mut self, program: usize) {
+        if std::mem::replace(&mut self.programs[program].known.alone, true) {
+            return;
+        }
+        let sources = self.job.sources;
+        let source = &mut self.programs[program].source;
+        let file = source.file;
+        let mut second = None;
+        while second.is_none() {
+            let place = source.cursor.place();
+            match source.cursor.next(sources) {
+                Ok(Next::Block(block)) => second = begins_header(block.text).then_some(place),
+                Ok(Next::TooLong { .. }) => {}
+                Ok(Next::End) | Err(_) => break,
+            }
+        }
+        if let Some(loc) = second.map(|place: Place| Loc { file, line: place.line, span: Span::at(place.at, 4) }) {
+            let found = Diagnostic::new(codes::M1012, loc, "a second program begins here");
+            self.report(found.help("put each program into a file of its own, named by its number: `5.npg` for JSR P5"));
+        }
+    }
+
     /// The word of the block that says where the program goes on; acts last.
     pub(super) fn go_on(&mut self, word: FlowWord, w: &Words) -> Outcome {
         let program = match (word.flow, w.program) {
@@ -150,6 +189,8 @@ impl Run<'_> {
             return Ok(*place);
         }
         let at = self.level().program;
+        // It may be a label of another program in the file.
+        self.is_alone(at);
         let name = self.symbols.name(label);
         let like = self.programs[at].known.labels.as_ref().and_then(|labels| labels.like(name, &self.symbols));
         let found = Diagnostic::new(codes::M2201, self.loc(span), format!("the label .{name} is not set"));
@@ -174,13 +215,28 @@ impl Run<'_> {
             let help = "end the main part with RET in front of the subroutines";
             return self.fail_help(codes::M2203, span, "RTS without a call by BSR or JSR", help);
         }
+        if self.level().frame.called_program {
+            let program = self.level().program;
+            self.is_alone(program);
+        }
         self.leave().map(drop)
     }
 
     // Other programs.
 
     fn open_numbered(&mut self, number: u32) -> Outcome<usize> {
-        if let Some(program) = self.open_called(&number.to_string(), EXTENSIONS) {
+        let name = number.to_string();
+        let wanted = |extensions| Wanted { name: &name, extensions, within: Within::Anywhere };
+        let [one, other] = [EXTENSIONS, &EXTENSIONS[2..]].map(|extensions| self.opens(&wanted(extensions)));
+        let program = match (one, other) {
+            (Some(one), Some(other)) if one != other => {
+                let names = FileError::Ambiguous { names: vec![one, other] };
+                self.report(not_opened(names, &name, self.here.origin.loc));
+                None
+            }
+            _ => self.open_called(&wanted(EXTENSIONS)),
+        };
+        if let Some(program) = program {
             return Ok(program);
         }
         // What the program would have done is unknown: nothing after it can be trusted.
@@ -206,6 +262,8 @@ impl Run<'_> {
             return self.fatal(codes::M2206, "JMP in a subroutine leaves it without RTS");
         }
         let program = self.open_numbered(number)?;
+        let ended = self.level().program;
+        self.is_alone(ended);
         self.note_jump();
         self.reset();
         self.programs[program].known.header = Header::Start;
@@ -251,6 +309,8 @@ impl Run<'_> {
             let help = "end a called program with RTS";
             return self.fail_help(codes::M2206, span, "a called program ends the whole job", help);
         }
+        let ended = self.level().program;
+        self.is_alone(ended);
         self.warn_open();
         self.function(Function::End { rewind });
         self.stop_run();

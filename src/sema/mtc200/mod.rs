@@ -107,6 +107,8 @@ struct Known {
     header: Header,
     /// Offset of the first block that did something.
     first: Option<u32>,
+    /// It was looked whether another program stands behind it.
+    alone: bool,
 }
 
 /// Files, call stack and findings of a run.

@@ -4,7 +4,7 @@ use crate::diag::{Answer, CallPath, Diagnostic, codes};
 use crate::sema::Job;
 use crate::text::blocks::{Hole, OpenError, Place};
 use crate::text::sources::{MAX_ALL_CALLED, MAX_CALLED, TooMuch};
-use crate::text::{Cursor, FileError, FileId, Loc, Request, Span, SplitRules};
+use crate::text::{Cursor, FileError, FileId, Loc, Opened, Request, Span, SplitRules, Within};
 
 /// Opens a file for reading from its start; reports what is wrong with it.
 pub fn open_cursor(job: &Job<'_>, file: FileId, rules: SplitRules, from: Loc) -> Option<Cursor> {
@@ -42,20 +42,49 @@ pub fn report_hole(job: &Job<'_>, file: FileId, cursor: &mut Cursor, block: Plac
     }
 }
 
-/// Finds and opens the program `name` that the block at `from` calls.
-pub fn open_program(job: &Job<'_>, name: &str, extensions: &[&str], from: Loc, call: CallPath) -> Option<FileId> {
-    let caller = job.sources.identity(from.file);
-    let error = match job.files.open(&Request { from: &caller, name, extensions }) {
+/// A file that a program names.
+#[derive(Debug, Clone, Copy)]
+pub struct Wanted<'w> {
+    pub name: &'w str,
+    /// Extensions to try, in order, when the name has none.
+    pub extensions: &'w [&'w str],
+    /// Where a control looks for a name without a path. What is not beside its caller, where it has to be, is taken from
+    /// the only other folder that has it, and that is said.
+    pub within: Within,
+}
+
+/// Finds and opens the program that the block at `from` calls.
+pub fn open_program(job: &Job<'_>, wanted: &Wanted<'_>, from: Loc, call: CallPath) -> Option<FileId> {
+    let found = match look_for(job, wanted, from, call) {
         Ok(opened) => match job.sources.add(opened) {
             Ok(id) => return Some(id),
-            Err(too_much) => {
-                job.diags.push(refused(too_much, name, from).called(call));
-                return None;
-            }
+            Err(too_much) => refused(too_much, wanted.name, from),
         },
-        Err(error) => error,
+        Err(error) => not_opened(error, wanted.name, from),
     };
-    let found = match error {
+    job.diags.push(found.called(call));
+    None
+}
+
+fn look_for(job: &Job<'_>, wanted: &Wanted<'_>, from: Loc, call: CallPath) -> Result<Opened, FileError> {
+    let caller = job.sources.identity(from.file);
+    let Wanted { name, extensions, within } = *wanted;
+    let request = Request { from: &caller, name, extensions, within };
+    let beside = job.files.open(&request);
+    let has_path = name.starts_with(['/', '\\']) || name.contains(':');
+    if within != Within::Caller || has_path || !matches!(beside, Err(FileError::NotFound { .. })) {
+        return beside;
+    }
+    let opened = job.files.open(&Request { within: Within::Anywhere, ..request })?;
+    let message = format!("`{name}` does not lie beside the program that names it; `{}` is taken", opened.name);
+    let help = "on the control a name without a path means the folder of the program that names it: put the file there, or write its path";
+    job.diags.push(Diagnostic::new(codes::P0107, from, message).help(help).called(call));
+    Ok(opened)
+}
+
+/// The finding for a file that is not found or cannot be opened.
+pub fn not_opened(error: FileError, name: &str, from: Loc) -> Diagnostic {
+    match error {
         FileError::NotFound { tried, similar } => {
             let found = Diagnostic::new(codes::P0101, from, format!("program `{name}` is not found"))
                 .here(format!("looked for {}", tried.join(", ")));
@@ -73,19 +102,23 @@ pub fn open_program(job: &Job<'_>, name: &str, extensions: &[&str], from: Loc, c
                 .help("name its folder under `[include] roots`")
         }
         FileError::Ambiguous { names } => {
+            let folder = |name: &String| name.rsplit_once(['/', '\\']).map(|(folder, _)| folder.to_owned());
+            let one_folder = names.windows(2).all(|pair| folder(&pair[0]) == folder(&pair[1]));
+            let help = if one_folder { "rename all but one" } else { "rename all but one, or call it by its path" };
             Diagnostic::new(codes::P0103, from, format!("program `{name}` may be any of {}", names.join(", ")))
-                .help("rename all but one")
+                .help(help)
         }
-        FileError::NoRoot { prefix } => {
-            Diagnostic::new(codes::P0104, from, format!("no folder is known for `{prefix}`")).help(
-                Answer::entry("include", "roots", &prefix)
-                    .help(format!("add `[include] roots = {{ \"{prefix}\" = \"folder\" }}` to partc.toml")),
-            )
-        }
+        FileError::NoRoot { prefix } => no_root(&prefix, from),
         FileError::Io { why } => Diagnostic::new(codes::P0105, from, format!("program `{name}` cannot be read: {why}")),
-    };
-    job.diags.push(found.called(call));
-    None
+    }
+}
+
+/// The finding for a drive or folder of the control that no root stands for.
+pub fn no_root(prefix: &str, from: Loc) -> Diagnostic {
+    Diagnostic::new(codes::P0104, from, format!("no folder is known for `{prefix}`")).help(
+        Answer::entry("include", "roots", prefix)
+            .help(format!("add `[include] roots = {{ \"{prefix}\" = \"folder\" }}` to partc.toml")),
+    )
 }
 
 /// The finding for a called file that is not taken.

@@ -3,11 +3,11 @@
 use crate::diag::{CallPath, codes};
 use crate::sema::{Job, Outcome};
 use crate::text::blocks::Place;
-use crate::text::{FileId, Loc};
+use crate::text::{FileId, Loc, Request};
 
 use super::Language;
 use super::core::Core;
-use super::files::open_program;
+use super::files::{Wanted, open_program};
 use super::source::Source;
 
 /// A program file and what is known of it.
@@ -69,11 +69,18 @@ impl<L: Language> Core<'_, L> {
     }
 
     /// Finds and opens the program that the block in hand calls.
-    pub fn open_called(&mut self, name: &str, extensions: &[&str]) -> Option<usize> {
+    pub fn open_called(&mut self, wanted: &Wanted<'_>) -> Option<usize> {
         let origin = self.here.origin;
         self.budget.search();
-        let file: FileId = open_program(&self.job, name, extensions, origin.loc, origin.call)?;
+        let file: FileId = open_program(&self.job, wanted, origin.loc, origin.call)?;
         self.open(file, origin.loc)
+    }
+
+    /// The file that the block in hand would call, as people know it.
+    pub fn opens(&self, wanted: &Wanted<'_>) -> Option<String> {
+        let from = self.job.sources.identity(self.here.file);
+        let Wanted { name, extensions, within } = *wanted;
+        self.job.files.open(&Request { from: &from, name, extensions, within }).ok().map(|opened| opened.name)
     }
 
     /// Goes on at `to` in `program`, until [`Core::leave`] comes back.

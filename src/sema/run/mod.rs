@@ -21,7 +21,7 @@ use crate::parser::symbols::Symbols;
 use crate::text::{Span, SplitRules};
 
 pub use self::core::Core;
-pub use self::files::{open_cursor, open_program, refused};
+pub use self::files::{Wanted, no_root, not_opened, open_cursor, open_program, refused};
 pub use self::level::{Level, Program};
 pub use self::printed::OffsetName;
 pub use self::report::Where;

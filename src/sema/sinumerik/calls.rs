@@ -2,20 +2,20 @@
 //!
 //! Source: S 5.6 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Diagnostic, codes};
 use crate::parser::sinumerik::ast::{Args, Block, CallForm, Formula, Op};
 use crate::parser::symbols::Symbol;
-use crate::sema::run::{Level, Where, open_program};
+use crate::sema::run::{Level, Where};
 use crate::text::blocks::Place;
-use crate::text::{FileError, Loc, Request, Span};
+use crate::text::{Loc, Span};
 
 use super::modal_call::ModalCall;
-use super::programs::{UnitKind, bare_name, without_extension};
+use super::programs::UnitKind;
 use super::state::Saved;
 use super::value::Val;
 use super::vars::{Argument, Reference};
 use super::vocabulary::{Meaning, Procedure, Refusal};
-use super::{Channel, Core, Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Run};
 
 /// What a level of the call stack holds.
 #[derive(Debug)]
@@ -99,90 +99,6 @@ impl Run<'_> {
             }
             _ => false,
         }
-    }
-
-    /// Finds the program `name` and reports one that is nowhere.
-    pub(super) fn find_program(&mut self, name: &str, span: Span) -> Outcome<usize> {
-        self.look_for(name, span).or_else(|missing| match missing {
-            Missing::Reported => Err(Reported),
-            Missing::Nowhere { tried, like } => {
-                let help = "put the program beside this one or into an include root; or correct the word";
-                self.program_missing(&called_name(name), &tried, like, help, span)
-            }
-        })
-    }
-
-    /// Looks for the program `name` in the archive, beside it, and in the include roots; for the one that `[programs]`
-    /// gives in its place, where it is in none of them.
-    pub(super) fn look_for(&mut self, name: &str, span: Span) -> Result<usize, Missing> {
-        let plain = called_name(name);
-        let file = self.units.list[self.unit()].file;
-        if self.list_programs(file).is_ok()
-            && let Some(unit) = self.units.find_in_file(file, without_extension(&plain))
-        {
-            return Ok(unit);
-        }
-        if file != 0
-            && let Some(unit) = self.units.find_in_file(0, without_extension(&plain))
-        {
-            return Ok(unit);
-        }
-        if let Some(&unit) = self.found.get(name) {
-            return Ok(unit);
-        }
-        let loc = self.loc(span);
-        let stand_in = self.file_in_place_of(without_extension(&plain));
-        let name = stand_in.as_deref().unwrap_or(name);
-        let wanted = if stand_in.is_some() {
-            name.to_owned()
-        } else if name.contains(['/', '\\']) {
-            file_name(name)
-        } else {
-            plain.clone()
-        };
-        let request = Request { from: &self.job.sources.identity(loc.file), name: &wanted, extensions: EXTENSIONS };
-        if let Err(FileError::NotFound { tried, similar }) = self.job.files.open(&request) {
-            return Err(Missing::Nowhere { tried, like: similar.into_iter().next() });
-        }
-        let Some(id) = open_program(&self.job, &wanted, EXTENSIONS, loc, self.here.origin.call) else {
-            self.stop_run();
-            return Err(Missing::Reported);
-        };
-        let Some(file) = self.open(id, loc) else {
-            self.stop_run();
-            return Err(Missing::Reported);
-        };
-        let unit = self.units.first_of(&self.channel.core.job, &self.channel.core.programs, file);
-        let file = self.units.list[unit].file;
-        let unit = match self.list_programs(file) {
-            Ok(()) => self.units.find_in_file(file, &plain).unwrap_or(unit),
-            Err(_) => unit,
-        };
-        self.found.insert(name.to_owned(), unit);
-        Ok(unit)
-    }
-
-    pub(super) fn program_missing<T>(
-        &mut self,
-        name: &str,
-        tried: &[String],
-        like: Option<String>,
-        help: impl Into<Help>,
-        span: Span,
-    ) -> Outcome<T> {
-        let found = Diagnostic::new(codes::S2002.alarm(14011), self.loc(span), format!("there is no program `{name}`"))
-            .here(format!("looked for {}", tried.join(", ")));
-        let known: Vec<&str> = self.units.list.iter().map(|unit| unit.name.as_str()).collect();
-        let like = like.or_else(|| crate::machine::tree::did_you_mean(name, known).map(str::to_owned));
-        self.report(match like {
-            Some(like) => found.help(format!("did you mean `{like}`?")),
-            None if name.starts_with("F_") || name.starts_with("E_") => found.help(
-                "names like this are steps of ShopMill and ShopTurn, which only the control runs; put the program out as G code",
-            ),
-            None => found.help(help.into().and(Answer::folder_of(tried))),
-        });
-        self.go_on_in_doubt();
-        Err(Reported)
     }
 
     /// Calls a program.
@@ -475,36 +391,4 @@ impl Core<'_> {
     pub(super) fn in_main(&mut self) -> bool {
         matches!(self.program_level().kind, FrameKind::Main)
     }
-}
-
-/// Why a program is not found.
-pub(super) enum Missing {
-    Reported,
-    /// What was looked for, and a file with a similar name.
-    Nowhere {
-        tried: Vec<String>,
-        like: Option<String>,
-    },
-}
-
-/// Extensions of programs that are called by name.
-pub(super) const EXTENSIONS: &[&str] = &["MPF", "mpf", "SPF", "spf"];
-
-/// The name of a program without folder, `_N_` and `_SPF`.
-pub(super) fn called_name(name: &str) -> String {
-    let (bare, _) = bare_name(&name.to_ascii_uppercase());
-    let last = bare.rsplit(['/', '\\']).next().unwrap_or(&bare);
-    bare_name(last).0
-}
-
-/// `/_N_SPF_DIR/_N_X_SPF` is `/_N_SPF_DIR/X.SPF`.
-fn file_name(path: &str) -> String {
-    let (folder, name) = path.rsplit_once(['/', '\\']).unwrap_or(("", path));
-    let upper = name.to_ascii_uppercase();
-    let (bare, kind) = bare_name(&upper);
-    if bare == upper {
-        return path.to_owned();
-    }
-    let extension = if kind == UnitKind::Sub { "SPF" } else { "MPF" };
-    format!("{folder}/{bare}.{extension}")
 }

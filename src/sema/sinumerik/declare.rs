@@ -8,14 +8,17 @@ use crate::parser::sinumerik::ast::{Block, Formula, Stmt, TypeName, Variable};
 use crate::parser::sinumerik::parse_block;
 use crate::sema::run::{open_cursor, refused};
 use crate::text::blocks::Place;
-use crate::text::{Loc, Next, Request};
+use crate::text::{Loc, Next, Opened, Request, Within};
 
+use super::control_folders::names_below;
 use super::formula_functions;
 use super::value::{MOST_TEXT, Val, whole};
 use super::vars::{MOST_ELEMENTS, Var};
 use super::vocabulary::Meaning;
 use super::{Outcome, Reported, Run};
 
+/// The folder of the control in which definitions count.
+const DEFINITIONS: &str = "/_N_DEF_DIR";
 /// Definition files that a control reads at power-on, if they stand beside the program.
 pub(super) const DEFINITION_FILES: &[&str] =
     &["SGUD", "MGUD", "UGUD", "GUD4", "GUD5", "GUD6", "GUD7", "GUD8", "GUD9", "SMAC", "MMAC", "UMAC"];
@@ -182,7 +185,6 @@ impl Run<'_> {
         if std::mem::replace(&mut self.definitions_read, true) {
             return true;
         }
-        let identity = self.job.sources.identity(self.job.main);
         let mut any = false;
         let _ = self.list_programs(0);
         for name in DEFINITION_FILES {
@@ -192,8 +194,7 @@ impl Run<'_> {
                 self.read_definitions(self.job.main, Some(start), end);
                 continue;
             }
-            let request = Request { from: &identity, name, extensions: &["DEF"] };
-            let Ok(opened) = self.job.files.open(&request) else { continue };
+            let Some(opened) = self.definition_file(name) else { continue };
             let file = match self.job.sources.add(opened) {
                 Ok(file) => file,
                 Err(too_much) => {
@@ -206,6 +207,17 @@ impl Run<'_> {
             self.read_definitions(file, None, u32::MAX);
         }
         !any
+    }
+
+    /// The file of definitions: in the folder of the control where they count, or beside the main program.
+    fn definition_file(&self, name: &str) -> Option<Opened> {
+        let from = self.job.sources.identity(self.job.main);
+        let ask = |name: &str| {
+            let request = Request { from: &from, name, extensions: &["DEF"], within: Within::Main };
+            self.job.files.open(&request).ok()
+        };
+        let of_control = names_below(DEFINITIONS, name);
+        of_control.iter().find_map(|name| ask(name)).or_else(|| ask(name))
     }
 
     /// Reads a definition file, or the part of an archive from `start` to the offset `end`.

@@ -10,11 +10,13 @@ mod assign;
 mod axis_names;
 mod axis_words;
 mod block;
+mod callee;
 mod calls;
 mod capture;
 mod channel;
 mod circle;
 mod compensation;
+mod control_folders;
 mod corners;
 mod cycles;
 mod declare;
@@ -49,6 +51,7 @@ mod procedures;
 mod programs;
 mod report;
 mod rotary;
+mod search_path;
 mod soft_approach;
 mod spindle;
 mod spindle_state;
@@ -184,8 +187,10 @@ struct Run<'a> {
     gcodes: GCodes,
     units: Units,
     definitions_read: bool,
-    /// Programs by the name they were called by.
-    found: FxHashMap<String, usize>,
+    /// Programs by the file that calls them and the name that it calls them by.
+    found: FxHashMap<(usize, String), usize>,
+    /// The folder that CALLPATH adds to the search path.
+    call_path: Option<String>,
     warned: Warned,
     externs: Vec<externs::Extern>,
     /// Contours that CYCLE62 called.
@@ -212,6 +217,7 @@ impl<'a> Run<'a> {
             units: Units::default(),
             definitions_read: false,
             found: FxHashMap::default(),
+            call_path: None,
             warned: Warned::default(),
             externs: Vec::new(),
             contours: cycles::Contours::default(),

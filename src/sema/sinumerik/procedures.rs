@@ -6,7 +6,7 @@ use crate::diag::{Answer, codes};
 use crate::ir::Function;
 use crate::machine::AxisSet;
 use crate::parser::sinumerik::ast::{Block, Formula};
-use crate::text::{FileError, Request, Span};
+use crate::text::Span;
 
 use super::stand_in::NameOfCall;
 use super::value::{Val, to_text, whole};
@@ -107,14 +107,12 @@ impl Run<'_> {
     }
 
     fn stands_beside(&mut self, name: &str, file: usize) -> bool {
-        let listed = self.list_programs(file).is_ok();
-        if listed && (self.units.find_in_file(file, name).is_some() || self.units.find_in_file(0, name).is_some()) {
-            return true;
+        if self.list_programs(0).and_then(|()| self.list_programs(file)).is_err() {
+            return false;
         }
-        let identity = self.job.sources.identity(self.here.file);
-        let request = Request { from: &identity, name, extensions: &["SPF"] };
-        // Two that differ by upper and lower case are here: the call says so.
-        matches!(self.job.files.open(&request), Ok(_) | Err(FileError::Ambiguous { .. }))
+        let is_unit = [0, file].into_iter().any(|file| self.units.of_file(file, name).next().is_some());
+        // A main program in a file of its own is none that goes before a cycle.
+        self.search(|path| path.is_there(&format!("{name}_SPF")) || is_unit && path.is_there(name))
     }
 
     pub(super) fn unknown_word<T>(&self, call: CallWord) -> Outcome<T> {
@@ -242,14 +240,7 @@ impl Run<'_> {
                 Ok(())
             }
             Procedure::FileAccess => self.file_access(&name, &formulas, call.span, block, text),
-            Procedure::CallPath => {
-                self.note_once(
-                    codes::S8037,
-                    call.span,
-                    "CALLPATH is left out: programs are looked for beside their caller and in the include roots",
-                );
-                Ok(())
-            }
+            Procedure::CallPath => self.call_path_block(&formulas, call.span, block, text),
             Procedure::ExecString => self.exec_string(&formulas, call.span, block, text),
             Procedure::Return => self.return_block(&formulas, call.span, block, text),
             Procedure::Transformation(_) if self.own_program(&name) => {
@@ -338,6 +329,29 @@ impl Run<'_> {
                 format!("a text is needed, this is {}", other.what()),
             ),
         }
+    }
+
+    /// CALLPATH("/_N_WKS_DIR/_N_A_WPD"), and CALLPATH() to search no further folder.
+    fn call_path_block(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
+        let folder = match *formulas {
+            [] => None,
+            [formula] => match self.eval(formula, block, text)? {
+                Val::Text(folder) => Some(String::from_utf8_lossy(&folder).into_owned()).filter(|it| !it.is_empty()),
+                Val::Missing => None,
+                other => {
+                    let message = format!("a text is needed, this is {}", other.what());
+                    return self.fail(codes::S2005.alarm(12150), formula.span, message);
+                }
+            },
+            _ => return self.fail(codes::S2021.alarm(14021), span, "CALLPATH takes one text"),
+        };
+        if let Some(wrong) = folder.as_deref().filter(|folder| !folder.starts_with('/')) {
+            let message = format!("`{wrong}` is no folder of the control");
+            let help = "write its path from the root: CALLPATH(\"/_N_WKS_DIR/_N_SHAFT_WPD\")";
+            return self.fail_help(codes::S2021.alarm(14009), span, message, help);
+        }
+        self.extend_search(folder, span);
+        Ok(())
     }
 
     pub(super) fn geo_axes(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {

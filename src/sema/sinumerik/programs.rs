@@ -16,6 +16,7 @@ use crate::sema::run::Program;
 use crate::text::blocks::Place;
 use crate::text::{FileId, Loc, Next, Span};
 
+use super::control_folders::path_line;
 use super::macros::Sinumerik;
 
 /// Deepest nesting of structures that any control allows.
@@ -43,10 +44,20 @@ pub(super) struct Unit {
     /// Upper case, without `_N_` and the suffix.
     pub name: String,
     pub kind: UnitKind,
+    /// The folder of the control in which it lies, where that is known.
+    pub folder: Option<String>,
     pub start: Place,
     /// Offset of the header of the next program; the end of the file is not looked for.
     pub end: u32,
     pub skeleton: Option<Rc<Skeleton>>,
+}
+
+/// A line that begins a program of an archive.
+struct Head {
+    place: Place,
+    name: String,
+    kind: UnitKind,
+    folder: Option<String>,
 }
 
 /// All of them.
@@ -70,7 +81,7 @@ impl Units {
             None => stem(&job.sources.name(source.file)),
         };
         let start = source.cursor.start();
-        self.list.push(Unit { file, name, kind, start, end: u32::MAX, skeleton: None });
+        self.list.push(Unit { file, name, kind, folder: None, start, end: u32::MAX, skeleton: None });
         self.list.len() - 1
     }
 
@@ -82,16 +93,21 @@ impl Units {
         cursor.load(job.sources)?;
         let back = cursor.place();
         cursor.seek(job.sources, cursor.start())?;
-        let mut found: Vec<(Place, String, UnitKind)> = Vec::new();
+        let mut found: Vec<Head> = Vec::new();
+        // The line behind a head may name its folder.
+        let mut behind_head = false;
         loop {
             let place = cursor.place();
             match cursor.next(job.sources)? {
                 Next::Block(block) => {
-                    if let Some((name, kind)) = header_name(block.text) {
-                        found.push((place, name, kind));
+                    let head = header_name(block.text);
+                    if let Some(last) = found.last_mut().filter(|_| behind_head) {
+                        last.folder = path_line(block.text);
                     }
+                    behind_head = head.is_some();
+                    found.extend(head.map(|(name, kind)| Head { place, name, kind, folder: None }));
                 }
-                Next::TooLong { .. } => {}
+                Next::TooLong { .. } => behind_head = false,
                 Next::End => break,
             }
         }
@@ -99,22 +115,37 @@ impl Units {
         let Some(first) = self.list.iter().position(|unit| unit.file == file) else { return Ok(()) };
         // Comments in front of the first header are no program.
         let named = header_name(first_line(files[file].source.cursor.head())).is_some();
-        for (i, (place, name, kind)) in found.into_iter().enumerate() {
+        for (i, Head { place, name, kind, folder }) in found.into_iter().enumerate() {
             if place == self.list[first].start {
+                self.list[first].folder = folder;
                 continue;
             }
             if i == 0 && !named && only_remarks(job, files[file].source.file, place) {
                 let unit = &mut self.list[first];
-                (unit.name, unit.kind, unit.start) = (name, kind, place);
+                (unit.name, unit.kind, unit.folder, unit.start) = (name, kind, folder, place);
                 continue;
             }
             let last = self.list.iter_mut().rev().find(|unit| unit.file == file);
             if let Some(last) = last {
                 last.end = last.end.min(place.at);
             }
-            self.list.push(Unit { file, name, kind, start: place, end: u32::MAX, skeleton: None });
+            self.list.push(Unit { file, name, kind, folder, start: place, end: u32::MAX, skeleton: None });
         }
         Ok(())
+    }
+
+    /// The main program: the first one of the main file that is no subprogram.
+    pub fn main(&self) -> Option<usize> {
+        let of_main = || self.list.iter().enumerate().filter(|(_, unit)| unit.file == 0);
+        let main = of_main().find(|(_, unit)| unit.kind == UnitKind::Main).or_else(|| of_main().next());
+        main.map(|(at, _)| at)
+    }
+
+    /// Programs of a file without a line that names their folder lie in this one.
+    pub fn lie_in(&mut self, file: usize, folder: &str) {
+        for unit in self.list.iter_mut().filter(|unit| unit.file == file && unit.folder.is_none()) {
+            unit.folder = Some(folder.to_owned());
+        }
     }
 
     /// Lists the programs behind the one that ran, without loading the file.
@@ -127,7 +158,8 @@ impl Units {
             match cursor.next(job.sources)? {
                 Next::Block(block) => {
                     if let Some((name, kind)) = header_name(block.text) {
-                        found.push(Unit { file: 0, name, kind, start: place, end: u32::MAX, skeleton: None });
+                        let (folder, end) = (None, u32::MAX);
+                        found.push(Unit { file: 0, name, kind, folder, start: place, end, skeleton: None });
                     }
                 }
                 Next::TooLong { .. } => {}
@@ -138,11 +170,11 @@ impl Units {
         Ok(())
     }
 
-    /// A program of the same archive.
-    pub fn find_in_file(&self, file: usize, name: &str) -> Option<usize> {
-        let mut of_file =
-            self.list.iter().enumerate().filter(|(_, unit)| unit.file == file && unit.kind != UnitKind::Other);
-        of_file.find(|(_, unit)| unit.name == name).map(|(at, _)| at)
+    /// Programs of this name in a file.
+    pub fn of_file<'u>(&'u self, file: usize, name: &'u str) -> impl Iterator<Item = usize> + 'u {
+        let of_file = self.list.iter().enumerate();
+        let fits = move |unit: &Unit| unit.file == file && unit.kind != UnitKind::Other && unit.name == name;
+        of_file.filter(move |(_, unit)| fits(unit)).map(|(at, _)| at)
     }
 
     /// Where the definitions `name` of the main file's archive lie: start and end.

@@ -4,7 +4,7 @@ use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::machine::{AxisSet, ChangeCall, StandIn};
 use crate::text::Span;
 
-use super::calls::{Missing, called_name};
+use super::callee::{Missing, called_name};
 use super::entries::reserved;
 use super::programs::without_extension;
 use super::value::Val;
@@ -25,7 +25,7 @@ impl Run<'_> {
     pub(super) fn find_called(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome<usize> {
         let found = self.look_for(name, span).or_else(|missing| match missing {
             Missing::Reported => Err(Reported),
-            Missing::Nowhere { tried, like } => {
+            Missing::Nowhere(nowhere) => {
                 let plain = called_name(name);
                 let text = arguments.iter().position(|argument| matches!(argument.value, Val::Text(_)));
                 let call = NameOfCall {
@@ -34,17 +34,9 @@ impl Run<'_> {
                     arguments: !arguments.is_empty(),
                     tool_waits: self.st.tool.waiting().is_some(),
                 };
-                let help = match self.job.settings.programs.get(call.name) {
-                    Some(StandIn::File(file)) => {
-                        format!("put `{file}`, which `[programs]` names, beside the program or into an include root")
-                            .into()
-                    }
-                    _ if self.vocabulary.get(call.name).is_some_and(|known| reserved(*known).is_some()) => {
-                        call.help_by_file()
-                    }
-                    _ => call.help(),
-                };
-                self.program_missing(&plain, &tried, like, &help, span)
+                let by_file = self.vocabulary.get(call.name).is_some_and(|known| reserved(*known).is_some());
+                let help = if by_file { call.help_by_file() } else { call.help() };
+                self.program_missing(&plain, nowhere, &help, span)
             }
         });
         if found.is_err() {

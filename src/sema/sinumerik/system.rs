@@ -9,9 +9,9 @@ use crate::machine::Axis;
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
+use super::control_folders::control_path;
 use super::frames::{Component, FrameValue};
 use super::offsets::offset_word;
-use super::programs::without_extension;
 use super::state::State;
 use super::value::{Val, whole};
 use super::{Channel, Core, Outcome, Reported, Run};
@@ -90,13 +90,13 @@ impl Run<'_> {
         if let Err(error) = self.list_programs(0).and_then(|()| self.list_programs(file)) {
             return self.fail(codes::P0105, span, format!("the file cannot be read: {error}"));
         }
-        self.budget.search();
-        let identity = self.job.sources.identity(self.job.main);
-        let bare = super::programs::bare_name(&wanted.rsplit('/').next().unwrap_or(&wanted).to_ascii_uppercase()).0;
-        let request = crate::text::Request { from: &identity, name: &bare, extensions: &["SPF", "MPF"] };
-        let in_archive = without_extension(&bare);
-        let here = [0, file].into_iter().any(|file| self.units.find_in_file(file, in_archive).is_some());
-        Ok(Val::Bool(here || self.job.files.open(&request).is_ok()))
+        // Of a folder that nothing is known of, what lies beside the main program is asked for.
+        let there = self.search(|path| {
+            let folder = wanted.rsplit_once('/').map(|(folder, _)| control_path(folder));
+            let plain = || wanted.rsplit('/').next().unwrap_or(&wanted);
+            path.is_there(&wanted) || folder.is_some_and(|folder| !path.knows(&folder)) && path.is_there(plain())
+        });
+        Ok(Val::Bool(there))
     }
 
     /// A variable, or an element of one that exists.

@@ -14,15 +14,15 @@ use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::Job;
 use crate::sema::run::unexecuted::{Blocks, Passed};
 use crate::sema::run::{Program, Site};
-use crate::text::{FileError, Loc, Request, Span};
+use crate::text::{Loc, Span};
 
-use super::calls::EXTENSIONS;
 use super::cycles::{is_built, is_taken};
 use super::dictionary;
 use super::entries::reserved;
 use super::g_groups::{GCode, GCodes};
 use super::macros::Sinumerik;
 use super::programs::{Skeleton, Units, bare_name, without_extension};
+use super::search_path::{Found, SearchPath};
 use super::stand_in::NameOfCall;
 use super::vocabulary::{Meaning, Procedure};
 
@@ -228,9 +228,7 @@ impl<'a> Unexecuted<'a> {
         let is_here = match self.looked_for.get(&symbol) {
             Some(known) => *known,
             None => {
-                let is_here = self.stands_for(without_extension(&bare))
-                    || self.units.find_in_file(0, without_extension(&bare)).is_some()
-                    || self.opens(&bare);
+                let is_here = self.stands_for(without_extension(&bare)) || self.is_there(&upper);
                 self.looked_for.insert(symbol, is_here);
                 is_here
             }
@@ -252,11 +250,11 @@ impl<'a> Unexecuted<'a> {
         })
     }
 
-    fn opens(&self, name: &str) -> bool {
-        let identity = self.job.sources.identity(self.job.main);
-        let request = Request { from: &identity, name, extensions: EXTENSIONS };
-        // What cannot be opened for another reason is there.
-        !matches!(self.job.files.open(&request), Err(FileError::NotFound { .. }))
+    /// What cannot be opened, or stands twice, is there.
+    fn is_there(&self, name: &str) -> bool {
+        let main = (0, self.job.main);
+        let path = SearchPath { job: self.job, units: &self.units, files: [main, main], call_path: None };
+        !matches!(path.look(name), Found::Nowhere(_))
     }
 
     // Words.

@@ -10,9 +10,9 @@ use crate::parser::symbols::Symbols;
 use crate::parser::turning::ast::{Section, Stmt};
 use crate::sema::Job;
 use crate::sema::run::unexecuted::Blocks;
-use crate::sema::run::{Level, Program};
+use crate::sema::run::{Level, Program, Wanted};
 use crate::text::blocks::Place;
-use crate::text::{FileId, Loc, Span, decode::readable};
+use crate::text::{FileId, Loc, Span, Within, decode::readable};
 
 use super::flow::Nest;
 use super::program_parts::{Family, ProgramPart};
@@ -174,7 +174,8 @@ impl Run<'_> {
     }
 
     fn call_file(&mut self, name: &str, locals: Locals) -> Outcome {
-        let program = self.open_called(name, &["ncs", "NCS", "nc"]).ok_or(Reported)?;
+        let wanted = Wanted { name, extensions: &["ncs", "NCS", "nc"], within: Within::Anywhere };
+        let program = self.open_called(&wanted).ok_or(Reported)?;
         let start = self.programs[program].source.cursor.start();
         self.call_at(LevelKind::External, program, start, locals, name)
     }

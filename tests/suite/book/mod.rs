@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use partc::internals::machine::Settings;
-use partc::internals::text::{FileError, Files, Memory, Opened, Request};
+use partc::internals::text::{FileError, Files, Memory, Opened, Request, Within};
 
 use super::common::{Compiled, compile_bytes, compile_checked, settings};
 
@@ -65,17 +65,31 @@ impl Case {
     }
 }
 
+/// Programs that are called lie in one place, whatever folder is asked for; where one of them has a path of the control,
+/// `/_N_SPF_DIR/X.SPF`, each lies in its own folder, and those without a path beside the main program.
 impl Files for Case {
     fn open(&self, request: &Request<'_>) -> Result<Opened, FileError> {
-        let name = request.name.rsplit(['/', '\\']).next().unwrap_or(request.name);
-        let extended = request.extensions.iter().map(|extension| format!("{name}.{extension}"));
-        for candidate in std::iter::once(name.to_owned()).chain(extended) {
-            if let Some(bytes) = self.called.get(&candidate) {
+        let placed = self.called.keys().any(|name| name.starts_with('/'));
+        let (folder, last) = request.name.rsplit_once(['/', '\\']).unwrap_or(("", request.name));
+        let extended = request.extensions.iter().map(|extension| format!("{last}.{extension}"));
+        let names: Vec<String> = std::iter::once(last.to_owned()).chain(extended).collect();
+        let is_there = |key: &&String| match (placed, key.rsplit_once('/')) {
+            (false, _) => true,
+            (true, None) => folder.is_empty(),
+            (true, Some((of_key, _))) => of_key == folder || folder.is_empty() && request.within == Within::Anywhere,
+        };
+        for name in &names {
+            let fits = |key: &&String| key.rsplit('/').next() == Some(name.as_str());
+            if let Some((key, bytes)) = self.called.iter().find(|(key, _)| is_there(key) && fits(key)) {
                 let text = Box::new(Memory::new(bytes.clone()));
-                return Ok(Opened { name: candidate.clone(), identity: candidate, text });
+                return Ok(Opened { name: key.clone(), identity: key.clone(), text });
             }
         }
-        Err(FileError::NotFound { tried: vec![name.to_owned()], similar: Vec::new() })
+        let knows = |key: &String| key.rsplit_once('/').is_some_and(|(of_key, _)| of_key == folder);
+        if placed && folder.starts_with('/') && !self.called.keys().any(knows) {
+            return Err(FileError::NoRoot { prefix: folder.to_owned() });
+        }
+        Err(FileError::NotFound { tried: vec![last.to_owned()], similar: Vec::new() })
     }
 }
 

@@ -1,0 +1,65 @@
+//! Folders of the control: how they are written, and what they are called on this computer.
+//!
+//! Source: S 1.1 (docs/sources.md).
+
+/// The folder that a `;$PATH=` line names.
+pub(super) fn path_line(line: &[u8]) -> Option<String> {
+    let (mark, path) = line.trim_ascii().split_at_checked(";$PATH=".len())?;
+    let is_path = mark.eq_ignore_ascii_case(b";$PATH=") && path.starts_with(b"/");
+    is_path.then(|| control_path(&String::from_utf8_lossy(path)))
+}
+
+/// A folder of the control in one spelling: `/_N_WKS_DIR/_N_A_WPD`, which it may also call `/WKS.DIR/A.WPD`.
+pub(super) fn control_path(path: &str) -> String {
+    let upper = path.trim().to_ascii_uppercase().replace('\\', "/");
+    let below = upper.strip_prefix("//NC:").unwrap_or(&upper);
+    below.split('/').filter(|part| !part.is_empty()).fold(String::new(), |whole, part| match part.rsplit_once('.') {
+        Some((stem, kind @ ("DIR" | "WPD"))) => format!("{whole}/_N_{stem}_{kind}"),
+        _ => format!("{whole}/{part}"),
+    })
+}
+
+/// The names under which a file of a folder of the control may lie on this computer: folders are copied as `_N_A_WPD` and
+/// as `A.WPD`.
+pub(super) fn names_below(folder: &str, file: &str) -> Vec<String> {
+    let parts: Vec<&str> = folder.split('/').filter(|part| !part.is_empty()).collect();
+    let short = |part: &str| -> String {
+        let stem = part.strip_prefix("_N_").and_then(|part| part.rsplit_once('_'));
+        stem.map_or_else(|| part.to_owned(), |(stem, kind)| format!("{stem}.{kind}"))
+    };
+    let named = |from: usize| {
+        let part = |(at, part): (usize, &&str)| if at < from { (*part).to_owned() } else { short(part) };
+        let folders: Vec<String> = parts.iter().enumerate().map(part).collect();
+        format!("/{}/{file}", folders.join("/"))
+    };
+    let mut names: Vec<String> = (0..=parts.len()).rev().map(named).collect();
+    names.dedup();
+    names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folders_of_the_control_have_one_spelling() {
+        for path in [
+            "/_N_WKS_DIR/_N_A_WPD",
+            "/_n_wks_dir/_N_A_WPD/",
+            "/WKS.DIR/A.WPD",
+            "\\WKS.DIR\\a.wpd",
+            "//NC:/WKS.DIR/A.WPD",
+        ] {
+            assert_eq!(control_path(path), "/_N_WKS_DIR/_N_A_WPD", "{path}");
+        }
+        assert_eq!(path_line(b";$PATH=/_N_SPF_DIR\r").as_deref(), Some("/_N_SPF_DIR"));
+        assert_eq!(
+            (path_line(b"; $PATH=/_N_SPF_DIR"), path_line(b";$PATH=SPF"), path_line(b";$P")),
+            (None, None, None)
+        );
+        assert_eq!(
+            names_below("/_N_WKS_DIR/_N_A_WPD", "X.SPF"),
+            ["/_N_WKS_DIR/_N_A_WPD/X.SPF", "/_N_WKS_DIR/A.WPD/X.SPF", "/WKS.DIR/A.WPD/X.SPF"]
+        );
+    }
+}
