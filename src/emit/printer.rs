@@ -11,6 +11,7 @@ mod measures;
 mod moves;
 mod refusals;
 mod straight;
+pub(crate) mod winding;
 
 use std::io;
 
@@ -401,6 +402,11 @@ impl<'a> Printer<'a> {
 
 impl Sink for Printer<'_> {
     fn movement(&mut self, mv: &Move, origin: &Origin) {
+        if matches!(&mv.path, Path::Arc(arc, _) if arc.sweep.abs() >= winding::LEAST)
+            && let Some(winding) = self.winding(mv)
+        {
+            return winding.pieces().for_each(|piece| self.movement(&piece, origin));
+        }
         if !self.page.full() {
             self.print_move(mv, origin);
         }

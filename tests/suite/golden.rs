@@ -23,7 +23,7 @@ macro_rules! books {
 
 books! {
     errors_gcode = "errors/gcode":
-        R;
+        P000 R R4;
     errors_heidenhain_turning = "errors/heidenhain-turning":
         G L T0 T1 T200 T201 T202 T203 T205 T207 T3 T8 T9;
     errors_klartext = "errors/klartext":
