@@ -2,8 +2,8 @@
 
 use crate::diag::Diags;
 use crate::driver::Failure;
-use crate::emit::winding::{self, Winding};
 use crate::emit::Printer;
+use crate::emit::winding::{self, Winding};
 use crate::ir::motion::{Move, Path, Sink};
 use crate::ir::{Function, Origin, Pos};
 use crate::validate::Validator;

@@ -9,6 +9,8 @@ use std::path::{Component, Path, PathBuf};
 use crate::machine::tree::did_you_mean;
 use crate::text::{FileError, Files, Memory, Opened, ReadAt, Request};
 
+use super::regular::{is_pipe, metadata, open_regular};
+
 /// Longest name of a called program.
 const LONGEST_NAME: usize = 255;
 /// Most bytes that are taken from a pipe or from standard input: they are held in memory.
@@ -27,11 +29,8 @@ pub(super) struct OnDisk {
 
 impl OnDisk {
     pub(super) fn open(path: &Path) -> io::Result<OnDisk> {
-        let file = File::open(path)?;
+        let file = open_regular(path)?;
         let meta = file.metadata()?;
-        if meta.is_dir() {
-            return Err(io::Error::other("is a folder"));
-        }
         Ok(OnDisk { file, len: meta.len(), at: 0 })
     }
 }
@@ -84,17 +83,6 @@ pub(super) fn open_main(path: &Path, stdin_name: Option<&Path>) -> io::Result<Op
     Ok(Opened { identity: name.clone(), name, text: Box::new(Memory::new(bytes)) })
 }
 
-#[cfg(unix)]
-fn is_pipe(meta: &fs::Metadata) -> bool {
-    use std::os::unix::fs::FileTypeExt as _;
-    meta.file_type().is_fifo()
-}
-
-#[cfg(not(unix))]
-fn is_pipe(_: &fs::Metadata) -> bool {
-    false
-}
-
 /// Everything that comes, up to a bound: what never ends must not fill the memory.
 fn read_stream(from: impl Read, most: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
@@ -106,16 +94,18 @@ fn read_stream(from: impl Read, most: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// A configuration or a tool table.
+/// A configuration or a tool table. Each is read more than once in a run, so that none comes through a pipe.
 pub(super) fn read_settings(path: &Path) -> io::Result<Vec<u8>> {
-    let meta = fs::metadata(path)?;
-    if meta.is_dir() {
-        return Err(io::Error::other("is a folder"));
-    }
-    if !meta.is_file() && !is_pipe(&meta) {
-        return Err(io::Error::other("is a device"));
-    }
-    let bytes = read_stream(File::open(path)?.take(LARGEST_SETTINGS + 1), LARGEST_SETTINGS + 1)?;
+    settings_from(open_regular(path)?)
+}
+
+/// The same for a table that is read once, and may come through a pipe.
+pub(super) fn read_settings_once(path: &Path) -> io::Result<Vec<u8>> {
+    settings_from(if is_pipe(&metadata(path)?) { File::open(path)? } else { open_regular(path)? })
+}
+
+fn settings_from(file: File) -> io::Result<Vec<u8>> {
+    let bytes = read_stream(file.take(LARGEST_SETTINGS + 1), LARGEST_SETTINGS + 1)?;
     if bytes.len() as u64 > LARGEST_SETTINGS {
         return Err(io::Error::other(format!("is over {} MiB, which no table is", LARGEST_SETTINGS >> 20)));
     }

@@ -175,7 +175,8 @@ impl<'a> Printer<'a> {
             self.template(&self.settings.footer);
             match self.target.flow.end {
                 Some(end) => self.page.block(end.as_bytes()),
-                None => self.end(None, &Origin::default()),
+                // Only a run that broke off has no end of its own.
+                None => self.end(None, &Origin { loc: Loc { line: 1, ..Loc::default() }, ..Origin::default() }),
             }
         }
         if let Some(last) = self.last.take() {

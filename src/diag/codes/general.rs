@@ -34,7 +34,7 @@ machine, too. A control stops there as well (SINUMERIK: alarm 14000).\n\
 Compare the file with the original. If it is complete, write the end as its last block. Where the control or the transfer needs none, set \
 `[control] open_end = \"allow\"`: the end is added then, with a warning. Subprograms are not meant."
 
-P0008 Error "cut-off" "file ends inside a line"
+P0008 Error "cut-off" "file stops in its last line"
 "The last line has no line end, and there is no end of program behind it or in it: the file was cut off, perhaps inside a number (`G1 X12` \
 of `G1 X123.456`). No key allows it. Get the file anew from where it was made. If it is complete, write the end of the program as its last \
 block; a last line that holds the end of the program needs no line end."

@@ -30,8 +30,6 @@ const ARC_TOLERANCE: f64 = 0.0127;
 const OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
 /// Most turns of one arc.
 const MOST_TURNS: u32 = 100_000;
-/// Bytes at the start and the end of a file in which its `%` are looked for.
-const PERCENT: u32 = 4096;
 /// Most acts of one line.
 const ACTS: usize = 16;
 
@@ -67,13 +65,6 @@ struct Line {
 /// Blanks, and what pads a file.
 fn is_blank(byte: u8) -> bool {
     byte.is_ascii_whitespace() || matches!(byte, 0 | 0x0b | 0x1a)
-}
-
-/// A line without the blanks and the padding around it.
-fn without_blanks(line: &[u8]) -> &[u8] {
-    let start = line.iter().position(|b| !is_blank(*b)).unwrap_or(line.len());
-    let end = line.iter().rposition(|b| !is_blank(*b)).map_or(start, |last| last + 1);
-    &line[start..end]
 }
 
 impl Language for Gcode {
@@ -243,7 +234,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
         let loc = self.end_of_text();
         self.here.origin.loc = loc;
         self.stop_run();
-        if self.is_closed_by_percent() || self.may_end_open("M2 or M30") {
+        if self.is_between_percents() || self.may_end_open("M2 or M30", "M30") {
             self.report(Diagnostic::new(codes::R1002, loc, "the program ends without M2 or M30"));
         }
         self.does(&Function::End { rewind: false });
@@ -270,20 +261,6 @@ impl From<&'static str> for Refused {
 }
 
 impl Run<'_> {
-    /// A file that begins with a line `%` may end with one, in place of M2 (LinuxCNC User Manual, "Program structure").
-    fn is_closed_by_percent(&mut self) -> bool {
-        let file = self.job.main;
-        let size = self.job.sources.size(file) as u32;
-        let bytes = |start: u32, end: u32| self.job.sources.bytes(file, Span { start, end });
-        let (head, tail) = (bytes(0, size.min(PERCENT)), bytes(size.saturating_sub(PERCENT), size));
-        let lines = |text: &[u8]| -> [bool; 2] {
-            let lines = text.split(|b| matches!(b, b'\n' | b'\r'));
-            let written: Vec<&[u8]> = lines.map(|line| without_blanks(line)).filter(|line| !line.is_empty()).collect();
-            [written.first() == Some(&&b"%"[..]), written.len() > 1 && written.last() == Some(&&b"%"[..])]
-        };
-        lines(&head)[0] && lines(&tail)[1]
-    }
-
     fn does(&mut self, function: &Function) {
         self.core.send_function(function, &self.ctx);
     }
@@ -492,7 +469,8 @@ impl Run<'_> {
             // K is the way along the path for a turn.
             read::Path::Thread(lead) => Path::Thread(Thread { lead: function::real(lead), along: None }),
             read::Path::Arc(arc) if arc.turns.unsigned_abs() > MOST_TURNS => {
-                let message = format!("the arc turns {} times, and partc takes {MOST_TURNS} at most", arc.turns.unsigned_abs());
+                let message =
+                    format!("the arc turns {} times, and partc takes {MOST_TURNS} at most", arc.turns.unsigned_abs());
                 let found = Diagnostic::new(codes::R4001, self.here.origin.loc, message);
                 return Err(Refused::Words(Box::new(found.help("check P, the number of turns"))));
             }

@@ -117,9 +117,9 @@ impl Run<'_> {
                     .help("the file may have been cut off in transfer; if it is complete, add END PGM"),
             );
         } else if self.in_called_program() {
-            self.is_cut_off("END PGM");
+            self.is_cut_off("END PGM", "END PGM");
         } else {
-            self.may_end_open("END PGM, M30 or M2");
+            self.may_end_open("END PGM, M30 or M2", "M30");
         }
         let _ = self.program_over(false);
     }

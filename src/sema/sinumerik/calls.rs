@@ -402,17 +402,19 @@ impl Run<'_> {
         if self.in_main() {
             let unit = &self.units.list[self.unit()];
             let is_main = unit.kind == UnitKind::Main && !self.iso;
-            if is_main && self.may_end_open("M30, M2 or M17") {
-                let loc = self.here.origin.loc;
+            if is_main && self.may_end_open("M30, M2 or M17", "M30") {
+                let loc = self.end_of_text();
                 let found = Diagnostic::new(codes::S2026.alarm(14000), loc, "the program ends without M30, M2 or M17");
                 self.report(found.help("write M30 as its last block"));
             } else if !is_main && !self.iso {
-                self.is_cut_off("M17 or RET");
+                self.is_cut_off("M17 or RET", "M17");
             }
+            self.here.origin.loc = self.end_of_text();
+            self.function(crate::ir::Function::End { rewind: false });
             self.stop_run();
             return;
         }
-        self.is_cut_off("M17 or RET");
+        self.is_cut_off("M17 or RET", "M17");
         self.leave_program();
     }
 }

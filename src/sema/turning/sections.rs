@@ -377,7 +377,7 @@ impl Run<'_> {
             self.stop_run();
             return;
         }
-        self.may_end_open("END or M30");
+        self.may_end_open("END or M30", "M30");
         let _ = self.end_of_job(false);
     }
 }
