@@ -180,6 +180,8 @@ pub(super) struct Read {
 
 /// What [`settings`] reads for `input`.
 pub(super) fn read_for(input: &Path, common: &Common) -> Result<Read, Trouble> {
+    // First what may not be read at all is refused.
+    let tree = tree_for(input, common)?;
     let mut read = Read::default();
     let mut file = match &common.config {
         Some(file) => Some(file.clone()),
@@ -202,7 +204,6 @@ pub(super) fn read_for(input: &Path, common: &Common) -> Result<Read, Trouble> {
         }
         read.files.push(("configuration", path));
     }
-    let tree = tree_for(input, common)?;
     let tables = [("tool table", table_path(&tree, common)), ("datum table", path_of(&tree, "control", "datum_table"))];
     read.files.extend(tables.into_iter().filter_map(|(what, path)| Some((what, path?))));
     Ok(read)

@@ -73,6 +73,8 @@ fn a_link_in_the_place_of_a_configuration_leads_nowhere_else() {
         let ran = folder.run(&["check", "shop/A.H"]).exits(if is_taken { 0 } else { 2 });
         assert!(is_taken || ran.err.contains("leads out of the folder"), "{}", ran.err);
         assert!(!ran.err.contains("token"), "{}", ran.err);
+        let key = folder.run(&["key", "shop/A.H"]).exits(if is_taken { 0 } else { 2 });
+        assert!(!key.err.contains("token"), "{}", key.err);
         if !is_taken && to != "../secret" {
             folder.run(&["check", "shop/A.H", "--config", "shop/partc.toml"]).exits(0);
         }

@@ -409,8 +409,10 @@ impl Run<'_> {
             } else if !is_main && !self.iso {
                 self.is_cut_off("M17 or RET", "M17");
             }
-            self.here.origin.loc = self.end_of_text();
+            let behind = self.end_of_text();
+            let last = std::mem::replace(&mut self.here.origin.loc, behind);
             self.function(crate::ir::Function::End { rewind: false });
+            self.here.origin.loc = last;
             self.stop_run();
             return;
         }
