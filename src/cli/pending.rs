@@ -134,7 +134,11 @@ impl Pending {
     pub(super) fn clear_name(&self) -> io::Result<()> {
         self.file.sync_all()?;
         match self.may_be_named()? {
-            Some(_) => fs::remove_file(&self.target),
+            // Its rights go on.
+            Some(older) => {
+                self.file.set_permissions(older.permissions())?;
+                fs::remove_file(&self.target)
+            }
             None => Ok(()),
         }
     }
