@@ -3,7 +3,8 @@
 use crate::diag::Diags;
 use crate::driver::Failure;
 use crate::emit::Printer;
-use crate::ir::motion::{Move, Place, Sink};
+use crate::emit::winding::{self, Winding};
+use crate::ir::motion::{Move, Path, Place, Sink};
 use crate::ir::{Function, Origin, Pos, Tap};
 use crate::validate::Validator;
 
@@ -37,6 +38,16 @@ impl<'a> Validated<'a> {
         }
     }
 
+    /// Prints and reads back an arc of very many turns; what is over the limit of lines is not made at all.
+    #[cold]
+    fn pieces(&mut self, winding: &Winding, origin: &Origin) {
+        winding.pieces().for_each(|piece| {
+            if !self.printer.full() {
+                self.movement(&piece, origin);
+            }
+        });
+    }
+
     /// Ends the output.
     ///
     /// # Errors
@@ -56,6 +67,11 @@ impl<'a> Validated<'a> {
 
 impl Sink for Validated<'_> {
     fn movement(&mut self, mv: &Move, origin: &Origin) {
+        if matches!(&mv.path, Path::Arc(arc, _) if arc.sweep.abs() >= winding::LEAST)
+            && let Some(winding) = self.printer.winding(mv)
+        {
+            return self.pieces(&winding, origin);
+        }
         self.printer.movement(mv, origin);
         self.look();
         let (bytes, end) = self.printer.held();

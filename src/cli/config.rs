@@ -1,6 +1,7 @@
 //! Finds and reads `partc.toml` and the tool table.
 
 use std::fs;
+use std::io;
 use std::path::{Component, Path, PathBuf};
 
 use crate::dialect;
@@ -12,13 +13,16 @@ use crate::target;
 use crate::text::decode::escaped_json;
 
 use super::args::Config;
-use super::disk::read_settings;
+use super::disk::{read_settings, read_settings_once};
 use super::listing::print;
 use super::options::{Common, Format};
+use super::regular;
 use super::{Exit, Trouble};
 
 /// Name of the configuration file.
 pub(super) const NAME: &str = "partc.toml";
+/// Keys that name a file.
+const PATHS: [(&str, &str); 2] = [("tools", "table"), ("control", "datum_table")];
 /// Longest chain of `extend`.
 const MOST_EXTENDS: usize = 16;
 
@@ -82,7 +86,7 @@ fn file_for(input: &Path, common: &Common) -> Result<Table, Trouble> {
     let file = match &common.config {
         Some(file) => Some(file.clone()),
         None if common.isolated => None,
-        None => nearest(input),
+        None => nearest(input)?,
     };
     let Some(file) = file else { return Ok(Table::new()) };
     // What nobody named may come from anywhere, with a folder of programs that was downloaded.
@@ -141,7 +145,7 @@ pub(super) fn settings_of(tree: &Table, common: &Common) -> Result<Settings, Tro
         read_tools(&path, &mut settings)?;
     }
     if let Some(path) = path_of(tree, "control", "datum_table") {
-        let contents = read_table(&path)?;
+        let contents = read_table(&path, Once::No)?;
         if contents.kind != Kind::Datums {
             return Err(format!("{}: is a {}, not a datum table", path.display(), contents.kind.name()));
         }
@@ -176,14 +180,16 @@ pub(super) struct Read {
 
 /// What [`settings`] reads for `input`.
 pub(super) fn read_for(input: &Path, common: &Common) -> Result<Read, Trouble> {
+    // First what may not be read at all is refused.
+    let tree = tree_for(input, common)?;
     let mut read = Read::default();
     let mut file = match &common.config {
         Some(file) => Some(file.clone()),
         None if common.isolated => None,
         None => {
-            let found = nearest(input);
+            let found = nearest(input)?;
             let folder = found.as_deref().and_then(Path::parent);
-            let above = folder_of(input).map(|folder| folder.ancestors().map(Path::to_path_buf).collect::<Vec<_>>());
+            let above = folder_of(input)?.map(|folder| folder.ancestors().map(Path::to_path_buf).collect::<Vec<_>>());
             let nearer = above.unwrap_or_default().into_iter().take_while(|dir| Some(dir.as_path()) != folder);
             read.absent = nearer.map(|dir| dir.join(NAME)).collect();
             found
@@ -198,16 +204,25 @@ pub(super) fn read_for(input: &Path, common: &Common) -> Result<Read, Trouble> {
         }
         read.files.push(("configuration", path));
     }
-    let tree = tree_for(input, common)?;
     let tables = [("tool table", table_path(&tree, common)), ("datum table", path_of(&tree, "control", "datum_table"))];
     read.files.extend(tables.into_iter().filter_map(|(what, path)| Some((what, path?))));
     Ok(read)
 }
 
-/// The folder of a program.
-fn folder_of(input: &Path) -> Option<PathBuf> {
-    let folder = if input == Path::new("-") { PathBuf::from(".") } else { input.parent()?.to_path_buf() };
-    fs::canonicalize(if folder.as_os_str().is_empty() { Path::new(".") } else { &folder }).ok()
+/// The folder of a program; none where it does not exist.
+fn folder_of(input: &Path) -> Result<Option<PathBuf>, Trouble> {
+    let folder = if input == Path::new("-") { Some(Path::new(".")) } else { input.parent() };
+    let Some(folder) = folder else { return Ok(None) };
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    match fs::canonicalize(folder) {
+        Ok(folder) => Ok(Some(folder)),
+        Err(error) if is_absence(&error) => Ok(None),
+        Err(error) => Err(format!("{}: {error}", folder.display())),
+    }
+}
+
+fn is_absence(error: &io::Error) -> bool {
+    matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory)
 }
 
 /// The nearest configuration file above `folder`, as one in `folder` would name it.
@@ -217,10 +232,17 @@ pub(super) fn above(folder: &Path) -> Option<String> {
     Some("../".repeat(levels + 1) + NAME)
 }
 
-/// The nearest configuration file at or above the folder of `input`.
-fn nearest(input: &Path) -> Option<PathBuf> {
-    let folder = folder_of(input)?;
-    folder.ancestors().map(|dir| dir.join(NAME)).find(|file| file.is_file())
+/// The nearest configuration file at or above the folder of `input`: whatever has its name is one, also what cannot be read.
+fn nearest(input: &Path) -> Result<Option<PathBuf>, Trouble> {
+    let Some(folder) = folder_of(input)? else { return Ok(None) };
+    for file in folder.ancestors().map(|dir| dir.join(NAME)) {
+        match fs::symlink_metadata(&file) {
+            Ok(_) => return Ok(Some(file)),
+            Err(error) if is_absence(&error) => {}
+            Err(error) => return Err(format!("{}: {error}", file.display())),
+        }
+    }
+    Ok(None)
 }
 
 /// The configuration files that may hold for a folder: the one that is named, or all above.
@@ -236,13 +258,20 @@ fn load(file: &Path, trust: Trust, depth: usize) -> Result<Table, Trouble> {
     if depth > MOST_EXTENDS {
         return Err(format!("{shown}: `extend` goes in circles"));
     }
+    let folder = file.parent().unwrap_or(Path::new("."));
+    if trust == Trust::Found && file.is_symlink() {
+        // What it leads to is not even read: a message would quote it.
+        regular::metadata(file).map_err(|error| format!("{shown}: {error}"))?;
+        if !may_extend(file, folder) {
+            return Err(format!("{shown}: is a link that {LEADS_OUT}"));
+        }
+    }
     let bytes = read_settings(file).map_err(|error| format!("{shown}: {error}"))?;
     let text = String::from_utf8(bytes).map_err(|_| format!("{shown}: is not UTF-8 text"))?;
     let mut tree = parse(&text, &shown.to_string()).map_err(|error| error.to_string())?;
-    let folder = file.parent().unwrap_or(Path::new("."));
     make_absolute(&mut tree, folder);
     if trust == Trust::Found {
-        roots_stay_below(&tree, folder)?;
+        paths_stay_below(&tree, folder)?;
         stand_ins_stay_below(&tree, folder)?;
     }
     let Some(node) = tree.remove("extend") else { return Ok(tree) };
@@ -262,8 +291,17 @@ fn load(file: &Path, trust: Trust, depth: usize) -> Result<Table, Trouble> {
 const LEADS_OUT: &str = "leads out of the folder of this configuration, which was found by itself; to allow it, name the configuration \
 with --config";
 
-/// The include roots of a configuration that nobody named.
-fn roots_stay_below(tree: &Table, folder: &Path) -> Result<(), Trouble> {
+/// The files and folders that a configuration names which nobody named.
+fn paths_stay_below(tree: &Table, folder: &Path) -> Result<(), Trouble> {
+    for (section, key) in PATHS {
+        if let Some(Value::Table(keys)) = tree.get(section).map(|node| &node.value)
+            && let Some(node) = keys.get(key)
+            && let Value::Text(path) = &node.value
+            && !is_below(Path::new(path), folder)
+        {
+            return Err(node.fail(format!("this table {LEADS_OUT}")).to_string());
+        }
+    }
     let Some(Value::Table(include)) = tree.get("include").map(|node| &node.value) else { return Ok(()) };
     let Some(Value::Table(roots)) = include.get("roots").map(|node| &node.value) else { return Ok(()) };
     for node in roots.values() {
@@ -297,7 +335,7 @@ pub(super) fn make_absolute(tree: &mut Table, folder: &Path) {
             *text = folder.join(&text).to_string_lossy().into_owned();
         }
     };
-    for (section, key) in [("tools", "table"), ("control", "datum_table")] {
+    for (section, key) in PATHS {
         if let Some(Value::Table(keys)) = tree.get_mut(section).map(|node| &mut node.value)
             && let Some(node) = keys.get_mut(key)
         {
@@ -359,16 +397,24 @@ fn path_of(tree: &Table, section: &str, key: &str) -> Option<PathBuf> {
 
 /// Reads a tool table; tools of the configuration file win over it.
 fn read_tools(path: &Path, settings: &mut Settings) -> Result<(), Trouble> {
-    let contents = read_table(path)?;
+    let contents = read_table(path, Once::No)?;
     if !contents.has_tools() {
         return Err(format!("{}: is a {}, and holds no tools", path.display(), contents.kind.name()));
     }
     settings.tools.add(contents).map_err(|message| format!("{}: {message}", path.display()))
 }
 
+/// Is a file read once in a run? Then it may come through a pipe.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Once {
+    Yes,
+    No,
+}
+
 /// Reads a file of tool or machine data.
-pub(super) fn read_table(path: &Path) -> Result<Contents, Trouble> {
-    let bytes = read_settings(path).map_err(|error| format!("{}: {error}", path.display()))?;
+pub(super) fn read_table(path: &Path, once: Once) -> Result<Contents, Trouble> {
+    let bytes = if once == Once::Yes { read_settings_once(path) } else { read_settings(path) };
+    let bytes = bytes.map_err(|error| format!("{}: {error}", path.display()))?;
     let text = String::from_utf8(bytes).unwrap_or_else(|error| crate::text::decode::readable_lines(error.as_bytes()));
     table::read(&text).map_err(|error| format!("{}:{error}", path.display()))
 }

@@ -20,7 +20,7 @@ use super::closure::Targets;
 use super::disk::{IncludeRoots, file_name, read_whole};
 use super::listing::print;
 use super::options::{Common, Findings, Format};
-use super::output::{Destination, Made, is_foreign};
+use super::output::{Destination, Made, Replaces, is_foreign};
 use super::report::{Reporter, Stdout};
 use super::run::{Loaded, load, same_file};
 use super::{Exit, Trouble, config, plot};
@@ -166,7 +166,7 @@ pub(super) fn diff(args: &Diff) -> Result<Exit, Trouble> {
 fn draw(args: &Diff, picture: &Path) -> Result<(), Trouble> {
     let options = Options { form: plot::form(picture)?, ..Options::default() };
     let trouble = |error: std::io::Error| format!("{}: {error}", picture.display());
-    let mut out = Destination::open(picture).map_err(trouble)?;
+    let mut out = Destination::open_for(picture, Replaces::by(Made::Picture, args.force)).map_err(trouble)?;
     let first = Program::load(&args.a, &args.common)?;
     let title = format!("{} and {}", file_name(&args.a), file_name(&args.b));
     let mut drawn = Plot::new(first.settings(), &title, options);

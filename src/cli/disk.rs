@@ -12,6 +12,8 @@ use crate::text::{FileError, Files, Memory, Opened, ReadAt, Request, Within};
 use super::Trouble;
 use super::stamp::{CHANGED, Stamp};
 
+use super::regular::{is_pipe, metadata, open_regular};
+
 /// Longest name of a called program.
 const LONGEST_NAME: usize = 255;
 /// Most bytes that are taken from a pipe or from standard input: they are held in memory.
@@ -30,11 +32,8 @@ pub(super) struct OnDisk {
 
 impl OnDisk {
     pub(super) fn open(path: &Path) -> io::Result<OnDisk> {
-        let file = File::open(path)?;
+        let file = open_regular(path)?;
         let meta = file.metadata()?;
-        if meta.is_dir() {
-            return Err(io::Error::other("is a folder"));
-        }
         Ok(OnDisk { file, stamp: Stamp::of(&meta), at: 0 })
     }
 }
@@ -91,17 +90,6 @@ pub(super) fn open_main(path: &Path, stdin_name: Option<&Path>) -> io::Result<Op
     Ok(Opened { identity: name.clone(), name, text: Box::new(Memory::new(bytes)) })
 }
 
-#[cfg(unix)]
-fn is_pipe(meta: &fs::Metadata) -> bool {
-    use std::os::unix::fs::FileTypeExt as _;
-    meta.file_type().is_fifo()
-}
-
-#[cfg(not(unix))]
-fn is_pipe(_: &fs::Metadata) -> bool {
-    false
-}
-
 /// Everything that comes, up to a bound: what never ends must not fill the memory.
 fn read_stream(from: impl Read, most: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
@@ -125,18 +113,20 @@ pub(super) fn noting_settings<T>(work: impl FnOnce() -> T) -> (T, Vec<(PathBuf, 
     (result, NOTED.take())
 }
 
-/// A configuration or a tool table.
+/// A configuration or a tool table. Each is read more than once in a run, so that none comes through a pipe.
 pub(super) fn read_settings(path: &Path) -> io::Result<Vec<u8>> {
-    let meta = fs::metadata(path)?;
-    if meta.is_dir() {
-        return Err(io::Error::other("is a folder"));
-    }
-    if !meta.is_file() && !is_pipe(&meta) {
-        return Err(io::Error::other("is a device"));
-    }
-    let file = File::open(path)?;
+    settings_from(&open_regular(path)?, path)
+}
+
+/// The same for a table that is read once, and may come through a pipe.
+pub(super) fn read_settings_once(path: &Path) -> io::Result<Vec<u8>> {
+    let file = if is_pipe(&metadata(path)?) { File::open(path)? } else { open_regular(path)? };
+    settings_from(&file, path)
+}
+
+fn settings_from(file: &File, path: &Path) -> io::Result<Vec<u8>> {
     let before = Stamp::of(&file.metadata()?);
-    let bytes = read_stream((&file).take(LARGEST_SETTINGS + 1), LARGEST_SETTINGS + 1)?;
+    let bytes = read_stream(file.take(LARGEST_SETTINGS + 1), LARGEST_SETTINGS + 1)?;
     if before.is_of_file() && Stamp::of(&file.metadata()?) != before {
         return Err(io::Error::other(CHANGED));
     }

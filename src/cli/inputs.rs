@@ -60,13 +60,27 @@ pub(super) fn inputs(paths: &[PathBuf], many: &Many, takes: &dyn Fn(&Path) -> bo
     for path in &named {
         match expand(path, takes) {
             Ok(list) => found.list.extend(list.into_iter().filter(|input| seen.insert(input.path.clone()))),
-            Err(error) => found.troubles.push(format!("{}: {error}", path.display())),
+            Err(error) => found.troubles.push(shortened(&format!("{}: {error}", path.display()))),
         }
     }
     if let Some(shard) = many.shard {
         (found.list, found.others) = found.list.into_iter().partition(|input| is_in(shard, &input.path));
     }
     Ok(found)
+}
+
+/// Characters of a message about files that are shown at its start, and at its end: no name of a file is longer than those.
+const SHOWN: [usize; 2] = [200, 400];
+
+/// A message with the path through very many folders cut in its middle.
+fn shortened(text: &str) -> String {
+    let count = text.chars().count();
+    let [start, end] = SHOWN;
+    if count <= start + end + 1 {
+        return text.to_owned();
+    }
+    let chars = |from: usize, to: usize| text.chars().skip(from).take(to - from).collect::<String>();
+    format!("{}…{}", chars(0, start), chars(count - end, count))
 }
 
 /// The names in a list, one a line.
@@ -187,6 +201,16 @@ fn parts(path: &Path) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_path_of_very_many_folders_is_cut_in_its_middle_and_the_name_is_not() {
+        let name = "n".repeat(255);
+        let text = format!("here/{}{name}: File name too long", "folder/".repeat(5000));
+        let short = shortened(&text);
+        assert!(short.starts_with("here/folder/") && short.ends_with(&format!("/{name}: File name too long")));
+        assert_eq!(short.chars().count(), 601);
+        assert_eq!(shortened("a/b: is a folder"), "a/b: is a folder");
+    }
 
     #[test]
     fn each_program_is_in_one_shard() {

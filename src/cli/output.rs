@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::emit::{Output, is_printed, plot};
 
 use super::pending::{self, Pending, behind_links};
+use super::regular::open_regular;
 use super::{page, trace};
 
 /// Bytes of standard output kept in memory before a temporary file takes over.
@@ -84,9 +85,17 @@ impl Held {
 }
 
 impl Destination {
-    /// The destination for `path`; `-` is standard output.
+    /// The destination for `path`, whatever stands there; `-` is standard output.
     pub(super) fn open(path: &Path) -> io::Result<Destination> {
+        Destination::open_for(path, Replaces::Anything)
+    }
+
+    /// The same for a file that may be there already.
+    pub(super) fn open_for(path: &Path, replaces: Replaces) -> io::Result<Destination> {
         if path == Path::new("-") {
+            if stdout_is_closed() {
+                return Err(io::Error::other("standard output is closed; to throw the result away, name /dev/null"));
+            }
             return Ok(Destination::Stream { path: None, held: Held::default() });
         }
         match fs::metadata(path) {
@@ -97,7 +106,15 @@ impl Destination {
                 }
                 Ok(Destination::Stream { path: Some(path.to_path_buf()), held: Held::default() })
             }
-            _ => Pending::create(path).map(Destination::File),
+            _ => Pending::create(path, replaces).map(Destination::File),
+        }
+    }
+
+    /// Takes the name away from an older file of this name, once all that will replace it is on the disk.
+    pub(super) fn clear_name(&self) -> io::Result<()> {
+        match self {
+            Destination::File(pending) => pending.clear_name(),
+            Destination::Stream { .. } | Destination::Nowhere => Ok(()),
         }
     }
 
@@ -203,6 +220,39 @@ pub(super) enum Made {
     Trace,
 }
 
+/// What a new file may take the place of, if it is there when the new one gets its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Replaces {
+    Anything,
+    /// What partc wrote.
+    Ours(Made),
+    /// The same, and the file that was there at the start, which somebody wants to be replaced.
+    Forced(Made),
+}
+
+impl Replaces {
+    pub(super) fn by(made: Made, force: bool) -> Replaces {
+        if force { Replaces::Forced(made) } else { Replaces::Ours(made) }
+    }
+}
+
+/// Was standard output closed at the start? The runtime opens the null device for reading and writing in its place, which no shell
+/// does.
+#[cfg(target_os = "linux")]
+fn stdout_is_closed() -> bool {
+    use rustix::fs::{FileType, OFlags, fcntl_getfl, fstat, stat};
+    let out = io::stdout();
+    let is_null = fstat(&out).ok().zip(stat("/dev/null").ok()).is_some_and(|(out, null)| {
+        FileType::from_raw_mode(out.st_mode) == FileType::CharacterDevice && out.st_rdev == null.st_rdev
+    });
+    is_null && fcntl_getfl(&out).is_ok_and(|flags| flags.contains(OFlags::RDWR))
+}
+
+#[cfg(not(target_os = "linux"))]
+fn stdout_is_closed() -> bool {
+    false
+}
+
 /// Would writing to `path` destroy a file that partc did not write? An empty file is nobody's.
 pub(super) fn is_foreign(path: &Path, made: Made) -> bool {
     path.is_file() && head_of(path).is_none_or(|head| !head.is_empty() && !is_ours(path, &head, made))
@@ -215,7 +265,7 @@ fn is_ours(path: &Path, head: &[u8], made: Made) -> bool {
 
 fn head_of(path: &Path) -> Option<Vec<u8>> {
     let mut head = Vec::new();
-    File::open(path).and_then(|file| file.take(64).read_to_end(&mut head)).ok().map(|_| head)
+    open_regular(path).and_then(|file| file.take(64).read_to_end(&mut head)).ok().map(|_| head)
 }
 
 fn begins(head: &[u8], made: Made) -> bool {

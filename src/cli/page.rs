@@ -13,7 +13,7 @@ use super::args::Page;
 use super::closure::Targets;
 use super::disk::file_name;
 use super::inputs::Input;
-use super::output::{Destination, Made, ignore_closed_pipe, is_foreign};
+use super::output::{Destination, Made, Replaces, ignore_closed_pipe, is_foreign};
 use super::progress::Ticker;
 use super::report::{Reporter, Stdout};
 use super::run::{Loaded, load, real, same_file};
@@ -47,7 +47,7 @@ pub(super) fn report(args: &Page) -> Result<Exit, Trouble> {
     reporter.spares(&[Input::named(&args.input)], &BTreeSet::from([real(&target)]))?;
     args.deps.spares(&[&args.input], &BTreeSet::from([real(&target)]), &reporter)?;
     let targets = Targets::new([target.as_path()].into_iter().chain(reporter.files()).chain(args.deps.file()));
-    let mut out = Destination::open(&target).map_err(trouble)?;
+    let mut out = Destination::open_for(&target, Replaces::by(Made::Report, args.force)).map_err(trouble)?;
     let ticker = Ticker::start(true, &place);
     let made = exhibit::made_unless(&session, dialect, &settings, &files, &|session| reporter.look().fails(session));
     // Standard input is read once.

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use super::disk::file_name;
+use super::output::{Replaces, is_foreign};
 
 /// Hidden names tried for one file.
 const NAMES: u32 = 100;
@@ -27,30 +28,31 @@ pub(super) struct Pending {
     /// Name that it has until it is complete, if any.
     hidden: Option<PathBuf>,
     target: PathBuf,
+    /// The file that had the name at the start.
+    older: Option<Id>,
+    replaces: Replaces,
 }
 
 impl Pending {
     /// Starts a file that will be `target`, or what `target` links to.
-    pub(super) fn create(target: &Path) -> io::Result<Pending> {
+    pub(super) fn create(target: &Path, replaces: Replaces) -> io::Result<Pending> {
         let target = behind_links(target)?;
+        let older = unprotected(&target)?.as_ref().map(id);
         let folder = folder_of(&target);
         if is_first(folder) {
             remove_rests(folder);
         }
         if let Some(file) = unnamed(folder) {
-            return Ok(Pending { file, hidden: None, target });
+            return Ok(Pending { file, hidden: None, target, older, replaces });
         }
         let (file, hidden) = named(folder, &file_name(&target))?;
-        Ok(Pending { file, hidden: Some(hidden), target })
+        Ok(Pending { file, hidden: Some(hidden), target, older, replaces })
     }
 
     /// The same in the place of a file that is changed: one that is protected stays, and so do its owner and its names.
     pub(super) fn replace(target: &Path) -> io::Result<Pending> {
         let older = fs::metadata(target)?;
-        if older.permissions().readonly() {
-            return Err(io::Error::new(io::ErrorKind::PermissionDenied, "is write-protected; nothing was written"));
-        }
-        let pending = Pending::create(target)?;
+        let pending = Pending::create(target, Replaces::Anything)?;
         keep_owner(&pending.file, &older)?;
         Ok(pending)
     }
@@ -87,13 +89,17 @@ impl Pending {
 
     /// The same for a file that is on the disk already.
     pub(super) fn name(mut self) -> io::Result<()> {
-        let older = fs::metadata(&self.target).ok();
+        let older = self.may_be_named()?;
         if let Some(older) = &older {
             self.file.set_permissions(older.permissions())?;
         }
         if self.hidden.is_none() {
-            if older.is_none() && link(&self.file, &self.target)? {
-                return Ok(());
+            if older.is_none() {
+                if link(&self.file, &self.target)? {
+                    return Ok(());
+                }
+                // Somebody took the name just now.
+                self.may_be_named()?;
             }
             // A link cannot replace a file; a name can.
             let _ = self.file.try_lock();
@@ -107,6 +113,63 @@ impl Pending {
         }
         let hidden = self.hidden.as_ref().ok_or_else(no_name_left)?;
         fs::rename(hidden, &self.target)
+    }
+
+    /// The file that has the name now, if it may lose it.
+    fn may_be_named(&self) -> io::Result<Option<fs::Metadata>> {
+        let Some(now) = unprotected(&self.target)? else { return Ok(None) };
+        let same = self.older == Some(id(&now));
+        let may = match self.replaces {
+            Replaces::Anything => true,
+            Replaces::Ours(made) => !is_foreign(&self.target, made),
+            Replaces::Forced(made) => same || !is_foreign(&self.target, made),
+        };
+        if may {
+            return Ok(Some(now));
+        }
+        Err(io::Error::other("another program wrote this file while partc ran; it is kept, and nothing was written"))
+    }
+
+    /// Takes the name away from the older file, once this one is on the disk.
+    pub(super) fn clear_name(&self) -> io::Result<()> {
+        self.file.sync_all()?;
+        match self.may_be_named()? {
+            // Its rights go on.
+            Some(older) => {
+                self.file.set_permissions(older.permissions())?;
+                fs::remove_file(&self.target)
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+/// Which file it is, whatever its name.
+type Id = (u64, u64);
+
+#[cfg(unix)]
+fn id(meta: &fs::Metadata) -> Id {
+    use std::os::unix::fs::MetadataExt as _;
+    (meta.dev(), meta.ino())
+}
+
+#[cfg(not(unix))]
+fn id(meta: &fs::Metadata) -> Id {
+    let made = meta.created().ok().and_then(|made| made.duration_since(std::time::UNIX_EPOCH).ok());
+    (0, made.map_or(0, |made| made.as_nanos() as u64))
+}
+
+/// The file of this name, if there is one.
+///
+/// # Errors
+/// One that is write-protected: it stays as it is.
+fn unprotected(target: &Path) -> io::Result<Option<fs::Metadata>> {
+    match fs::metadata(target) {
+        Ok(meta) if meta.permissions().readonly() => {
+            Err(io::Error::new(io::ErrorKind::PermissionDenied, "is write-protected; nothing was written"))
+        }
+        Ok(meta) => Ok(Some(meta)),
+        Err(_) => Ok(None),
     }
 }
 
@@ -275,6 +338,7 @@ fn link(_: &File, _: &Path) -> io::Result<bool> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::output::Made;
     use super::*;
 
     fn folder(name: &str) -> PathBuf {
@@ -302,12 +366,59 @@ mod tests {
     }
 
     #[test]
+    fn what_another_program_wrote_meanwhile_is_kept() {
+        let folder = folder("meanwhile");
+        let target = folder.join("A.ngc");
+        let ours = "%\n(partc 0.1.0, target linuxcnc)\n";
+        let begin = |replaces| {
+            let mut file = Pending::create(&target, replaces).unwrap();
+            file.write_all(ours.as_bytes()).unwrap();
+            file
+        };
+        let text = || fs::read_to_string(&target).unwrap();
+        let (by_name, forced) = (Replaces::Ours(Made::Program), Replaces::Forced(Made::Program));
+        for replaces in [by_name, forced] {
+            // It appears during the run.
+            let file = begin(replaces);
+            fs::write(&target, "foreign").unwrap();
+            assert!(file.commit().unwrap_err().to_string().contains("another program"));
+            assert_eq!(text(), "foreign");
+            // It takes the place of an older output.
+            fs::write(&target, ours).unwrap();
+            let file = begin(replaces);
+            fs::write(folder.join("other"), "foreign").unwrap();
+            fs::rename(folder.join("other"), &target).unwrap();
+            assert!(file.commit().is_err());
+            assert_eq!(text(), "foreign");
+            // What partc wrote meanwhile is no loss.
+            fs::remove_file(&target).unwrap();
+            let file = begin(replaces);
+            fs::write(&target, ours).unwrap();
+            file.commit().unwrap();
+            fs::remove_file(&target).unwrap();
+        }
+        // The file that `--force` is about.
+        fs::write(&target, "foreign").unwrap();
+        begin(forced).commit().unwrap();
+        assert_eq!(text(), ours);
+        // Protected during the run.
+        let file = begin(by_name);
+        let mut rights = fs::metadata(&target).unwrap().permissions();
+        rights.set_readonly(true);
+        fs::set_permissions(&target, rights).unwrap();
+        assert!(file.commit().unwrap_err().to_string().contains("write-protected"));
+        // Nothing else is left.
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
     fn a_file_with_a_hidden_name_is_renamed_or_removed() {
         let folder = folder("named");
         let target = folder.join("n".repeat(250));
         let pending = || {
             let (file, hidden) = named(&folder, &file_name(&target)).unwrap();
-            Pending { file, hidden: Some(hidden), target: target.clone() }
+            Pending { file, hidden: Some(hidden), target: target.clone(), older: None, replaces: Replaces::Anything }
         };
         drop(pending());
         assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);

@@ -10,7 +10,7 @@ use super::args::{PictureForm, Plot, View};
 use super::closure::Targets;
 use super::disk::file_name;
 use super::inputs::Input;
-use super::output::{Destination, Made, ignore_closed_pipe, is_foreign, set_aside};
+use super::output::{Destination, Made, Replaces, ignore_closed_pipe, is_foreign, set_aside};
 use super::progress::Ticker;
 use super::report::{Reporter, Stdout};
 use super::run::{Loaded, load, real, same_file};
@@ -40,7 +40,7 @@ pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
     let mut reporter = Reporter::new(&args.common, &args.findings, stdout, None);
     reporter.spares(&[Input::named(&args.input)], &BTreeSet::from([real(&target)]))?;
     let targets = Targets::new([target.as_path()].into_iter().chain(reporter.files()));
-    let mut out = Destination::open(&target).map_err(trouble)?;
+    let mut out = Destination::open_for(&target, Replaces::by(Made::Picture, args.force)).map_err(trouble)?;
     let ticker = Ticker::start(true, &place);
     let result = session.plot(dialect, &settings, &files, options, &mut out);
     drop(ticker);

@@ -2,11 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::io::{self, BufWriter, IsTerminal, Write};
+use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
-
-use serde_json::json;
 
 use crate::diag::Severity;
 use crate::diag::report::Counts;
@@ -14,9 +12,8 @@ use crate::diag::selection::fits;
 use crate::dialect::{self, Dialect};
 use crate::driver::{Failure, Session};
 use crate::emit::LineMap;
-use crate::ir::Origin;
 use crate::machine::Settings;
-use crate::text::decode::{escaped_json, harmless_lines};
+use crate::text::decode::harmless_lines;
 use crate::text::{FileId, Span};
 
 use super::args::{Check, Compile};
@@ -26,10 +23,11 @@ use super::disk::{IncludeRoots, file_name, noting_settings, open_main};
 use super::inputs::{Input, inputs};
 use super::listing::print;
 use super::options::Common;
-use super::output::{Destination, Group, MAP_MARK, Made, ignore_closed_pipe, is_foreign, set_aside};
+use super::output::{Destination, Group, Made, Replaces, is_foreign, set_aside};
 use super::pool::in_order;
 use super::progress::{Place, Ticker};
 use super::report::{Look, Presented, Reporter, Stdout, counted};
+use super::source_map::{self, SourceMap};
 use super::stamp::Stamp;
 use super::watch::TABLES;
 use super::{Exit, Trouble, bundle, config, fix, ignores};
@@ -304,9 +302,10 @@ impl Work<'_> {
         if let Some(folder) = target.parent().filter(|_| args.out_dir.is_some()) {
             fs::create_dir_all(folder).map_err(trouble)?;
         }
-        let mut out = Destination::open(&target).map_err(trouble)?;
+        let replaces = Replaces::by(Made::Program, args.force);
+        let mut out = Destination::open_for(&target, replaces).map_err(trouble)?;
         let mut map = match &args.map {
-            Some(path) => Some(SourceMap::create(path, &target, &session).map_err(map_trouble)?),
+            Some(path) => Some(SourceMap::create(path, &target, &session, args.force).map_err(map_trouble)?),
             None => None,
         };
         let line_map = map.as_mut().map(|map| map as &mut dyn LineMap);
@@ -347,13 +346,17 @@ impl Work<'_> {
             if let Err(Failure::Output(error)) = result {
                 return Err(trouble(error));
             }
-            if let Some(map) = map {
-                map.and_then(Destination::commit).or_else(ignore_closed_pipe).map_err(map_trouble)?;
-            }
             let mut group = self.group.lock().unwrap_or_else(PoisonError::into_inner);
-            group.take(out, shown.clone());
-            if self.alone {
-                group.commit();
+            let name_output = || {
+                group.take(out, shown.clone());
+                if self.alone {
+                    group.commit();
+                }
+                group.troubles.is_empty()
+            };
+            match map {
+                Some(map) => map.and_then(|map| source_map::name_with(map, name_output)).map_err(map_trouble)?,
+                None => drop(name_output()),
             }
             if group.written == 1
                 && self.alone
@@ -544,55 +547,4 @@ pub(super) fn dialect_of(path: &Path, common: &Common) -> Option<&'static str> {
         said_dialect(&identity, &settings).ok()?.map(|dialect| dialect.id)
     };
     named().or_else(said).or_else(|| dialect::guess(&name, &head).map(|dialect| dialect.id))
-}
-
-/// The source map: a JSON document with one object for each output line that a block caused.
-struct SourceMap<'a> {
-    out: BufWriter<Destination>,
-    session: &'a Session,
-    first: bool,
-    error: Option<io::Error>,
-}
-
-impl<'a> SourceMap<'a> {
-    fn create(path: &Path, output: &Path, session: &'a Session) -> io::Result<SourceMap<'a>> {
-        let mut out = BufWriter::new(Destination::open(path)?);
-        let output = json!(file_name(output));
-        let output = output.to_string();
-        write!(out, "{MAP_MARK}{},\"lines\":[", escaped_json(&output))?;
-        Ok(SourceMap { out, session, first: true, error: None })
-    }
-
-    fn write(&mut self, number: u64, origin: &Origin) -> io::Result<()> {
-        let sources = &self.session.sources;
-        let stack: Vec<_> = self
-            .session
-            .trail
-            .sites(origin.call)
-            .iter()
-            .map(|site| json!({ "file": sources.name(site.file), "line": site.line }))
-            .collect();
-        let comma = if std::mem::take(&mut self.first) { "\n" } else { ",\n" };
-        let file = sources.name(origin.loc.file);
-        let line = json!({ "line": number, "file": file, "source_line": origin.loc.line, "stack": stack });
-        write!(self.out, "{comma}{}", escaped_json(&line.to_string()))
-    }
-
-    fn finish(mut self) -> io::Result<Destination> {
-        if let Some(error) = self.error {
-            return Err(error);
-        }
-        writeln!(self.out, "\n]}}")?;
-        self.out.into_inner().map_err(io::IntoInnerError::into_error)
-    }
-}
-
-impl LineMap for SourceMap<'_> {
-    fn line(&mut self, number: u64, origin: &Origin) {
-        if self.error.is_none()
-            && let Err(error) = self.write(number, origin)
-        {
-            self.error = Some(error);
-        }
-    }
 }

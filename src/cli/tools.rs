@@ -12,7 +12,7 @@ use crate::machine::{Axis, Tool, ToolKey, Unit};
 use crate::text::decode::{escaped_json, harmless_lines};
 
 use super::args::{TableForm, ToolsArgs};
-use super::config::read_table;
+use super::config::{Once, read_table};
 use super::listing::print;
 use super::output::Destination;
 use super::run::same_file;
@@ -21,7 +21,7 @@ use super::{Exit, Trouble, say};
 /// `partc tools`
 pub(super) fn tools(args: &ToolsArgs) -> Result<Exit, Trouble> {
     let shown = args.file.display();
-    let mut contents = read_table(&args.file)?;
+    let mut contents = read_table(&args.file, Once::Yes)?;
     let stated = args.unit.as_deref().map(|unit| if unit == "inch" { Unit::Inch } else { Unit::Mm });
     match (contents.unit, stated) {
         (Some(unit), Some(stated)) if unit != stated => {

@@ -15,7 +15,7 @@ use super::args::Trace;
 use super::closure::Targets;
 use super::inputs::Input;
 use super::options::Format;
-use super::output::{Destination, Made, ignore_closed_pipe, is_foreign, set_aside};
+use super::output::{Destination, Made, Replaces, ignore_closed_pipe, is_foreign, set_aside};
 use super::progress::Ticker;
 use super::report::{Reporter, Stdout};
 use super::run::{Loaded, load, real, same_file};
@@ -79,7 +79,7 @@ pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
     reporter.spares(&[Input::named(&args.input)], &BTreeSet::from([real(&target)]))?;
     args.deps.spares(&[&args.input], &BTreeSet::from([real(&target)]), &reporter)?;
     let targets = Targets::new([target.as_path()].into_iter().chain(reporter.files()).chain(args.deps.file()));
-    let out = Destination::open(&target).map_err(trouble)?;
+    let out = Destination::open_for(&target, Replaces::by(Made::Trace, args.force)).map_err(trouble)?;
     let model = args.machine.model();
     let ticker = Ticker::start(!to_stdout, &place);
     let run = Run { session: &session, dialect, settings: &settings, files: &files, model };

@@ -25,6 +25,7 @@ use crate::ir::Origin;
 use crate::target;
 
 pub use printer::Printer;
+pub(crate) use printer::winding;
 
 /// Is this how a printed program begins? Comments look as those of its target.
 #[cfg(feature = "cli")]

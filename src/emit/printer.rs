@@ -13,6 +13,7 @@ mod moves;
 mod refusals;
 mod straight;
 mod taps;
+pub(crate) mod winding;
 
 use std::io;
 
@@ -181,7 +182,8 @@ impl<'a> Printer<'a> {
             self.template(&self.settings.footer);
             match self.target.flow.end {
                 Some(end) => self.page.block(end.as_bytes()),
-                None => self.end(None, &Origin::default()),
+                // Only a run that broke off has no end of its own.
+                None => self.end(None, &Origin { loc: Loc { line: 1, ..Loc::default() }, ..Origin::default() }),
             }
         }
         if let Some(last) = self.last.take() {
@@ -408,6 +410,11 @@ impl<'a> Printer<'a> {
 
 impl Sink for Printer<'_> {
     fn movement(&mut self, mv: &Move, origin: &Origin) {
+        if matches!(&mv.path, Path::Arc(arc, _) if arc.sweep.abs() >= winding::LEAST)
+            && let Some(winding) = self.winding(mv)
+        {
+            return winding.pieces().for_each(|piece| self.movement(&piece, origin));
+        }
         if !self.page.full() {
             self.print_move(mv, origin);
         }

@@ -131,6 +131,22 @@ pub enum ArcShape {
     Tangent,
 }
 
+impl Arc {
+    /// Turns that are complete before the one that leads to its end.
+    #[inline]
+    pub fn whole_turns(&self) -> u64 {
+        let sweep = match self.shape {
+            ArcShape::Sweep { sweep, .. } => (sweep.0.abs() / 360.0) as u64,
+            ArcShape::Center { .. }
+            | ArcShape::Radius { .. }
+            | ArcShape::Opening { .. }
+            | ArcShape::Via { .. }
+            | ArcShape::Tangent => 0,
+        };
+        sweep + u64::from(self.turns)
+    }
+}
+
 impl ArcShape {
     /// The largest of its numbers that are coordinates or lengths.
     fn farthest(&self) -> f64 {

@@ -40,6 +40,8 @@ use transformation::Transformer;
 
 /// Moves that an arc counts as: its centre and its printed numbers take as long.
 const ARC: u64 = 3;
+/// Moves that each whole turn of an arc counts as: most targets get it in parts.
+const TURN: u64 = 8;
 /// Moves that a cycle without a path counts as: its depths may have been computed up to the fault.
 const REFUSED: u64 = 500;
 
@@ -359,7 +361,10 @@ impl<'a> Lower<'a> {
 impl Sink for Lower<'_> {
     fn movement(&mut self, mv: &contour::Move, ctx: &CtxRef, origin: &Origin) {
         self.follow_ctx(ctx, origin);
-        self.moves += if matches!(mv.path, contour::Path::Arc(..)) { ARC } else { 1 };
+        self.moves += match &mv.path {
+            contour::Path::Arc(arc, _) => ARC + TURN * arc.whole_turns(),
+            contour::Path::Rapid | contour::Path::Line(_) | contour::Path::Thread(_) => 1,
+        };
         self.path_element(mv, origin);
     }
 

@@ -168,6 +168,8 @@ pub struct Control {
     pub skip_blocks: Vec<u8>,
     /// Unit of a Klartext file without BEGIN PGM.
     pub unit: Option<Unit>,
+    /// A main program without an end of program is taken.
+    pub open_end: bool,
     /// Feed in force at the start and for F AUTO without a TOOL CALL, in mm/min.
     pub feed: Option<f64>,
     /// Feed of arcs programmed at rapid traverse, in mm/min.

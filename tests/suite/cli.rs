@@ -57,7 +57,7 @@ fn standard_input() {
 #[test]
 fn the_dialect_of_standard_input_is_told_by_content_or_name() {
     let folder = Folder::new("stdin_dialect");
-    let fragment = "L X+10 Y+5 R0 F100\n";
+    let fragment = "L X+10 Y+5 R0 F100 M30\n";
     folder.run_with(&["compile", "-"], fragment).exits(2).says("--dialect");
     folder.run_with(&["compile", "-", "--stdin-filename", "A.H"], fragment).exits(0);
     folder.run_with(&["compile", "-", "--dialect", "klartext"], fragment).exits(0);
@@ -472,8 +472,8 @@ fn completions_and_manual_page() {
 fn the_dialect_is_told_or_asked_for() {
     let folder = Folder::new("dialect").with(&[
         ("content.txt", PART),
-        ("PART.H", "L X+10 Y+5 R0 F300\n"),
-        ("unknown.txt", "L X+10 Y+5 R0 F300\n"),
+        ("PART.H", "L X+10 Y+5 R0 F300 M30\n"),
+        ("unknown.txt", "L X+10 Y+5 R0 F300 M30\n"),
         ("empty.txt", ""),
     ]);
     folder.run(&["compile", "content.txt", "PART.H"]).exits(0);

@@ -90,11 +90,14 @@ fn tool_tables_of_both_kinds() {
         ("B.H", &RADIUS.replace("CALL 5 ", "CALL \"MILL_D10\" ")),
         ("TOOL.T", tool_t),
         ("tool.tbl", "T5 P5 D8.0 Z+80.5 ;8 mm end mill\n"),
-        ("shop/partc.toml", "[tools]\ntable = \"../TOOL.T\"\n"),
+        ("shop/partc.toml", "[tools]\ntable = \"TOOL.T\"\n"),
+        ("shop/TOOL.T", tool_t),
         ("shop/A.H", RADIUS),
-        ("both/partc.toml", "[tools]\ntable = \"../TOOL.T\"\n[tools.5]\nradius = 3.0\n"),
+        ("both/TOOL.T", tool_t),
+        ("both/partc.toml", "[tools]\ntable = \"TOOL.T\"\n[tools.5]\nradius = 3.0\n"),
         ("both/A.H", RADIUS),
-        ("number/partc.toml", "[tools]\ntable = \"../TOOL.T\"\n[tools.5]\nnumber = 12\n"),
+        ("number/TOOL.T", tool_t),
+        ("number/partc.toml", "[tools]\ntable = \"TOOL.T\"\n[tools.5]\nnumber = 12\n"),
         ("number/A.H", RADIUS),
     ]);
     let end = |args: &[&str]| -> String {

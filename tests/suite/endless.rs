@@ -135,6 +135,63 @@ fn a_full_output_stops_the_run() {
     assert!(compiled.attempt.lines().count() < 1010);
 }
 
+/// An error in a loop is found a thousand times as well as ten million times: what is left after it is a tenth of the limit.
+#[test]
+fn a_loop_with_an_error_stops_early() {
+    for (dialect, name, body) in [
+        ("mtc200", "P.npg", "@001=0\n.A @001=@001+1\nMX\nBRA .A\nRET\n"),
+        ("sinumerik", "P.MPF", "R1=0\nAA:\nR1=R1+1\nIF R1==5\nG777\nENDIF\nGOTOB AA\nM30\n"),
+        ("klartext", "P.H", "0 BEGIN PGM P MM\n1 LBL 1\n2 L X+5 R5\n3 FN 9: IF +0 EQU +0 GOTO LBL 1\n4 END PGM P MM\n"),
+        ("heidenhain-turning", "P.nc", "G94 F100\n#1=1\nWHILE #1==1\nG777\nENDWHILE\nM30\n"),
+    ] {
+        let compiled = stops(dialect, name, body, &few());
+        let told = compiled.rendered.iter().any(|found| found.contains("after an error only 10000 "));
+        assert!(told, "{dialect}: {:?}", compiled.rendered);
+    }
+}
+
+/// A text that is executed costs more than a block that was read before, and a label more than no label: fewer of them are run.
+#[test]
+fn texts_and_labels_cost_what_they_take() {
+    let settings = few();
+    let passes = |body: &str| {
+        let compiled = stops("sinumerik", "P.MPF", body, &settings);
+        let found = compiled.findings.iter().find(|found| found.code.id == "P4001").expect("the limit");
+        found.label.text.trim_matches(|c: char| !c.is_ascii_digit()).parse::<u64>().expect("a number of jumps")
+    };
+    let plain = passes("L1:\nR1=R1+1\nGOTOB L1\nM30\n");
+    let text = passes("L1:\nEXECSTRING(\"R1=R1+1\")\nGOTOB L1\nM30\n");
+    assert!(text * 4 < plain, "{text} passes with a text, {plain} without");
+    // More blocks than are kept.
+    let labels: String = (0..70_000).map(|n| format!("L{n}: R1={}\n", n % 9)).collect();
+    assert!(passes(&format!("{labels}GOTOB L0\n")) <= 1);
+}
+
+// Plain G-code.
+
+#[test]
+fn arcs_of_many_turns_count_as_work() {
+    let arc = "G3 X10 Y0 I-10 J0 Z-1 P20000 F100\n";
+    let text = format!("G21 G90 G94 G17\nG0 X10 Y0 Z0\n{}M2\n", arc.repeat(3));
+    for target in ["linuxcnc", "grbl", "fanuc", "heidenhain"] {
+        let settings = self::settings(&format!("[limits]\nsteps = 200_000\n[output]\ntarget = \"{target}\"\n"));
+        let compiled = stops("gcode", "P.ngc", &text, &settings);
+        assert!(compiled.codes().contains(&"P4001"), "{target}: {:?}", compiled.rendered);
+    }
+}
+
+/// The lines over the limit are not made: an arc in very many parts stops inside.
+#[test]
+fn a_full_output_stops_an_arc() {
+    for target in ["grbl", "fanuc", "heidenhain"] {
+        let text = "G21 G90 G94 G17\nG0 X10 Y0 Z0\nG3 X10 Y0 I-10 J0 P100000 F100\nM2\n";
+        let settings = self::settings(&format!("[limits]\noutput_blocks = 500\n[output]\ntarget = \"{target}\"\n"));
+        let compiled = stops("gcode", "P.ngc", text, &settings);
+        assert!(compiled.codes().contains(&"P4002"), "{target}: {:?}", compiled.rendered);
+        assert!(compiled.attempt.lines().count() < 1500, "{target}: {} lines", compiled.attempt.lines().count());
+    }
+}
+
 // Klartext.
 
 /// A drilling cycle with pecks of `step`, and `body` again and again.

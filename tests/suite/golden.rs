@@ -23,7 +23,7 @@ macro_rules! books {
 
 books! {
     errors_gcode = "errors/gcode":
-        R;
+        R R4;
     errors_heidenhain_turning = "errors/heidenhain-turning":
         G L T0 T1 T200 T201 T202 T203 T205 T207 T3 T8 T9;
     errors_klartext = "errors/klartext":
@@ -31,7 +31,7 @@ books! {
     errors_mtc200 = "errors/mtc200":
         G L M0 M100 M1006 M101 M1012 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O P P0205;
     errors_sinumerik = "errors/sinumerik":
-        G G330 G332 L1 L2 O P P0107 P0205 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
+        G G330 G332 L1 L2 O P P000 P0107 P0205 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
     gcode = "gcode":
         lines rigid_taps speeds;
     heidenhain_turning = "heidenhain-turning":

@@ -12,6 +12,7 @@ mod cli_config;
 mod cli_diff;
 mod cli_files;
 mod cli_findings;
+mod cli_foreign;
 mod cli_init;
 mod cli_lint;
 mod cli_names;

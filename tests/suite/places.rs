@@ -15,8 +15,8 @@ fn misplaced(program: &[u8], findings: &[Diagnostic]) -> Vec<String> {
     let wrong = |found: &&Diagnostic| {
         let loc = found.label.loc;
         let begin = loc.span.start as usize;
-        // Behind the last line there is no text.
-        loc.file.0 == 0 && begin < program.len() && line_of(begin) != loc.line
+        let is_inside = begin < program.len().max(1) && loc.line > 0;
+        loc.file.0 == 0 && !(is_inside && line_of(begin) == loc.line)
     };
     findings
         .iter()
@@ -42,6 +42,10 @@ fn of_golden_programs_and_damaged_ones() {
             continue;
         }
         look_at(case, &case.program, "as it is");
+        // Cut off in transfer: in front of its last line end, and anywhere.
+        let end = case.program.trim_ascii_end().len();
+        look_at(case, &case.program[..end], "without its last line end");
+        look_at(case, &case.program[..dice.roll(end + 1)], "cut off");
         for kind in [5, 6, 7] {
             let mut damaged = case.program.clone();
             damage(&mut damaged, kind, &mut dice);

@@ -8,8 +8,8 @@ function is refused, and so is a line that counts on something nobody has said: 
 front of it is certain. Resolve the program first, or name its language with `--dialect`; `[control] unit` and `[start]` in partc.toml say what a program leaves open."
 
 R1002 Warning "gcode-end-missing" "plain G-code ends without M2 or M30"
-"The last line is no end of a program. The file may have been cut off in transfer, or the program that made it leaves the end to the control. The output gets M2. Look at \
-the last lines, and add M30."
+"The last line is no end of a program. The file may have been cut off in transfer, or the program that made it leaves the end to the control. Without `[control] open_end = \"allow\"` that is an error (P0007); a file between two lines of % may \
+end so. The output gets M2. Look at the last lines, and add M30."
 
 R1003 Error "gcode-of-another-receiver" "program was printed for another receiver"
 "The head of this program says for which target partc printed it. Its lines look like those of LinuxCNC, and some mean another thing there: on a Fanuc control G4 P counts \
@@ -18,6 +18,10 @@ thousandths of a second, and on its lathes G90 cuts. Compile the program that it
 R2001 Error "gcode-tool-length" "tool length that the output does not have"
 "G43 H adds the length of a tool, G49 takes it away, and all positions along Z count with it or without it. The output has G43 behind each tool change with the number \
 of the tool where `[output] tool_length = \"G43\"` is set, and nowhere else. A program that does it in another way cannot be printed."
+
+R4001 Error "gcode-arc-turns" "arc of too many turns"
+"P of an arc is the number of its turns. More than 100,000 are no work that a machine does: most often P belongs to another word of the line, or a digit is wrong. A target \
+that does not count turns would get a block or more for each. The line is refused, so nothing is written."
 
 R8001 Note "gcode-path-control" "exact stop and blending are left out"
 "G61 and G64 say how a control rounds the corners of the path, within a tolerance of its own. The output holds the path alone, and the target takes its corners as it is \

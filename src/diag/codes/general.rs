@@ -27,6 +27,18 @@ P0006 Warning "hole-between-blocks" "NUL or Ctrl-Z stands between the blocks of 
 or a transfer lost whole blocks: compare the program with the one that was sent. Before the first block and after the last one they are padding \
 and mean nothing."
 
+P0007 Error "open-end" "main program has no end of program"
+"The file of a main program is over, and no block of it has ended the program (M30, M2, END PGM, RET). A file that was cut off in transfer \
+looks like that, and what the missing blocks do is not known: nothing is written, since an end that partc adds would hide it from the \
+machine, too. A control stops there as well (SINUMERIK: alarm 14000).\n\
+Compare the file with the original. If it is complete, write the end as its last block. Where the control or the transfer needs none, set \
+`[control] open_end = \"allow\"`: the end is added then, with a warning. Subprograms are not meant."
+
+P0008 Error "cut-off" "file stops in its last line"
+"The last line has no line end, and there is no end of program behind it or in it: the file was cut off, perhaps inside a number (`G1 X12` \
+of `G1 X123.456`). No key allows it. Get the file anew from where it was made. If it is complete, write the end of the program as its last \
+block; a last line that holds the end of the program needs no line end."
+
 P0101 Error "program-not-found" "called program is not in the include roots"
 "The program calls another one that partc cannot find. Without it the path is incomplete, so nothing is written.\n\
 Put the file beside the calling program, or name its folder under `[include] roots` in partc.toml, for example `\"TNC:\" = \"programs\"`.\n\
@@ -68,25 +80,33 @@ P0121 Error "called-files-too-large" "called programs are over 1 GiB together"
 "All programs that a run calls may have 1 GiB together. Compile the large ones as main programs of their own."
 
 P0130 Error "tool-table-unit" "tool table and program have different units"
-"The tool table is in another unit than the program, or states none and is taken for mm. A radius that is off by 25.4 breaks the tool, so the compiler asks: \
+"The tool table is in another unit than the program, or states none and is taken for mm. A radius that is off by 25.4 breaks the tool, so \
+the compiler asks: \
 check the table, and say its unit in partc.toml, `[tools] unit = \"mm\"`. Its lengths are converted then."
 
 P0201 Warning "two-skip-levels" "two skip levels are switched on as one"
-"`[control] skip_blocks` lists level 1 and not level 0, and the program has blocks with / and blocks with /1. Level 1 takes the plain / along, as users count \
-who have one switch only; on a SINUMERIK / is level 0, the first of ten, and /1 is another switch. Both kinds are left out. Write `[0]` to leave out those \
+"`[control] skip_blocks` lists level 1 and not level 0, and the program has blocks with / and blocks with /1. Level 1 takes the plain / \
+along, as users count \
+who have one switch only; on a SINUMERIK / is level 0, the first of ten, and /1 is another switch. Both kinds are left out. Write `[0]` to \
+leave out those \
 with / alone, or `[0, 1]` where both are meant."
 
 P0202 Error "work-offset-of-two" "two work offsets are printed as one"
-"`[datums]` maps a work offset of the program to one that stands for another work offset of the same program, too: two parts that lie apart would be cut at one place. \
-Name another work offset of the target for one of them, and set it up there. Where both are one place on purpose, give the second one the same values; partc does not know them."
+"`[datums]` maps a work offset of the program to one that stands for another work offset of the same program, too: two parts that lie \
+apart would be cut at one place. \
+Name another work offset of the target for one of them, and set it up there. Where both are one place on purpose, give the second one the \
+same values; partc does not know them."
 
 P0203 Error "tool-number-of-two" "two tools are printed by one number"
-"`number` in `[tools]` says what a tool is printed as, and the program calls another tool that is printed so, too: the machine would bring the same tool for both. Give each of them \
+"`number` in `[tools]` says what a tool is printed as, and the program calls another tool that is printed so, too: the machine would bring \
+the same tool for both. Give each of them \
 a number of its own."
 
 P0204 Warning "moves-before-offset" "moves in front of the first work offset"
-"In front of the first work offset (cycle 247, G54) positions count from the one that is active on the control, which an earlier program or the operator selected. In the output these moves \
-run under the offset that is active on the target at the start, which may be another one. Select the work offset in front of the first move, or retract in machine coordinates (M91, G53)."
+"In front of the first work offset (cycle 247, G54) positions count from the one that is active on the control, which an earlier program \
+or the operator selected. In the output these moves \
+run under the offset that is active on the target at the start, which may be another one. Select the work offset in front of the first \
+move, or retract in machine coordinates (M91, G53)."
 
 P0205 Error "entry-takes-a-move-away" "entry of partc.toml would make a move vanish"
 "An entry says of a word that it does nothing to the path: `[control] machine_words`, or `ignore` under `[programs]`. partc knows the word, and it moves the tool, or says where it goes: a tapping \
@@ -100,7 +120,8 @@ Most often a loop never ends: the condition of its jump is always true. The mess
 If the program really is that long, raise the limit."
 
 P4002 Error "output-limit" "program makes too many output blocks"
-"The output has more lines than `[limits] output_blocks` (50 million by default), head and end included, so it was given up: most often a loop runs too many times, or \
+"The output has more lines than `[limits] output_blocks` (50 million by default), head and end included, so it was given up: most often a \
+loop runs too many times, or \
 never ends. Check the loops and repeats around the marked block, or raise the limit."
 
 P4003 Error "call-depth" "calls are nested too deep"

@@ -46,7 +46,8 @@ M1008 Error "mtc-cut-off" "transfer file ends without RET or M30"
 of the path is missing. If the program is complete, add the block."
 
 M1009 Warning "mtc-no-end" "program ends without RET or M30"
-"The text ends without RET, BST, JMP, M02 or M30. For a fragment that is fine, and the output ends with M2. Add RET if this is a program of its own."
+"The text ends without RET, BST, JMP, M02 or M30. Without `[control] open_end = \"allow\"` that is an error (P0007). The output ends \
+with M2. Add RET if this is a program of its own."
 
 M1010 Error "mtc-m-conflict" "M functions of one MTC200 block contradict"
 "For example M3 with M4, or M8 with M9 in one block. Which one acts last is not defined, so the spindle might turn the wrong way. \

@@ -124,7 +124,8 @@ S2025 Warning "siemens-r-unset" "R parameter is read before it is set"
 Set it in the program or under [variables]."
 
 S2026 Warning "siemens-no-end" "program has no end"
-"The main program ends without M30, M2 or M17; a control raises alarm 14000. The output gets an M2."
+"The main program ends without M30, M2 or M17; a control raises alarm 14000. Without \
+`[control] open_end = \"allow\"` that is an error (P0007). The output gets an M2."
 
 S2027 Error "siemens-setal" "program raises an alarm itself"
 "The way through the program reaches SETAL, with which it stops for data it finds wrong. What follows would not run on the machine, so \

@@ -41,6 +41,13 @@ pub const KEYS: &[Key] = &[
         "unit of a Klartext file without BEGIN PGM; base unit of an MTC200",
         |s, v| put(&mut s.control.unit, Some(if is(v, "inch") { Unit::Inch } else { Unit::Mm })),
     ),
+    key(
+        "open_end",
+        Kind::Choice(&["refuse", "allow"]),
+        "a main program without M30, M2 or another end: it may have been cut off in transfer",
+        |s, v| put(&mut s.control.open_end, is(v, "allow")),
+    )
+    .or(r#""refuse""#),
     key("feed", Kind::Number, "feed in mm/min at the start, and for F AUTO without a TOOL CALL", |s, v| {
         put(&mut s.control.feed, Some(feed(v)?))
     }),

@@ -30,6 +30,8 @@ pub use survey::survey;
 const ARC_TOLERANCE: f64 = 0.0127;
 /// Work offsets of LinuxCNC.
 const OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
+/// Most turns of one arc.
+const MOST_TURNS: u32 = 100_000;
 /// Most acts of one line.
 const ACTS: usize = 16;
 
@@ -237,7 +239,9 @@ impl<'a> Interpreter<'a> for Run<'a> {
         let loc = self.end_of_text();
         self.here.origin.loc = loc;
         self.stop_run();
-        self.report(Diagnostic::new(codes::R1002, loc, "the program ends without M2 or M30"));
+        if self.is_between_percents() || self.may_end_open("M2 or M30", "M30") {
+            self.report(Diagnostic::new(codes::R1002, loc, "the program ends without M2 or M30"));
+        }
         self.does(&Function::End { rewind: false });
     }
 
@@ -509,6 +513,12 @@ impl Run<'_> {
             read::Path::Line => Path::Line(function::feed(&self.reader)?),
             // K is the way along the path for a turn.
             read::Path::Thread(lead) => Path::Thread(Thread { lead: function::real(lead), along: None }),
+            read::Path::Arc(arc) if arc.turns.unsigned_abs() > MOST_TURNS => {
+                let message =
+                    format!("the arc turns {} times, and partc takes {MOST_TURNS} at most", arc.turns.unsigned_abs());
+                let found = Diagnostic::new(codes::R4001, self.here.origin.loc, message);
+                return Err(Refused::Words(Box::new(found.help("check P, the number of turns"))));
+            }
             read::Path::Arc(arc) => Path::Arc(shape(&arc)?, function::feed(&self.reader)?),
         };
         let coords = if mv.machine { Coords::Machine } else { Coords::Frame };

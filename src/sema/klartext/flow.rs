@@ -116,6 +116,10 @@ impl Run<'_> {
                     .also(begin, "the program begins here")
                     .help("the file may have been cut off in transfer; if it is complete, add END PGM"),
             );
+        } else if self.in_called_program() {
+            self.is_cut_off("END PGM", "END PGM");
+        } else {
+            self.may_end_open("END PGM, M30 or M2", "M30");
         }
         let _ = self.program_over(false);
     }

@@ -355,7 +355,9 @@ impl Run<'_> {
                 );
             }
             Header::Start | Header::None => {
-                self.report(Diagnostic::new(codes::M1009, loc, "the program ends without RET or M30"));
+                if self.is_between_percents() || self.may_end_open("RET or M30", "RET") {
+                    self.report(Diagnostic::new(codes::M1009, loc, "the program ends without RET or M30"));
+                }
                 self.warn_open();
                 self.function(Function::End { rewind: false });
             }

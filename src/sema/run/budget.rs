@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::{CallPath, Diagnostic, codes};
+use crate::diag::{CallPath, Diagnostic, Diags, codes};
 use crate::ir::contour::Sink;
 use crate::sema::Job;
 use crate::text::Loc;
@@ -14,11 +14,21 @@ pub(super) const BYTES_A_STEP: u32 = 64;
 const OPERATIONS_A_STEP: usize = 8;
 /// Steps that parsing a block costs.
 const PARSING: u64 = 5;
+/// Steps that a label of such a block costs.
+const LABEL: u64 = 6;
+/// Steps that a text costs which is executed as a block.
+const TEXT: u64 = 12;
+const BYTES_OF_TEXT_A_STEP: usize = 16;
 /// Steps that looking for a called program on the disk costs.
 const SEARCH: u64 = 250;
 
 /// Steps of a run after a called program that is missing.
 const STEPS_IN_DOUBT: u64 = 100_000;
+
+/// With an error nothing is written any more: this part of the limit is left to find further ones.
+const AFTER_ERROR: u64 = 10;
+/// Steps between two looks at the errors.
+const LOOK: u64 = 4096;
 
 /// Counts what a run costs in steps, and knows which jump ran most often.
 ///
@@ -28,6 +38,10 @@ const STEPS_IN_DOUBT: u64 = 100_000;
 pub struct Budget {
     left: u64,
     limit: u64,
+    /// With so many steps left the errors are looked at next.
+    look_at: u64,
+    /// There was an error, and the rest of the limit was cut.
+    is_cut: bool,
     jumps: FxHashMap<Loc, u64>,
     /// Moves that the sink had taken at the last look.
     moves: u64,
@@ -39,7 +53,28 @@ pub struct Budget {
 
 impl Budget {
     pub fn new(limit: u64) -> Budget {
-        Budget { left: limit, limit, jumps: FxHashMap::default(), moves: 0, mixed: false, in_doubt: false }
+        Budget {
+            left: limit,
+            limit,
+            look_at: limit.saturating_sub(LOOK),
+            is_cut: false,
+            jumps: FxHashMap::default(),
+            moves: 0,
+            mixed: false,
+            in_doubt: false,
+        }
+    }
+
+    /// Cuts the rest where the run has met an error.
+    #[cold]
+    fn look(&mut self, diags: &Diags) {
+        self.look_at = self.left.saturating_sub(LOOK);
+        if !self.is_cut && diags.has_failed() {
+            let rest = self.limit / AFTER_ERROR;
+            self.is_cut = self.left > rest;
+            self.left = self.left.min(rest);
+            self.look_at = 0;
+        }
     }
 
     /// The rest is only read for what else it needs: loops in it may depend on what is not known.
@@ -51,7 +86,10 @@ impl Budget {
     /// Takes the steps of the block before and one for the next; false when none is left, or when `out` is full. Up to
     /// the first jump nothing can run for ever: a file that is read once may have any length.
     #[inline]
-    pub fn step(&mut self, out: &dyn Sink) -> bool {
+    pub fn step(&mut self, out: &dyn Sink, diags: &Diags) -> bool {
+        if self.left < self.look_at {
+            self.look(diags);
+        }
         let load = out.load();
         if self.left == 0 || load.full {
             return false;
@@ -68,7 +106,10 @@ impl Budget {
     }
 
     /// The same between two places of a pattern, or wherever one block does much: is there anything left?
-    pub fn goes_on(&mut self, out: &dyn Sink) -> bool {
+    pub fn goes_on(&mut self, out: &dyn Sink, diags: &Diags) -> bool {
+        if self.left < self.look_at {
+            self.look(diags);
+        }
         let load = out.load();
         self.mixed = true;
         self.left = self.left.saturating_sub(load.moves - self.moves);
@@ -101,6 +142,20 @@ impl Budget {
         }
     }
 
+    /// Takes what the label of a block costs that was parsed again.
+    pub fn label(&mut self) {
+        if !self.jumps.is_empty() {
+            self.take(LABEL);
+        }
+    }
+
+    /// Takes what a text of so many bytes costs that is executed as a block.
+    pub fn text(&mut self, bytes: usize) {
+        if !self.jumps.is_empty() {
+            self.take(TEXT + (bytes / BYTES_OF_TEXT_A_STEP) as u64);
+        }
+    }
+
     /// Takes the steps of looking for a called program.
     pub fn search(&mut self) {
         if !self.jumps.is_empty() {
@@ -123,13 +178,19 @@ impl Budget {
     fn exceeded(&self, here: Loc, call: CallPath) -> Diagnostic {
         let busiest = self.jumps.iter().max_by_key(|(loc, n)| (**n, std::cmp::Reverse((loc.file, loc.span.start))));
         let what = if self.mixed { "steps (blocks, moves and long lines)" } else { "blocks" };
-        let stopped = format!("stopped after {} {what}", self.limit);
+        let stopped = match self.is_cut {
+            true => format!("stopped: after an error only {} {what} are run", self.limit / AFTER_ERROR),
+            false => format!("stopped after {} {what}", self.limit),
+        };
         let found = match busiest {
             Some((&loc, n)) => Diagnostic::new(codes::P4001, loc, stopped)
                 .here(format!("taken {n} times"))
                 .also(here, "the run stopped here"),
             None => Diagnostic::new(codes::P4001, here, stopped).called(call),
         };
-        found.help("check the condition that ends this loop, or raise `[limits] steps`")
+        found.help(match self.is_cut {
+            true => "mend the other errors first; then check the condition that ends this loop",
+            false => "check the condition that ends this loop, or raise `[limits] steps`",
+        })
     }
 }

@@ -129,7 +129,7 @@ impl<L: Language> Core<'_, L> {
     #[inline]
     pub fn has_steps_at(&mut self, loc: Loc) -> bool {
         self.job.trail.step();
-        let goes_on = self.budget.step(&*self.out);
+        let goes_on = self.budget.step(&*self.out, self.job.diags);
         if !goes_on {
             self.out_of_steps(loc);
         }
@@ -145,7 +145,7 @@ impl<L: Language> Core<'_, L> {
 
     /// Between two places of a pattern: the run ends here where no step is left, or the output takes no more.
     pub fn goes_on(&mut self) -> Outcome {
-        if self.budget.goes_on(&*self.out) {
+        if self.budget.goes_on(&*self.out, self.job.diags) {
             return Ok(());
         }
         self.budget.report_end(&self.job, &*self.out, self.here.origin.loc, self.here.origin.call);
@@ -191,6 +191,9 @@ impl<L: Language> Core<'_, L> {
         if let Read::Block(site) = &read {
             let (bytes, again) = source.cost(site);
             self.budget.block(bytes, L::operations(&into.block), again);
+            if again && L::has_label(&into.block) {
+                self.budget.label();
+            }
         }
         read
     }
@@ -303,14 +306,6 @@ impl<L: Language> Core<'_, L> {
     /// Nobody knows where the tool is.
     pub fn send_lost(&mut self, ctx: &CtxRef) {
         self.out.lost(ctx, &self.here.origin);
-    }
-
-    /// The last byte of the file that runs, which has no further block.
-    pub fn end_of_text(&mut self) -> Loc {
-        let source = &self.program().source;
-        let place = source.cursor.place();
-        let span = Span::at(place.at.saturating_sub(1), 1);
-        Loc { file: source.file, line: place.line.saturating_sub(1).max(1), span }
     }
 
     /// The file cannot be read: the run ends.

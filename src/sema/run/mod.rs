@@ -5,6 +5,7 @@
 
 mod budget;
 mod core;
+mod end;
 mod entries;
 mod files;
 mod level;
@@ -83,6 +84,11 @@ pub trait Language: Default {
 
     /// Operations of its formulas, for the budget.
     fn operations(block: &Self::Block) -> usize;
+
+    /// Does the block have a label besides its words, which is noted whenever the block is parsed?
+    fn has_label(_block: &Self::Block) -> bool {
+        false
+    }
 
     /// What to do about a finding that brings no help of its own.
     fn usual_help(_code: &'static Code) -> Option<&'static str> {

@@ -317,14 +317,22 @@ impl Run<'_> {
         self.refuse_arguments();
         if self.in_main() {
             let unit = &self.units.list[self.unit()];
-            if unit.kind == UnitKind::Main && !self.iso {
-                let loc = self.here.origin.loc;
+            let is_main = unit.kind == UnitKind::Main && !self.iso;
+            if is_main && self.may_end_open("M30, M2 or M17", "M30") {
+                let loc = self.end_of_text();
                 let found = Diagnostic::new(codes::S2026.alarm(14000), loc, "the program ends without M30, M2 or M17");
                 self.report(found.help("write M30 as its last block"));
+            } else if !is_main && !self.iso {
+                self.is_cut_off("M17 or RET", "M17");
             }
+            let behind = self.end_of_text();
+            let last = std::mem::replace(&mut self.here.origin.loc, behind);
+            self.function(crate::ir::Function::End { rewind: false });
+            self.here.origin.loc = last;
             self.stop_run();
             return;
         }
+        self.is_cut_off("M17 or RET", "M17");
         self.leave_program();
     }
 }

@@ -166,6 +166,11 @@ impl Language for Sinumerik {
     fn operations(block: &Block) -> usize {
         block.ops.len()
     }
+
+    #[inline]
+    fn has_label(block: &Block) -> bool {
+        block.label.is_some()
+    }
 }
 
 /// Variables that were read before the program gave them a value, which was said.
@@ -462,6 +467,7 @@ impl Run<'_> {
 
     fn execute_text(&mut self, line: &[u8], span: Span) -> Outcome {
         let loc = self.loc(span);
+        self.budget.text(line.len());
         let line = self.expanded(line).unwrap_or_else(|| line.to_vec());
         let mut block = Block::default();
         parse_block(&line, &mut block, &mut self.channel.core.symbols, &mut self.channel.core.problems);

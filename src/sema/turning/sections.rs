@@ -394,9 +394,7 @@ impl Run<'_> {
         let _ = self.settle_chain();
         let called = self.levels.len() > 1;
         if called || self.sections.framed || self.sections.passing {
-            let program = self.program();
-            let place = program.source.cursor.place();
-            let loc = Loc { file: program.source.file, line: place.line, span: Span::at(place.at, 0) };
+            let loc = self.end_of_text();
             let what = if called || self.sections.passing { "RETURN" } else { "END" };
             self.report(
                 Diagnostic::new(codes::T1010, loc, format!("the file ends without {what}"))
@@ -405,6 +403,7 @@ impl Run<'_> {
             self.stop_run();
             return;
         }
+        self.may_end_open("END or M30", "M30");
         let _ = self.end_of_job(false);
     }
 }

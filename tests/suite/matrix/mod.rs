@@ -3,6 +3,7 @@
 //! A new dialect is one more [`Column`]. Line ends, skip marks, start points and loops without end have files of their
 //! own: `line_ends`, `skip_marks`, `start`, `endless`.
 
+mod ends;
 mod runs;
 mod texts;
 

@@ -1,0 +1,80 @@
+//! Where a file ends without an end of program: most often it was cut off in transfer.
+
+use crate::diag::{Diagnostic, codes};
+use crate::text::{Loc, Span};
+
+use super::Language;
+use super::core::Core;
+
+/// Bytes at the end of a file that are looked at for what ends its last line.
+const TAIL: u32 = 64 * 1024;
+
+/// Does the text end its last line? NUL, Ctrl-Z and blanks behind a line end are padding.
+fn ends_its_line(text: &[u8]) -> bool {
+    let last = text.iter().rfind(|byte| !matches!(byte, 0 | 0x1a | b' ' | b'\t'));
+    matches!(last, Some(b'\n' | b'\r'))
+}
+
+/// The lines that hold something, without the blanks around it.
+fn lines(text: &[u8]) -> impl DoubleEndedIterator<Item = &[u8]> {
+    let is_blank = |b: &u8| b.is_ascii_whitespace() || matches!(b, 0 | 0x0b | 0x1a);
+    text.split(|b| matches!(b, b'\n' | b'\r')).filter_map(move |line| {
+        let start = line.iter().position(|b| !is_blank(b))?;
+        let end = line.iter().rposition(|b| !is_blank(b))?;
+        Some(&line[start..=end])
+    })
+}
+
+impl<L: Language> Core<'_, L> {
+    /// The last byte of the file that runs, which has no further block.
+    pub fn end_of_text(&mut self) -> Loc {
+        let source = &self.program().source;
+        let place = source.cursor.place();
+        let span = Span::at(place.at.saturating_sub(1), 1);
+        Loc { file: source.file, line: place.line.saturating_sub(1).max(1), span }
+    }
+
+    /// Is the main program one between two lines of `%`? The second one ends the file, as it ended a tape (LinuxCNC User Manual,
+    /// "Program structure").
+    pub fn is_between_percents(&self) -> bool {
+        let file = self.job.main;
+        let size = u32::try_from(self.job.sources.size(file)).unwrap_or(u32::MAX);
+        let bytes = |start: u32, end: u32| self.job.sources.bytes(file, Span { start, end });
+        let (head, tail) = (bytes(0, size.min(TAIL)), bytes(size.saturating_sub(TAIL), size));
+        let first = lines(&head).next();
+        let mut behind = lines(&tail).rev();
+        first == Some(b"%") && behind.next() == Some(b"%") && behind.next().is_some()
+    }
+
+    /// May the main program end here, where `end` is missing? `best` of its words is to be added. What was said of it stops nothing: the
+    /// run is over anyway.
+    pub fn may_end_open(&mut self, end: &str, best: &str) -> bool {
+        if self.is_cut_off(end, best) {
+            return false;
+        }
+        if self.job.settings.control.open_end {
+            return true;
+        }
+        let loc = self.end_of_text();
+        let help = format!(
+            "the file may have been cut off in transfer; if it is complete, add {best}; for a control that needs no end, set \
+             `[control] open_end = \"allow\"`"
+        );
+        self.report(Diagnostic::new(codes::P0007, loc, format!("the program ends without {end}")).help(help));
+        false
+    }
+
+    /// Does the last line of the file have no line end either? Then the rest of it is missing, in a subprogram, too.
+    pub fn is_cut_off(&mut self, end: &str, best: &str) -> bool {
+        let loc = self.end_of_text();
+        let behind = loc.span.end;
+        let tail = self.job.sources.bytes(loc.file, Span { start: behind.saturating_sub(TAIL), end: behind });
+        if ends_its_line(&tail) {
+            return false;
+        }
+        let message = format!("the file stops in its last line, without {end}: it was cut off");
+        let help = format!("get the file anew; if its last line is complete, end it, and add {best}");
+        self.report(Diagnostic::new(codes::P0008, loc, message).help(help));
+        true
+    }
+}
