@@ -96,7 +96,7 @@ impl Player<'_> {
                 let number = self.selected.ok_or("a change to a tool that no T has chosen")?;
                 self.does(Function::ToolChange { number });
             }
-            Act::Speed(_) | Act::M { .. } | Act::Dwell(_) | Act::Offset(_) => {
+            Act::Speed(_) | Act::M { .. } | Act::Dwell(_) | Act::Corners(_) | Act::Offset(_) => {
                 if let Some(function) = function::function(&act)? {
                     self.does(function);
                 }

@@ -6,7 +6,8 @@ use crate::geo::{Plane, Point2, distance, turned};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
 use crate::ir::motion::{Move, Path, Sink};
 use crate::ir::{Feed, Function, Origin, Pos, Side};
-use crate::machine::Axis;
+use crate::machine::{Axis, MachineKind, OutputSettings, PathControl, Settings};
+use crate::text::Loc;
 
 /// One thing that a program does, and the block that asks for it.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,13 +96,28 @@ pub struct Steps {
     tool: Option<u32>,
     cutter: CutterData,
     offset: Option<u8>,
+    corners: Option<PathControl>,
+    /// What a stream says of corners is what is printed for it, on a lathe or a mill.
+    output: Option<(OutputSettings, bool)>,
 }
 
 impl Steps {
     /// Ways up to half the tolerance are none.
     pub fn new(tolerance: f64) -> Steps {
         let (list, at) = (Vec::new(), Pos::UNKNOWN);
-        Steps { list, nothing: tolerance / 2.0, at, tool: None, cutter: CutterData::default(), offset: None }
+        let nothing = tolerance / 2.0;
+        let (cutter, corners, output) = (CutterData::default(), None, None);
+        Steps { list, nothing, at, tool: None, cutter, offset: None, corners, output }
+    }
+
+    /// The same for a stream that is printed with these settings: the output says how corners are taken where the program
+    /// does not.
+    pub fn of_program(tolerance: f64, settings: &Settings) -> Steps {
+        let lathe = settings.machine.kind == MachineKind::Lathe;
+        let mut steps = Steps { output: Some((settings.output.clone(), lathe)), ..Steps::new(tolerance) };
+        let start = Origin { loc: Loc { line: 1, ..Loc::default() }, ..Origin::default() };
+        steps.path_control(None, &start);
+        steps
     }
 
     /// All steps. A program that does not say how it ends stops at its end.
@@ -233,6 +249,7 @@ impl Sink for Steps {
                 }
             }
             Function::End { rewind } => self.function("end", [f64::from(u8::from(*rewind)), 0.0], origin),
+            Function::PathControl(said) => self.path_control(*said, origin),
             Function::FeedSpindle(_) | Function::Transformation(_) | Function::Plane(_) | Function::Comment(_) => {}
         }
     }
@@ -247,6 +264,22 @@ impl Sink for Steps {
 }
 
 impl Steps {
+    /// How corners are taken, where it changes.
+    fn path_control(&mut self, said: Option<PathControl>, origin: &Origin) {
+        let mode = match &self.output {
+            Some((output, lathe)) => output.path_control(said, *lathe),
+            None => said,
+        };
+        let Some(mode) = mode.filter(|mode| self.corners != Some(*mode)) else { return };
+        self.corners = Some(mode);
+        match mode {
+            PathControl::Exact => self.function("G61", [0.0; 2], origin),
+            PathControl::Within(mm) => self.function("G64 P", [mm, 0.0], origin),
+            PathControl::Before(mm) => self.function("G641 ADIS=", [mm, 0.0], origin),
+            PathControl::Unbounded => self.function("G64", [0.0; 2], origin),
+        }
+    }
+
     /// Waits that follow each other are one.
     fn dwell(&mut self, seconds: f64, origin: &Origin) {
         match self.list.last_mut() {
@@ -269,6 +302,7 @@ impl Does {
             Does::Travel(travel) => travel.text(),
             Does::Function(word, [first, second]) => match word.as_str() {
                 "tool" => format!("T{first} M6"),
+                "G64 P" | "G641 ADIS=" => format!("{word}{}", shown(*first)),
                 "T" | "M" => format!("{word}{first}"),
                 "end" => if *first > 0.0 { "M30" } else { "M2" }.to_owned(),
                 "dwell" | "work offset" => format!("{word} {}", shown(*first)),

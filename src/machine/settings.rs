@@ -14,6 +14,7 @@ use super::options::klartext::{
 use super::options::mtc200::Mtc200;
 use super::options::sinumerik::Sinumerik;
 use super::options::turning::Turning;
+use super::path_control::PathChoice;
 use super::table::Contents;
 use super::tools::Tools;
 use super::tree::Spot;
@@ -262,6 +263,8 @@ pub struct OutputSettings {
     pub rapid_feed: Option<u32>,
     /// How far lines may leave an arc that the target cannot say, in millionths of a mm; `None`: it is refused.
     pub arc_fallback: Option<u32>,
+    /// How corners are taken where the program has no say; otherwise as is usual with the target.
+    pub path_control: Option<PathChoice>,
     /// What is printed is read back and compared with what was meant.
     pub validate: bool,
     /// Keys that the configuration states, and where.
@@ -301,6 +304,7 @@ impl Default for OutputSettings {
             dwell_unit: None,
             rapid_feed: None,
             arc_fallback: None,
+            path_control: None,
             validate: true,
             stated: Stated::default(),
         }

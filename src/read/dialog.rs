@@ -3,7 +3,7 @@
 
 use core::f64::consts::TAU;
 
-use super::act::{Act, Arc, LETTERS, Move, Path, Plane, Speed};
+use super::act::{Act, Arc, LETTERS, Move, Path, PathControl, Plane, Speed};
 use super::number::{SCALE, decimal};
 use super::{Fault, Lack, Reader};
 
@@ -32,6 +32,8 @@ enum Open {
     Nothing,
     /// The second block of a wait.
     Dwell,
+    /// The second block of a tolerance.
+    Tolerance,
     /// The second line of a preset.
     Preset,
 }
@@ -166,6 +168,9 @@ impl Reader {
         }
         if self.dialog.open == Open::Dwell {
             return self.waits(word, &mut words);
+        }
+        if self.dialog.open == Open::Tolerance {
+            return self.tolerance(word, &mut words);
         }
         if self.dialog.stopped && word != b"END" {
             return Err(Fault::new("something stands behind the end of the program"));
@@ -366,6 +371,7 @@ impl Reader {
         let def = words.is("DEF");
         self.dialog.open = match words.next() {
             Some(b"9.0") if def && words.are("DWELL TIME") => Open::Dwell,
+            Some(b"32.0") if def && words.are("TOLERANCE") => Open::Tolerance,
             Some(b"247") if def && words.are("DATUM SETTING ~") => Open::Preset,
             _ => return Err(Fault::new("a cycle that is not read")),
         };
@@ -381,6 +387,19 @@ impl Reader {
             return Err(Fault::new("the time of a wait is meant"));
         }
         self.push(Act::Dwell(seconds))
+    }
+
+    fn tolerance(&mut self, word: &[u8], words: &mut Words<'_>) -> Result<(), Fault> {
+        self.dialog.open = Open::Nothing;
+        let begins = word == b"CYCL" && words.is("DEF") && words.is("32.1");
+        let number = words.next().and_then(|word| word.strip_prefix(b"T")).unwrap_or_default();
+        let units = whole(number, number)?;
+        if !begins || words.next().is_some() || units <= 0 {
+            return Err(Fault::new("the tolerance of the path is meant"));
+        }
+        let mode = PathControl::Within(self.length(units)?);
+        self.modes.corners = Some(mode);
+        self.push(Act::Corners(mode))
     }
 
     fn preset(&mut self, line: &[u8]) -> Result<(), Fault> {

@@ -157,6 +157,8 @@ impl Rules {
                 | 970
         );
         match self.words {
+            // Other receivers have other words for these.
+            Words::Rs274 if matches!(tenths, 600 | 6410 | 6420) => None,
             Words::Rs274 => g(tenths),
             Words::Dialog => None,
             Words::Command => match tenths {
@@ -171,8 +173,8 @@ impl Rules {
                 _ => None,
             },
             Words::Siemens => match tenths {
-                0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 330 | 400 | 410 | 420 | 540 | 550 | 560 | 570 | 900 | 910
-                | 940 | 950 => g(tenths),
+                0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 330 | 400 | 410 | 420 | 540 | 550 | 560 | 570 | 600
+                | 640 | 900 | 910 | 940 | 950 | 6410 | 6420 => g(tenths),
                 5050..=5990 if tenths % 10 == 0 => Some(G::Offset((tenths / 10 - 500) as u8)),
                 7000 => g(200),
                 7100 => g(210),
@@ -180,7 +182,7 @@ impl Rules {
             },
             _ if common => g(tenths),
             Words::Mach => match tenths {
-                200 | 210 | 430 | 490 | 900 | 910 | 911 | 940 => g(tenths),
+                200 | 210 | 430 | 490 | 610 | 640 | 900 | 910 | 911 | 940 => g(tenths),
                 _ => None,
             },
             Words::FanucMill => match tenths {
@@ -191,7 +193,7 @@ impl Rules {
                 _ => None,
             },
             Words::LatheA => match tenths {
-                200 | 210 => g(tenths),
+                200 | 210 | 610 | 640 => g(tenths),
                 320 => g(330),
                 500 => Some(G::SpeedLimit),
                 980 => g(940),
@@ -199,7 +201,7 @@ impl Rules {
                 _ => None,
             },
             Words::LatheB | Words::LatheC => match (tenths, self.words) {
-                (200 | 210, Words::LatheB) | (330 | 900 | 910 | 940 | 950, _) => g(tenths),
+                (200 | 210, Words::LatheB) | (330 | 610 | 640 | 900 | 910 | 940 | 950, _) => g(tenths),
                 (700, Words::LatheC) => g(200),
                 (710, Words::LatheC) => g(210),
                 (920, _) => Some(G::SpeedLimit),

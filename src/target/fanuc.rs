@@ -5,7 +5,7 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Comments, CompensationWords, CuttingSpeed, Dwell, DwellUnit, FeedWords, Frame, Length, LengthNumber,
-    LengthWords, Limit, Line, MFunctions, MoreOffsets, Motion, Numbers, ProgramName, SpindleWords, Target, ToolWords,
+    LengthWords, Limit, Line, MFunctions, MoreOffsets, Motion, Numbers, PathWords, ProgramName, SpindleWords, Target, ToolWords,
     base::BASE,
 };
 
@@ -72,6 +72,14 @@ pub(super) const TARGET: Target = Target {
         reads_over_stops: false,
         planes: &[Plane::Xy],
     }),
+    // G64 is the cutting mode, in which corners are passed as acceleration has it. Stops in every corner would change what a
+    // program does today.
+    path: PathWords {
+        exact: Some("G61"),
+        unbounded: Some("G64"),
+        starts_unbounded: true,
+        ..PathWords::NONE
+    },
     m: MFunctions { own: OWN, ..BASE.m },
     ..BASE
 };

@@ -324,7 +324,7 @@ impl Sink for Recorder {
                 self.ended = true;
             }
             Function::FeedSpindle(_) | Function::Transformation(_) => panic!("{function:?} reached the target"),
-            Function::Plane(_) | Function::Comment(_) => {}
+            Function::Plane(_) | Function::PathControl(_) | Function::Comment(_) => {}
         }
     }
 

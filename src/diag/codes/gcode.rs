@@ -19,9 +19,8 @@ R2001 Error "gcode-tool-length" "tool length that the output does not have"
 "G43 H adds the length of a tool, G49 takes it away, and all positions along Z count with it or without it. The output has G43 behind each tool change with the number \
 of the tool where `[output] tool_length = \"G43\"` is set, and nowhere else. A program that does it in another way cannot be printed."
 
-R8001 Note "gcode-path-control" "exact stop and blending are left out"
-"G61 and G64 say how a control rounds the corners of the path, within a tolerance of its own. The output holds the path alone, and the target takes its corners as it is \
-set. Set the mode on the target, if it matters."
+R8001 Note "gcode-path-control" "G64 without P gets the bound of the output"
+"G64 alone keeps the speed up and promises no bound on how far it rounds corners off. The output states one: 0.01 mm, or what `[output] path_control` says. G61 and `G64 P` are printed as they are meant."
 
 R9001 Error "gcode-m-function" "M function that means what the builder of a machine wants"
 "M0 to M9, M19 and M30 mean the same everywhere. All others are given by the builder of a machine, and some move it. If the target has the same function, list it \

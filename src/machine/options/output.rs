@@ -1,5 +1,6 @@
 //! `[output]`, `[limits]` and `[include]`: what is printed, how long a run may be, and what it may open.
 
+use crate::machine::PathChoice;
 use crate::machine::keys::{Key, Kind, key};
 use crate::machine::settings::{Compensation, Decimals, Settings, ToolChange, Units};
 use crate::machine::tree::{ConfigError, Node, Value};
@@ -103,6 +104,13 @@ pub const KEYS: &[Key] = &[
             let most = number(v).filter(|mm| (0.001..=1.0).contains(mm)).ok_or_else(|| v.fail("0.001 to 1"))?;
             put(&mut s.output.arc_fallback, Some(libm::round(most * 1e6) as u32))
         },
+    ),
+    key(
+        "path_control",
+        Kind::Corners,
+        "how corners are taken where the program has no say: \"exact\", { tolerance = 0.01 } in mm, or \"none\": no word of it \
+         is printed; without it a tolerance of 0.01 where the target can say one, on lathes \"exact\"",
+        |s, v| put(&mut s.output.path_control, Some(PathChoice::read(v)?)),
     ),
 ];
 
