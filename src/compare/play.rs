@@ -45,7 +45,7 @@ pub fn play(text: &[u8], sink: &mut dyn Sink) -> Result<(), Stop> {
 }
 
 /// The rules of the target that the head of a printed program names; otherwise those of LinuxCNC.
-fn rules_of(text: &[u8]) -> Rules {
+pub(super) fn rules_of(text: &[u8]) -> Rules {
     const HEAD: usize = 400;
     const NAMED: &str = "partc ";
     let head = String::from_utf8_lossy(&text[..text.len().min(HEAD)]).to_lowercase();

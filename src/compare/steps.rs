@@ -116,7 +116,11 @@ impl Steps {
         let lathe = settings.machine.kind == MachineKind::Lathe;
         let mut steps = Steps { output: Some((settings.output.clone(), lathe)), ..Steps::new(tolerance) };
         let start = Origin { loc: Loc { line: 1, ..Loc::default() }, ..Origin::default() };
-        steps.path_control(None, &start);
+        if settings.output.target.path.is_empty() {
+            steps.corners_are_open();
+        } else {
+            steps.path_control(None, &start);
+        }
         steps
     }
 
@@ -264,6 +268,11 @@ impl Sink for Steps {
 }
 
 impl Steps {
+    /// No word of the receiver says how corners are taken.
+    pub fn corners_are_open(&mut self) {
+        self.function(OPEN_CORNERS, [0.0; 2], &Origin::default());
+    }
+
     /// How corners are taken, where it changes.
     fn path_control(&mut self, said: Option<PathControl>, origin: &Origin) {
         let mode = match &self.output {
@@ -289,7 +298,21 @@ impl Steps {
     }
 }
 
+/// The step that says that nothing is said of corners.
+const OPEN_CORNERS: &str = "corners as the machine is set up";
+/// Steps that say how they are taken.
+const CORNERS: [&str; 4] = ["G61", "G64 P", "G641 ADIS=", "G64"];
+
 impl Step {
+    /// Can the program not say how corners are taken?
+    pub(super) fn leaves_corners_open(&self) -> bool {
+        matches!(&self.does, Does::Function(word, _) if word == OPEN_CORNERS)
+    }
+
+    pub(super) fn is_path_control(&self) -> bool {
+        matches!(&self.does, Does::Function(word, _) if CORNERS.contains(&word.as_str()))
+    }
+
     /// The step in words of G-code; the line is named, where it is asked for.
     pub fn text(&self) -> String {
         format!("{} (line {})", self.does.text(), self.line)

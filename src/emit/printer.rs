@@ -204,7 +204,7 @@ impl<'a> Printer<'a> {
     #[inline(always)]
     fn print_move(&mut self, mv: &Move, origin: &Origin) {
         if self.corners.in_doubt() {
-            self.tell_of_corners();
+            self.tell_of_corners(origin);
         }
         if !self.compensation.is_idle(mv.side) && !self.compensate(mv, origin) {
             return;

@@ -23,6 +23,8 @@ pub struct Rules {
     pub side_moves: bool,
     /// G43 stands in a move along Z only: alone it would move by the length.
     pub length_moves: bool,
+    /// Words say how corners are taken.
+    pub corners: bool,
     /// Rapid traverse goes at the last F, so that each such move has to have this one; negative where nobody said which.
     pub rapid_feed: Option<i64>,
 }
@@ -62,6 +64,7 @@ pub(super) const RS274: Rules = Rules {
     turret: None,
     side_moves: false,
     length_moves: false,
+    corners: true,
     rapid_feed: None,
 };
 
@@ -78,6 +81,7 @@ const FANUC: Rules = Rules {
     turret: None,
     side_moves: true,
     length_moves: true,
+    corners: true,
     rapid_feed: None,
 };
 
@@ -85,12 +89,18 @@ const LATHE: Rules = Rules { words: Words::LatheA, diameters: true, turret: Some
 
 const MACH: Rules = Rules { words: Words::Mach, turns: false, side_moves: true, ..RS274 };
 
-const OKUMA: Rules = Rules { words: Words::Okuma, dwell: (b'F', 1), ..FANUC };
+const OKUMA: Rules = Rules { words: Words::Okuma, dwell: (b'F', 1), corners: false, ..FANUC };
 
 const DIALOG: Rules = Rules { words: Words::Dialog, turns: false, ..RS274 };
 
-const COMMAND: Rules =
-    Rules { words: Words::Command, dwell: (b'P', THOUSANDTHS), turns: false, rapid_feed: Some(-1), ..RS274 };
+const COMMAND: Rules = Rules {
+    words: Words::Command,
+    dwell: (b'P', THOUSANDTHS),
+    turns: false,
+    corners: false,
+    rapid_feed: Some(-1),
+    ..RS274
+};
 
 const SIEMENS: Rules = Rules { words: Words::Siemens, dwell: (b'F', 1), turns: false, side_moves: true, ..RS274 };
 
@@ -99,7 +109,8 @@ impl Rules {
     pub fn of(target: &str) -> Rules {
         match target {
             "fanuc" | "haas" | "mazak" => FANUC,
-            "centroid" => Rules { dwell: (b'P', 1), ..FANUC },
+            "centroid" => Rules { dwell: (b'P', 1), corners: false, ..FANUC },
+            "grbl" | "grblhal" => Rules { corners: false, ..RS274 },
             "fanuc-lathe" => LATHE,
             "fanuc-lathe-b" => Rules { words: Words::LatheB, ..LATHE },
             "fanuc-lathe-c" => Rules { words: Words::LatheC, ..LATHE },
@@ -156,6 +167,9 @@ impl Rules {
                 | 960
                 | 970
         );
+        if !self.corners && matches!(tenths, 600 | 610 | 611 | 640 | 6410 | 6420) {
+            return None;
+        }
         match self.words {
             // Other receivers have other words for these.
             Words::Rs274 if matches!(tenths, 600 | 6410 | 6420) => None,
@@ -173,8 +187,8 @@ impl Rules {
                 _ => None,
             },
             Words::Siemens => match tenths {
-                0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 330 | 400 | 410 | 420 | 540 | 550 | 560 | 570 | 600
-                | 640 | 900 | 910 | 940 | 950 | 6410 | 6420 => g(tenths),
+                0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 330 | 400 | 410 | 420 | 540 | 550 | 560 | 570 | 600 | 640
+                | 900 | 910 | 940 | 950 | 6410 | 6420 => g(tenths),
                 5050..=5990 if tenths % 10 == 0 => Some(G::Offset((tenths / 10 - 500) as u8)),
                 7000 => g(200),
                 7100 => g(210),

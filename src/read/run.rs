@@ -213,16 +213,17 @@ impl Reader {
                     return Err(Fault::new("P belongs to G64 or to another word of the line"));
                 }
                 let [bound, naive] = [block.take(b'P'), block.take(b'Q')].map(Option::unwrap_or_default);
-                match self.length(bound.max(naive))? {
-                    0 => PathControl::Unbounded,
-                    _ if bound.min(naive) < 0 => return Err(Fault::new("a bound below zero")),
+                match bound {
+                    ..0 => return Err(Fault::new("a bound below zero")),
                     // Without P there is no bound, whatever Q is.
-                    _ if bound == 0 => PathControl::Unbounded,
-                    bound => PathControl::Within(bound),
+                    0 => PathControl::Unbounded,
+                    _ => PathControl::Within(self.length(bound.max(naive))?),
                 }
             }
             (Some(CornerWord::Continuous), None) => PathControl::Unbounded,
-            (Some(CornerWord::Before), Some((false, length))) if length > 0 => PathControl::Before(self.length(length)?),
+            (Some(CornerWord::Before), Some((false, length))) if length > 0 => {
+                PathControl::Before(self.length(length)?)
+            }
             (Some(CornerWord::Within), Some((true, length))) if length > 0 => PathControl::Within(self.length(length)?),
             _ => return Err(Fault::new("G641 wants ADIS, G642 wants CTOL, and both lengths want their word")),
         };

@@ -1,7 +1,8 @@
 //! Centroid mills: much as Fanuc, waits in seconds. A preview: what published post processors write.
 
 use super::{
-    Dwell, DwellUnit, FeedWords, Frame, Motion, Numbers, PathWords, ProgramName, SpindleWords, Target, fanuc::TARGET as FANUC,
+    Dwell, DwellUnit, FeedWords, Frame, Motion, Numbers, PathWords, ProgramName, SpindleWords, Target,
+    fanuc::TARGET as FANUC,
 };
 
 pub(super) const TARGET: Target = Target {

@@ -74,6 +74,7 @@ pub(super) const TARGET: Target = Target {
         before: None,
         unbounded: Some("G64"),
         starts_unbounded: false,
+        under_compensation: false,
         exact_on_lathes: true,
     },
     m: MFunctions {

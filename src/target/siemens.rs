@@ -76,6 +76,7 @@ pub(super) const TARGET: Target = Target {
         before: Some(PathBound { word: "G641", length: "ADIS=" }),
         unbounded: Some("G64"),
         starts_unbounded: false,
+        under_compensation: true,
         exact_on_lathes: true,
     },
     m: MFunctions { own: OWN, ..BASE.m },

@@ -527,6 +527,8 @@ pub struct PathWords {
     pub unbounded: Option<&'static str>,
     /// So does every receiver before a program says anything: the head states it, so that nothing else is left on.
     pub starts_unbounded: bool,
+    /// The mode may change between G41 and G40.
+    pub under_compensation: bool,
     /// Exact is how a program for a lathe begins: the receiver starts so, or stops only where the path has a corner.
     pub exact_on_lathes: bool,
 }
@@ -539,8 +541,14 @@ impl PathWords {
         before: None,
         unbounded: None,
         starts_unbounded: false,
+        under_compensation: true,
         exact_on_lathes: false,
     };
+
+    /// No word says anything of corners.
+    pub fn is_empty(&self) -> bool {
+        self.exact.is_none() && self.within.is_none() && self.before.is_none() && self.unbounded.is_none()
+    }
 }
 
 /// A word, and the one that gives its length: `G64` and `P`, `G642` and `CTOL=`. In a dialog it stands in a block of its own.

@@ -62,6 +62,7 @@ mod mtc200_words;
 mod oracle;
 mod output_keys;
 mod passed_lines;
+mod path_control;
 mod peer;
 mod pictures;
 mod places;

@@ -260,7 +260,7 @@ fn a_program_and_its_output_are_the_same_motion() {
     let mut failures = Vec::new();
     for case in &cases {
         let tolerance = 10f64.powi(-i32::from(case.decimals));
-        let mut meant = Steps::new(tolerance);
+        let mut meant = Steps::of_program(tolerance, &case.settings);
         for (item, _) in &case.items {
             let origin = Origin::default();
             match item {

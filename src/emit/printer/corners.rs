@@ -1,7 +1,7 @@
 //! How corners are taken: the head states it, and a line says where the program changes it.
 
 use crate::diag::{Answer, Diagnostic, codes};
-use crate::ir::Origin;
+use crate::ir::{Origin, Side};
 use crate::machine::{PathChoice, PathControl};
 use crate::target::{Form, PathBound};
 use crate::text::Loc;
@@ -14,8 +14,9 @@ use super::Printer;
 pub(super) struct Corners {
     lathe: bool,
     printed: Option<PathControl>,
-    /// The next move is made in a mode that does not bound its corners, or not as the program wants them; who asks for it.
-    doubt: Option<(Origin, Doubt)>,
+    /// The next move is made in a mode that does not bound its corners, or not as the program wants them; the block that asks
+    /// for it, if one does.
+    doubt: Option<(Option<Origin>, Doubt)>,
     told: bool,
 }
 
@@ -46,8 +47,7 @@ impl Printer<'_> {
             self.lacks_path_control();
         }
         let mode = self.settings.path_control(None, lathe);
-        let start = Loc { line: 1, ..Loc::default() };
-        self.look_at_corners(None, mode, &Origin { loc: start, ..Origin::default() });
+        self.look_at_corners(None, mode, None);
         let dialog = match self.target.form {
             Form::Dialog(dialog) => Some(dialog),
             Form::Words => None,
@@ -76,13 +76,26 @@ impl Printer<'_> {
             return;
         }
         let mode = self.settings.path_control(said, self.corners.lathe);
-        self.look_at_corners(said, mode, origin);
+        self.look_at_corners(said, mode, Some(origin));
         let Some(mode) = mode.filter(|mode| self.corners.printed != Some(*mode)) else { return };
+        if self.compensation.side != Side::None && !self.target.path.under_compensation {
+            return self.stands_under_compensation(origin);
+        }
         if let Form::Dialog(dialog) = self.target.form {
             self.page.words(dialog.tolerance, origin);
         }
         self.corner_words(mode);
         self.page.end_line(origin);
+    }
+
+    #[cold]
+    fn stands_under_compensation(&self, origin: &Origin) {
+        let name = self.target.name;
+        let message = format!(
+            "how corners are taken changes while radius compensation is on, and the target {name} does not change it there"
+        );
+        let help = "let it change in front of the contour or behind it, or set `[output] compensation = \"resolve\"`";
+        self.diags.push(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call));
     }
 
     /// The words of a mode, on the line under construction.
@@ -113,7 +126,7 @@ impl Printer<'_> {
     }
 
     /// Keeps what has to be told in front of the next move.
-    fn look_at_corners(&mut self, said: Option<PathControl>, mode: Option<PathControl>, origin: &Origin) {
+    fn look_at_corners(&mut self, said: Option<PathControl>, mode: Option<PathControl>, origin: Option<&Origin>) {
         let choice = self.settings.path_control;
         let doubt = match (mode, said) {
             _ if choice == Some(PathChoice::None) || self.corners.told => None,
@@ -126,25 +139,32 @@ impl Printer<'_> {
             (None, None) if choice.is_some() => None,
             (None, _) => Some(Doubt::Unsaid),
         };
-        self.corners.doubt = doubt.map(|doubt| (*origin, doubt));
+        self.corners.doubt = doubt.map(|doubt| (origin.copied(), doubt));
     }
 
     /// In front of the first move whose corners are not bounded as they should be: told once.
     #[cold]
-    pub(super) fn tell_of_corners(&mut self) {
+    pub(super) fn tell_of_corners(&mut self, first: &Origin) {
         self.corners.told = true;
         let Some((origin, doubt)) = self.corners.doubt.take() else { return };
+        let origin = origin.unwrap_or(*first);
         let (name, words) = (self.target.name, self.target.path);
         let message = match doubt {
             Doubt::Unbounded => {
                 let word = words.unbounded.unwrap_or_default();
-                format!("the target {name} passes corners under {word}, and has no word for how far it may round them off")
+                format!(
+                    "the target {name} passes corners under {word}, and has no word for how far it may round them off"
+                )
             }
             Doubt::Unsaid => {
-                format!("how far the target {name} rounds corners off is a setting of the machine: no word of it is printed")
+                format!(
+                    "how far the target {name} rounds corners off is a setting of the machine: no word of it is printed"
+                )
             }
             Doubt::NoStop(mm) => {
-                format!("the program stops in its corners; the target {name} has no word for that and rounds them off, by {mm} mm at most")
+                format!(
+                    "the program stops in its corners; the target {name} has no word for that and rounds them off, by {mm} mm at most"
+                )
             }
         };
         let answer = Answer::key("output", "path_control");

@@ -106,7 +106,13 @@ impl Channel<'_> {
 
 impl Run<'_> {
     /// CYCLE832(S_TOL, S_TOLM, …): a tolerance of the contour, or none.
-    pub(super) fn high_speed_settings(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
+    pub(super) fn high_speed_settings(
+        &mut self,
+        formulas: &[Formula],
+        span: Span,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
         let mut given = formulas.iter().filter(|formula| !formula.is_missing());
         let first = formulas.first().filter(|formula| !formula.is_missing());
         let tolerance = match first {
