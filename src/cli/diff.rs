@@ -70,7 +70,7 @@ impl Program {
             return steps_of_text(text, tolerance).map_err(|stop| format!("{}: {stop}", path.display()));
         }
         let mut steps = match self {
-            Program::Part(part) => Steps::of_program(tolerance, &part.settings),
+            Program::Part(part) => Steps::of_program(tolerance, &part.dialect.settings(&part.settings)),
             Program::Plain(..) => Steps::new(tolerance),
         };
         self.play(path, &mut steps)?;

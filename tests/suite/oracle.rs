@@ -102,8 +102,8 @@ impl Case {
             let text = Box::new(Memory::new(bytes.clone()));
             Session::new(Opened { name: name.clone(), identity: name.clone(), text })
         };
-        let mut recorder = Recorder::new(settings);
         let found = dialect::find(dialect).expect("a dialect");
+        let mut recorder = Recorder::new(&found.settings(settings));
         session().lower(found, settings, files, &mut recorder);
         let decimals = settings.output.places(Quantity::Length);
         let settings = found.settings(settings).into_owned();

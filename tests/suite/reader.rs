@@ -88,7 +88,9 @@ impl Reader {
                 self.code(value, &mut line)?;
                 continue;
             }
-            let number = units(value, decimals)?;
+            // A bound of corners has as many places as are read.
+            let places = if letter == "P" && line.blends { 6 } else { decimals };
+            let number = units(value, places)?;
             let real = number as f64 / UNIT;
             match letter {
                 "T" => line.tool = Some(whole(value)?),
