@@ -34,8 +34,8 @@ pub mod lower {
 
 pub mod machine {
     pub use crate::machine::{
-        Axis, Compensation, Machine, MachineKind, Settings, Undercuts, Unit, axis, config, schema, settings, table,
-        tools, tree,
+        Axis, Compensation, Machine, MachineKind, OutputSettings, PathChoice, PathControl, Settings, Undercuts, Unit,
+        axis, config, schema, settings, table, tools, tree,
     };
 }
 

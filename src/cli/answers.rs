@@ -355,7 +355,7 @@ fn line(text: &mut String, form: Form, need: &Need, listed: &dyn Fn(&str) -> Vec
 /// What kind of value a key takes, in words.
 fn kind(key: &Key) -> String {
     let what = match key.kind {
-        Kind::Text | Kind::Choice(_) => "text",
+        Kind::Text | Kind::Choice(_) | Kind::Corners => "text",
         Kind::Flag => "true or false",
         Kind::Number | Kind::Free => "number",
         Kind::Whole | Kind::Places => "whole number",

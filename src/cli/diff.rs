@@ -69,7 +69,10 @@ impl Program {
         if let Program::Plain(text, _) = self {
             return steps_of_text(text, tolerance).map_err(|stop| format!("{}: {stop}", path.display()));
         }
-        let mut steps = Steps::new(tolerance);
+        let mut steps = match self {
+            Program::Part(part) => Steps::of_program(tolerance, &part.dialect.settings(&part.settings)),
+            Program::Plain(..) => Steps::new(tolerance),
+        };
         self.play(path, &mut steps)?;
         Ok(steps.finish())
     }

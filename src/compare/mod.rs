@@ -35,6 +35,9 @@ const ANGLE: f64 = 1e-9;
 /// The first line that is none.
 pub fn steps_of_text(text: &[u8], tolerance: f64) -> Result<Vec<Step>, Stop> {
     let mut steps = Steps::new(tolerance);
+    if !play::rules_of(text).corners {
+        steps.corners_are_open();
+    }
     play(text, &mut steps)?;
     Ok(steps.finish())
 }
@@ -85,6 +88,12 @@ impl Difference {
     /// Compares two programs; lengths, feeds and speeds that differ by `tolerance` at most are the same.
     pub fn between(a: &[Step], b: &[Step], tolerance: f64) -> Difference {
         let mut found = Difference { sums: [Sum::of(a), Sum::of(b)], ..Difference::default() };
+        // Where one of them cannot say how corners are taken, the other one may say what it likes.
+        let unsaid = [a, b].iter().any(|list| list.iter().any(Step::leaves_corners_open));
+        let counts = |step: &Step| !step.leaves_corners_open() && !(unsaid && step.is_path_control());
+        let places = [a, b].map(|list| (0..list.len()).filter(|i| counts(&list[*i])).collect::<Vec<_>>());
+        let [a, b] =
+            [(a, &places[0]), (b, &places[1])].map(|(list, at)| at.iter().map(|i| &list[*i]).collect::<Vec<_>>());
         let (mut i, mut j) = (0, 0);
         while i < a.len() || j < b.len() {
             if let (Some(one), Some(other)) = (a.get(i), b.get(j))
@@ -105,12 +114,12 @@ impl Difference {
                     (one, other) => {
                         found.only[usize::from(one.is_none())] += 1;
                         let is_function = |step: &Step| matches!(step.does, Does::Function(..));
-                        found.functions += usize::from(one.or(other).is_some_and(is_function));
+                        found.functions += usize::from(one.or(other).is_some_and(|step| is_function(step)));
                     }
                 }
             }
             if found.count() > before {
-                found.first.get_or_insert([(i < a.len()).then_some(i), (j < b.len()).then_some(j)]);
+                found.first.get_or_insert([places[0].get(i).copied(), places[1].get(j).copied()]);
             }
             (i, j) = (i + di, j + dj);
         }
@@ -201,12 +210,12 @@ impl Difference {
 }
 
 /// How many steps each program goes on until both agree again; all that is left where they never do.
-fn again(a: &[Step], b: &[Step], tolerance: f64) -> (usize, usize) {
+fn again(a: &[&Step], b: &[&Step], tolerance: f64) -> (usize, usize) {
     let agree = |i: usize, j: usize| {
         let left = (a.len() - i).min(b.len() - j);
         let ends = a.len() - i == b.len() - j;
         let run = left.min(AGREE);
-        (run == AGREE || ends && left == run) && (0..run).all(|n| same(&a[i + n], &b[j + n], tolerance))
+        (run == AGREE || ends && left == run) && (0..run).all(|n| same(a[i + n], b[j + n], tolerance))
     };
     for sum in 1..=AHEAD {
         // Changed steps are likelier than new ones.

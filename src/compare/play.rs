@@ -47,7 +47,7 @@ pub fn play(text: &[u8], sink: &mut dyn Sink) -> Result<(), Stop> {
 }
 
 /// The rules of the target that the head of a printed program names; otherwise those of LinuxCNC.
-fn rules_of(text: &[u8]) -> Rules {
+pub(super) fn rules_of(text: &[u8]) -> Rules {
     const HEAD: usize = 400;
     const NAMED: &str = "partc ";
     let head = String::from_utf8_lossy(&text[..text.len().min(HEAD)]).to_lowercase();
@@ -106,7 +106,7 @@ impl Player<'_> {
                 let number = self.selected.ok_or("a change to a tool that no T has chosen")?;
                 self.does(Function::ToolChange { number });
             }
-            Act::Speed(_) | Act::M { .. } | Act::Dwell(_) | Act::Offset(_) => {
+            Act::Speed(_) | Act::M { .. } | Act::Dwell(_) | Act::Corners(_) | Act::Offset(_) => {
                 if let Some(function) = function::function(&act)? {
                     self.does(function);
                 }

@@ -6,7 +6,8 @@ use crate::geo::{Plane, Point2, distance, turned};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
 use crate::ir::motion::{Move, Path, Place, Sink};
 use crate::ir::{Feed, Function, Origin, Pos, Side, Tap};
-use crate::machine::Axis;
+use crate::machine::{Axis, MachineKind, OutputSettings, PathControl, Settings};
+use crate::text::Loc;
 
 /// One thing that a program does, and the block that asks for it.
 #[derive(Debug, Clone, PartialEq)]
@@ -117,21 +118,32 @@ pub struct Steps {
     offset: Option<u8>,
     /// Of the spindle, in turns a minute.
     speed: Option<f64>,
+    corners: Option<PathControl>,
+    /// What a stream says of corners is what is printed for it, on a lathe or a mill.
+    output: Option<(OutputSettings, bool)>,
 }
 
 impl Steps {
     /// Ways up to half the tolerance are none.
     pub fn new(tolerance: f64) -> Steps {
         let (list, at) = (Vec::new(), Pos::UNKNOWN);
-        Steps {
-            list,
-            nothing: tolerance / 2.0,
-            at,
-            tool: None,
-            cutter: CutterData::default(),
-            offset: None,
-            speed: None,
+        let nothing = tolerance / 2.0;
+        let (cutter, corners, output) = (CutterData::default(), None, None);
+        Steps { list, nothing, at, tool: None, cutter, offset: None, speed: None, corners, output }
+    }
+
+    /// The same for a stream that is printed with these settings: the output says how corners are taken where the program
+    /// does not.
+    pub fn of_program(tolerance: f64, settings: &Settings) -> Steps {
+        let lathe = settings.machine.kind == MachineKind::Lathe;
+        let mut steps = Steps { output: Some((settings.output.clone(), lathe)), ..Steps::new(tolerance) };
+        let start = Origin { loc: Loc { line: 1, ..Loc::default() }, ..Origin::default() };
+        if settings.output.target.path.is_empty() {
+            steps.corners_are_open();
+        } else {
+            steps.path_control(None, &start);
         }
+        steps
     }
 
     /// All steps. A program that does not say how it ends stops at its end.
@@ -307,6 +319,7 @@ impl Sink for Steps {
                 }
             }
             Function::End { rewind } => self.function("end", [f64::from(u8::from(*rewind)), 0.0], origin),
+            Function::PathControl(said) => self.path_control(*said, origin),
             Function::FeedSpindle(_) | Function::Transformation(_) | Function::Plane(_) | Function::Comment(_) => {}
         }
     }
@@ -321,6 +334,27 @@ impl Sink for Steps {
 }
 
 impl Steps {
+    /// No word of the receiver says how corners are taken.
+    pub fn corners_are_open(&mut self) {
+        self.function(OPEN_CORNERS, [0.0; 2], &Origin::default());
+    }
+
+    /// How corners are taken, where it changes.
+    fn path_control(&mut self, said: Option<PathControl>, origin: &Origin) {
+        let mode = match &self.output {
+            Some((output, lathe)) => output.path_control(said, *lathe),
+            None => said,
+        };
+        let Some(mode) = mode.filter(|mode| self.corners != Some(*mode)) else { return };
+        self.corners = Some(mode);
+        match mode {
+            PathControl::Exact => self.function("G61", [0.0; 2], origin),
+            PathControl::Within(mm) => self.function("G64 P", [mm, 0.0], origin),
+            PathControl::Before(mm) => self.function("G641 ADIS=", [mm, 0.0], origin),
+            PathControl::Unbounded => self.function("G64", [0.0; 2], origin),
+        }
+    }
+
     /// Waits that follow each other are one.
     fn dwell(&mut self, seconds: f64, origin: &Origin) {
         match self.list.last_mut() {
@@ -330,7 +364,21 @@ impl Steps {
     }
 }
 
+/// The step that says that nothing is said of corners.
+const OPEN_CORNERS: &str = "corners as the machine is set up";
+/// Steps that say how they are taken.
+const CORNERS: [&str; 4] = ["G61", "G64 P", "G641 ADIS=", "G64"];
+
 impl Step {
+    /// Can the program not say how corners are taken?
+    pub(super) fn leaves_corners_open(&self) -> bool {
+        matches!(&self.does, Does::Function(word, _) if word == OPEN_CORNERS)
+    }
+
+    pub(super) fn is_path_control(&self) -> bool {
+        matches!(&self.does, Does::Function(word, _) if CORNERS.contains(&word.as_str()))
+    }
+
     /// The step in words of G-code; the line is named, where it is asked for.
     pub fn text(&self) -> String {
         format!("{} (line {})", self.does.text(), self.line)
@@ -343,6 +391,7 @@ impl Does {
             Does::Travel(travel) => travel.text(),
             Does::Function(word, [first, second]) => match word.as_str() {
                 "tool" => format!("T{first} M6"),
+                "G64 P" | "G641 ADIS=" => format!("{word}{}", shown(*first)),
                 "T" | "M" => format!("{word}{first}"),
                 "end" => if *first > 0.0 { "M30" } else { "M2" }.to_owned(),
                 "dwell" | "work offset" => format!("{word} {}", shown(*first)),

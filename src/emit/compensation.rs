@@ -245,6 +245,7 @@ impl Compensation {
             | Function::Stop
             | Function::OptionalStop
             | Function::Aux(_)
+            | Function::PathControl(_)
             | Function::Comment(_)
             | Function::End { .. } => false,
         };

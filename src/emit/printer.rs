@@ -1,6 +1,7 @@
 //! The printer core: modal words, one concern a line, arcs on the printed numbers. All words are the target's.
 
 mod carried;
+mod corners;
 mod dialog;
 mod dialog_taps;
 #[cfg(test)]
@@ -32,6 +33,7 @@ use super::modal::{FeedKind, Modal};
 use super::number::Places;
 use super::page::Page;
 use super::{LineMap, Output};
+use corners::Corners;
 use measures::Measures;
 
 /// Prints motion items for one target.
@@ -53,6 +55,7 @@ pub struct Printer<'a> {
     /// Axes that the target has, and those whose lack was reported.
     axes: AxisSet,
     compensation: Compensation,
+    corners: Corners,
     spindle: HandChange,
     length: ToolLength,
     /// Where the last thread ended, and behind how many lines.
@@ -134,6 +137,7 @@ impl<'a> Printer<'a> {
             modal: Modal::new(if lathe { Plane::Zx } else { Plane::Xy }),
             axes: target.axes.bytes().filter_map(Axis::of).collect(),
             compensation: Compensation::default(),
+            corners: Corners::default(),
             spindle: HandChange::Stands,
             length: ToolLength::default(),
             special: !settings.output.modal
@@ -208,6 +212,9 @@ impl<'a> Printer<'a> {
 
     #[inline(always)]
     fn print_move(&mut self, mv: &Move, origin: &Origin) {
+        if self.corners.in_doubt() {
+            self.tell_of_corners(origin);
+        }
         if !self.compensation.is_idle(mv.side) && !self.compensate(mv, origin) {
             return;
         }

@@ -58,6 +58,7 @@ impl Told {
             | Function::Aux(_)
             | Function::WorkOffset(_)
             | Function::Plane(_)
+            | Function::PathControl(_)
             | Function::Comment(_)
             | Function::End { .. } => {}
         }

@@ -4,6 +4,8 @@ use crate::geo::Plane;
 
 use super::Transformation;
 
+pub use crate::machine::PathControl;
+
 /// Sense of rotation of a spindle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Turn {
@@ -89,6 +91,8 @@ pub enum Function {
     WorkOffset(u8),
     /// Working plane, stated by the program.
     Plane(Plane),
+    /// How corners are taken from here on; `None` where the program has no say any more: as at its start.
+    PathControl(Option<PathControl>),
     /// Text of the source, any bytes.
     Comment(Vec<u8>),
     /// End of the program.

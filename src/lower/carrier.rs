@@ -118,6 +118,7 @@ impl Carrier {
             | Function::OptionalStop
             | Function::Aux(_)
             | Function::Plane(_)
+            | Function::PathControl(_)
             | Function::Comment(_)
             | Function::End { .. } => {}
         }

@@ -25,6 +25,8 @@ pub enum Kind {
     Free,
     /// Number of decimal places, or table of them by quantity.
     Places,
+    /// `"exact"`, `"none"`, or a table with a tolerance.
+    Corners,
     /// List of names, or table of names and what is printed for them.
     Words,
 }

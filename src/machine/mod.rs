@@ -6,6 +6,7 @@ pub mod axis;
 pub mod config;
 pub mod keys;
 pub mod options;
+mod path_control;
 pub mod schema;
 pub mod settings;
 pub mod show;
@@ -21,6 +22,7 @@ pub use options::klartext::{
     ApproachDepth, CcMissing, CpSign, Generation, Modulo, PolarMissing, RepeatCount, ShiftAxes,
 };
 pub use options::turning::{ArcChoice, RecessDepth, RecessSide, RecessWidth};
+pub use path_control::{PathChoice, PathControl};
 pub use settings::{
     AxisUse, ChangeCall, Compensation, LONGEST_AXIS_NAME, Machine, MachineKind, OutputSettings, Settings, StandIn, Unit,
 };

@@ -62,6 +62,15 @@ fn key_schema(key: &Key) -> Value {
         Kind::Texts => json!({ "type": "array", "items": { "type": "string" } }),
         Kind::Free => json!({ "type": "object" }),
         Kind::Places => json!({ "type": ["integer", "object"] }),
+        Kind::Corners => json!({ "anyOf": [
+            { "enum": ["exact", "none"] },
+            {
+                "type": "object",
+                "properties": { "tolerance": { "type": "number", "minimum": 0.001, "maximum": 1 } },
+                "required": ["tolerance"],
+                "additionalProperties": false
+            }
+        ] }),
         Kind::Words => json!({ "type": ["array", "object"] }),
     };
     schema["description"] = json!(key.doc);

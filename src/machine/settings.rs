@@ -14,6 +14,7 @@ use super::options::klartext::{
 use super::options::mtc200::Mtc200;
 use super::options::sinumerik::Sinumerik;
 use super::options::turning::Turning;
+use super::path_control::PathChoice;
 use super::table::Contents;
 use super::tools::Tools;
 use super::tree::Spot;
@@ -266,6 +267,8 @@ pub struct OutputSettings {
     pub arc_fallback: Option<u32>,
     /// What a tap of the target leaves out or does in its own way is taken without a word.
     pub tapping_as_target: bool,
+    /// How corners are taken where the program has no say; otherwise as is usual with the target.
+    pub path_control: Option<PathChoice>,
     /// What is printed is read back and compared with what was meant.
     pub validate: bool,
     /// Keys that the configuration states, and where.
@@ -306,6 +309,7 @@ impl Default for OutputSettings {
             rapid_feed: None,
             arc_fallback: None,
             tapping_as_target: false,
+            path_control: None,
             validate: true,
             stated: Stated::default(),
         }

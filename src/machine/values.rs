@@ -32,6 +32,7 @@ pub(super) fn fits(key: &Key, node: &Node) -> Result<(), ConfigError> {
         Kind::Texts => all(|value| matches!(value, Value::Text(_))),
         Kind::Free => matches!(node.value, Value::Table(_)),
         Kind::Places => matches!(node.value, Value::Whole(_) | Value::Table(_)),
+        Kind::Corners => matches!(node.value, Value::Text(_) | Value::Table(_)),
         Kind::Words => matches!(node.value, Value::Table(_)) || all(|value| matches!(value, Value::Text(_))),
     };
     let wanted = match key.kind {
@@ -44,6 +45,7 @@ pub(super) fn fits(key: &Key, node: &Node) -> Result<(), ConfigError> {
         Kind::Texts => "a list of texts",
         Kind::Free => "a table",
         Kind::Places => "a whole number or a table",
+        Kind::Corners => "a text in quotes or a table",
         Kind::Words => "a list of texts or a table",
     };
     if ok { Ok(()) } else { Err(node.fail(format!("`{}` needs {wanted}: {}", key.name, key.doc))) }

@@ -23,8 +23,23 @@ pub enum Act {
         angle: Option<i64>,
     },
     Dwell(i64),
+    /// How corners are taken from here on.
+    Corners(PathControl),
     /// Another work offset, 1 (G54) to 9 (G59.3), and on.
     Offset(u8),
+}
+
+/// How corners are taken; lengths are above zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PathControl {
+    /// Every block ends on its corner (G61, G60).
+    Exact,
+    /// The path is left by so much at most (G64 P, G642 CTOL=, cycle 32): the larger of P and Q.
+    Within(i64),
+    /// Corners are rounded off from so far in front of them (G641 ADIS=).
+    Before(i64),
+    /// No bound is stated (G64).
+    Unbounded,
 }
 
 /// A speed for a spindle, counted from 0.

@@ -37,15 +37,29 @@ pub(super) struct Block {
     pub offset: Option<u8>,
     /// This letter has the number of the work offset, counted on from so many.
     pub offset_by_number: Option<(u8, u8)>,
-    pub path_control: bool,
     /// Where a cycle returns to.
     pub level: bool,
     /// The angle at which the spindle stops, in a word of its own.
     pub orient: Option<i64>,
+    /// The word for how corners are taken, and the length of a name of its own: whether it is that of a bound.
+    pub corners: Option<CornerWord>,
+    pub corner_length: Option<(bool, i64)>,
     m: [u32; MOST_M],
     m_count: usize,
     /// Groups of G functions that were met, a bit each: two of one group contradict each other.
     groups: u32,
+}
+
+/// What a word says of corners.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum CornerWord {
+    Exact,
+    /// G64: with a bound where one is given.
+    Continuous,
+    /// G641 and its ADIS.
+    Before,
+    /// G642 and its CTOL.
+    Within,
 }
 
 /// Bit and place of `$`.
@@ -106,6 +120,12 @@ impl Block {
                 self.machine = true;
                 Ok(behind)
             }
+            b"ADIS" | b"CTOL" if self.corner_length.is_none() => {
+                let number = behind.strip_prefix(b"=").ok_or_else(unknown)?;
+                let (units, len) = decimal(number).ok_or_else(unknown)?;
+                self.corner_length = Some((name == b"CTOL", units));
+                Ok(&number[len..])
+            }
             b"TURN" if self.more_turns.is_none() => {
                 let number = behind.strip_prefix(b"=").ok_or_else(unknown)?;
                 let (units, len) = decimal(number).ok_or_else(unknown)?;
@@ -125,6 +145,7 @@ impl Block {
             && self.offset_by_number.is_none()
             && self.diameter.is_none()
             && self.orient.is_none()
+            && self.corner_length.is_none()
     }
 
     fn word(&mut self, letter: u8, units: i64, rules: &Rules) -> Result<(), Fault> {
@@ -276,9 +297,13 @@ impl Block {
                 self.offset = Some((tenths / 10 - 53 + tenths % 10) as u8);
                 OFFSETS
             }
-            // Exact stop and blending leave the path where it is programmed, within a tolerance of the machine.
-            610 | 640 => {
-                self.path_control = true;
+            600 | 610 | 611 | 640 | 6410 | 6420 => {
+                self.corners = Some(match tenths {
+                    640 => CornerWord::Continuous,
+                    6410 => CornerWord::Before,
+                    6420 => CornerWord::Within,
+                    _ => CornerWord::Exact,
+                });
                 9
             }
             900 | 910 => {

@@ -3,7 +3,7 @@
 
 use core::f64::consts::TAU;
 
-use super::act::{Act, Arc, FeedKind, LETTERS, Move, Path, Plane, Speed, Tap};
+use super::act::{Act, Arc, FeedKind, LETTERS, Move, Path, PathControl, Plane, Speed, Tap};
 use super::number::{SCALE, decimal};
 use super::{Fault, Lack, Reader};
 
@@ -39,6 +39,8 @@ enum Open {
     Nothing,
     /// The second block of a wait.
     Dwell,
+    /// The second block of a tolerance.
+    Tolerance,
     /// The second line of a preset.
     Preset,
     /// A parameter of a tap, of which so many are left.
@@ -189,6 +191,9 @@ impl Reader {
         }
         if self.dialog.open == Open::Call {
             return self.calls_tap(word, &mut words);
+        }
+        if self.dialog.open == Open::Tolerance {
+            return self.tolerance(word, &mut words);
         }
         if self.dialog.stopped && word != b"END" {
             return Err(Fault::new("something stands behind the end of the program"));
@@ -390,6 +395,7 @@ impl Reader {
         let def = words.is("DEF");
         self.dialog.open = match words.next() {
             Some(b"9.0") if def && words.are("DWELL TIME") => Open::Dwell,
+            Some(b"32.0") if def && words.are("TOLERANCE") => Open::Tolerance,
             Some(b"247") if def && words.are("DATUM SETTING ~") => Open::Preset,
             Some(b"207") if def && words.are("RIGID TAPPING ~") => self.tap_begins(PLAIN),
             Some(b"209") if def && words.are("TAPPING W/ CHIP BRKG ~") => self.tap_begins(TAP.len()),
@@ -466,6 +472,19 @@ impl Reader {
             return Err(Fault::new("the time of a wait is meant"));
         }
         self.push(Act::Dwell(seconds))
+    }
+
+    fn tolerance(&mut self, word: &[u8], words: &mut Words<'_>) -> Result<(), Fault> {
+        self.dialog.open = Open::Nothing;
+        let begins = word == b"CYCL" && words.is("DEF") && words.is("32.1");
+        let number = words.next().and_then(|word| word.strip_prefix(b"T")).unwrap_or_default();
+        let units = whole(number, number)?;
+        if !begins || words.next().is_some() || units <= 0 {
+            return Err(Fault::new("the tolerance of the path is meant"));
+        }
+        let mode = PathControl::Within(self.length(units)?);
+        self.modes.corners = Some(mode);
+        self.push(Act::Corners(mode))
     }
 
     fn preset(&mut self, line: &[u8]) -> Result<(), Fault> {

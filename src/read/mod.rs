@@ -16,7 +16,7 @@ mod run;
 mod straight;
 mod tap;
 
-pub use act::{AXES, Act, Arc, Cutter, FeedKind, Move, Path, Plane, Speed, Tap, Way};
+pub use act::{AXES, Act, Arc, Cutter, FeedKind, Move, Path, PathControl, Plane, Speed, Tap, Way};
 pub use number::SCALE;
 pub use rules::Rules;
 pub use straight::Straight;
@@ -83,8 +83,8 @@ pub struct Modes {
     pub length: Option<u32>,
     /// Work offset, from 1 on.
     pub offset: u8,
-    /// Exact stop or blending was asked for.
-    pub path_control: bool,
+    /// How corners are taken.
+    pub corners: Option<PathControl>,
     /// The move that axis words mean by themselves: 0 to 3, 33, and those of [`tap`].
     motion: Option<u8>,
 }
@@ -147,7 +147,7 @@ impl Reader {
                 cutter: fixed.no_cutter.then_some(Cutter::default()),
                 length: fixed.no_length.then_some(0),
                 offset: 1,
-                path_control: false,
+                corners: None,
                 motion: None,
             },
             plain: false,

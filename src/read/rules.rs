@@ -25,6 +25,8 @@ pub struct Rules {
     pub length_moves: bool,
     /// What its tapping cycles want.
     pub taps: Taps,
+    /// Words say how corners are taken.
+    pub corners: bool,
     /// Rapid traverse goes at the last F, so that each such move has to have this one; negative where nobody said which.
     pub rapid_feed: Option<i64>,
 }
@@ -78,6 +80,7 @@ pub(super) const RS274: Rules = Rules {
     side_moves: false,
     length_moves: false,
     taps: Taps::No,
+    corners: true,
     rapid_feed: None,
 };
 
@@ -95,6 +98,7 @@ const FANUC: Rules = Rules {
     side_moves: true,
     length_moves: true,
     taps: Taps::Announced,
+    corners: true,
     rapid_feed: None,
 };
 
@@ -102,12 +106,18 @@ const LATHE: Rules = Rules { words: Words::LatheA, diameters: true, turret: Some
 
 const MACH: Rules = Rules { words: Words::Mach, turns: false, side_moves: true, ..RS274 };
 
-const OKUMA: Rules = Rules { words: Words::Okuma, taps: Taps::No, dwell: (b'F', 1), ..FANUC };
+const OKUMA: Rules = Rules { words: Words::Okuma, taps: Taps::No, dwell: (b'F', 1), corners: false, ..FANUC };
 
 const DIALOG: Rules = Rules { words: Words::Dialog, turns: false, ..RS274 };
 
-const COMMAND: Rules =
-    Rules { words: Words::Command, dwell: (b'P', THOUSANDTHS), turns: false, rapid_feed: Some(-1), ..RS274 };
+const COMMAND: Rules = Rules {
+    words: Words::Command,
+    dwell: (b'P', THOUSANDTHS),
+    turns: false,
+    corners: false,
+    rapid_feed: Some(-1),
+    ..RS274
+};
 
 const SIEMENS: Rules = Rules { words: Words::Siemens, dwell: (b'F', 1), turns: false, side_moves: true, ..RS274 };
 
@@ -118,7 +128,8 @@ impl Rules {
             "fanuc" => FANUC,
             "haas" => Rules { taps: Taps::Plain, ..FANUC },
             "mazak" => Rules { taps: Taps::ByPitch, ..FANUC },
-            "centroid" => Rules { dwell: (b'P', 1), taps: Taps::No, ..FANUC },
+            "centroid" => Rules { dwell: (b'P', 1), taps: Taps::No, corners: false, ..FANUC },
+            "grbl" | "grblhal" => Rules { corners: false, ..RS274 },
             "fanuc-lathe" => LATHE,
             "fanuc-lathe-b" => Rules { words: Words::LatheB, taps: Taps::No, ..LATHE },
             "fanuc-lathe-c" => Rules { words: Words::LatheC, taps: Taps::No, ..LATHE },
@@ -175,7 +186,12 @@ impl Rules {
                 | 960
                 | 970
         );
+        if !self.corners && matches!(tenths, 600 | 610 | 611 | 640 | 6410 | 6420) {
+            return None;
+        }
         match self.words {
+            // Other receivers have other words for these.
+            Words::Rs274 if matches!(tenths, 600 | 6410 | 6420) => None,
             Words::Rs274 => g(tenths),
             Words::Dialog => None,
             Words::Command => match tenths {
@@ -190,8 +206,8 @@ impl Rules {
                 _ => None,
             },
             Words::Siemens => match tenths {
-                0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 330 | 400 | 410 | 420 | 540 | 550 | 560 | 570 | 900 | 910
-                | 940 | 950 | 3310 | 3320 => g(tenths),
+                0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 330 | 400 | 410 | 420 | 540 | 550 | 560 | 570 | 600 | 640
+                | 900 | 910 | 940 | 950 | 3310 | 3320 | 6410 | 6420 => g(tenths),
                 5050..=5990 if tenths % 10 == 0 => Some(G::Offset((tenths / 10 - 500) as u8)),
                 7000 => g(200),
                 7100 => g(210),
@@ -199,7 +215,7 @@ impl Rules {
             },
             _ if common => g(tenths),
             Words::Mach => match tenths {
-                200 | 210 | 430 | 490 | 900 | 910 | 911 | 940 => g(tenths),
+                200 | 210 | 430 | 490 | 610 | 640 | 900 | 910 | 911 | 940 => g(tenths),
                 _ => None,
             },
             Words::FanucMill => match tenths {
@@ -214,7 +230,7 @@ impl Rules {
                 _ => None,
             },
             Words::LatheA => match tenths {
-                200 | 210 => g(tenths),
+                200 | 210 | 610 | 640 => g(tenths),
                 320 => g(330),
                 840 if self.taps == Taps::Announced => g(tenths),
                 500 => Some(G::SpeedLimit),
@@ -223,7 +239,7 @@ impl Rules {
                 _ => None,
             },
             Words::LatheB | Words::LatheC => match (tenths, self.words) {
-                (200 | 210, Words::LatheB) | (330 | 900 | 910 | 940 | 950, _) => g(tenths),
+                (200 | 210, Words::LatheB) | (330 | 610 | 640 | 900 | 910 | 940 | 950, _) => g(tenths),
                 (700, Words::LatheC) => g(200),
                 (710, Words::LatheC) => g(210),
                 (920, _) => Some(G::SpeedLimit),

@@ -1,8 +1,8 @@
 //! What the words of a line do, in the order of the RS274 manual: modes of the feed, F, S, T, change, spindle, coolant,
 //! other functions, dwell, plane, units, compensation, length, offset, distances, motion, stop.
 
-use super::act::{AXES, Act, Arc, Cutter, FeedKind, LETTERS, Move, Path, Plane, Speed};
-use super::block::Block;
+use super::act::{AXES, Act, Arc, Cutter, FeedKind, LETTERS, Move, Path, PathControl, Plane, Speed};
+use super::block::{Block, CornerWord};
 use super::number::SCALE;
 use super::rules::Words;
 use super::{ACTS, Fault, Lack, Reader, tap};
@@ -189,7 +189,8 @@ impl Reader {
         let modes = &mut self.modes;
         modes.incremental = block.incremental.or(modes.incremental);
         modes.absolute_centers = block.absolute_centers.or(modes.absolute_centers);
-        modes.path_control |= block.path_control;
+        self.corners(block)?;
+        let modes = &mut self.modes;
         if block.stop_motion {
             modes.motion = None;
             modes.cycles_are_off = true;
@@ -206,6 +207,36 @@ impl Reader {
             self.push(Act::Offset(offset))?;
         }
         Ok(())
+    }
+
+    /// Another way to take corners.
+    fn corners(&mut self, block: &mut Block) -> Result<(), Fault> {
+        let of_arc = matches!(block.motion, Some(2 | 3)) || block.dwell;
+        let (word, length) = (block.corners, block.corner_length.take());
+        let mode = match (word, length) {
+            (None, None) => return Ok(()),
+            (Some(CornerWord::Exact), None) => PathControl::Exact,
+            (Some(CornerWord::Continuous), None) if self.rules.words == Words::Rs274 && block.has(b'P') => {
+                if of_arc {
+                    return Err(Fault::new("P belongs to G64 or to another word of the line"));
+                }
+                let [bound, naive] = [block.take(b'P'), block.take(b'Q')].map(Option::unwrap_or_default);
+                match bound {
+                    ..0 => return Err(Fault::new("a bound below zero")),
+                    // Without P there is no bound, whatever Q is.
+                    0 => PathControl::Unbounded,
+                    _ => PathControl::Within(self.length(bound.max(naive))?),
+                }
+            }
+            (Some(CornerWord::Continuous), None) => PathControl::Unbounded,
+            (Some(CornerWord::Before), Some((false, length))) if length > 0 => {
+                PathControl::Before(self.length(length)?)
+            }
+            (Some(CornerWord::Within), Some((true, length))) if length > 0 => PathControl::Within(self.length(length)?),
+            _ => return Err(Fault::new("G641 wants ADIS, G642 wants CTOL, and both lengths want their word")),
+        };
+        self.modes.corners = Some(mode);
+        self.push(Act::Corners(mode))
     }
 
     /// Another side, or another tool whose radius counts.

@@ -1,6 +1,6 @@
 //! What a target can say, in short words: for `partc targets` and docs/targets.md.
 
-use super::{Change, DwellUnit, Form, Length, Limit, ProgramName, RigidTap, Sequence, Target, Turns};
+use super::{Change, DwellUnit, Form, Length, Limit, PathBound, ProgramName, RigidTap, Sequence, Target, Turns};
 
 impl Target {
     /// Each ability, and the words or the limit for it; `-` where the target has none.
@@ -73,6 +73,7 @@ impl Target {
             }
         );
         let dwell = dwell.replace("  ", " ");
+        let bound = self.path.within.map(|PathBound { word, length }| format!("{word} {length}"));
         vec![
             ("output file", format!(".{}", self.extension)),
             ("first and last line", text(dialog.map(|dialog| dialog.begin).or(self.frame.first))),
@@ -99,6 +100,9 @@ impl Target {
             ("machine coordinates", text(self.motion.machine)),
             ("work offsets", offsets),
             ("X as a diameter", diameter.to_owned()),
+            ("exact stop or path", text(self.path.exact)),
+            ("bound of corners", bound.unwrap_or_else(|| "-".to_owned())),
+            ("corners without bound", text(self.path.unbounded)),
             ("radius compensation", text(self.compensation.as_ref().map(|words| words.left))),
             ("tool numbers", tools),
             ("tool change", change.unwrap_or_else(|| "-".to_owned())),

@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use super::{
     Arcs, Change, Comments, CoolantWords, Dwell, DwellUnit, EVERY_PLANE, FeedWords, Flow, Form, Frame, Length, Line,
-    MFunctions, Measure, Motion, Numbers, ProgramName, Sequence, SpindleWords, Target, ToolWords,
+    MFunctions, Measure, Motion, Numbers, PathWords, ProgramName, Sequence, SpindleWords, Target, ToolWords,
 };
 
 pub(super) const BASE: Target = Target {
@@ -97,5 +97,6 @@ pub(super) const BASE: Target = Target {
     offsets_named: u8::MAX,
     offsets_confirmed: true,
     compensation: None,
+    path: PathWords::NONE,
     m: MFunctions { address: b'M', own: &[], open: true, listed: false },
 };

@@ -1,7 +1,8 @@
 //! Centroid mills: much as Fanuc, waits in seconds. A preview: what published post processors write.
 
 use super::{
-    Dwell, DwellUnit, FeedWords, Frame, Motion, Numbers, ProgramName, SpindleWords, Target, fanuc::TARGET as FANUC,
+    Dwell, DwellUnit, FeedWords, Frame, Motion, Numbers, PathWords, ProgramName, SpindleWords, Target,
+    fanuc::TARGET as FANUC,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -15,5 +16,7 @@ pub(super) const TARGET: Target = Target {
     spindle: SpindleWords { cutting_speed: None, ..FANUC.spindle },
     more_offsets: None,
     dwell: Dwell { unit: DwellUnit::Seconds, per_minute: false, ..FANUC.dwell },
+    // Not confirmed.
+    path: PathWords::NONE,
     ..FANUC
 };

@@ -5,8 +5,7 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Comments, CompensationWords, CuttingSpeed, Dwell, DwellUnit, FeedWords, Frame, Length, LengthNumber,
-    LengthWords, Limit, Line, MFunctions, MoreOffsets, Motion, Numbers, ProgramName, RigidTap, SpindleWords, TapCycle,
-    TapPitch, Target, ToolWords, base::BASE,
+    LengthWords, Limit, Line, MFunctions, MoreOffsets, Motion, Numbers, PathWords, ProgramName, RigidTap, SpindleWords, TapCycle, TapPitch, Target, ToolWords, base::BASE,
 };
 
 // Rotary axes (what F counts is a matter of parameters), feeds by time and G33 on a mill are options of the machine, M7 is
@@ -72,6 +71,9 @@ pub(super) const TARGET: Target = Target {
         reads_over_stops: false,
         planes: &[Plane::Xy],
     }),
+    // G64 is the cutting mode, in which corners are passed as acceleration has it. Stops in every corner would change what a
+    // program does today.
+    path: PathWords { exact: Some("G61"), unbounded: Some("G64"), starts_unbounded: true, ..PathWords::NONE },
     m: MFunctions { own: OWN, ..BASE.m },
     ..BASE
 };

@@ -7,7 +7,7 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Change, Comments, Dialog, Dwell, FeedWords, Flow, Form, Frame, HelixWords, Length, Line, MFunctions, Motion,
-    Numbers, ProgramName, RigidTap, Sequence, TapDialog, Target, ToolWords, base::BASE,
+    Numbers, PathBound, PathWords, ProgramName, RigidTap, Sequence, TapDialog, Target, ToolWords, base::BASE,
 };
 
 // What F counts where a rotary axis goes along is not confirmed, and what M136 counts differs by generation: neither is said.
@@ -40,6 +40,7 @@ pub(super) const TARGET: Target = Target {
         tool_axis: "Z",
         prepare: "TOOL DEF",
         dwell: "CYCL DEF 9.0 DWELL TIME",
+        tolerance: "CYCL DEF 32.0 TOLERANCE",
         offset: ["CYCL DEF 247 DATUM SETTING ~", ";DATUM NUMBER"],
     }),
     frame: Frame {
@@ -90,6 +91,8 @@ pub(super) const TARGET: Target = Target {
     // M0 would stop the spindle, too.
     flow: Flow { stop: "STOP", ..BASE.flow },
     offsets: &["Q339=+1", "Q339=+2", "Q339=+3", "Q339=+4", "Q339=+5", "Q339=+6", "Q339=+7", "Q339=+8", "Q339=+9"],
+    // M134 stops at rotary axes alone, and what a cycle 32 without T rounds by is a setting.
+    path: PathWords { within: Some(PathBound { word: "CYCL DEF 32.1", length: "T" }), ..PathWords::NONE },
     m: MFunctions { own: OWN, ..BASE.m },
     ..BASE
 };

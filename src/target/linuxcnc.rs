@@ -4,7 +4,7 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, CompensationWords, CoolantWords, CuttingSpeed, FeedWords, Frame, Lead, Length, LengthNumber, LengthWords,
-    Limit, MFunctions, Motion, RigidTap, SpindleWords, Target, Thread, ToolWords, Turns, base::BASE,
+    Limit, MFunctions, Motion, PathBound, PathWords, RigidTap, SpindleWords, Target, Thread, ToolWords, Turns, base::BASE,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -68,6 +68,16 @@ pub(super) const TARGET: Target = Target {
         reads_over_stops: true,
         planes: &[Plane::Xy, Plane::Zx],
     }),
+    // G61 follows the path and stops where it has to; G64 alone promises no bound.
+    path: PathWords {
+        exact: Some("G61"),
+        within: Some(PathBound { word: "G64", length: "P" }),
+        before: None,
+        unbounded: Some("G64"),
+        starts_unbounded: false,
+        under_compensation: false,
+        exact_on_lathes: true,
+    },
     m: MFunctions {
         own: &[
             (48, "switches the overrides on"),

@@ -6,7 +6,7 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Comments, Dwell, DwellUnit, FeedWords, Frame, Length, LengthNumber, LengthWords, Line, Motion, Numbers,
-    ProgramName, SpindleWords, Target, ToolWords, fanuc::TARGET as FANUC,
+    PathWords, ProgramName, SpindleWords, Target, ToolWords, fanuc::TARGET as FANUC,
 };
 
 pub(super) const MACH3: Target = Target {
@@ -43,6 +43,8 @@ pub(super) const MACH3: Target = Target {
     dwell: Dwell { unit: DwellUnit::Setting, per_minute: false, ..FANUC.dwell },
     more_offsets: None,
     offsets_confirmed: false,
+    // With which of the two a program starts is a setting.
+    path: PathWords { starts_unbounded: false, ..FANUC.path },
     ..FANUC
 };
 

@@ -2,7 +2,7 @@
 
 use super::{
     Arcs, Change, Dwell, DwellUnit, FeedWords, Flow, Frame, Length, LengthNumber, LengthWords, MFunctions, Motion,
-    Numbers, ProgramName, SpindleWords, Target, ToolWords, fanuc::TARGET as FANUC,
+    Numbers, PathWords, ProgramName, SpindleWords, Target, ToolWords, fanuc::TARGET as FANUC,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -42,5 +42,7 @@ pub(super) const TARGET: Target = Target {
     more_offsets: None,
     offsets_named: 0,
     m: MFunctions { own: &[], ..FANUC.m },
+    // Not confirmed.
+    path: PathWords::NONE,
     ..FANUC
 };

@@ -6,7 +6,7 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Comments, CompensationWords, CoolantWords, Dwell, FeedWords, Frame, Lead, Length, LengthNumber, LengthWords,
-    MFunctions, MoreOffsets, Motion, RigidTap, Target, Thread, ToolWords, Turns, base::BASE,
+    MFunctions, MoreOffsets, Motion, PathBound, PathWords, RigidTap, Target, Thread, ToolWords, Turns, base::BASE,
 };
 
 // Which axes F counts is a matter of the machine (FGROUP): no rotary ones. G96 would take the feed per revolution with it.
@@ -70,6 +70,16 @@ pub(super) const TARGET: Target = Target {
         reads_over_stops: true,
         planes: &[Plane::Xy],
     }),
+    // G60 is what the control starts with, as it is delivered.
+    path: PathWords {
+        exact: Some("G60"),
+        within: Some(PathBound { word: "G642", length: "CTOL=" }),
+        before: Some(PathBound { word: "G641", length: "ADIS=" }),
+        unbounded: Some("G64"),
+        starts_unbounded: false,
+        under_compensation: true,
+        exact_on_lathes: true,
+    },
     m: MFunctions { own: OWN, ..BASE.m },
     ..BASE
 };

@@ -40,6 +40,7 @@ pub struct Target {
     /// That the receiver knows them is confirmed.
     pub offsets_confirmed: bool,
     pub compensation: Option<CompensationWords>,
+    pub path: PathWords,
     pub m: MFunctions,
 }
 
@@ -129,6 +130,8 @@ pub struct Dialog {
     pub prepare: &'static str,
     /// The block in front of the one that waits.
     pub dwell: &'static str,
+    /// The block in front of the one that says how far corners are rounded off.
+    pub tolerance: &'static str,
     /// What stands in front of the number of a work offset and behind it, in lines of one block.
     pub offset: [&'static str; 2],
 }
@@ -578,6 +581,50 @@ pub struct CompensationWords {
     pub reads_over_stops: bool,
     /// Working planes in which the target compensates.
     pub planes: &'static [Plane],
+}
+
+/// How corners are taken.
+#[derive(Debug, Clone, Copy)]
+pub struct PathWords {
+    /// Every block ends on its corner.
+    pub exact: Option<&'static str>,
+    /// Corners are rounded off, by so much off the path at most.
+    pub within: Option<PathBound>,
+    /// Rounding off begins so far in front of a corner at most.
+    pub before: Option<PathBound>,
+    /// Corners are passed without a stop and without a bound.
+    pub unbounded: Option<&'static str>,
+    /// So does every receiver before a program says anything: the head states it, so that nothing else is left on.
+    pub starts_unbounded: bool,
+    /// The mode may change between G41 and G40.
+    pub under_compensation: bool,
+    /// Exact is how a program for a lathe begins: the receiver starts so, or stops only where the path has a corner.
+    pub exact_on_lathes: bool,
+}
+
+impl PathWords {
+    /// A receiver whose corners are a matter of its settings alone.
+    pub const NONE: PathWords = PathWords {
+        exact: None,
+        within: None,
+        before: None,
+        unbounded: None,
+        starts_unbounded: false,
+        under_compensation: true,
+        exact_on_lathes: false,
+    };
+
+    /// No word says anything of corners.
+    pub fn is_empty(&self) -> bool {
+        self.exact.is_none() && self.within.is_none() && self.before.is_none() && self.unbounded.is_none()
+    }
+}
+
+/// A word, and the one that gives its length: `G64` and `P`, `G642` and `CTOL=`. In a dialog it stands in a block of its own.
+#[derive(Debug, Clone, Copy)]
+pub struct PathBound {
+    pub word: &'static str,
+    pub length: &'static str,
 }
 
 /// M functions that a program passes through.

@@ -1,10 +1,10 @@
 //! Functions: tool, spindle, coolant, dwell, stops, offsets.
 
 use crate::ir::Function;
-use crate::ir::function::{Coolant, Spindle, Turn};
-use crate::read::{Act, Speed};
+use crate::ir::function::{Coolant, PathControl, Spindle, Turn};
+use crate::read::{Act, PathControl as path, SCALE, Speed};
 
-use super::{MAIN, Running, Text, Validator, Why, is_rounding, plane};
+use super::{MAIN, Running, TIE, Text, Validator, Why, is_rounding, plane};
 
 /// Acts of a function, but for a dwell.
 const MOST: usize = 3;
@@ -66,8 +66,29 @@ impl Validator {
             Function::Plane(meant) => {
                 acts.is_empty() && (self.plane.is_none() || self.reader.modes().plane == Some(plane(*meant)))
             }
+            Function::PathControl(said) => {
+                self.corners = self.output.path_control(*said, self.lathe).or(self.corners);
+                acts.iter().all(|act| matches!(act, Act::Corners(_))) && acts.len() < 2 && self.takes_corners()
+            }
             Function::Comment(_) | Function::FeedSpindle(_) | Function::Transformation(_) => acts.is_empty(),
             Function::Dwell(_) | Function::End { .. } => false,
+        }
+    }
+
+    /// Are corners taken as they are meant? A bound is printed without what is behind its last place, and never as nothing.
+    pub(super) fn takes_corners(&self) -> bool {
+        let is_bound = |read: i64, meant: f64| {
+            let (meant, read) = (meant * SCALE as f64, read as f64);
+            let slack = TIE + meant * 1e-9;
+            read <= (meant + slack).max(self.bound_unit + slack) && read > meant - self.bound_unit - slack
+        };
+        match (self.reader.modes().corners, self.corners) {
+            (read, None) => read.is_none(),
+            (Some(path::Exact), Some(PathControl::Exact)) => true,
+            (Some(path::Unbounded), Some(PathControl::Unbounded)) => true,
+            (Some(path::Within(read)), Some(PathControl::Within(meant))) => is_bound(read, meant),
+            (Some(path::Before(read)), Some(PathControl::Before(meant))) => is_bound(read, meant),
+            (_, Some(_)) => false,
         }
     }
 

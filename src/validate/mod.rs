@@ -16,12 +16,12 @@ mod tests;
 use std::fmt;
 
 use crate::geo;
-use crate::ir::function::CutterData;
+use crate::ir::function::{CutterData, PathControl};
 use crate::ir::motion::Move;
 use crate::ir::{Feed, Function, Origin, Pos};
 use crate::machine::settings::{Quantity, ToolChange, Units};
 use crate::machine::{MachineKind, OutputSettings, Settings};
-use crate::read::{AXES, Plane, Reader, Rules, SCALE};
+use crate::read::{AXES, Act, Plane, Reader, Rules, SCALE};
 
 /// Most of the text of an item that is shown.
 const SHOWN: usize = 2000;
@@ -109,6 +109,12 @@ pub struct Validator {
     cutter: CutterData,
     /// The plane that the head has to state; `None` where an arc says it itself.
     plane: Option<Plane>,
+    /// How corners have to be taken, as far as anything was to be said of it.
+    corners: Option<PathControl>,
+    output: OutputSettings,
+    lathe: bool,
+    /// A unit of the last place of a printed bound.
+    bound_unit: f64,
     /// X as a diameter or not, where the head has to say it.
     diameter: Option<bool>,
     /// Moves say axes that stand, too.
@@ -160,6 +166,10 @@ impl Validator {
             feed: None,
             cutter: CutterData::default(),
             plane: output.target.motion.planes.map(|_| if lathe { Plane::Zx } else { Plane::Xy }),
+            corners: output.path_control(None, lathe),
+            output: output.clone(),
+            lathe,
+            bound_unit: grain.bound,
             diameter: (lathe && output.target.frame.lathe_diameter.is_some()).then_some(output.prints_diameters()),
             in_full: !output.modal,
             before: [0; AXES],
@@ -198,7 +208,7 @@ impl Validator {
     /// The text in front of the first item: it has to state all modes.
     pub fn head(&mut self, bytes: &[u8], end: usize) {
         let text = Text { bytes, end };
-        let result = self.no_act(text).and_then(|()| self.modes());
+        let result = self.head_acts(text).and_then(|()| self.modes());
         self.judge(result, &"the head", &Origin::default(), text);
     }
 
@@ -268,6 +278,17 @@ impl Validator {
         self.mismatch = Some(Box::new(Mismatch { origin: *origin, line, why, meant, printed }));
     }
 
+    /// Nothing happens in the head, but that it says how corners are taken.
+    fn head_acts(&mut self, text: Text<'_>) -> Result<(), Why> {
+        let Text { bytes: mut rest, mut end } = text;
+        while let Some(act) = self.reader.next(&mut rest, &mut end)? {
+            if !matches!(act, Act::Corners(_)) {
+                return Err(Why::new("something happens in the head"));
+            }
+        }
+        Ok(())
+    }
+
     /// All modes as the head has to state them.
     fn modes(&self) -> Result<(), Why> {
         let modes = self.reader.modes();
@@ -279,7 +300,8 @@ impl Validator {
             && modes.length == Some(0)
             && modes.plane == self.plane
             && modes.cycles_are_off
-            && modes.diameter == self.diameter;
+            && modes.diameter == self.diameter
+            && self.takes_corners();
         if stated { Ok(()) } else { Err(Why::new("the head does not state the modes that the moves need")) }
     }
 
@@ -311,6 +333,7 @@ fn is_tie(read: i64, meant: f64, half: f64) -> bool {
 struct Grain {
     inches: bool,
     length: f64,
+    bound: f64,
     angle: f64,
     feed: f64,
     feed_per_revolution: f64,
@@ -327,6 +350,7 @@ impl Grain {
         Grain {
             inches: output.units == Units::Inches,
             length: plain(Quantity::Length) * inch,
+            bound: (SCALE / 10i64.pow(u32::from(output.target.numbers.most))) as f64 * inch,
             angle: plain(Quantity::Angle) / 2.0,
             feed: plain(Quantity::Feed) * output.feed_unit() / 2.0,
             feed_per_revolution: plain(Quantity::FeedPerRevolution) * inch / 2.0,

@@ -31,11 +31,11 @@ books! {
     errors_mtc200 = "errors/mtc200":
         G L M0 M100 M1006 M101 M1012 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O P P0205;
     errors_sinumerik = "errors/sinumerik":
-        G G330 G332 L1 L2 O P P000 P0107 P0205 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
+        G G330 G332 L1 L2 O O4006 P P000 P0107 P0205 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
     gcode = "gcode":
-        lines rigid_taps speeds;
+        lines path_control rigid_taps speeds;
     heidenhain_turning = "heidenhain-turning":
-        angles arcs calls compensation contours corners drilling finishing flow modal moves noses program recess
+        angles arcs calls compensation contours corners drilling exact_stop finishing flow modal moves noses program recess
         recess_turning roughing shifts threads tools undercut variables;
     heidenhain_turning_finishing = "heidenhain-turning/finishing":
         ends;
@@ -46,7 +46,7 @@ books! {
     heidenhain_turning_words = "heidenhain-turning/words":
         refused;
     klartext = "klartext":
-        approach arcs corners cycles drilling flow frames functions manual output parameters path planes polar
+        approach arcs corners cycles drilling flow frames functions manual output parameters path path_control planes polar
         text tools units;
     klartext_arcs = "klartext/arcs":
         centres radius tangential;
@@ -77,15 +77,14 @@ books! {
     klartext_tools = "klartext/tools":
         compensation m6 oversizes;
     mtc200 = "mtc200":
-        arcs compensation corners flow functions manual offsets path programs text tools units variables;
+        arcs compensation corners flow functions manual offsets path path_control programs text tools units variables;
     mtc200_words = "mtc200/words":
         refused;
     same_part = "same_part":
         lathe mill;
     sinumerik = "sinumerik":
         angles axes calls circles contour_cycles contours corners diameter drilling examples feeds flow frames
-        functions lexical machine_coordinates offsets output patterns polar rotary settings tapping threads
-        tools transformations undercut_corners undercut_cycles units variables rigid_taps;
+        functions lexical machine_coordinates offsets output path_control patterns polar rotary settings tapping threads tools transformations undercut_corners undercut_cycles units variables rigid_taps;
     sinumerik_approach = "sinumerik/approach":
         lines;
     sinumerik_calls = "sinumerik/calls":
@@ -131,7 +130,7 @@ books! {
     targets_klartext = "targets/klartext":
         compensation feeds rigid_taps;
     targets_sinumerik = "targets/sinumerik":
-        compensation rigid_taps spindle;
+        compensation path_control rigid_taps spindle;
 }
 
 fn check(book: &str) {

@@ -65,6 +65,7 @@ mod notes;
 mod oracle;
 mod output_keys;
 mod passed_lines;
+mod path_control;
 mod peer;
 mod pictures;
 mod places;

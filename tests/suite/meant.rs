@@ -7,7 +7,7 @@ use partc::internals::ir::function::{Coolant, CutterData, Spindle, Turn};
 use partc::internals::ir::motion::{self, Path, Sink};
 use partc::internals::ir::{Feed, Function, Origin, Side, Tap};
 use partc::internals::machine::axis::AXES;
-use partc::internals::machine::{MachineKind, Settings};
+use partc::internals::machine::{MachineKind, OutputSettings, PathControl, Settings};
 
 /// Where the machine stands before a program: nowhere that a program names, so that an axis word that is missing shows.
 pub const BEFORE: [f64; AXES] = [-7771.0, -7772.0, -7773.0, -774.0, -775.0, -776.0, -7777.0, -7778.0, -7779.0];
@@ -106,6 +106,17 @@ pub struct How {
     pub machine: bool,
     /// Working plane, where compensation refers to it.
     pub plane: Option<[usize; 3]>,
+    /// How far corners may be rounded off in mm: 0 for an exact path, infinite without a bound.
+    pub corners: Option<f64>,
+}
+
+/// How far corners may be rounded off.
+fn corners(mode: PathControl) -> f64 {
+    match mode {
+        PathControl::Exact => 0.0,
+        PathControl::Within(mm) => mm,
+        PathControl::Before(_) | PathControl::Unbounded => f64::INFINITY,
+    }
 }
 
 /// The path of a move that was found.
@@ -170,12 +181,16 @@ pub struct Recorder {
     scale_of_x: f64,
     ended: bool,
     speed: f64,
+    corners: Option<f64>,
+    output: OutputSettings,
+    lathe: bool,
 }
 
 impl Recorder {
     pub fn new(settings: &Settings) -> Recorder {
         let scale = 10f64.powi(i32::from(settings.output.places(Quantity::Length)));
-        let diameters = settings.machine.kind == MachineKind::Lathe && settings.output.prints_diameters();
+        let lathe = settings.machine.kind == MachineKind::Lathe;
+        let diameters = lathe && settings.output.prints_diameters();
         Recorder {
             items: Vec::new(),
             at: [None; AXES],
@@ -188,6 +203,9 @@ impl Recorder {
             scale_of_x: if diameters { 2.0 * scale } else { scale },
             ended: false,
             speed: 0.0,
+            corners: settings.output.path_control(None, lathe).map(corners),
+            output: settings.output.clone(),
+            lathe,
         }
     }
 
@@ -216,13 +234,13 @@ impl Recorder {
         };
         let (a, b, c) = mv.plane.axes();
         let plane = (side != 0).then_some([a, b, c]);
-        let machine = mv.machine;
+        let (machine, corners) = (mv.machine, self.corners);
         if let Path::Thread { lead } = mv.path {
-            return How { feed: None, lead: Some(lead), cutter, machine, plane };
+            return How { feed: None, lead: Some(lead), cutter, machine, plane, corners };
         }
         let feed = mv.path.feed();
         let feed = feed.map(|feed| (kind_of(feed), feed.value()));
-        How { feed, lead: None, cutter, machine, plane }
+        How { feed, lead: None, cutter, machine, plane, corners }
     }
 
     fn spindle(&mut self, spindle: Spindle, number: Option<u8>) {
@@ -366,6 +384,9 @@ impl Sink for Recorder {
                 self.ended = true;
             }
             Function::FeedSpindle(_) | Function::Transformation(_) => panic!("{function:?} reached the target"),
+            Function::PathControl(said) => {
+                self.corners = self.output.path_control(*said, self.lathe).map(corners).or(self.corners);
+            }
             Function::Plane(_) | Function::Comment(_) => {}
         }
     }
@@ -456,6 +477,14 @@ fn same_how(found: &How, meant: &How, tolerance: f64) -> Result<(), &'static str
         (Some(a), Some(b)) => (a - b).abs() <= tolerance,
         (a, b) => a.is_none() && b.is_none(),
     };
+    // A bound is printed with six places.
+    let same_bound = match (found.corners, meant.corners) {
+        (Some(a), Some(b)) => a == b || (a - b).abs() < 2e-6,
+        (a, b) => a == b,
+    };
+    if !same_bound {
+        return Err("other corners");
+    }
     let value = |how: &How| how.feed.map(|(_, value)| value);
     let mode = |how: &How| how.feed.map(|(kind, _)| kind);
     if mode(found) != mode(meant) || !near(value(found), value(meant)) {

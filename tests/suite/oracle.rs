@@ -108,8 +108,8 @@ impl Case {
             let text = Box::new(Memory::new(bytes.clone()));
             Session::new(Opened { name: name.clone(), identity: name.clone(), text })
         };
-        let mut recorder = Recorder::new(settings);
         let found = dialect::find(dialect).expect("a dialect");
+        let mut recorder = Recorder::new(&found.settings(settings));
         session().lower(found, settings, files, &mut recorder);
         let decimals = settings.output.places(Quantity::Length);
         let settings = found.settings(settings).into_owned();
@@ -275,7 +275,7 @@ fn a_program_and_its_output_are_the_same_motion() {
     let mut failures = Vec::new();
     for case in &cases {
         let tolerance = 10f64.powi(-i32::from(case.decimals));
-        let mut meant = Steps::new(tolerance);
+        let mut meant = Steps::of_program(tolerance, &case.settings);
         for (item, _) in &case.items {
             let origin = Origin::default();
             match item {

@@ -33,6 +33,7 @@ const KEYS: &[(&str, &[&str])] = &[
     ("rapid_feed", &["4000"]),
     ("arc_fallback_tolerance", &["0.01"]),
     ("tapping", &["\"as-target\""]),
+    ("path_control", &["\"exact\"", "{ tolerance = 0.05 }"]),
 ];
 
 /// Keys without which the target prints nothing, `key` itself left out where another value is to be tried.

@@ -107,6 +107,26 @@ fn read_by_its_own_front_end(own: &Own) {
         printed += 1;
         let decimals = base.output.places(partc::internals::machine::settings::Quantity::Length);
         let read = |text: &str| reader::read(text, decimals).map(without_the_same_speed);
+        // A SINUMERIK says of its corners what LinuxCNC says, but for a bound that both print rounded.
+        let corners = |found: &[Found]| -> Vec<i64> {
+            let bounds = found.iter().filter_map(|one| match one {
+                Found::Move(_, how) => how.corners,
+                Found::Does(_) => None,
+            });
+            bounds.map(|bound| (bound.min(1e3) * 1e5).round() as i64).collect::<Vec<_>>()
+        };
+        if own.target == "sinumerik" {
+            let both = [&plain.output, &read_again.output].map(|text| {
+                read(text).map(|found| {
+                    let mut bounds = corners(&found);
+                    bounds.dedup();
+                    bounds
+                })
+            });
+            if both[0] != both[1] {
+                wrong.push(format!("{}: other corners: {both:?}", case.name));
+            }
+        }
         let found = read(&plain.output).and_then(|plain| same(&plain, &read(&read_again.output)?, f64::INFINITY));
         if let Err(why) = found {
             wrong.push(format!("{}: {why}", case.name));

@@ -22,6 +22,8 @@ struct Reader {
     offset: u8,
     length: u32,
     constant_cut: Option<f64>,
+    /// How far corners may be rounded off.
+    corners: Option<f64>,
     /// Largest difference of the radii of an arc, in units.
     radii: f64,
     list: Vec<Found>,
@@ -39,6 +41,7 @@ pub fn read(program: &str, decimals: u8) -> Result<Vec<Found>, String> {
         offset: 1,
         length: 0,
         constant_cut: None,
+        corners: None,
         radii: 1.5 * UNIT * 0.1f64.powi(i32::from(decimals)),
         list: Vec::new(),
     };
@@ -67,6 +70,7 @@ struct Line {
     r: Option<f64>,
     h: Option<u32>,
     dwell: bool,
+    blends: bool,
     side: Option<(i8, bool)>,
     cut: Option<bool>,
     m: Option<u32>,
@@ -84,7 +88,9 @@ impl Reader {
                 self.code(value, &mut line)?;
                 continue;
             }
-            let number = units(value, decimals)?;
+            // A bound of corners has as many places as are read.
+            let places = if letter == "P" && line.blends { 6 } else { decimals };
+            let number = units(value, places)?;
             let real = number as f64 / UNIT;
             match letter {
                 "T" => line.tool = Some(whole(value)?),
@@ -130,6 +136,8 @@ impl Reader {
             "43" => {}
             "49" => line.h = Some(0),
             "53" => line.machine = true,
+            "61" => self.corners = Some(0.0),
+            "64" => line.blends = true,
             "21" | "90" | "91.1" | "80" => {}
             "54" | "55" | "56" | "57" | "58" | "59" | "59.1" | "59.2" | "59.3" => {
                 let last = value.split('.').nth(1).and_then(|n| n.parse::<u8>().ok()).unwrap_or(0);
@@ -161,6 +169,9 @@ impl Reader {
 
     /// Tool, length, speed, compensation, dwell.
     fn modes(&mut self, line: &Line) {
+        if line.blends {
+            self.corners = Some(line.p.unwrap_or(f64::INFINITY));
+        }
         if let Some(tool) = line.tool {
             self.does(Does::Select(tool));
         }
@@ -194,7 +205,7 @@ impl Reader {
     fn how(&self, line: &Line) -> How {
         let feed = matches!(line.motion, Some(1..=3)).then_some((self.kind, self.feed));
         let lead = line.offset[2].filter(|_| line.motion == Some(33)).map(|lead| lead as f64 / UNIT);
-        How { feed, lead, cutter: self.cutter, machine: line.machine, plane: Some(self.plane) }
+        How { feed, lead, cutter: self.cutter, machine: line.machine, plane: Some(self.plane), corners: self.corners }
     }
 
     fn moves(&mut self, line: &Line) -> Result<(), String> {

@@ -290,9 +290,14 @@ const GRBLHAL: Rules = Rules {
 
 /// The events of a program behind its head, without the words whose effect every move shows.
 fn events(text: &str, rules: &Rules) -> Result<Vec<Event>, String> {
-    // The frame and the radii of a lathe are words of LinuxCNC alone.
-    let lines = text.lines().filter(|line| *line != "%");
-    let body: String = lines.map(|line| format!("{}\n", line.replacen("G18 G8 ", "G18 ", 1))).collect();
+    // The frame, the radii of a lathe and how corners are taken are words of LinuxCNC alone.
+    let corners = |line: &str| line.starts_with("G61") || line.starts_with("G64");
+    let lines = text.lines().filter(|line| *line != "%" && !corners(line));
+    let plain = |line: &str| match line {
+        _ if line.starts_with('(') => line.to_owned(),
+        _ => line.split(" G6").next().unwrap_or(line).replacen("G18 G8 ", "G18 ", 1),
+    };
+    let body: String = lines.map(|line| format!("{}\n", plain(line))).collect();
     let mut events = grbl_reader::read(&body, rules)?;
     let head = events.iter().position(|event| matches!(event, Event::Words(code) if code.contains("G80")));
     events.drain(..head.map_or(0, |at| at + 1));

@@ -248,6 +248,8 @@ struct Canon {
     machine: bool,
     /// M7 and M8 go off in two calls.
     mist_off: bool,
+    /// How far corners may be rounded off.
+    corners: Option<f64>,
     list: Vec<Found>,
 }
 
@@ -270,6 +272,7 @@ fn read(canonical: &str) -> Answer {
         changing: false,
         machine: false,
         mist_off: false,
+        corners: None,
         list: Vec::new(),
     };
     for line in canonical.lines() {
@@ -358,6 +361,14 @@ impl Canon {
                     return Err("a work offset that is not zero".to_owned());
                 }
             }
+            "SET_MOTION_CONTROL_MODE" => {
+                self.corners = Some(match number(0) {
+                    // No bound.
+                    Ok(0.0) => f64::INFINITY,
+                    Ok(bound) => bound,
+                    Err(_) => 0.0,
+                });
+            }
             "USE_LENGTH_UNITS" if !arguments.ends_with("MM") => return Err("not in millimetres".to_owned()),
             "USE_LENGTH_UNITS"
             | "SET_G92_OFFSET"
@@ -365,7 +376,6 @@ impl Canon {
             | "USE_TOOL_LENGTH_OFFSET"
             | "SET_FEED_REFERENCE"
             | "MESSAGE"
-            | "SET_MOTION_CONTROL_MODE"
             | "SET_NAIVECAM_TOLERANCE"
             | "WAIT_SPINDLE_ORIENT_COMPLETE" => {}
             _ => return Err("a call that our programs do not make".to_owned()),
@@ -419,6 +429,7 @@ impl Canon {
             feed: feed.filter(|_| self.lead.is_none()),
             lead: self.lead,
             cutter: self.cutter,
+            corners: self.corners,
             machine: std::mem::take(&mut self.machine),
             plane: Some(self.plane),
         };

@@ -8,14 +8,14 @@ use super::book::{self, Case};
 use super::meant::{Found, How, Way, tolerance};
 use super::reader;
 
-/// The moves of the output that go somewhere; the plane is none of theirs.
+/// The moves of the output that go somewhere; the plane is none of theirs, and how corners are taken a matter of the machine.
 fn moves(case: &Case) -> Vec<(Way, How)> {
     let compiled = case.compile();
     assert!(!compiled.has_errors(), "{}: {:?}", case.name, compiled.rendered);
     let found = reader::read(&compiled.output, case.settings().output.places(Quantity::Length));
     let found = found.unwrap_or_else(|why| panic!("{}: {why}", case.name));
     let moves = found.into_iter().filter_map(|found| match found {
-        Found::Move(way, how) => Some((way, How { plane: None, ..how })),
+        Found::Move(way, how) => Some((way, How { plane: None, corners: None, ..how })),
         Found::Does(_) => None,
     });
     moves.collect()

@@ -94,6 +94,18 @@ const FAULTS: &[(&str, Fault)] = &[
     ("another centre", |l, i| is_arc(&l[i]).then(|| number(&mut l[i], 'I', |x| x + 0.005))?),
     ("more turns", |l, i| is_arc(&l[i]).then(|| number(&mut l[i], 'P', |p| p + 1.0))?),
     ("no turns", |l, i| is_arc(&l[i]).then(|| no_word(l, i, 'P'))?),
+    ("another bound of corners", |l, i| {
+        (l[i].contains("G64 P") && bounds_a_move(l, i)).then(|| number(&mut l[i], 'P', |p| p + 0.01))?
+    }),
+    ("an exact path", |l, i| {
+        let at = l[i].find("G64 P").filter(|_| bounds_a_move(l, i))?;
+        l[i].replace_range(at.., "G61");
+        Some(())
+    }),
+    ("no word for corners", |l, i| {
+        let says = l[i].starts_with("G61") || l[i].starts_with("G64");
+        (says && l.get(i + 1).is_some_and(|next| is_move(next))).then(|| drop(l.remove(i)))
+    }),
     ("another plane", |l, i| {
         // Tool lengths act along Z in every plane.
         let asks = |line: &str| line.starts_with("G4") && !line.starts_with("G43") && !line.starts_with("G49");
@@ -131,6 +143,12 @@ fn is_move(line: &str) -> bool {
 }
 
 /// A line whose place among the others matters by itself.
+/// Does the mode of this line hold for a move?
+fn bounds_a_move(lines: &Lines, at: usize) -> bool {
+    let says = |line: &&String| is_move(line) || line.starts_with("G61") || line.starts_with("G64");
+    lines[at + 1..].iter().find(says).is_some_and(|line| is_move(line))
+}
+
 fn is_action(line: &str) -> bool {
     is_move(line) || line.starts_with("G4 ") || line.starts_with(['T', 'S', 'M'])
 }

@@ -215,7 +215,7 @@ impl Job {
             return Ok((steps, true, Vec::new()));
         }
         let opened = self.open()?;
-        let mut steps = Steps::new(tolerance);
+        let mut steps = Steps::of_program(tolerance, &opened.dialect.settings(&opened.settings));
         opened.session.lower(opened.dialect, &opened.settings, opened.files.as_ref(), &mut steps);
         let ok = !opened.session.diags.has_errors();
         Ok((steps.finish(), ok, findings(opened.session)))

@@ -23,9 +23,8 @@ R4001 Error "gcode-arc-turns" "arc of too many turns"
 "P of an arc is the number of its turns. More than 100,000 are no work that a machine does: most often P belongs to another word of the line, or a digit is wrong. A target \
 that does not count turns would get a block or more for each. The line is refused, so nothing is written."
 
-R8001 Note "gcode-path-control" "exact stop and blending are left out"
-"G61 and G64 say how a control rounds the corners of the path, within a tolerance of its own. The output holds the path alone, and the target takes its corners as it is \
-set. Set the mode on the target, if it matters."
+R8001 Note "gcode-path-control" "G64 without P gets the bound of the output"
+"G64 alone keeps the speed up and promises no bound on how far it rounds corners off. The output states one: 0.01 mm, or what `[output] path_control` says. G61 and `G64 P` are printed as they are meant."
 
 R9001 Error "gcode-m-function" "M function that means what the builder of a machine wants"
 "M0 to M9, M19 and M30 mean the same everywhere. All others are given by the builder of a machine, and some move it. If the target has the same function, list it \

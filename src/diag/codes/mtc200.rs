@@ -202,7 +202,7 @@ M2702 Note "mtc-machine-word" "word of the machine is left out"
 To print an M function for it, use a table: `machine_words = { LA_ON = \"M101\" }`."
 
 M2703 Note "mtc-no-geometry" "word has no geometry"
-"ACC sets the acceleration, D and E select rows of the correction memory, REV says where the operator's reverse key leads, G06 to G09, G61 and G62 how the axes \
+"ACC sets the acceleration, D and E select rows of the correction memory, REV says where the operator's reverse key leads, G06 to G09 how the axes \
 run through block transitions, G43 and G44 how path compensation goes around outside corners. None of them changes \
 the programmed path, and the output has no word for them. Tool lengths and corrections are the target machine's business."
 

@@ -56,6 +56,10 @@ all are G15 H1 to H9."
 O4004 Note "arc-as-lines-within-tolerance" "arc that the target cannot say is printed as lines"
 "`[output] arc_fallback_tolerance` allows lines for arcs that the selected target cannot say, and says how far they may leave the arc. The ends are exact."
 
+O4006 Note "path-control-left-out" "how the program takes its corners is left out"
+"The program says how corners are taken (exact stop, a tolerance, G64), and `[output] path_control = \"none\"` keeps all words of it out of the output. The machine takes \
+its corners as it is set up. Leave the key away, and what the program says is printed."
+
 O4005 Warning "compensation-begins-at-rapid" "radius compensation of the target begins in a rapid move"
 "`[output] compensation = \"control\"`, and the move that leads to the contour is a rapid one. Each control has its own way to the first element: LinuxCNC \
 for one goes at rapid traverse to a place beside the contour that may lie farther along it, where the tool cuts already. Lead to the contour at a feed (F in the block of \
@@ -222,6 +226,15 @@ names, a rapid feed where G0 has one. Nothing of the program is lost. Leave the 
 O9337 Error "tool-offset-too-large" "the target may not count tool offsets that far"
 "The length and the radius of a tool are called by its number: T1000 by H1000 and D1000. How many offsets a control has is an option, and a number that it does not have raises an alarm, or is read as another one. \
 99 are taken for granted. Give the tool a smaller number (`number` of its entry in `[tools]`), or say how many there are: `[output] tool_offsets = 400`."
+
+O9338 Warning "corners-without-a-bound" "the target does not bound how far it rounds corners off"
+"A control that keeps its speed up leaves the path at corners. How far is a matter of the mode it is in: some have a word for the largest deviation (LinuxCNC `G64 P`, SINUMERIK \
+`G642 CTOL=`, cycle 32 of a TNC), and the output states it. The selected target has no such word, or none that stops in a corner, so the part may differ there from the program. \
+Told once, in front of the first move. `[output] path_control = \"exact\"` stops in every corner where the target can; \"none\" says that the machine is set up for the part."
+
+O9339 Error "path-control-unknown-to-target" "the target has no word for how corners shall be taken"
+"`[output] path_control` asks for a stop in every corner, or for a bound on how far corners are rounded off, and the selected target cannot say that. Choose what it can say, or \"none\": then \
+nothing is printed, and the machine takes its corners as it is set up. docs/targets.md has the words of each target."
 
 O9340 Error "rigid-tap-unknown-to-target" "the target has no word for tapping without a compensating chuck"
 "The program taps a hole without a compensating chuck (cycles 17, 207 and 209, CYCLE84, G331 with G332, G33.1): axis and spindle go in step all the time, while the spindle turns round, too. The selected target has no word for that, or none that is confirmed. A feed that only fits the speed would tear the thread or break the tap. Tap with a compensating chuck (cycle 206, CYCLE840, G63) where the target can do that, cut the thread by a milling cycle, or take another target."

@@ -7,8 +7,8 @@ S8001 Warning "siemens-unbracketed-logic" "AND or OR beside a comparison without
 Put each comparison in brackets. The program is compiled as the control reads it."
 
 S8002 Note "siemens-dynamics" "words for speed and accuracy are left out"
-"G64 and its kin, SOFT, FFWON, COMP…, CYCLE832, ADIS, ACC and others shape how a control follows the path, not the path itself. The \
-programmed path is printed exactly; set the path mode of the target there."
+"SOFT, FFWON, COMP…, G601, ADISPOS, ACC and others shape how a control follows the path, not the path itself, and are left out. G60, G9, G64, G641, G642, CTOL and the tolerance of CYCLE832 are none of \
+them: what they say of corners is printed. G642 to G645 without CTOL round by machine data, which no program shows: the output keeps its own bound then."
 
 S8003 Warning "siemens-several-programs" "file holds several main programs"
 "An archive can hold several main programs; the first one is compiled, the others are not looked at. Put each into a file of its own."

@@ -54,8 +54,7 @@ impl Printer<'_> {
             }),
         };
         match modes {
-            Some("") => {}
-            Some(modes) => self.page.block(modes.as_bytes()),
+            Some(modes) => self.head_modes(modes, lathe),
             None => self.lacks_machine(lathe),
         }
         self.source = name;

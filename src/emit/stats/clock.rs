@@ -194,6 +194,7 @@ impl Clock {
             }
             Function::WorkOffset(_) => self.lost(),
             Function::Plane(_)
+            | Function::PathControl(_)
             | Function::Comment(_)
             | Function::Aux(_)
             | Function::Coolant(_)

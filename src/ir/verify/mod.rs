@@ -10,7 +10,7 @@ mod tests;
 
 use crate::machine::Axis;
 
-use super::function::Spindle;
+use super::function::{PathControl, Spindle};
 use super::transformation::Surface;
 use super::{Feed, Function, Pos};
 
@@ -108,6 +108,8 @@ fn function(function: &Function) -> Result<(), Fault> {
                 Some(Surface::Face) | None => Ok(()),
             };
         }
+        Function::PathControl(Some(PathControl::Within(mm) | PathControl::Before(mm))) => return lead(*mm),
+        Function::PathControl(_) => return Ok(()),
         Function::Dwell(seconds) => *seconds,
         Function::Spindle(spindle) | Function::SpindleOf { spindle, .. } => match spindle {
             Spindle::Start(_) | Spindle::Stop => return Ok(()),

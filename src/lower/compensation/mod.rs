@@ -158,6 +158,7 @@ impl Compensator {
             | Function::Stop
             | Function::OptionalStop
             | Function::Aux(_)
+            | Function::PathControl(_)
             | Function::Comment(_) => None,
         }
     }

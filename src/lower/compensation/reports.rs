@@ -263,7 +263,8 @@ pub fn last_corner(last: &Piece, leaves: &Origin, diags: &Diags) {
 /// What no manual says about the joint in front of `next`.
 pub fn reading(last: &Piece, next: &Piece, diags: &Diags) {
     let (before, behind) = (last.mv.path.feed(), next.mv.path.feed());
-    let moves = last.items.iter().any(|item| !matches!(item, Item::Function(Function::Comment(_), _)));
+    let idle = |item: &Item| matches!(item, Item::Function(Function::Comment(_) | Function::PathControl(_), _));
+    let moves = last.items.iter().any(|item| !idle(item));
     let message = match (before != behind, moves) {
         (false, false) => return,
         (true, _) => {

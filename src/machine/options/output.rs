@@ -1,5 +1,6 @@
 //! `[output]`, `[limits]` and `[include]`: what is printed, how long a run may be, and what it may open.
 
+use crate::machine::PathChoice;
 use crate::machine::keys::{Key, Kind, key};
 use crate::machine::settings::{Compensation, Decimals, Settings, ToolChange, Units};
 use crate::machine::tree::{ConfigError, Node, Value};
@@ -112,6 +113,13 @@ pub const KEYS: &[Key] = &[
         |s, v| put(&mut s.output.tapping_as_target, is(v, "as-target")),
     )
     .or(r#""warn""#),
+    key(
+        "path_control",
+        Kind::Corners,
+        "how corners are taken where the program has no say: \"exact\", { tolerance = 0.01 } in mm, or \"none\": no word of it \
+         is printed; without it a tolerance of 0.01 where the target can say one, on lathes \"exact\"",
+        |s, v| put(&mut s.output.path_control, Some(PathChoice::read(v)?)),
+    ),
 ];
 
 pub const LIMITS: &[Key] = &[

@@ -1,7 +1,7 @@
 //! What the lines of plain G-code have the machine do besides moving, in the words of everything behind the languages.
 
 use crate::geo::Plane;
-use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
+use crate::ir::function::{Coolant, CutterData, PathControl, Spindle, Turn};
 use crate::ir::{Feed, Function, Side};
 use crate::read::{self, Act, FeedKind, Reader, SCALE, Speed};
 
@@ -19,8 +19,18 @@ pub fn function(act: &Act) -> Result<Option<Function>, &'static str> {
         Act::Speed(speed) => of_speed(speed),
         Act::M { number, spindle, angle } => m_function(number, spindle, angle)?,
         Act::Dwell(seconds) => Function::Dwell(real(seconds)),
+        Act::Corners(mode) => Function::PathControl(Some(path_control(mode))),
         Act::Offset(number) => Function::WorkOffset(number),
     }))
+}
+
+fn path_control(mode: read::PathControl) -> PathControl {
+    match mode {
+        read::PathControl::Exact => PathControl::Exact,
+        read::PathControl::Within(bound) => PathControl::Within(real(bound)),
+        read::PathControl::Before(distance) => PathControl::Before(real(distance)),
+        read::PathControl::Unbounded => PathControl::Unbounded,
+    }
 }
 
 fn of_spindle(number: u8, spindle: Spindle) -> Function {

@@ -11,7 +11,7 @@ use std::rc::Rc;
 use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Arc, ArcShape, Coords, Ctx, CtxRef, Move, Path, Sink, Thread};
-use crate::ir::function::{Spindle, Turn};
+use crate::ir::function::{PathControl, Spindle, Turn};
 use crate::ir::tap::Stroke;
 use crate::ir::{Function, Pos, Tap};
 use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
@@ -362,15 +362,23 @@ impl Run<'_> {
             self.ctx = Rc::new(Ctx { plane, ..Ctx::default() });
             self.does(&Function::Plane(plane));
         }
-        if modes.path_control {
-            let message = "exact stop and blending (G61, G64) are left out: the target takes its corners as it is set";
-            self.note_once(codes::R8001, self.block_span(), message);
-            self.reader.modes_mut().path_control = false;
-        }
         match modes.length {
             Some(number) if modes.length != before.length && number != 0 => self.length(number),
             _ => Ok(()),
         }
+    }
+
+    /// G64 promises no bound, and the output has one where the target can say it.
+    fn bounds_corners(&mut self) {
+        let settings = self.job.settings;
+        let lathe = settings.machine.kind == MachineKind::Lathe;
+        let printed = settings.output.path_control(Some(PathControl::Unbounded), lathe);
+        let what = match printed {
+            Some(PathControl::Within(mm)) => format!("the output rounds corners off by {mm} mm at most"),
+            Some(PathControl::Exact) => "the output does not round corners off".to_owned(),
+            Some(PathControl::Before(_) | PathControl::Unbounded) | None => return,
+        };
+        self.note_once(codes::R8001, self.block_span(), format!("G64 without P says no bound: {what}"));
     }
 
     /// The length of a tool counts from here on.
@@ -442,6 +450,9 @@ impl Run<'_> {
                         taken.map_err(|super::Reported| Refused::Said)?;
                     }
                     self.does(&function);
+                    if function == Function::PathControl(Some(PathControl::Unbounded)) {
+                        self.bounds_corners();
+                    }
                     if let Function::WorkOffset(_) = function {
                         self.offset();
                     }

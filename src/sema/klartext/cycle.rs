@@ -8,6 +8,7 @@ use std::rc::Rc;
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
+use crate::ir::function::PathControl;
 use crate::lexer::klartext::QRef;
 use crate::machine::{AxisSet, Generation};
 use crate::parser::klartext::ast::{Addr, Block, CallKind, Stmt};
@@ -239,14 +240,7 @@ impl Run<'_> {
                 Ok(())
             }
             Nature::Tilt => self.tilt(open),
-            Nature::Tolerance => {
-                self.job.diags.push_once(Diagnostic::new(
-                    codes::K2703,
-                    self.here.origin.loc,
-                    "the path tolerance of cycle 32 has no word in the output",
-                ));
-                Ok(())
-            }
+            Nature::Tolerance => self.path_tolerance(open),
             Nature::Preset => self.preset(open),
             Nature::Setting(setting) => setting(self, open),
             Nature::Data => {
@@ -279,6 +273,34 @@ impl Run<'_> {
                 Err(Reported)
             }
         }
+    }
+
+    /// Cycle 32: how far corners are rounded off; without T the setting of the machine holds again.
+    fn path_tolerance(&mut self, open: &Open) -> Outcome {
+        let tolerance = open.values.iter().find(|value| value.label == "T").map(|value| value.value);
+        if open.values.iter().any(|value| value.label != "T") {
+            self.job.diags.push_once(Diagnostic::new(
+                codes::K2703,
+                self.here.origin.loc,
+                "HSC-MODE and TA of cycle 32 have no word in the output",
+            ));
+        }
+        let said = match tolerance {
+            None => None,
+            Some(t) if t > 0.0 => Some(PathControl::Within(t * self.level().frame.unit.mm())),
+            // No deviation at all.
+            Some(0.0) => Some(PathControl::Exact),
+            Some(t) => {
+                return self.fail_help(
+                    codes::K2403,
+                    self.block_span(),
+                    format!("a tolerance of {t}"),
+                    "a tolerance is above zero; `CYCL DEF 32.1` without T ends it",
+                );
+            }
+        };
+        self.function(Function::PathControl(said));
+        Ok(())
     }
 
     fn single_value(&mut self, open: &Open) -> Outcome<f64> {

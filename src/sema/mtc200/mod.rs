@@ -30,6 +30,7 @@ use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{Corner, Ctx, CtxRef, Load, Move, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos, Tap};
+use crate::ir::function::PathControl;
 use crate::machine::options::mtc200::Reading;
 use crate::machine::{Axis, Compensation};
 use crate::parser::mtc200::ast::{Block, Stmt, Target, Value};
@@ -379,7 +380,7 @@ impl Run<'_> {
             }
             G::ExactStop(on) => {
                 self.st.exact_stop = on;
-                self.without_geometry(if on { "G61" } else { "G62" }, span);
+                self.function(Function::PathControl(on.then_some(PathControl::Exact)));
             }
             G::Side(side) => return self.set_side(side, span, w),
             G::Chamfers(on) => {

@@ -94,7 +94,7 @@ impl Run<'_> {
         }
         let triggers = self.st.modal_call.cycle().is_some()
             && (w.code_of(Group::Motion).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
-        if !w.codes.is_empty() || w.diameter.is_some() || w.dynamics.is_some() {
+        if !w.codes.is_empty() || w.diameter.is_some() || w.dynamics.is_some() || w.smoothing.is_given() {
             self.check_codes(w)?;
             if let Some((code, span)) = w.code_of(Group::Nonmodal) {
                 self.modal_codes(w)?;

@@ -24,6 +24,7 @@ impl Channel<'_> {
         if let Some(span) = w.dynamics {
             self.dynamics_are_left_out(span);
         }
+        self.smoothing_words(w);
         Ok(())
     }
 
@@ -35,7 +36,9 @@ impl Channel<'_> {
                 self.st.codes.activate(code);
             }
             Group::Nonmodal | Group::Frame | Group::Suppression => {}
-            Group::ExactStopBlock | Group::RepositioningPointBlock => self.left_out_code(code, span),
+            Group::ExactStopBlock => {}
+            Group::ExactStop => self.st.codes.activate(code),
+            Group::RepositioningPointBlock => self.left_out_code(code, span),
             Group::Plane => {
                 self.st.codes.activate(code);
                 if old != code {

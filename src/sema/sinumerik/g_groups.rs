@@ -384,6 +384,7 @@ code_names! {
     NORM = Approach 1  KONT = Approach 2  CDON = Collision 2
     G40 = Compensation 1  G41 = Compensation 2  G42 = Compensation 3
     SUPD = Suppression 4
+    G60 = ExactStop 1  G64 = ExactStop 2  G641 = ExactStop 3  G642 = ExactStop 4  G643 = ExactStop 5  G645 = ExactStop 7
     G93 = FeedType 1  G94 = FeedType 2  G95 = FeedType 3  G96 = FeedType 4  G97 = FeedType 5
     G961 = FeedType 7  G971 = FeedType 8
     G70 = Unit 1  G700 = Unit 3  G710 = Unit 4

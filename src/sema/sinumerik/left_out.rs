@@ -86,9 +86,7 @@ impl Core<'_> {
     /// A code that holds on and prints nothing. Codes that other blocks ask for are no matter of this.
     pub(super) fn left_out_code(&self, code: GCode, span: Span) {
         match code.group {
-            Group::ExactStop
-            | Group::ExactStopBlock
-            | Group::ExactStopWindow
+            Group::ExactStopWindow
             | Group::Acceleration
             | Group::Feedforward
             | Group::Compression
@@ -180,7 +178,7 @@ impl Core<'_> {
     }
 
     /// A note that is made once for each text.
-    fn note_word(&self, code: &'static crate::diag::Code, span: Span, message: String) {
+    pub(super) fn note_word(&self, code: &'static crate::diag::Code, span: Span, message: String) {
         if self.job.diags.first_text(code, &message) {
             self.report(Diagnostic::new(code, self.loc(span), message));
         }

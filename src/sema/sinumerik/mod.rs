@@ -46,6 +46,7 @@ mod named_words;
 mod nonmodal;
 mod offsets;
 mod parameters;
+mod path_control;
 mod polar;
 mod procedures;
 mod programs;
@@ -258,6 +259,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
             // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
             self.lane = Lane::Closed;
             self.execute_any(block, text);
+            self.block_stop_ends();
             self.lane = self.open_lane();
         }
     }

@@ -54,7 +54,11 @@ impl Run<'_> {
                             "program the feed itself, and OVR=100",
                         );
                     }
-                    words.dynamics.get_or_insert(word.span);
+                    match self.symbols.name(name) {
+                        "ADIS" => words.smoothing.distance = value.number(),
+                        "CTOL" => words.smoothing.tolerance = value.number(),
+                        _ => drop(words.dynamics.get_or_insert(word.span)),
+                    }
                 }
                 Meaning::Address(address) => {
                     let given = self.given(word, block, text)?;

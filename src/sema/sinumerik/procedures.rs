@@ -186,6 +186,7 @@ impl Run<'_> {
                 Ok(())
             }
             Procedure::Dynamics if name == "FGROUP" => self.feed_axes(&formulas, call.span, block, text),
+            Procedure::Dynamics if name == "CYCLE832" => self.high_speed_settings(&formulas, call.span, block, text),
             Procedure::Dynamics => {
                 self.dynamics_are_left_out(call.span);
                 Ok(())

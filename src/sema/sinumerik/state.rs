@@ -21,6 +21,7 @@ use super::frames::{FrameValue, Frames, SavedFrames};
 use super::g_groups::{ActiveCodes, GCode, Group};
 use super::modal_call::ModalCall;
 use super::offsets::OffsetUse;
+use super::path_control::Smoothing;
 use super::polar::Polar;
 use super::spindle_state::Spindles;
 use super::system_variables::SystemVariables;
@@ -58,6 +59,7 @@ pub(super) struct State {
     pub modal_call: ModalCall,
     /// The contour of the contour editor that runs.
     pub stored: Option<Box<Stored>>,
+    pub smoothing: Smoothing,
     /// System variables that the program wrote.
     pub system: SystemVariables,
 }
@@ -76,6 +78,7 @@ pub(super) struct MachineData {
 #[derive(Debug, Clone)]
 pub(super) struct Saved {
     codes: ActiveCodes,
+    smoothing: Smoothing,
     frames: SavedFrames,
 }
 
@@ -107,6 +110,7 @@ impl State {
             transformation: None,
             modal_call: ModalCall::default(),
             stored: None,
+            smoothing: Smoothing::default(),
             system: SystemVariables::of_edges(&settings.tools.edges),
         }
     }
@@ -226,7 +230,7 @@ impl State {
 
 impl State {
     pub(super) fn save(&self) -> Saved {
-        Saved { codes: self.codes, frames: self.frames.saved() }
+        Saved { codes: self.codes, smoothing: self.smoothing, frames: self.frames.saved() }
     }
 
     /// The context with the plane of group 6.
@@ -254,6 +258,7 @@ impl Channel<'_> {
         let changed = self.st.codes.of(Group::FeedType) != saved.codes.of(Group::FeedType);
         let (offset, plane) = (self.st.codes.of(Group::WorkOffset), saved.codes.of(Group::Plane));
         self.st.codes = saved.codes;
+        self.st.smoothing.restore(saved.smoothing);
         self.st.frames.set_programmable(saved.frames.programmable);
         self.st.set_plane(plane);
         if !self.st.is(offset) {
@@ -266,6 +271,7 @@ impl Channel<'_> {
         if changed {
             self.st.feed_mode_changed();
         }
+        self.send_smoothing();
     }
 
     /// The same work offset is in force, with another frame than at the call: bit 0 of MD 10617 decides.

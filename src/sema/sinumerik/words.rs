@@ -138,6 +138,19 @@ pub(super) struct BesideWords {
     pub feeds: Vec<(Axis, f64)>,
 }
 
+/// ADIS and CTOL, in the unit of the program.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct SmoothingWords {
+    pub distance: Option<f64>,
+    pub tolerance: Option<f64>,
+}
+
+impl SmoothingWords {
+    pub fn is_given(self) -> bool {
+        self.distance.is_some() || self.tolerance.is_some()
+    }
+}
+
 /// The words of a block, sorted. Reused; what is stored for a word that is not given is never read.
 #[derive(Debug)]
 pub(super) struct Words {
@@ -157,6 +170,7 @@ pub(super) struct Words {
     pub beside: BesideWords,
     /// Words without any effect on the path.
     pub dynamics: Option<Span>,
+    pub smoothing: SmoothingWords,
     pub diameter: Option<(Indexed, Axis, Span)>,
     /// D in the block of M6.
     pub edge_of_new_tool: Option<Given>,
@@ -181,6 +195,7 @@ impl Words {
             calls: CallWords::default(),
             beside: BesideWords::default(),
             dynamics: None,
+            smoothing: SmoothingWords::default(),
             diameter: None,
             edge_of_new_tool: None,
             assigned: None,
@@ -203,6 +218,7 @@ impl Words {
         self.beside.positioning.clear();
         self.beside.feeds.clear();
         self.dynamics = None;
+        self.smoothing = SmoothingWords::default();
         self.diameter = None;
         self.edge_of_new_tool = None;
         self.assigned = None;

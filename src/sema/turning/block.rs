@@ -4,6 +4,7 @@
 //! functions at the end.
 
 use crate::diag::codes;
+use crate::ir::function::PathControl;
 use crate::ir::{Function as Item, Side};
 use crate::parser::turning::ast::Block;
 use crate::sema::common::feed::FeedKind;
@@ -69,6 +70,7 @@ impl Run<'_> {
             self.named = w.text("ID").map(|span| readable(span.of(text)).into_owned());
             self.motion(function, fun, w)?;
         }
+        self.exact_stop_ends();
         if only_moves || self.has_ended() {
             return Ok(());
         }
@@ -77,6 +79,15 @@ impl Run<'_> {
             self.m_at_end(w)?;
         }
         Ok(())
+    }
+
+    /// Behind its block, G9 counts no longer. A move that waits for the next block takes it along.
+    #[inline]
+    fn exact_stop_ends(&mut self) {
+        if self.st.exact_stop && self.chain.is_empty() {
+            self.st.exact_stop = false;
+            self.function(Item::PathControl(None));
+        }
     }
 
     /// M functions at the end of a block whose move waits for the next one cannot be kept in order.
@@ -262,6 +273,11 @@ impl Run<'_> {
             Kind::OversizeOff => {
                 self.without_effect(w, b"P", "G52 in a program ends oversizes, as G50 does");
                 self.st.oversize = None;
+                Ok(())
+            }
+            Kind::ExactStop => {
+                self.st.exact_stop = true;
+                self.function(Item::PathControl(Some(PathControl::Exact)));
                 Ok(())
             }
             Kind::Nothing

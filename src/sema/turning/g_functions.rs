@@ -15,7 +15,8 @@ pub(super) enum Kind {
     MachineRapid,
     ChangePoint,
     Dwell,
-    /// Exact stop, interpreter stop: the path is the same without.
+    ExactStop,
+    /// Interpreter stop: the path is the same without.
     Nothing,
     SpeedLimit,
     PerMinute,
@@ -89,7 +90,7 @@ pub(super) const TABLE: &[Function] = &[
     row(2, Kind::Arc { ccw: false, absolute: false }, "arc", "XZRIKBEQ", &["BR"]),
     row(3, Kind::Arc { ccw: true, absolute: false }, "arc", "XZRIKBEQ", &["BR"]),
     row(4, Kind::Dwell, "dwell", "F", &[]),
-    row(9, Kind::Nothing, "exact stop", "", &[]),
+    row(9, Kind::ExactStop, "exact stop", "", &[]),
     row(12, Kind::Arc { ccw: false, absolute: true }, "arc", "XZRIKBEQ", &["BR"]),
     row(13, Kind::Arc { ccw: true, absolute: true }, "arc", "XZRIKBEQ", &["BR"]),
     row(14, Kind::ChangePoint, "tool change point", "QD", &[]),

@@ -33,6 +33,8 @@ pub(super) struct State {
     pub clearance: Option<f64>,
     pub oversize: Option<(Oversize, Loc)>,
     pub shift: Shift,
+    /// G9 stands in this block, or in one whose move waits.
+    pub exact_stop: bool,
     /// Something moved already.
     pub moved: bool,
     /// Something was cut from the blank already.
@@ -76,6 +78,7 @@ impl State {
             clearance: None,
             oversize: None,
             shift: Shift::default(),
+            exact_stop: false,
             moved: false,
             cut: false,
             roughed: Vec::new(),

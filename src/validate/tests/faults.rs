@@ -61,6 +61,16 @@ const FAULTS: &[(&str, Fault)] = &[
         let word = d.of(&["G90 ", "G21 ", "G91.1 ", " G94", "G17 ", "G18 ", "G8 ", "G7 ", "G40 ", "G49 ", " G80"]);
         t.contains(word).then(|| t.replacen(word, "", 1))
     }),
+    ("an exact path or not", |t, _| {
+        let exact = t.contains("G61").then(|| t.replace("G61", "G64"));
+        exact.or_else(|| t.contains("G64").then(|| t.split(" P").next().unwrap_or(t).replace("G64", "G61") + "\n"))
+    }),
+    ("another bound", |t, _| t.contains("G64 P0.0").then(|| t.replace("G64 P0.0", "G64 P0.1"))),
+    ("a smaller bound", |t, _| t.contains("G64 P0.0").then(|| t.replace("G64 P0.0", "G64 P0.00"))),
+    ("the bound lost", |t, _| t.contains("G64 P").then(|| format!("{}G64\n", t.split("G64 ").next().unwrap_or(t)))),
+    ("the word for corners lost", |t, _| {
+        (single(t) && (t.starts_with("G64") || t.starts_with("G61"))).then(String::new)
+    }),
     ("machine coordinates lost", |t, _| t.contains("G53 ").then(|| t.replace("G53 ", ""))),
     ("machine coordinates instead", |t, _| (single(t) && t.starts_with("G0 ")).then(|| format!("G53 {t}"))),
     ("another speed", |t, d| change(t, d, "S", |_| true, |v| Some(v + 1))),
@@ -128,6 +138,10 @@ const DIALOG: &[(&str, Fault)] = &[
     ("another tool", |t, _| t.contains("TOOL CALL 1").then(|| t.replace("TOOL CALL 1", "TOOL CALL 2"))),
     ("the tool lost", |t, _| t.contains("TOOL CALL 1").then(|| t.replace("TOOL CALL", "TOOL DEF").replace(" Z", ""))),
     ("another speed", |t, d| change(t, d, "S", |l| has(l, "TOOL"), |v| Some(v + 10))),
+    ("another tolerance", |t, _| t.contains("32.1 T0.0").then(|| t.replace("32.1 T0.0", "32.1 T0.1"))),
+    ("the tolerance lost", |t, _| {
+        t.contains("32.1 T").then(|| format!("{}32.1\n", t.split("32.1").next().unwrap_or(t)))
+    }),
     ("another preset", |t, _| exchanged(t, "Q339=+1", "Q339=+2")),
     ("a wait of another time", |t, _| t.contains("DWELL 1").then(|| t.replace("DWELL 1", "DWELL 2"))),
     ("half a wait", |t, _| t.contains("DWELL TIME").then(|| t.lines().skip(1).map(|l| format!("{l}\n")).collect())),

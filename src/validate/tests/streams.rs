@@ -3,7 +3,7 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::geo::{Plane, Point2, turned};
-use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
+use crate::ir::function::{Coolant, CutterData, PathControl, Spindle, Turn};
 use crate::ir::motion::{Arc, Move, Path, Place};
 use crate::ir::tap::Stroke;
 use crate::ir::{Feed, Function, Pos, Side, Tap};
@@ -388,7 +388,7 @@ impl Maker<'_> {
     }
 
     fn item(&mut self) {
-        match self.dice.roll(40) {
+        match self.dice.roll(42) {
             0..16 => self.straight(),
             16..26 => self.arc(),
             26 => self.machine(),
@@ -442,6 +442,17 @@ impl Maker<'_> {
             }
             39 if self.linuxcnc && self.plane != Plane::Yz => self.compensated(),
             39 if !self.grbl => self.does(Function::Aux(77)),
+            40 | 41 => {
+                let mm = self.dice.of(&[0.02, 0.05, 1.0 / 3.0]);
+                let mode = self.dice.of(&[
+                    PathControl::Exact,
+                    PathControl::Unbounded,
+                    PathControl::Within(mm),
+                    PathControl::Before(mm),
+                ]);
+                let said = !self.dice.one_in(5);
+                self.does(Function::PathControl(said.then_some(mode)));
+            }
             _ => self.does(Function::Comment(b"a comment (with brackets) G1 X99 and ; more".to_vec())),
         }
     }

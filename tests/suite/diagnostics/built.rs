@@ -163,6 +163,15 @@ pub(super) const BUILT: &[Built] = &[
     Built { code: "O9329", fires: || on("heidenhain", "M8", NUMBERS), silent: || on("sinumerik", "M8", NUMBERS) },
     Built { code: "O1005", fires: || on("fanuc", "G4 F0.0004", ""), silent: || on("linuxcnc", "G4 F0.0004", "") },
     Built { code: "O9336", fires: || on("fanuc", "M8", RAPID), silent: || on("marlin", "G0 X5", MACROS) },
+    Built { code: "O9338", fires: || on("fanuc", "M8", ""), silent: || on("fanuc", "M8", EXACT) },
+    Built { code: "O9338", fires: || on("grbl", "M8", ""), silent: || on("grbl", "M8", SET_UP) },
+    Built {
+        code: "O9338",
+        fires: || on("heidenhain", "G60 G1 X5 F100", ""),
+        silent: || on("heidenhain", "G60 G1 X5 F100", BOUND),
+    },
+    Built { code: "O9339", fires: || on("fanuc", "M8", BOUND), silent: || on("linuxcnc", "M8", BOUND) },
+    Built { code: "O9339", fires: || on("heidenhain", "M8", EXACT), silent: || on("fanuc", "M8", EXACT) },
     Built { code: "O9337", fires: || on("fanuc", "T1000 M6", M6), silent: || on("fanuc", "T1000 M6", MANY_OFFSETS) },
     // Without the length, it is the radius that has a number.
     Built {
@@ -253,6 +262,9 @@ const BY_HAND_T: &str = "[control]\ntool_change = \"t\"\n[output]\ntool_change =
 const BY_HAND: &str = "[output]\ntool_change = \"stop\"";
 const CONTROL: &str = "[output]\ncompensation = \"control\"\ntool_change = \"stop\"\n[tools.1]\nradius = 2.0";
 const M6: &str = "[control]\ntool_change = \"m6\"";
+const BOUND: &str = "[output]\npath_control = { tolerance = 0.05 }";
+const SET_UP: &str = "[output]\npath_control = \"none\"";
+const EXACT: &str = "[output]\npath_control = \"exact\"";
 const MANY_OFFSETS: &str = "[control]\ntool_change = \"m6\"\n[output]\ntool_offsets = 2000";
 const FAR_TOOL: &str = "[control]\ntool_change = \"m6\"\n[output]\ncompensation = \"control\"\ntool_length = \"off\"\n\
                         [tools.99]\nradius = 2.0\n[tools.100]\nradius = 2.0";

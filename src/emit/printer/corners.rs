@@ -1,0 +1,215 @@
+//! How corners are taken: the head states it, and a line says where the program changes it.
+
+use crate::diag::{Answer, Diagnostic, codes};
+use crate::ir::{Origin, Side};
+use crate::machine::{PathChoice, PathControl};
+use crate::target::{Form, PathBound};
+use crate::text::Loc;
+
+use super::super::number::Places;
+use super::Printer;
+
+/// What the target knows of corners.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Corners {
+    lathe: bool,
+    printed: Option<PathControl>,
+    /// The next move is made in a mode that does not bound its corners, or not as the program wants them; the block that asks
+    /// for it, if one does.
+    doubt: Option<(Option<Origin>, Doubt)>,
+    told: bool,
+}
+
+/// What is wrong with a mode.
+#[derive(Debug, Clone, Copy)]
+enum Doubt {
+    /// Corners are passed without a bound.
+    Unbounded,
+    /// No word of the target says anything of corners, or none that holds at its start.
+    Unsaid,
+    /// Rounded off by so many mm at most where the program stops in them.
+    NoStop(f64),
+}
+
+impl Corners {
+    /// Has something to be told in front of a move?
+    #[inline(always)]
+    pub fn in_doubt(&self) -> bool {
+        self.doubt.is_some()
+    }
+}
+
+impl Printer<'_> {
+    /// The last line of the head: `modes`, and how the program begins to take its corners.
+    pub(super) fn head_modes(&mut self, modes: &str, lathe: bool) {
+        self.corners.lathe = lathe;
+        if !self.settings.can_say_path_control() {
+            self.lacks_path_control();
+        }
+        let mode = self.settings.path_control(None, lathe);
+        self.look_at_corners(None, mode, None);
+        let dialog = match self.target.form {
+            Form::Dialog(dialog) => Some(dialog),
+            Form::Words => None,
+        };
+        if !modes.is_empty() {
+            self.page.text.word(modes);
+        }
+        if let Some(mode) = mode {
+            if let Some(dialog) = dialog {
+                self.page.block(dialog.tolerance.as_bytes());
+            }
+            self.corner_words(mode);
+        }
+        if !modes.is_empty() || mode.is_some() {
+            self.page.block(b"");
+        }
+    }
+
+    /// Another mode of the program.
+    pub(super) fn path_control(&mut self, said: Option<PathControl>, origin: &Origin) {
+        if self.settings.path_control == Some(PathChoice::None) {
+            if said.is_some() && self.diags.first_time(codes::O4006) {
+                let message = "how the program takes its corners is left out: `[output] path_control` is \"none\"";
+                self.diags.push(Diagnostic::new(codes::O4006, origin.loc, message).called(origin.call));
+            }
+            return;
+        }
+        let mode = self.settings.path_control(said, self.corners.lathe);
+        self.look_at_corners(said, mode, Some(origin));
+        let Some(mode) = mode.filter(|mode| self.corners.printed != Some(*mode)) else { return };
+        if self.compensation.side != Side::None && !self.target.path.under_compensation {
+            return self.stands_under_compensation(origin);
+        }
+        if let Form::Dialog(dialog) = self.target.form {
+            self.page.words(dialog.tolerance, origin);
+        }
+        self.corner_words(mode);
+        self.page.end_line(origin);
+    }
+
+    #[cold]
+    fn stands_under_compensation(&self, origin: &Origin) {
+        let name = self.target.name;
+        let message = format!(
+            "how corners are taken changes while radius compensation is on, and the target {name} does not change it there"
+        );
+        let help = "let it change in front of the contour or behind it, or set `[output] compensation = \"resolve\"`";
+        self.diags.push(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call));
+    }
+
+    /// The words of a mode, on the line under construction.
+    fn corner_words(&mut self, mode: PathControl) {
+        self.corners.printed = Some(mode);
+        let words = self.target.path;
+        let (bound, mm) = match mode {
+            PathControl::Exact | PathControl::Unbounded => {
+                let word = if mode == PathControl::Exact { words.exact } else { words.unbounded };
+                self.page.text.word(word.unwrap_or_default());
+                return;
+            }
+            PathControl::Within(mm) => (words.within, mm),
+            PathControl::Before(mm) => (words.before, mm),
+        };
+        if let Some(PathBound { word, length }) = bound {
+            let places = self.bound_places();
+            let units = bound_units(mm, places);
+            self.page.text.word(word).valued(length, units, places);
+        }
+    }
+
+    /// A bound has as many places as the target reads.
+    fn bound_places(&self) -> Places {
+        let numbers = &self.target.numbers;
+        let places = Places::new(numbers.most).written(numbers.point, numbers.zero);
+        if self.measures.inches { places.of_inches() } else { places }
+    }
+
+    /// Keeps what has to be told in front of the next move.
+    fn look_at_corners(&mut self, said: Option<PathControl>, mode: Option<PathControl>, origin: Option<&Origin>) {
+        let choice = self.settings.path_control;
+        let doubt = match (mode, said) {
+            _ if choice == Some(PathChoice::None) || self.corners.told => None,
+            (Some(PathControl::Within(mm)), Some(PathControl::Exact)) => {
+                (!matches!(choice, Some(PathChoice::Within(_)))).then_some(Doubt::NoStop(mm))
+            }
+            (Some(PathControl::Exact | PathControl::Within(_) | PathControl::Before(_)), _) => None,
+            (Some(PathControl::Unbounded), _) => Some(Doubt::Unbounded),
+            // An answer that was refused.
+            (None, None) if choice.is_some() => None,
+            (None, _) => Some(Doubt::Unsaid),
+        };
+        self.corners.doubt = doubt.map(|doubt| (origin.copied(), doubt));
+    }
+
+    /// In front of the first move whose corners are not bounded as they should be: told once.
+    #[cold]
+    pub(super) fn tell_of_corners(&mut self, first: &Origin) {
+        self.corners.told = true;
+        let Some((origin, doubt)) = self.corners.doubt.take() else { return };
+        let origin = origin.unwrap_or(*first);
+        let (name, words) = (self.target.name, self.target.path);
+        let message = match doubt {
+            Doubt::Unbounded => {
+                let word = words.unbounded.unwrap_or_default();
+                format!(
+                    "the target {name} passes corners under {word}, and has no word for how far it may round them off"
+                )
+            }
+            Doubt::Unsaid => {
+                format!(
+                    "how far the target {name} rounds corners off is a setting of the machine: no word of it is printed"
+                )
+            }
+            Doubt::NoStop(mm) => {
+                format!(
+                    "the program stops in its corners; the target {name} has no word for that and rounds them off, by {mm} mm at most"
+                )
+            }
+        };
+        let answer = Answer::key("output", "path_control");
+        let help = match (doubt, words.exact) {
+            (Doubt::NoStop(mm), _) => {
+                let tolerance = format!("{{ tolerance = {mm} }}");
+                let text = format!("where that will do, say so: `[output] path_control = {tolerance}`");
+                answer.one_of(&[tolerance]).help(text)
+            }
+            (_, Some(_)) => answer.one_of(&["\"exact\"", "\"none\""]).help(
+                "stop in every corner with `[output] path_control = \"exact\"`, or set it to \"none\" where the machine is set up for the part",
+            ),
+            (_, None) => {
+                answer.help("set `[output] path_control = \"none\"` where the machine is set up for the part")
+            }
+        };
+        self.diags.push(Diagnostic::new(codes::O9338, origin.loc, message).help(help).called(origin.call));
+    }
+
+    /// The configuration wants what the target cannot say.
+    #[cold]
+    fn lacks_path_control(&self) {
+        let words = self.target.path;
+        let mut choices = vec!["\"none\""];
+        if words.exact.is_some() {
+            choices.insert(0, "\"exact\"");
+        }
+        if words.within.is_some() {
+            choices.insert(0, "{ tolerance = 0.01 }");
+        }
+        let what = match self.settings.path_control {
+            Some(PathChoice::Exact) => "a stop in every corner",
+            Some(PathChoice::Within(_) | PathChoice::None) | None => "how far corners may be rounded off",
+        };
+        let message = format!("`path_control`: the target {} has no word for {what}", self.target.name);
+        let help = format!("set `[output] path_control` to {}", choices.join(" or "));
+        let help = Answer::key("output", "path_control").one_of(&choices).help(help);
+        let start = Loc { line: 1, ..Loc::default() };
+        self.diags.push(Diagnostic::new(codes::O9339, start, message).help(help));
+    }
+}
+
+/// A bound in units of the last place: never a larger one, and never nothing.
+fn bound_units(mm: f64, places: Places) -> i64 {
+    let nearest = places.units(mm).unwrap_or(i64::MAX);
+    let larger = nearest as f64 > mm * places.scale() * (1.0 + 1e-9);
+    (nearest - i64::from(larger)).max(1)
+}

@@ -1,0 +1,147 @@
+//! Exact stop and smoothing: G60, G9, G64 and its kin, ADIS, CTOL, CYCLE832.
+//!
+//! Source: S 2.14 and 3 (docs/sources.md).
+
+use crate::diag::codes;
+use crate::ir::Function;
+use crate::ir::function::PathControl;
+use crate::parser::sinumerik::ast::{Block, Formula, Op};
+use crate::text::Span;
+
+use super::g_groups::{ActiveCodes, GCode, Group};
+use super::words::Words;
+use super::{Channel, Outcome, Run};
+
+/// What the program says of corners.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Smoothing {
+    /// A code of group 10 was programmed: which one holds before is machine data.
+    said: bool,
+    /// ADIS and CTOL in mm; what is not above zero says nothing.
+    distance: f64,
+    tolerance: f64,
+    /// The tolerance of CYCLE832, up to the next code of the group.
+    cycle: Option<f64>,
+    /// G9 stands in this block.
+    block: bool,
+    /// What was handed on last.
+    sent: Option<PathControl>,
+}
+
+impl Smoothing {
+    /// What holds under these codes; `None` where the program says nothing that can be known.
+    fn mode(&self, codes: &ActiveCodes) -> Option<PathControl> {
+        if self.block {
+            return Some(PathControl::Exact);
+        }
+        let within = |mm: f64| (mm > 0.0).then_some(PathControl::Within(mm));
+        if let Some(tolerance) = self.cycle {
+            return within(tolerance);
+        }
+        match codes.of(Group::ExactStop) {
+            _ if !self.said => None,
+            GCode::G60 => Some(PathControl::Exact),
+            GCode::G64 => Some(PathControl::Unbounded),
+            // Without a distance it is G64.
+            GCode::G641 if self.distance > 0.0 => Some(PathControl::Before(self.distance)),
+            GCode::G641 => Some(PathControl::Unbounded),
+            GCode::G642 | GCode::G643 | GCode::G645 => within(self.tolerance),
+            // G644 rounds as the dynamics of the axes have it.
+            _ => None,
+        }
+    }
+
+    /// What SAVE brings back beside the codes.
+    pub fn restore(&mut self, saved: Smoothing) {
+        (self.said, self.cycle) = (saved.said, saved.cycle);
+    }
+}
+
+impl Channel<'_> {
+    /// The words of a block that say how corners are taken.
+    pub(super) fn smoothing_words(&mut self, w: &Words) {
+        let unit = self.st.codes.length_unit();
+        let code = w.code_of(Group::ExactStop);
+        let smoothing = &mut self.st.smoothing;
+        if code.is_some() {
+            (smoothing.said, smoothing.cycle) = (true, None);
+        }
+        if let Some(distance) = w.smoothing.distance {
+            smoothing.distance = distance * unit;
+        }
+        if let Some(tolerance) = w.smoothing.tolerance {
+            smoothing.tolerance = tolerance * unit;
+        }
+        smoothing.block = w.code_of(Group::ExactStopBlock).is_some();
+        if let Some((code, span)) = code
+            && matches!(code.index, 4..)
+            && self.st.smoothing.mode(&self.st.codes).is_none()
+        {
+            let message = format!(
+                "{} without CTOL= rounds corners by machine data: the output keeps the bound of its head",
+                code.word()
+            );
+            self.note_word(codes::S8002, span, message);
+        }
+        self.send_smoothing();
+    }
+
+    /// Behind its block, G9 counts no longer.
+    #[inline]
+    pub(super) fn block_stop_ends(&mut self) {
+        if std::mem::take(&mut self.st.smoothing.block) {
+            self.send_smoothing();
+        }
+    }
+
+    /// Hands on how corners are taken, where it changed. A contour that is only described says nothing of it.
+    pub(super) fn send_smoothing(&mut self) {
+        let mode = self.st.smoothing.mode(&self.st.codes);
+        if mode != self.st.smoothing.sent && !self.is_capturing() {
+            self.st.smoothing.sent = mode;
+            self.function(Function::PathControl(mode));
+        }
+    }
+}
+
+impl Run<'_> {
+    /// CYCLE832(S_TOL, S_TOLM, …): a tolerance of the contour, or none.
+    pub(super) fn high_speed_settings(
+        &mut self,
+        formulas: &[Formula],
+        span: Span,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        let mut given = formulas.iter().filter(|formula| !formula.is_missing());
+        let first = formulas.first().filter(|formula| !formula.is_missing());
+        let tolerance = match first {
+            Some(formula) => self.number(*formula, block, text)?,
+            None => 0.0,
+        };
+        let off = match formulas.get(1).filter(|formula| !formula.is_missing()) {
+            None => false,
+            // The modes have names, which the control defines.
+            Some(formula) => match block.formula(*formula) {
+                [Op::Name(name, _)] if self.symbols.name(*name).starts_with('_') => self.symbols.name(*name) == "_OFF",
+                _ => self.number(*formula, block, text)? == 0.0,
+            },
+        };
+        if tolerance < 0.0 {
+            let message = format!("CYCLE832 with a tolerance of {tolerance}");
+            return self.fail_help(codes::S2045, span, message, "a tolerance is above zero; CYCLE832() ends it");
+        }
+        if given.nth(1).is_some() {
+            self.dynamics_are_left_out(span);
+        }
+        let unit = self.st.codes.length_unit();
+        let smoothing = &mut self.st.smoothing;
+        smoothing.cycle = (tolerance > 0.0 && !off).then_some(tolerance * unit);
+        if smoothing.cycle.is_none() {
+            // Which code of the group holds now is a matter of the machine builder.
+            (smoothing.said, smoothing.tolerance) = (false, 0.0);
+        }
+        self.send_smoothing();
+        Ok(())
+    }
+}
