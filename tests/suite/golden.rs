@@ -61,7 +61,7 @@ books! {
     klartext_functions = "klartext/functions":
         m116_to_m140 m91;
     klartext_machining = "klartext/machining":
-        bores contours contours_refused faces finishing holes islands old_pockets patterns pockets rest slots studs threads tilts;
+        bores contours contours_refused faces finishing holes islands old_pockets patterns pockets rest slots studs threads ties tilts;
     klartext_parameters = "klartext/parameters":
         functions system_data texts;
     klartext_path = "klartext/path":
@@ -107,7 +107,7 @@ books! {
     sinumerik_lexical = "sinumerik/lexical":
         skip words;
     sinumerik_machining = "sinumerik/machining":
-        contour_pockets cycle92 cycle93 cycle930 cycle95 cycle951 cycle952 grooves_refused milling milling_alarms
+        contour_pockets contour_ties cycle92 cycle93 cycle930 cycle95 cycle951 cycle952 grooves_refused milling milling_alarms
         milling_parameters paths pocket_alarms pockets slots thread_milling;
     sinumerik_offsets = "sinumerik/offsets":
         g500 g53;

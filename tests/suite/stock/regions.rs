@@ -8,6 +8,7 @@ use super::super::damage::Dice;
 use super::klartext_frames::Seen;
 use super::milling::{Cut, EXACT, Stock, many, track_of};
 use super::pockets::{FINISH, PLUNGE, ROUGH, finishing, number};
+use super::region_entries::Entries;
 
 /// How much nearer than asked a path may come: what the rings of a contour may lose.
 const NEARER: f64 = 2e-5;
@@ -283,6 +284,7 @@ impl Case {
         let end = |feed: f64| cuts.iter().rposition(|cut| cut.feed == Some(feed)).map_or(0, |last| last + 1);
         let before: Vec<(usize, f64)> = self.coarse.iter().zip(COARSE).map(|(by, feed)| (end(feed), *by)).collect();
         let coarse = before.iter().map(|(end, _)| *end).max().unwrap_or(0);
+        let mut entries = Entries::default();
         for (at, (cut, finishing)) in cuts.iter().zip(finishing(&cuts)).enumerate() {
             let radius = before.iter().find(|(end, _)| at < *end).map_or(self.radius, |(_, by)| *by);
             let lowest = cut.from[2].min(cut.to[2]);
@@ -298,6 +300,9 @@ impl Case {
                 }
             }
             let met = stock.cut(cut, radius);
+            if !finishing {
+                entries.see(cut, met.depth > EXACT);
+            }
             if let Some(angle) = self.angle.filter(|_| at >= coarse && !finishing && !cut.is_rapid()) {
                 let fall = cut.from[2] - cut.to[2];
                 let way = cut.length();
@@ -314,6 +319,10 @@ impl Case {
             }
         }
         self.complete(&stock, cell)?;
+        // What a coarser cutter left is entered from ground that it cleared; corners with Q8 make necks that the rings do not know.
+        if self.coarse.is_empty() && self.corners == 0.0 {
+            entries.are_single(&stock, |p| self.room(p) >= self.radius + self.wall)?;
+        }
         Ok(true)
     }
 
