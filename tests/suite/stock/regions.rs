@@ -230,6 +230,12 @@ impl Land {
         let rounds = self.rings.iter().enumerate().filter_map(|(at, ring)| match ring {
             Ring::Circle { center, radius } => {
                 let (dx, dy) = (p[0] - center[0], p[1] - center[1]);
+                if dx.hypot(dy) < 1e-9 {
+                    // From its centre the wall is as far in each direction.
+                    let unit = |i: u32| [f64::from(i).cos(), f64::from(i).sin()];
+                    let mut around = (0..32).map(unit).map(|[x, y]| [center[0] + radius * x, center[1] + radius * y]);
+                    return around.any(|q| self.is_wall(q, at)).then_some(*radius);
+                }
                 let scale = radius / dx.hypot(dy).max(1e-12);
                 let nearest = [center[0] + dx * scale, center[1] + dy * scale];
                 self.is_wall(nearest, at).then(|| apart(p, nearest))
