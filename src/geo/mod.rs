@@ -10,6 +10,7 @@ pub mod corner;
 pub mod crossing;
 pub mod element;
 pub mod gap;
+pub mod grid;
 pub mod intersect;
 pub mod joint;
 pub mod offset;

@@ -65,7 +65,7 @@ books! {
     klartext_functions = "klartext/functions":
         m116_to_m140 m91;
     klartext_machining = "klartext/machining":
-        bores contours contours_refused faces finishing holes islands old_pockets patterns pockets rest slots studs threads tilts;
+        bores contours contours_refused faces finishing holes islands old_pockets patterns pockets rest slots studs threads ties tilts;
     klartext_parameters = "klartext/parameters":
         functions system_data texts;
     klartext_path = "klartext/path":
@@ -114,7 +114,7 @@ books! {
     sinumerik_lexical = "sinumerik/lexical":
         skip words;
     sinumerik_machining = "sinumerik/machining":
-        contour_pockets cycle92 cycle93 cycle930 cycle95 cycle951 cycle952 groove_rims grooves_refused milling milling_alarms milling_parameters paths pocket_alarms pockets rests slots thread_milling;
+        contour_pockets contour_ties cycle92 cycle93 cycle930 cycle95 cycle951 cycle952 groove_rims grooves_refused milling milling_alarms milling_parameters paths pocket_alarms pockets rests slots thread_milling;
     sinumerik_offsets = "sinumerik/offsets":
         g500 g53;
     sinumerik_patterns = "sinumerik/patterns":

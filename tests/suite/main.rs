@@ -80,6 +80,7 @@ mod read_again;
 mod reader;
 mod receivers;
 mod reference_part;
+mod region_ties;
 mod rewritten;
 mod rs274;
 mod same_part;

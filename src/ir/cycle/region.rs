@@ -3,11 +3,11 @@
 use core::fmt;
 
 use crate::geo::wall::quarters;
-use crate::geo::{Element, Point2};
+use crate::geo::{Element, Point2, grid};
 use crate::ir::{Feed, Pos};
 
 use super::Family;
-use super::milling::{Mill, MillFault, parts};
+use super::milling::{Heights, Mill, MillFault, parts};
 use super::pocket::{Finish, Insertion, MOST_RINGS};
 
 /// Largest radius of an arc of a contour, mm; more is a line, or a lost decimal point.
@@ -101,6 +101,32 @@ impl Region {
 
     fn size(&self) -> f64 {
         size(&self.outlines)
+    }
+
+    /// The same with its sizes on the grid of contours, on which outlines and islands lie already.
+    #[must_use]
+    pub fn on_grid(&self) -> Region {
+        let on = grid::on_grid;
+        let heights = &self.mill.heights;
+        let heights = Heights {
+            retract: on(heights.retract),
+            reference: on(heights.reference),
+            clearance: on(heights.clearance),
+            depth: on(heights.depth),
+            step: on(heights.step),
+            allowance: on(heights.allowance),
+            ..*heights
+        };
+        let finish = self.finish.map(|finish| Finish { step: on(finish.step), ..finish });
+        Region {
+            mill: Mill { heights, radius: on(self.mill.radius), ..self.mill },
+            allowance: on(self.allowance),
+            left: on(self.left),
+            width: on(self.width),
+            start: self.start.map(grid::point),
+            finish,
+            ..self.clone()
+        }
     }
 }
 

@@ -81,7 +81,7 @@ impl<'a> Cutter<'a> {
     pub fn rise(&mut self) {
         let heights = &self.mill.heights;
         // Where the tool may stand anywhere, the retract height is the one that is free.
-        if !self.height.is_some_and(|height| (height - heights.retract) * heights.outward() >= 0.0) {
+        if !self.height.is_some_and(|height| (height - heights.retract) * heights.outward() >= -NOTHING) {
             self.lift(heights.retract);
         }
     }
@@ -104,7 +104,7 @@ impl<'a> Cutter<'a> {
 
     /// Along the tool axis at rapid traverse, out of the material or through what is cleared.
     pub fn lift(&mut self, height: f64) {
-        let Some(now) = self.height.filter(|now| *now != height) else {
+        let Some(now) = self.height.filter(|now| (*now - height).abs() > NOTHING) else {
             if self.height.is_none() {
                 (self.height, self.lifting) = (Some(height), Some(height));
             }
@@ -136,7 +136,7 @@ impl<'a> Cutter<'a> {
 
     /// Along the tool axis at `feed`.
     pub fn sink(&mut self, height: f64, feed: Feed) {
-        if self.height != Some(height) {
+        if self.height.is_none_or(|now| (now - height).abs() > NOTHING) {
             self.go_on();
             self.height = Some(height);
             self.send(None, Some(height), Path::Line(feed));

@@ -6,7 +6,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::area::{Relation, is_counter_clockwise, meet, passes, relation, surrounds};
 use crate::geo::overlay::{Area, Touching, overlay};
-use crate::geo::{Element, Point2, corner};
+use crate::geo::{Element, Point2, corner, grid};
 use crate::ir::Side;
 use crate::ir::captured::Captured;
 
@@ -18,6 +18,9 @@ use super::{Outcome, Reported, Run};
 
 /// What arithmetic may add to an element that is all rounded away, mm.
 const TOLERANCE: f64 = 1e-6;
+
+/// Elements that turn by less go on into each other, rad: their points lie on a grid.
+const GOES_ON: f64 = 1e-6;
 
 /// A closed contour.
 struct Closed<'a> {
@@ -55,7 +58,7 @@ impl Run<'_> {
         if corners == 0.0 {
             return Ok(area);
         }
-        with_rounded_corners(&area, corners + away).or_else(|()| {
+        with_rounded_corners(&area, grid::on_grid(corners + away)).or_else(|()| {
             let help = "set Q8 to 0, or take a smaller cutter";
             let what = format!("an inside corner has no room for the radius Q8 = {corners} of the path");
             match &pocket.named.labels[..] {
@@ -95,6 +98,8 @@ impl Run<'_> {
         if let Some(Element::Line { to, .. } | Element::Arc { to, .. }) = elements.last_mut() {
             *to = contour.start;
         }
+        // From here on a coordinate is the same number, however it was computed.
+        let elements = grid::chain(&elements);
         // With the tool inside it is a pocket.
         let is_pocket = match contour.side {
             Some(Side::Left) => is_counter_clockwise(&elements),
@@ -234,7 +239,7 @@ fn rounded(mut elements: Vec<Element>, radius: f64, turns: f64) -> Result<Vec<El
         let (before, after) = (elements[at], elements[next]);
         let (Some(u), Some(w)) = (before.end_direction(), after.start_direction()) else { return Err(()) };
         let turn = crate::geo::cross(u, w) * turns;
-        if turn < -crate::geo::SAME_DIRECTION || turn.abs() <= crate::geo::SAME_DIRECTION && u.dot(&w) > 0.0 {
+        if turn < -GOES_ON || turn <= GOES_ON && u.dot(&w) > 0.0 {
             continue;
         }
         let cut = corner::rounding(&before, &after, radius, TOLERANCE).map_err(|_| ())?;

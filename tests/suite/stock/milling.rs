@@ -203,7 +203,17 @@ impl Stock {
         stock
     }
 
-    /// Columns and their heights.
+    /// Distance of columns.
+    pub fn cell(&self) -> f64 {
+        self.cell
+    }
+
+    /// How many columns stand side by side along the first axis.
+    pub fn wide(&self) -> usize {
+        self.count[0]
+    }
+
+    /// Columns and their heights, along the first axis first.
     pub fn columns(&self) -> impl Iterator<Item = ([f64; 2], f64)> + '_ {
         self.top.iter().enumerate().map(|(at, top)| (self.place(at % self.count[0], at / self.count[0]), *top))
     }

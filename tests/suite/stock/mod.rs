@@ -15,6 +15,7 @@ mod milled_threads;
 pub mod milling;
 mod paths;
 mod pockets;
+mod region_entries;
 mod regions;
 mod removal;
 mod roughing;

@@ -8,6 +8,7 @@ use super::super::damage::Dice;
 use super::klartext_frames::Seen;
 use super::milling::{Cut, EXACT, Stock, many, track_of};
 use super::pockets::{FINISH, PLUNGE, ROUGH, finishing, number};
+use super::region_entries::Entries;
 
 /// How much nearer than asked a path may come: what the rings of a contour may lose.
 const NEARER: f64 = 2e-5;
@@ -229,6 +230,12 @@ impl Land {
         let rounds = self.rings.iter().enumerate().filter_map(|(at, ring)| match ring {
             Ring::Circle { center, radius } => {
                 let (dx, dy) = (p[0] - center[0], p[1] - center[1]);
+                if dx.hypot(dy) < 1e-9 {
+                    // From its centre the wall is as far in each direction.
+                    let unit = |i: u32| [f64::from(i).cos(), f64::from(i).sin()];
+                    let mut around = (0..32).map(unit).map(|[x, y]| [center[0] + radius * x, center[1] + radius * y]);
+                    return around.any(|q| self.is_wall(q, at)).then_some(*radius);
+                }
                 let scale = radius / dx.hypot(dy).max(1e-12);
                 let nearest = [center[0] + dx * scale, center[1] + dy * scale];
                 self.is_wall(nearest, at).then(|| apart(p, nearest))
@@ -283,6 +290,7 @@ impl Case {
         let end = |feed: f64| cuts.iter().rposition(|cut| cut.feed == Some(feed)).map_or(0, |last| last + 1);
         let before: Vec<(usize, f64)> = self.coarse.iter().zip(COARSE).map(|(by, feed)| (end(feed), *by)).collect();
         let coarse = before.iter().map(|(end, _)| *end).max().unwrap_or(0);
+        let mut entries = Entries::default();
         for (at, (cut, finishing)) in cuts.iter().zip(finishing(&cuts)).enumerate() {
             let radius = before.iter().find(|(end, _)| at < *end).map_or(self.radius, |(_, by)| *by);
             let lowest = cut.from[2].min(cut.to[2]);
@@ -298,6 +306,9 @@ impl Case {
                 }
             }
             let met = stock.cut(cut, radius);
+            if !finishing {
+                entries.see(cut, met.depth > EXACT);
+            }
             if let Some(angle) = self.angle.filter(|_| at >= coarse && !finishing && !cut.is_rapid()) {
                 let fall = cut.from[2] - cut.to[2];
                 let way = cut.length();
@@ -314,6 +325,10 @@ impl Case {
             }
         }
         self.complete(&stock, cell)?;
+        // What a coarser cutter left is entered from ground that it cleared; corners with Q8 make necks that the rings do not know.
+        if self.coarse.is_empty() && self.corners == 0.0 {
+            entries.are_single(&stock, |p| self.room(p) >= self.radius + self.wall)?;
+        }
         Ok(true)
     }
 

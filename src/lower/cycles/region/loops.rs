@@ -7,11 +7,12 @@ use cavalier_contours::polyline::{PlineSource, PlineSourceMut, PlineVertex, Poly
 use cavalier_contours::shape_algorithms::{IndexedPolyline, Shape, ShapeOffsetOptions};
 
 use crate::geo::area::is_counter_clockwise;
-use crate::geo::{Element, Point2, distance, turned};
+use crate::geo::wall::quarters;
+use crate::geo::{Element, Point2, distance, grid, turned};
 
 use super::carriers::settled;
 use super::rest::Meets;
-use super::walls::{Walls, nearest_on, point_at};
+use super::walls::{Walls, nearest_on, point_at, to_element};
 
 /// How much a ring may miss its distance, mm.
 const MISSES: f64 = 1e-5;
@@ -19,6 +20,10 @@ const MISSES: f64 = 1e-5;
 const NOTHING: f64 = 1e-7;
 /// Points nearer than this to the start of an element are that start, mm.
 const SNAPS: f64 = 1e-3;
+/// Lengths that differ by less are equal, mm.
+const EQUAL: f64 = 1e-6;
+/// Elements that meet under less go on into each other, rad.
+const SMOOTH: f64 = 1e-3;
 /// Largest sweep of a part of an arc.
 const LARGEST: f64 = 3.0;
 
@@ -29,6 +34,8 @@ pub struct Loop {
     /// What of it a cutter before this one left.
     pub meets: Meets,
     line: Polyline<f64>,
+    low: Point2,
+    high: Point2,
 }
 
 /// What hangs together at a distance from the walls: a ring, and the rings around islands in it.
@@ -40,37 +47,45 @@ pub struct Part {
     /// Distance of its rings from the walls.
     pub away: f64,
     pub holes: Vec<Loop>,
-    /// What of it lies deeper.
-    pub inner: Vec<Part>,
-    /// Of parts with nothing deeper.
-    pub entry: Option<Entry>,
 }
 
-/// Where the tool is inserted.
+/// A place, and its distance from the walls.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Entry {
+pub struct Peak {
     pub at: Point2,
-    /// Distance of the walls there.
     pub room: f64,
-    /// From a start point that was asked for straight on to where there is most room.
-    pub then: Option<Point2>,
-    /// Where strokes to and fro end, which begin here.
-    pub stroke: Option<Point2>,
 }
 
 /// Outlines and islands, ready for rings.
 #[derive(Debug)]
 pub struct Area {
+    fields: Vec<Field>,
+}
+
+/// An outline with its islands.
+#[derive(Debug)]
+struct Field {
     shape: Shape<f64>,
-    outlines: Vec<Polyline<f64>>,
 }
 
 impl Loop {
     /// Of a ring that was traced at a distance from the walls; `None` where it is not there.
     fn new(traced: &Polyline<f64>, distance: f64, walls: &Walls) -> Option<Loop> {
-        let elements = settled(&elements(traced), distance, walls)?;
-        let exact = elements.iter().all(|element| is_at(element, distance, walls));
-        exact.then(|| Loop { line: polyline(&elements, true), elements, meets: Meets::Everywhere })
+        let mut elements = settled(&elements(traced), distance, walls)?;
+        if !elements.iter().all(|element| is_at(element, distance, walls)) {
+            return None;
+        }
+        // Where it was begun to be traced is of no account.
+        let starts = elements.iter().enumerate();
+        let first = starts.min_by(|a, b| grid::before(a.1.from(), b.1.from())).map_or(0, |(at, _)| at);
+        elements.rotate_left(first);
+        let (low, high) = extent(&elements);
+        Some(Loop { line: polyline(&elements, true), elements, meets: Meets::Everywhere, low, high })
+    }
+
+    /// Smallest and largest coordinates.
+    pub fn extent(&self) -> (Point2, Point2) {
+        (self.low, self.high)
     }
 
     /// Does the point lie inside?
@@ -85,8 +100,10 @@ impl Loop {
     /// The nearest point, and the element it lies on; the start of an element where that is as good.
     pub fn nearest(&self, p: Point2) -> (usize, Point2) {
         let found = self.elements.iter().enumerate().map(|(at, element)| (at, nearest_on(p, element)));
-        let nearest = found.min_by(|a, b| distance(a.1, p).total_cmp(&distance(b.1, p)));
-        let Some((at, point)) = nearest else { return (0, self.start()) };
+        let nearer = |best: (usize, Point2), next: (usize, Point2)| {
+            if distance(next.1, p) < distance(best.1, p) - EQUAL { next } else { best }
+        };
+        let Some((at, point)) = found.reduce(nearer) else { return (0, self.start()) };
         let next = (at + 1) % self.elements.len().max(1);
         match (self.elements.get(at), self.elements.get(next)) {
             (Some(this), _) if distance(this.from(), point) < SNAPS => (at, this.from()),
@@ -97,39 +114,60 @@ impl Loop {
 
     /// Distance of a point from the ring.
     pub fn away(&self, p: Point2) -> f64 {
-        distance(p, self.nearest(p).1)
+        self.elements.iter().map(|element| to_element(p, element)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Is a point within `reach` of the ring?
+    pub fn is_near(&self, p: Point2, reach: f64) -> bool {
+        let beside = |v: f64, low: f64, high: f64| v < low - reach || v > high + reach;
+        let far = beside(p.x, self.low.x, self.high.x) || beside(p.y, self.low.y, self.high.y);
+        !far && self.elements.iter().any(|element| to_element(p, element) <= reach)
     }
 
     pub fn middle_of_longest(&self) -> Option<(usize, Point2)> {
-        let longest = self.elements.iter().enumerate().max_by(|a, b| a.1.length().total_cmp(&b.1.length()));
+        let elements = self.elements.iter().enumerate();
+        let longest = elements.reduce(|a, b| if b.1.length() > a.1.length() + EQUAL { b } else { a });
         longest.map(|(at, element)| (at, element.middle()))
+    }
+
+    /// Starts of elements that go on from the one before without a corner.
+    pub fn joints(&self) -> impl Iterator<Item = (usize, Point2)> + '_ {
+        let count = self.elements.len();
+        let smooth = move |at: usize| {
+            let before = self.elements[(at + count - 1) % count].end_direction();
+            let (Some(u), Some(w)) = (before, self.elements[at].start_direction()) else { return false };
+            u.dot(&w) > 0.0 && crate::geo::cross(u, w).abs() < SMOOTH
+        };
+        (0..count).filter(move |at| smooth(*at)).map(|at| (at, self.elements[at].from()))
     }
 
     /// The ring from a point of an element on, as it runs or the other way.
     pub fn beginning_at(&self, element: usize, at: Point2, as_it_runs: bool) -> Vec<Element> {
+        let mut made = match self.elements[..] {
+            // A circle begins anywhere.
+            [Element::Arc { from, to, center, sweep }] if from == to => {
+                vec![Element::Arc { from: at, to: at, center, sweep }]
+            }
+            _ => self.parts_from(element, at),
+        };
+        if !as_it_runs {
+            made = made.iter().rev().map(Element::reversed).collect();
+        }
+        made
+    }
+
+    fn parts_from(&self, element: usize, at: Point2) -> Vec<Element> {
         let (before, after) = self.elements.split_at(element.min(self.elements.len()));
         let Some((first, after)) = after.split_first() else { return Vec::new() };
         let whole = first.from() == at;
         let begins = if whole { *first } else { first.starting_at(at) };
         let ends = (!whole).then(|| first.ending_at(at));
         let parts = [begins].into_iter().chain(after.iter().copied()).chain(before.iter().copied()).chain(ends);
-        let parts = parts.filter(|part| part.length() > 1e-6);
-        if as_it_runs {
-            parts.collect()
-        } else {
-            let mut turned: Vec<Element> = parts.map(|part| part.reversed()).collect();
-            turned.reverse();
-            turned
-        }
+        parts.filter(|part| part.length() > 1e-6).collect()
     }
 }
 
 impl Part {
-    /// Does the tool go down into it, and not to a ring that begins in cleared ground?
-    pub fn is_inserted(&self) -> bool {
-        self.inner.is_empty() && matches!(self.outer.meets, Meets::Everywhere)
-    }
-
     /// Does the point lie in it, and in no hole?
     pub fn holds(&self, p: Point2) -> bool {
         self.outer.holds(p) && !self.holes.iter().any(|hole| hole.holds(p))
@@ -143,48 +181,62 @@ impl Part {
 impl Area {
     /// Of outlines and islands, in any sense.
     pub fn new(outlines: &[Vec<Element>], islands: &[Vec<Element>]) -> Area {
-        let outlines: Vec<Polyline<f64>> = outlines.iter().map(|outline| polyline(outline, true)).collect();
-        let islands = islands.iter().map(|island| polyline(island, false));
-        Area { shape: Shape::from_plines(outlines.iter().cloned().chain(islands)), outlines }
-    }
-
-    /// The outline around a point.
-    fn outline_of(&self, p: Point2) -> Option<usize> {
-        self.outlines.iter().position(|outline| outline.winding_number(Vector2::new(p.x, p.y)) != 0)
+        let islands: Vec<Polyline<f64>> = islands.iter().map(|island| polyline(island, false)).collect();
+        let field = |outline: &Vec<Element>| {
+            let outline = polyline(outline, true);
+            let inside = |island: &&Polyline<f64>| {
+                island.iter_vertexes().next().is_none_or(|p| outline.winding_number(Vector2::new(p.x, p.y)) != 0)
+            };
+            let islands: Vec<Polyline<f64>> = islands.iter().filter(inside).cloned().collect();
+            Field { shape: Shape::from_plines(core::iter::once(outline).chain(islands)) }
+        };
+        Area { fields: outlines.iter().map(field).collect() }
     }
 
     /// Does the cutter find room in each of the outlines?
     pub fn has_all(&self, parts: &[Part]) -> bool {
-        (0..self.outlines.len()).all(|outline| parts.iter().any(|part| part.outline == outline))
+        (0..self.fields.len()).all(|outline| parts.iter().any(|part| part.outline == outline))
     }
 
     /// What the centre of the cutter may reach at `distance` from the walls; `None` where the rings are not at that distance.
     pub fn parts(&self, distance: f64, walls: &Walls) -> Option<Vec<Part>> {
+        let mut made = Vec::new();
+        for outline in 0..self.fields.len() {
+            made.extend(self.parts_of(outline, distance, walls)?);
+        }
+        Some(made)
+    }
+
+    /// The same in one of the outlines.
+    pub fn parts_of(&self, outline: usize, distance: f64, walls: &Walls) -> Option<Vec<Part>> {
+        let shape = &self.fields.get(outline)?.shape;
         let shape =
-            catch_unwind(AssertUnwindSafe(|| self.shape.parallel_offset(distance, &ShapeOffsetOptions::default())))
-                .ok()?;
+            catch_unwind(AssertUnwindSafe(|| shape.parallel_offset(distance, &ShapeOffsetOptions::default()))).ok()?;
         let made = |lines: Vec<IndexedPolyline<f64>>| -> Option<Vec<Loop>> {
             let lines = lines.iter().map(|line| &line.polyline).filter(|line| !elements(line).is_empty());
-            lines.map(|line| Loop::new(line, distance, walls)).collect()
+            let loops = lines.map(|line| Loop::new(line, distance, walls));
+            let mut loops = loops.collect::<Option<Vec<Loop>>>()?;
+            loops.sort_by(|a, b| grid::before(a.start(), b.start()));
+            Some(loops)
         };
         let (outer, holes) = (made(shape.ccw_plines)?, made(shape.cw_plines)?);
-        let mut parts: Vec<Part> = outer
-            .into_iter()
-            .map(|outer| {
-                let outline = self.outline_of(outer.start())?;
-                Some(Part { outer, outline, away: distance, holes: Vec::new(), inner: Vec::new(), entry: None })
-            })
-            .collect::<Option<_>>()?;
+        let part = |outer| Part { outer, outline, away: distance, holes: Vec::new() };
+        let mut parts: Vec<Part> = outer.into_iter().map(part).collect();
         for hole in holes {
             let at = hole.start();
             parts.iter_mut().find(|part| part.outer.holds(at))?.holes.push(hole);
         }
-        parts.sort_by(|a, b| {
-            let (p, q) = (a.outer.start(), b.outer.start());
-            a.outline.cmp(&b.outline).then(p.x.total_cmp(&q.x)).then(p.y.total_cmp(&q.y))
-        });
         Some(parts)
     }
+}
+
+/// Smallest and largest coordinates of elements, arcs counted by their whole way.
+fn extent(elements: &[Element]) -> (Point2, Point2) {
+    let points = elements.iter().flat_map(quarters).flat_map(|piece| [piece.from(), piece.to()]);
+    let none = (Point2::new(f64::MAX, f64::MAX), Point2::new(f64::MIN, f64::MIN));
+    points.fold(none, |(low, high), p| {
+        (Point2::new(low.x.min(p.x), low.y.min(p.y)), Point2::new(high.x.max(p.x), high.y.max(p.y)))
+    })
 }
 
 /// Is every point that is looked at as far from the walls as it should be?

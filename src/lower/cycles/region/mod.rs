@@ -1,15 +1,19 @@
 //! Pockets along a contour with islands: rings at growing distances from the walls, cut from inside out.
 
 mod carriers;
+mod course;
 mod faults;
+mod links;
 mod loops;
+mod peak;
 mod pilot_holes;
 mod rest;
+mod roomiest;
+mod rooms;
 mod tool;
 mod walls;
 
 use crate::diag::codes;
-use crate::geo::wall::quarters;
 use crate::geo::{Deg, Point2, distance};
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
 use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
@@ -19,11 +23,13 @@ use super::cutter::Cutter;
 use super::pocket::{endless_strokes, strokes};
 use super::track::Failure;
 use super::{CycleItem, Expand, Start};
+use course::{Course, Cut, Reach};
 use faults::{no_insertion, no_room, start_point, unproved};
-use loops::{Area, Entry, Part};
+use loops::{Area, Part};
 use rest::Cleared;
-use tool::{Places, Tool};
-use walls::{Walls, roomiest};
+use rooms::{Entry, Room, Tree, peak_of};
+use tool::Tool;
+use walls::Walls;
 
 /// Rooms for less than this are none, mm.
 const NOTHING: f64 = 1e-4;
@@ -32,6 +38,10 @@ const APPROACH: f64 = 2.0;
 const SMALLEST_APPROACH: f64 = 0.1;
 /// Directions in which strokes to and fro are tried.
 const STROKE_DIRECTIONS: u32 = 72;
+/// Lengths of strokes to and fro, in radii of the cutter.
+const STROKES: [f64; 12] = [16.0, 12.0, 10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0, 0.5, 0.25];
+/// Strokes that lead down to a level are no longer than two diameters where this many are enough.
+const FEW_STROKES: f64 = 6.0;
 /// How much the room of a place may lose against the step of the rings, mm.
 const ROOM: f64 = 5e-3;
 /// How often rings are tried.
@@ -41,60 +51,29 @@ impl Expand for Region {
     fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
         let help = "check the contour, the data of the cutter, and the allowances";
         self.check().map_err(|fault| Failure::new(codes::G3321, fault.to_string(), help))?;
-        let walls = Walls::new(self.walls().copied().collect());
-        let area = Area::new(&self.outlines, &self.islands);
-        let radius = self.mill.radius;
-        // All rings are known before the tool moves.
-        let mut rough = match self.rough {
-            true => self.rings(&area, &walls, radius + self.allowance)?,
-            false => Vec::new(),
-        };
-        if let Some(coarse) = &self.coarse {
-            let cleared =
-                Cleared::new(coarse, radius).ok_or_else(|| unproved(&walls, coarse.radius + coarse.allowance))?;
-            cleared.look_along(&mut rough);
+        let region = &self.on_grid();
+        let walls = Walls::new(region.walls().copied().collect());
+        let paths = Paths::new(region, &walls)?;
+        let mut tool = Tool::new(region, &walls, Cutter::new(&region.mill, Place::HERE, start, out));
+        for course in &paths.rough {
+            tool.rough(course);
         }
-        let floor = match self.finish {
-            Some(Finish { floor: true, wall, .. }) => {
-                self.rings(&area, &walls, radius + if wall { self.left } else { self.allowance })?
-            }
-            _ => Vec::new(),
-        };
-        let wall = match self.finish {
-            Some(Finish { wall: true, .. }) => {
-                area.parts(radius + self.left, &walls).ok_or_else(|| unproved(&walls, radius + self.left))?
-            }
-            _ => Vec::new(),
-        };
-        if self.finish.is_some_and(|finish| finish.wall) && !area.has_all(&wall) {
-            return Err(no_room());
-        }
-        for part in &rough {
-            self.check_insertion(part, radius + self.allowance)?;
-        }
-        // A cutter that cannot go straight down, or shall not without a hole, must not have to.
-        if self.insertion != Insertion::Vertical && self.places(&rough, &walls, start).is_plunged {
-            return Err(no_insertion("a ring of the pocket can only be reached straight down"));
-        }
-        let mut tool = Tool::new(self, &walls, Cutter::new(&self.mill, Place::HERE, start, out));
-        tool.rough(&rough);
-        if let Some(finish) = &self.finish {
+        if let Some(finish) = &region.finish {
             if let Some(speed) = finish.speed {
                 tool.cutter.speed(speed.finishing);
             }
-            for part in &wall {
+            for part in &paths.wall {
                 let most = match finish.onto {
-                    Onto::Quarter(most) => Some(self.widest_arc(part, &walls).min(most)),
+                    Onto::Quarter(most) => Some(region.widest_arc(part, &walls).min(most)),
                     Onto::Usual | Onto::Semicircle => None,
                 };
-                tool.begin(part);
+                tool.begin(part.outline);
                 for ring in part.loops() {
                     tool.wall(ring, finish, most.unwrap_or(APPROACH));
                 }
             }
-            for part in &floor {
-                tool.begin(part);
-                tool.floor(part, finish);
+            for course in &paths.floor {
+                tool.floor(course, finish);
             }
             if let Some(after) = finish.speed.and_then(|speed| speed.after) {
                 tool.cutter.speed(after);
@@ -105,79 +84,145 @@ impl Expand for Region {
     }
 }
 
+/// All paths, which are known before the tool moves.
+struct Paths {
+    rough: Vec<Course>,
+    wall: Vec<Part>,
+    floor: Vec<Course>,
+}
+
+impl Paths {
+    fn new(region: &Region, walls: &Walls) -> Result<Paths, Failure> {
+        let area = Area::new(&region.outlines, &region.islands);
+        let radius = region.mill.radius;
+        let least = radius + region.allowance;
+        let mut rough = match region.rough {
+            true => region.rooms(&area, walls, least)?,
+            false => Vec::new(),
+        };
+        if let Some(coarse) = &region.coarse {
+            let cleared =
+                Cleared::new(coarse, radius).ok_or_else(|| unproved(walls, coarse.radius + coarse.allowance))?;
+            cleared.look_along(&mut rough);
+        }
+        let floor = match region.finish {
+            Some(Finish { floor: true, wall, .. }) => {
+                region.rooms(&area, walls, radius + if wall { region.left } else { region.allowance })?
+            }
+            _ => Vec::new(),
+        };
+        let wall = match region.finish {
+            Some(Finish { wall: true, .. }) => {
+                area.parts(radius + region.left, walls).ok_or_else(|| unproved(walls, radius + region.left))?
+            }
+            _ => Vec::new(),
+        };
+        if region.finish.is_some_and(|finish| finish.wall) && !area.has_all(&wall) {
+            return Err(no_room());
+        }
+        for room in rough.iter().filter(|room| room.is_solid()) {
+            region.check_insertion(&room.entry, least)?;
+        }
+        let rough = region.courses(&rough, walls);
+        // A cutter that cannot go straight down, or shall not without a hole, must not have to.
+        let is_plunged = |course: &Course| course.cuts.iter().any(|cut| cut.reach == Reach::Solid);
+        if region.insertion != Insertion::Vertical && rough.iter().any(is_plunged) {
+            return Err(no_insertion("a ring of the pocket can only be reached straight down"));
+        }
+        let floor = floor.iter().map(|room| Course::new(room, region, walls, room.entry.goes_on())).collect();
+        Ok(Paths { rough, wall, floor })
+    }
+}
+
 impl Region {
-    /// Parts of the area at `least` from the walls, with all that lies deeper.
-    fn rings(&self, area: &Area, walls: &Walls, least: f64) -> Result<Vec<Part>, Failure> {
+    /// The rooms of the area at `least` from the walls, with their rings.
+    fn rooms(&self, area: &Area, walls: &Walls, least: f64) -> Result<Vec<Room>, Failure> {
         let fault = || unproved(walls, least);
         let roots = area.parts(least, walls).ok_or_else(fault)?;
         if !area.has_all(&roots) {
             return Err(no_room());
         }
-        let mut most = 0.0f64;
+        let (mut rooms, mut start) = (Vec::with_capacity(roots.len()), self.start);
         for root in &roots {
-            most = most.max(entry(root, walls).ok_or_else(fault)?.room);
+            let with_rings = self.with_rings(area, walls, root, &roots).ok_or_else(fault)?;
+            let mut room = Room::new(with_rings, &mut start, self.mill.radius, walls).ok_or_else(fault)?;
+            if self.rough {
+                room.entry.stroke = self.stroke(room.entry.at, walls, least);
+            }
+            rooms.push(room);
         }
-        let mut more = 0;
+        if start.is_some() { Err(start_point()) } else { Ok(rooms) }
+    }
+
+    /// A part at the least distance from the walls, with all that lies deeper.
+    fn with_rings(&self, area: &Area, walls: &Walls, root: &Part, roots: &[Part]) -> Option<Tree> {
+        let (mut most, mut more) = (peak_of(root, walls)?.room, 0);
         for _ in 0..MOST_TRIES {
-            match self.nested(area, walls, &roots, (least, most), more) {
+            match self.nested(area, walls, (root, roots), most, more) {
                 // On a long ridge the most room may only be found in the innermost ring.
-                Some(entered) if entered.room > most + ROOM => most = entered.room,
-                Some(Entered { parts, taken: true, .. }) => return Ok(parts),
-                Some(_) => return Err(start_point()),
+                Some((_, room)) if room > most + ROOM => most = room,
+                Some((tree, _)) => return Some(tree),
                 // A ring may lie where the area is just as wide: one ring more moves all of them.
                 None => more += 1,
             }
         }
-        Err(fault())
+        None
     }
 
-    /// The parts by rings from `least` to `most` from the walls, by so many rings more than the width of a cut asks for; `None` where a
-    /// ring is not at its distance from the walls, or misses.
+    /// The part with rings up to `most` from the walls, by so many rings more than the width of a cut asks for, and the most room in it; `None` where
+    /// a ring is not at its distance from the walls, or misses.
     fn nested(
         &self,
         area: &Area,
         walls: &Walls,
-        roots: &[Part],
-        (least, most): (f64, f64),
+        (root, roots): (&Part, &[Part]),
+        most: f64,
         more: usize,
-    ) -> Option<Entered> {
+    ) -> Option<(Tree, f64)> {
         // Every point between two rings is at most a step from the outer one: a step of a radius leaves nothing.
-        let count = parts(most - least, self.width.min(self.mill.radius)) + more;
-        let step = (most - least) / count as f64;
-        let mut levels = vec![roots.to_vec()];
-        for j in 1..count {
-            levels.push(area.parts(least + step * j as f64, walls)?);
-        }
-        let mut inner: Vec<Part> = Vec::new();
-        while let Some(mut outer) = levels.pop() {
-            for part in inner {
-                let at = part.outer.start();
-                outer.iter_mut().find(|holder| holder.holds(at))?.inner.push(part);
+        let count = parts(most - root.away, self.width.min(self.mill.radius)) + more;
+        let step = (most - root.away) / count as f64;
+        let mut tree = Tree::new(root.clone());
+        for depth in 1..count {
+            let made = area.parts_of(root.outline, root.away + step * depth as f64, walls)?;
+            let held = |part: &Part, by: &Part| by.outer.holds(part.outer.start());
+            if !made.iter().all(|part| roots.iter().any(|root| held(part, root))) {
+                return None;
             }
-            inner = outer;
+            tree.grow(made.into_iter().filter(|part| held(part, root)).collect(), depth)?;
         }
-        let mut entered = Entered { parts: Vec::new(), taken: self.start.is_none(), room: 0.0 };
-        for part in &mut inner {
-            self.enter(part, walls, (least, step, most), &mut entered)?;
-        }
-        Some(Entered { parts: inner, ..entered })
+        let room = tree.look_for_peaks(walls, |part, room| {
+            let is_deepest = part.away + step >= most - ROOM;
+            room > part.away + step + ROOM && !is_deepest
+        })?;
+        Some((tree, room))
+    }
+
+    /// How the cutter goes through rooms that it roughs.
+    fn courses(&self, rooms: &[Room], walls: &Walls) -> Vec<Course> {
+        let from = |entry: &Entry| entry.then.unwrap_or_else(|| self.begin_of(entry));
+        rooms.iter().map(|room| Course::new(room, self, walls, from(&room.entry))).collect()
     }
 
     /// Where the cutter goes down into solid material on a level; all levels are alike.
-    fn places(&self, rough: &[Part], walls: &Walls, start: &Start) -> Places {
-        let mut nothing = |_: CycleItem| ();
-        let mut tool = Tool::new(self, walls, Cutter::new(&self.mill, Place::HERE, start, &mut nothing));
-        let heights = self.mill.heights;
-        for part in rough {
-            let least = self.mill.radius + self.allowance;
-            tool.level(part, least, heights.reference, heights.rough_floor(), self.mill.feeds.plane);
-        }
-        tool.places
+    fn places(&self, courses: &[Course]) -> Vec<Point2> {
+        let of = |course: &Course| {
+            let entry = course.entry.map(|entry| self.begin_of(&entry));
+            let solid = course.cuts.iter().filter(|cut| cut.reach == Reach::Solid).map(Cut::start);
+            entry.into_iter().chain(solid).collect::<Vec<_>>()
+        };
+        courses.iter().flat_map(of).collect()
+    }
+
+    /// Where the cutter stands over a place at which it is inserted.
+    fn begin_of(&self, entry: &Entry) -> Point2 {
+        let arm = self.helix_arm(entry.room, self.mill.radius + self.allowance);
+        Point2::new(entry.at.x + if arm < SMALLEST_APPROACH { 0.0 } else { arm }, entry.at.y)
     }
 
     /// Half of the room that the cutter has between the walls of a part.
     fn widest_arc(&self, part: &Part, walls: &Walls) -> f64 {
-        entry(part, walls).map_or(0.0, |entry| (entry.room - part.away) / 2.0)
+        peak_of(part, walls).map_or(0.0, |peak| (peak.room - part.away) / 2.0)
     }
 
     /// Radius of the helix at a place that is `room` from the walls; 0 for one straight down.
@@ -188,9 +233,15 @@ impl Region {
         }
     }
 
-    /// The longest way from a place on which strokes to and fro keep off the walls, up to two diameters of the cutter.
+    /// The longest way from a place on which strokes to and fro keep off the walls: up to two diameters of the cutter, and farther where it
+    /// would take many strokes to get down.
     fn stroke(&self, from: Point2, walls: &Walls, least: f64) -> Option<Point2> {
-        let lengths = [4.0, 3.0, 2.0, 1.0, 0.5, 0.25].map(|part| part * self.mill.radius);
+        let Insertion::Sway { angle, .. } = self.insertion else { return None };
+        let radius = self.mill.radius;
+        let step = self.mill.heights.way() / self.mill.heights.levels().len() as f64;
+        let few = step / libm::tan(angle.radians()) / FEW_STROKES;
+        let lengths =
+            STROKES.map(|part| part * radius).into_iter().filter(|length| *length <= few.max(4.0 * radius) + NOTHING);
         lengths.into_iter().find_map(|length| {
             let ends = (0..STROKE_DIRECTIONS).map(|i| {
                 let (sin, cos) = Deg(360.0 * f64::from(i) / f64::from(STROKE_DIRECTIONS)).sin_cos();
@@ -201,11 +252,7 @@ impl Region {
     }
 
     /// Is there room for the insertion, and does it end?
-    fn check_insertion(&self, part: &Part, least: f64) -> Result<(), Failure> {
-        for inner in &part.inner {
-            self.check_insertion(inner, least)?;
-        }
-        let Some(entry) = part.entry.filter(|_| part.is_inserted()) else { return Ok(()) };
+    fn check_insertion(&self, entry: &Entry, least: f64) -> Result<(), Failure> {
         let step = self.mill.heights.way() / self.mill.heights.levels().len() as f64;
         match (self.insertion, entry.stroke) {
             (Insertion::Helix { radius, .. }, _)
@@ -222,61 +269,4 @@ impl Region {
             _ => Ok(()),
         }
     }
-
-    /// Finds where the tool is inserted into the parts that have nothing deeper. The start point counts for the first of them that
-    /// is reached from there.
-    fn enter(&self, part: &mut Part, walls: &Walls, ways: (f64, f64, f64), entered: &mut Entered) -> Option<()> {
-        let (least, step, most) = ways;
-        for inner in &mut part.inner {
-            self.enter(inner, walls, ways, entered)?;
-        }
-        if !part.inner.is_empty() {
-            return Some(());
-        }
-        let found = entry(part, walls)?;
-        // With more room than a step there is a ring inside, or something would stay in the middle.
-        let is_deepest = part.away + step >= most - ROOM;
-        if found.room > part.away + step + ROOM && !is_deepest {
-            return None;
-        }
-        entered.room = entered.room.max(found.room);
-        let stroke = |from: Point2| match self.insertion {
-            Insertion::Sway { .. } if self.rough => self.stroke(from, walls, least),
-            _ => None,
-        };
-        part.entry = Some(Entry { stroke: stroke(found.at), ..found });
-        let (Some(start), false) = (self.start, entered.taken) else { return Some(()) };
-        let then = (!part.holds(start)).then_some(found.at);
-        if then.is_none_or(|then| walls.is_free(start, then, least)) {
-            part.entry = Some(Entry { at: start, room: walls.distance(start), then, stroke: stroke(start) });
-            entered.taken = true;
-        }
-        Some(())
-    }
-}
-
-/// The point of a part that is farthest from the walls, and how far it is.
-fn entry(part: &Part, walls: &Walls) -> Option<Entry> {
-    // A circle reaches farther than its ends.
-    let points = part.outer.elements.iter().flat_map(quarters).map(|piece| piece.from());
-    let (mut low, mut high) = (Point2::new(f64::MAX, f64::MAX), Point2::new(f64::MIN, f64::MIN));
-    for p in points {
-        low = Point2::new(low.x.min(p.x), low.y.min(p.y));
-        high = Point2::new(high.x.max(p.x), high.y.max(p.y));
-    }
-    let found = roomiest(low, high, |p| if part.holds(p) { walls.distance(p) } else { -part.outer.away(p) });
-    found.map(|(at, room)| Entry { at, room, then: None, stroke: None })
-}
-
-fn entry_of(part: &Part, least: f64) -> Entry {
-    part.entry.unwrap_or(Entry { at: part.outer.start(), room: least, then: None, stroke: None })
-}
-
-/// Parts in which the tool is inserted.
-struct Entered {
-    parts: Vec<Part>,
-    /// A start point that was asked for is used, or none was.
-    taken: bool,
-    /// The most room that was found.
-    room: f64,
 }

@@ -13,12 +13,13 @@ impl Expand for PilotHoles {
     fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
         let help = "check the contour, the data of the cutter that roughs it, and the allowances";
         self.check().map_err(|fault| Failure::new(codes::G3321, fault.to_string(), help))?;
-        let pocket = &self.pocket;
+        let pocket = &self.pocket.on_grid();
         let walls = Walls::new(pocket.walls().copied().collect());
         let least = pocket.mill.radius + pocket.allowance;
-        let parts = pocket.rings(&Area::new(&pocket.outlines, &pocket.islands), &walls, least)?;
+        let rooms = pocket.rooms(&Area::new(&pocket.outlines, &pocket.islands), &walls, least)?;
+        let courses = pocket.courses(&rooms, &walls);
         let mut cutter = Cutter::new(&pocket.mill, Place::HERE, start, out);
-        for place in pocket.places(&parts, &walls, start).at {
+        for place in pocket.places(&courses) {
             cutter.rise();
             cutter.rapid(place);
             cutter.drill(&self.hole, start)?;

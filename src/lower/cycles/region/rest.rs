@@ -4,6 +4,7 @@ use crate::geo::Element;
 use crate::ir::cycle::region::Coarse;
 
 use super::loops::{Area, Part};
+use super::rooms::Room;
 use super::walls::{Walls, point_at};
 
 /// Steps in which is looked along a ring: parts of what the coarser cutter is larger by, shortest and longest, mm.
@@ -50,12 +51,9 @@ impl Cleared {
     }
 
     /// Finds for all rings where they meet material.
-    pub fn look_along(&self, parts: &mut [Part]) {
-        for part in parts {
-            for ring in core::iter::once(&mut part.outer).chain(&mut part.holes) {
-                ring.meets = self.along(&ring.elements);
-            }
-            self.look_along(&mut part.inner);
+    pub fn look_along(&self, rooms: &mut [Room]) {
+        for ring in rooms.iter_mut().flat_map(|room| &mut room.rings) {
+            ring.path.meets = self.along(&ring.path.elements);
         }
     }
 

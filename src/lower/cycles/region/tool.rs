@@ -1,27 +1,16 @@
 //! The path of the cutter along the rings of a pocket.
 
-use crate::geo::area::reversed;
-use crate::geo::{Element, Point2, Vec2, distance, left};
+use crate::geo::{Deg, Element, Point2, Vec2, left};
 use crate::ir::Feed;
 use crate::ir::cycle::Region;
 use crate::ir::cycle::milling::{MOST_LEVELS, parts};
 use crate::ir::cycle::pocket::{Finish, Insertion};
 
-use super::loops::{Entry, Loop, Part};
-use super::rest::Meets;
+use super::course::{Course, Reach};
+use super::loops::Loop;
+use super::rooms::Entry;
 use super::walls::Walls;
-use super::{Cutter, NOTHING, SMALLEST_APPROACH, entry_of, strokes};
-
-/// Links longer than so many widths of a cut are ways through the air.
-const LONGEST_LINK: f64 = 2.5;
-
-/// Where the cutter went down into solid material.
-#[derive(Default)]
-pub struct Places {
-    pub at: Vec<Point2>,
-    /// Also straight down to a ring that no way leads to.
-    pub is_plunged: bool,
-}
+use super::{Cutter, NOTHING, SMALLEST_APPROACH, strokes};
 
 pub struct Tool<'a> {
     region: &'a Region,
@@ -31,114 +20,63 @@ pub struct Tool<'a> {
     outline: Option<usize>,
     /// The tool stands at the safety distance over the pocket.
     is_over: bool,
-    /// Rings that are cut on this level.
-    cut: Vec<Loop>,
-    /// What is cleared in front of this level.
-    cleared: f64,
-    /// Where the tool stands on this level; `None` above it.
-    at: Option<Point2>,
-    /// Parts of rings that wait to be cut, from inside out.
-    chains: Vec<Vec<Element>>,
-    pub places: Places,
+    /// The tool stands on a level.
+    is_down: bool,
 }
 
 impl<'a> Tool<'a> {
     pub fn new(region: &'a Region, walls: &'a Walls, cutter: Cutter<'a>) -> Tool<'a> {
-        Tool {
-            region,
-            walls,
-            cutter,
-            outline: None,
-            is_over: false,
-            cut: Vec::new(),
-            cleared: region.mill.heights.reference,
-            at: None,
-            chains: Vec::new(),
-            places: Places::default(),
-        }
+        Tool { region, walls, cutter, outline: None, is_over: false, is_down: false }
     }
 
-    pub fn rough(&mut self, parts: &[Part]) {
+    /// A room, level by level.
+    pub fn rough(&mut self, course: &Course) {
         let heights = self.region.mill.heights;
-        for part in parts {
-            self.begin(part);
-            let mut from = heights.reference;
-            for level in heights.levels() {
-                self.level(
-                    part,
-                    self.region.mill.radius + self.region.allowance,
-                    from,
-                    level,
-                    self.region.mill.feeds.plane,
-                );
-                from = level;
+        self.begin(course.outline);
+        let mut from = heights.reference;
+        for level in heights.levels() {
+            if let Some(entry) = &course.entry {
+                self.insert_into(entry, from, level);
             }
+            self.cuts(course, (from, level), self.region.mill.feeds.plane);
+            from = level;
         }
     }
 
     /// From one outline to the next the tool goes over the retract height.
-    pub fn begin(&mut self, part: &Part) {
-        if self.outline.replace(part.outline) != Some(part.outline) {
+    pub fn begin(&mut self, outline: usize) {
+        if self.outline.replace(outline) != Some(outline) {
             self.is_over = false;
         }
     }
 
-    /// A part on one level: what lies deeper, then its own rings.
-    pub fn level(&mut self, part: &Part, least: f64, from: f64, to: f64, feed: Feed) {
-        self.cut.clear();
-        self.cleared = from;
-        self.part(part, least, from, to, feed);
-        self.cut_chains(least, to, feed);
-        self.up();
-    }
-
-    fn part(&mut self, part: &Part, least: f64, from: f64, to: f64, feed: Feed) {
-        for inner in &part.inner {
-            self.part(inner, least, from, to, feed);
-        }
-        if part.is_inserted() {
-            self.insert_into(part, least, from, to);
-        }
-        for ring in part.loops() {
-            match &ring.meets {
-                Meets::Everywhere => {
-                    self.cut_chains(least, to, feed);
-                    self.ring(ring, least, to, feed);
-                }
-                Meets::Nowhere => self.cut.push(ring.clone()),
-                Meets::Along(chains) => {
-                    let ccw = self.region.counter_clockwise;
-                    self.chains.extend(chains.iter().map(|chain| if ccw { chain.clone() } else { reversed(chain) }));
-                    self.cut.push(ring.clone());
-                }
-            }
-        }
-    }
-
-    /// The parts of rings that wait: from each one on to one that begins nearby, so that a corner is finished before the next.
-    fn cut_chains(&mut self, least: f64, level: f64, feed: Feed) {
+    /// The cuts of a level, and up from there; above it the ground is cleared down to another height.
+    fn cuts(&mut self, course: &Course, (cleared, level): (f64, f64), feed: Feed) {
         let heights = self.region.mill.heights;
-        while !self.chains.is_empty() {
-            let start = |chain: &Vec<Element>| chain.first().map_or_else(Point2::origin, Element::from);
-            let near = |at: Point2, to: Point2| distance(at, to) <= LONGEST_LINK * self.region.mill.radius;
-            let next = self.at.and_then(|at| self.chains.iter().position(|chain| near(at, start(chain))));
-            let chain = self.chains.remove(next.unwrap_or(0));
-            let begin = start(&chain);
-            if self.at.is_some_and(|at| near(at, begin) && self.walls.is_free(at, begin, least)) {
-                self.cutter.line(begin, feed);
-            } else {
-                self.go_over(begin);
-                self.cutter.lift(heights.above_cleared(level));
+        for cut in &course.cuts {
+            let (over, ground) = match &cut.reach {
+                Reach::Floor(way) => {
+                    self.cutter.follow(way, feed);
+                    (None, level)
+                }
+                Reach::Over(place) => (Some(*place), level),
+                Reach::Solid => (Some(cut.start()), cleared),
+            };
+            if let Some(place) = over {
+                self.go_over(place);
+                self.cutter.lift(heights.above_cleared(ground));
                 self.cutter.plunge(level);
             }
-            self.cutter.follow(&chain, feed);
-            self.at = chain.last().map(Element::to);
+            self.cutter.line(cut.start(), feed);
+            self.cutter.follow(&cut.elements, feed);
+            self.is_down = true;
         }
+        self.up();
     }
 
     /// Up from a level, and to the safety distance.
     fn up(&mut self) {
-        if self.at.take().is_some() {
+        if std::mem::take(&mut self.is_down) {
             let heights = &self.region.mill.heights;
             self.cutter.lift(if self.region.lifts_high { heights.retract } else { heights.safe() });
         }
@@ -154,24 +92,19 @@ impl<'a> Tool<'a> {
         }
     }
 
-    /// Into a part that has nothing deeper, from one level to the next.
-    fn insert_into(&mut self, part: &Part, least: f64, from: f64, to: f64) {
+    /// Into solid material, from one level to the next.
+    fn insert_into(&mut self, entry: &Entry, from: f64, to: f64) {
         let heights = self.region.mill.heights;
-        let entry = entry_of(part, least);
-        let arm = self.region.helix_arm(entry.room, least);
-        let arm = if arm < SMALLEST_APPROACH { 0.0 } else { arm };
-        let begin = Point2::new(entry.at.x + arm, entry.at.y);
-        self.places.at.push(begin);
+        let begin = self.region.begin_of(entry);
         self.go_over(begin);
         if self.region.insertion == Insertion::Predrilled {
             self.cutter.lift(to);
         } else {
             self.cutter.lift(if from == heights.reference { heights.safe() } else { heights.above_cleared(from) });
-            self.cutter.plunge(from);
-            self.down(begin, &entry, arm, from, to);
+            self.down(begin, entry, from, to);
         }
-        self.at = Some(begin);
-        self.go_on(&entry, self.region.mill.feeds.plane);
+        self.is_down = true;
+        self.go_on(entry, self.region.mill.feeds.plane);
     }
 
     /// From a start point that was asked for to where the rings begin.
@@ -180,74 +113,39 @@ impl<'a> Tool<'a> {
             // Straight from the middle of the insertion, as it was found to be free.
             self.cutter.line(entry.at, feed);
             self.cutter.line(then, feed);
-            self.at = Some(then);
         }
     }
 
-    fn down(&mut self, begin: Point2, entry: &Entry, arm: f64, from: f64, to: f64) {
+    fn down(&mut self, begin: Point2, entry: &Entry, from: f64, to: f64) {
         let feed = self.region.insertion_feed.unwrap_or(self.region.mill.feeds.depth);
         let ccw = self.region.counter_clockwise;
         match (self.region.insertion, entry.stroke) {
-            (Insertion::Helix { pitch, .. }, _) if arm > 0.0 => {
+            (Insertion::Helix { pitch, .. }, _) if begin != entry.at => {
+                self.cutter.plunge(from);
                 let turns = parts((from - to).abs(), pitch).min(MOST_LEVELS) as u32;
                 self.cutter.helix(entry.at, ccw, turns, to, feed);
                 self.cutter.arc(begin, entry.at, ccw, feed);
             }
             (Insertion::Sway { angle, .. }, Some(end)) => {
-                let there = Element::Line { from: begin, to: end };
-                let back = there.reversed();
-                let strokes = strokes((from - to).abs(), there.length(), angle);
-                for stroke in 1..=strokes + 1 {
-                    let done = stroke.min(strokes) as f64 / strokes as f64;
-                    let height = if stroke >= strokes { to } else { from + (to - from) * done };
-                    self.cutter.fall(if stroke % 2 == 1 { &there } else { &back }, height, feed);
-                }
-                if strokes.is_multiple_of(2) {
-                    self.cutter.line(begin, feed);
-                }
+                self.cutter.plunge(from);
+                self.sway(&Element::Line { from: begin, to: end }, (from, to), strokes_down(angle, from, to), feed);
             }
             _ => self.cutter.sink(to, feed),
         }
     }
 
-    /// A ring of a level, from where the tool stands or from a ring that is cut.
-    fn ring(&mut self, ring: &Loop, least: f64, level: f64, feed: Feed) {
-        let longest = LONGEST_LINK * self.region.mill.radius;
-        let free = |from: Point2, to: Point2| distance(from, to) <= longest && self.walls.is_free(from, to, least);
-        let from_here = self.at.map(|at| (at, ring.nearest(at))).filter(|(at, (_, to))| free(*at, *to));
-        let from_cut = || {
-            let starts = self.cut.iter().flat_map(|cut| cut.elements.iter().flat_map(|e| [e.from(), e.middle()]));
-            let links = starts.map(|from| (from, ring.nearest(from)));
-            let mut links: Vec<_> = links.filter(|(from, (_, to))| distance(*from, *to) <= longest).collect();
-            links.sort_by(|a, b| distance(a.0, a.1.1).total_cmp(&distance(b.0, b.1.1)));
-            links.into_iter().find(|(from, (_, to))| free(*from, *to))
-        };
-        let to_ring = || {
-            let points = ring.elements.iter().enumerate();
-            let points = points.flat_map(|(at, e)| [(at, e.from()), (at, e.middle())]);
-            let links = points.flat_map(|to| self.cut.iter().map(move |cut| (cut.nearest(to.1).1, to)));
-            let mut links: Vec<_> = links.filter(|(from, (_, to))| distance(*from, *to) <= longest).collect();
-            links.sort_by(|a, b| distance(a.0, a.1.1).total_cmp(&distance(b.0, b.1.1)));
-            links.into_iter().find(|(from, (_, to))| free(*from, *to))
-        };
-        let known = from_here.or_else(from_cut).or_else(to_ring);
-        let cleared = if known.is_some() { level } else { self.cleared };
-        if known.is_none() {
-            self.places.at.push(ring.start());
-            self.places.is_plunged = true;
+    /// To and fro, once more on the level, and back to where it begins.
+    fn sway(&mut self, there: &Element, (from, to): (f64, f64), strokes: impl Fn(f64) -> usize, feed: Feed) {
+        let back = there.reversed();
+        let strokes = strokes(there.length());
+        for stroke in 1..=strokes + 1 {
+            let done = stroke.min(strokes) as f64 / strokes as f64;
+            let height = if stroke >= strokes { to } else { from + (to - from) * done };
+            self.cutter.fall(if stroke % 2 == 1 { there } else { &back }, height, feed);
         }
-        let (from, (element, to)) = known.unwrap_or_else(|| (ring.start(), (0, ring.start())));
-        if self.at != Some(from) {
-            let heights = self.region.mill.heights;
-            self.go_over(from);
-            self.cutter.lift(heights.above_cleared(cleared));
-            self.cutter.plunge(level);
+        if strokes.is_multiple_of(2) {
+            self.cutter.line(there.from(), feed);
         }
-        self.cutter.line(to, feed);
-        let elements = ring.beginning_at(element, to, self.region.counter_clockwise);
-        self.cutter.follow(&elements, feed);
-        self.at = Some(to);
-        self.cut.push(ring.clone());
     }
 
     /// A wall, level by level.
@@ -276,7 +174,7 @@ impl<'a> Tool<'a> {
             if radius > 0.0 {
                 self.cutter.arc(to, center, ccw, finish.feed);
             }
-            self.at = Some(to);
+            self.is_down = true;
             above = heights.above_cleared(level);
         }
         self.up();
@@ -301,30 +199,22 @@ impl<'a> Tool<'a> {
     }
 
     /// The floor at its depth.
-    pub fn floor(&mut self, part: &Part, finish: &Finish) {
+    pub fn floor(&mut self, course: &Course, finish: &Finish) {
         let heights = self.region.mill.heights;
-        let least = self.region.mill.radius + if finish.wall { self.region.left } else { self.region.allowance };
-        self.cut.clear();
-        self.cleared = if self.region.cleared { heights.rough_floor() } else { heights.reference };
-        self.floor_of(part, least, self.cleared, finish.feed);
-        self.up();
-    }
-
-    fn floor_of(&mut self, part: &Part, least: f64, above: f64, feed: Feed) {
-        let heights = self.region.mill.heights;
-        for inner in &part.inner {
-            self.floor_of(inner, least, above, feed);
-        }
-        if part.inner.is_empty() {
-            let entry = entry_of(part, least);
+        let cleared = if self.region.cleared { heights.rough_floor() } else { heights.reference };
+        self.begin(course.outline);
+        if let Some(entry) = &course.entry {
             self.go_over(entry.at);
-            self.cutter.lift(heights.above_cleared(above));
+            self.cutter.lift(heights.above_cleared(cleared));
             self.cutter.plunge(heights.depth);
-            self.at = Some(entry.at);
-            self.go_on(&entry, feed);
+            self.is_down = true;
+            self.go_on(entry, finish.feed);
         }
-        for ring in part.loops() {
-            self.ring(ring, least, heights.depth, feed);
-        }
+        self.cuts(course, (cleared, heights.depth), finish.feed);
     }
+}
+
+/// How many strokes of a length lead down, no steeper than an angle.
+fn strokes_down(angle: Deg, from: f64, to: f64) -> impl Fn(f64) -> usize {
+    move |length| strokes((from - to).abs(), length, angle)
 }

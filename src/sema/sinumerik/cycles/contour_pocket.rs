@@ -4,7 +4,7 @@
 
 use crate::diag::codes;
 use crate::geo::area::{Relation, relation};
-use crate::geo::{Deg, Element};
+use crate::geo::{Deg, Element, grid};
 use crate::ir::captured::Captured;
 use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
 use crate::ir::cycle::region::RegionFault;
@@ -173,7 +173,8 @@ impl CycleCall<'_, '_> {
     }
 }
 
-/// The elements of a contour, the last one ending where the first begins.
+/// The elements of a contour, the last one ending where the first begins. Their coordinates are the same numbers, however they were
+/// computed.
 fn closed(contour: &Captured) -> Vec<Element> {
     let mut elements: Vec<Element> = contour.pieces.iter().map(|piece| piece.element).collect();
     if let Some(last) = elements.last_mut() {
@@ -181,5 +182,5 @@ fn closed(contour: &Captured) -> Vec<Element> {
             Element::Line { to, .. } | Element::Arc { to, .. } => *to = contour.start,
         }
     }
-    elements
+    grid::chain(&elements)
 }
