@@ -69,7 +69,7 @@ fn program(target: &Target, key: &str) -> String {
         ("compensation", false) => "G0 X-20 Y-20\nG1 G41 X0 Y0 F100\nG1 X10\nG40 X30 Y-20",
         ("compensation", true) => "G0 X80 Z20\nG1 G42 X40 Z2 F100\nG1 Z-10\nG40 X80 Z20",
         // A dwell, and another speed out.
-        ("tapping", _) => "G0 Z5\nCYCLE84(5,0,2,-10,,0.5,5,,1.5,,100,150)",
+        ("tapping", _) => "G0 Z5\nG331 Z-10 K1.5\nG4 F0.5\nG332 Z5 S777",
         // What has an angle to say.
         ("decimals.angle", _) if target.axes.contains('A') => "G0 A10.123456",
         ("decimals.angle", _) if target.spindle.orient.is_some() => "SPOS=90.123456",
