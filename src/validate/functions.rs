@@ -151,7 +151,7 @@ impl Validator {
             Spindle::Stop => turns(5),
             Spindle::Speed(meant) => match acts {
                 [Act::Speed(Speed { spindle, value, constant_cut: None })] => {
-                    let ended = number.is_some()
+                    let ended = own != 0
                         || match self.reader.modes().constant_cut {
                             Some(on) => !on,
                             None => !self.states_speed,

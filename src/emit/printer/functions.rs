@@ -365,7 +365,7 @@ impl Printer<'_> {
                 }
                 let text = &mut self.page.text;
                 if let Some(cutting) = &words.cutting_speed
-                    && number.is_none()
+                    && is_first(number)
                     && std::mem::take(&mut self.modal.cutting_speed)
                 {
                     text.word(cutting.off);
@@ -386,7 +386,9 @@ impl Printer<'_> {
                 if self.measures.inches || limit.is_none() && self.length.limited {
                     return self.lacks_cutting_speed(origin);
                 }
-                self.modal.cutting_speed = true;
+                if is_first(number) {
+                    self.modal.cutting_speed = true;
+                }
                 let places = self.measures.speed;
                 let Some(units) = self.speed_units(speed, origin) else { return };
                 let limit = match limit {
@@ -492,4 +494,9 @@ impl Printer<'_> {
             self.page.end_line(origin);
         }
     }
+}
+
+/// Is it the first spindle, by its number or without one?
+fn is_first(number: Option<u8>) -> bool {
+    number.is_none_or(|number| number <= 1)
 }
