@@ -164,7 +164,7 @@ impl Reader {
         match self.dialog.open {
             Open::Preset => return self.preset(line),
             Open::Tap(left) => return self.tap_parameter(line, left),
-            Open::Nothing | Open::Dwell | Open::Call => {}
+            Open::Nothing | Open::Dwell | Open::Tolerance | Open::Call => {}
         }
         let digits = line.iter().take_while(|b| b.is_ascii_digit()).count();
         let number = line[..digits].iter().fold(0u64, |n, b| n.wrapping_mul(10).wrapping_add(u64::from(b - b'0')));

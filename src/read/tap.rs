@@ -45,6 +45,7 @@ impl Reader {
             | Act::Speed(_)
             | Act::M { .. }
             | Act::Dwell(_)
+            | Act::Corners(_)
             | Act::Offset(_) => {}
         }
     }

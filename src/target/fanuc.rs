@@ -5,7 +5,8 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Comments, CompensationWords, CuttingSpeed, Dwell, DwellUnit, FeedWords, Frame, Length, LengthNumber,
-    LengthWords, Limit, Line, MFunctions, MoreOffsets, Motion, Numbers, PathWords, ProgramName, RigidTap, SpindleWords, TapCycle, TapPitch, Target, ToolWords, base::BASE,
+    LengthWords, Limit, Line, MFunctions, MoreOffsets, Motion, Numbers, PathWords, ProgramName, RigidTap, SpindleWords,
+    TapCycle, TapPitch, Target, ToolWords, base::BASE,
 };
 
 // Rotary axes (what F counts is a matter of parameters), feeds by time and G33 on a mill are options of the machine, M7 is

@@ -4,7 +4,8 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, CompensationWords, CoolantWords, CuttingSpeed, FeedWords, Frame, Lead, Length, LengthNumber, LengthWords,
-    Limit, MFunctions, Motion, PathBound, PathWords, RigidTap, SpindleWords, Target, Thread, ToolWords, Turns, base::BASE,
+    Limit, MFunctions, Motion, PathBound, PathWords, RigidTap, SpindleWords, Target, Thread, ToolWords, Turns,
+    base::BASE,
 };
 
 pub(super) const TARGET: Target = Target {

@@ -408,7 +408,7 @@ impl Run<'_> {
         let Some(turn) = self.turns_on else { return };
         match act {
             Act::M { number: 3..=5 | 19, spindle: 0, .. } | Act::Tap => self.turns_on = None,
-            Act::Speed(_) => {}
+            Act::Speed(_) | Act::Corners(_) => {}
             Act::Move(_) | Act::Select(_) | Act::Change | Act::M { .. } | Act::Dwell(_) | Act::Offset(_) => {
                 self.turns_on = None;
                 self.does(&Function::Spindle(Spindle::Start(turn)));
