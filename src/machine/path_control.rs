@@ -66,7 +66,7 @@ impl OutputSettings {
         let words = &self.target.path;
         let bound = match self.path_control {
             Some(PathChoice::None) => return None,
-            Some(PathChoice::Within(millionths)) => f64::from(millionths) * 1e-6,
+            Some(PathChoice::Within(millionths)) => f64::from(millionths) / 1e6,
             Some(PathChoice::Exact) | None => USUAL,
         };
         let bounded = |mm| words.within.map(|_| PathControl::Within(mm));

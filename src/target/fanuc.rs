@@ -86,6 +86,7 @@ pub(super) const TAP: TapCycle = TapCycle {
     left: Some("G74"),
     level: Some("G99"),
     off: "G80",
+    begins: b'R',
     from_start: false,
     pitch: TapPitch::Either,
     dwell: Some(b'P'),

@@ -297,7 +297,9 @@ pub struct TapCycle {
     pub level: Option<&'static str>,
     /// Ends the cycle.
     pub off: &'static str,
-    /// R is the way from where the tool stands, not a coordinate.
+    /// Address of where the thread begins.
+    pub begins: u8,
+    /// That is the way from where the tool stands, not a coordinate.
     pub from_start: bool,
     pub pitch: TapPitch,
     /// Address of the dwell at the bottom, in whole milliseconds.

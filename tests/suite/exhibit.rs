@@ -53,6 +53,8 @@ fn words(bytes: &[u8]) -> Vec<u32> {
 pub(super) fn finds_the_same(case: &Case) -> bool {
     let mut names: Vec<String> = case.called.keys().map(|name| name.to_ascii_lowercase()).collect();
     names.dedup();
+    // A page has no folders of the control.
+    names.retain(|name| !name.contains('/'));
     case.called.is_empty() || (names.len() == case.called.len() && !case.name.starts_with("errors/"))
 }
 

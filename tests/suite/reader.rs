@@ -2,7 +2,7 @@
 
 use partc::internals::machine::axis::AXES;
 
-use super::meant::{BEFORE, Cutter, Does, Found, How, Kind, Way};
+use super::meant::{BEFORE, Cutter, Does, Found, How, Kind, Way, spindle_in_front};
 
 /// Position in units of 1e-7, so that nothing is rounded twice, halved diameters neither.
 type Units = [i64; AXES];
@@ -11,6 +11,8 @@ type Units = [i64; AXES];
 const LETTERS: &str = "XYZABCUVW";
 /// Units in a millimetre.
 const UNIT: f64 = 1e7;
+/// G33.1 as the number of a move.
+const TAP: u8 = 133;
 
 struct Reader {
     at: Units,
@@ -22,6 +24,8 @@ struct Reader {
     offset: u8,
     length: u32,
     constant_cut: Option<f64>,
+    /// Speed and sense of the first spindle.
+    spindle: (f64, i8),
     /// How far corners may be rounded off.
     corners: Option<f64>,
     /// Largest difference of the radii of an arc, in units.
@@ -41,6 +45,7 @@ pub fn read(program: &str, decimals: u8) -> Result<Vec<Found>, String> {
         offset: 1,
         length: 0,
         constant_cut: None,
+        spindle: (0.0, 0),
         corners: None,
         radii: 1.5 * UNIT * 0.1f64.powi(i32::from(decimals)),
         list: Vec::new(),
@@ -125,6 +130,7 @@ impl Reader {
     fn code(&mut self, value: &str, line: &mut Line) -> Result<(), String> {
         match value {
             "0" | "1" | "2" | "3" | "33" => line.motion = value.parse().ok(),
+            "33.1" => line.motion = Some(TAP),
             "4" => line.dwell = true,
             "7" | "8" => self.diameter = value == "7",
             "17" => self.plane = [0, 1, 2],
@@ -190,6 +196,9 @@ impl Reader {
             _ => {}
         }
         if let Some(speed) = line.speed {
+            if line.spindle == 0 {
+                self.spindle.0 = speed;
+            }
             self.does(Does::Speed(line.spindle, speed));
         }
         if let Some((side, dynamic)) = line.side {
@@ -208,7 +217,27 @@ impl Reader {
         How { feed, lead, cutter: self.cutter, machine: line.machine, plane: Some(self.plane), corners: self.corners }
     }
 
+    /// Down and back to where the axis stands.
+    fn tap(&mut self, line: &Line) -> Result<(), String> {
+        let (&[(axis, to)], Some(lead)) = (line.ends.as_slice(), line.offset[2]) else {
+            return Err("a tap goes along one axis, with a lead".to_owned());
+        };
+        let said = spindle_in_front(&mut self.list, |item| match item {
+            Found::Does(does) => Some(does),
+            Found::Move(..) => None,
+        });
+        if let Some(angle) = said {
+            self.does(Does::Orient(0, angle));
+        }
+        let (speed, turn) = self.spindle;
+        self.does(Does::Tap { axis, to: to as f64 / UNIT, lead: lead as f64 / UNIT, turn, speed });
+        Ok(())
+    }
+
     fn moves(&mut self, line: &Line) -> Result<(), String> {
+        if line.motion == Some(TAP) {
+            return self.tap(line);
+        }
         let from = self.at;
         for (axis, units) in &line.ends {
             self.at[*axis] = *units;
@@ -243,6 +272,9 @@ impl Reader {
     /// The M function, behind everything else; true at the end of the program.
     fn ends(&mut self, line: &Line) -> bool {
         let Some(m) = line.m else { return false };
+        if line.spindle == 0 && matches!(m, 3..=5) {
+            self.spindle.1 = [1, -1, 0][m as usize - 3];
+        }
         self.does(match m {
             0 => Does::Stop,
             1 => Does::OptionalStop,

@@ -452,7 +452,8 @@ fn judge(case: &Case, counts: &mut [Count]) -> Result<(), String> {
         }
         let found = events(&other.text, rules).map_err(says(name))?;
         // S counts turns on these receivers, which is what G97 says to LinuxCNC on a lathe.
-        let text = base.text.replace("G97 ", "");
+        let lines = base.text.lines().map(|line| line.strip_prefix("G97 ").unwrap_or(line));
+        let text: String = lines.flat_map(|line| [line, "\n"]).collect();
         let wanted = events(&text, &LINUXCNC).map_err(says("linuxcnc"))?;
         let mut compare = Compare { rest: &found, at: [0.0; 3], unit: base.unit };
         compare.all(&wanted).map_err(says(name))?;

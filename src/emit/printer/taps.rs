@@ -281,7 +281,7 @@ impl Printer<'_> {
             }
         }
         self.page.text.number(axis.letter() as u8, to, places);
-        self.page.text.number(b'R', if words.from_start { 0 } else { hole.start }, places);
+        self.page.text.number(words.begins, if words.from_start { 0 } else { hole.start }, places);
         if let Some(address) = words.dwell
             && dwell > 0.0
             && let Some(units) = self.measures.time.units(dwell)

@@ -239,7 +239,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
         let loc = self.end_of_text();
         self.here.origin.loc = loc;
         self.stop_run();
-        if self.is_between_percents() || self.may_end_open("M2 or M30", "M30") {
+        if self.is_between_percents() || self.may_end_open("M2 or M30", "M30", None) {
             self.report(Diagnostic::new(codes::R1002, loc, "the program ends without M2 or M30"));
         }
         self.does(&Function::End { rewind: false });
@@ -408,8 +408,9 @@ impl Run<'_> {
         let Some(turn) = self.turns_on else { return };
         match act {
             Act::M { number: 3..=5 | 19, spindle: 0, .. } | Act::Tap => self.turns_on = None,
-            Act::Speed(_) | Act::Corners(_) => {}
-            Act::Move(_) | Act::Select(_) | Act::Change | Act::M { .. } | Act::Dwell(_) | Act::Offset(_) => {
+            // A wait says nothing of the spindle: what follows it does.
+            Act::Speed(_) | Act::Corners(_) | Act::Dwell(_) => {}
+            Act::Move(_) | Act::Select(_) | Act::Change | Act::M { .. } | Act::Offset(_) => {
                 self.turns_on = None;
                 self.does(&Function::Spindle(Spindle::Start(turn)));
             }

@@ -355,7 +355,7 @@ impl Run<'_> {
                 );
             }
             Header::Start | Header::None => {
-                if self.is_between_percents() || self.may_end_open("RET or M30", "RET") {
+                if self.is_between_percents() || self.may_end_open("RET or M30", "RET", None) {
                     self.report(Diagnostic::new(codes::M1009, loc, "the program ends without RET or M30"));
                 }
                 self.warn_open();

@@ -46,9 +46,9 @@ impl<L: Language> Core<'_, L> {
         first == Some(b"%") && behind.next() == Some(b"%") && behind.next().is_some()
     }
 
-    /// May the main program end here, where `end` is missing? `best` of its words is to be added. What was said of it stops nothing: the
+    /// May the main program end here, where `end` is missing? `best` of its words is to be added; `alarm` is what the control shows. What was said of it stops nothing: the
     /// run is over anyway.
-    pub fn may_end_open(&mut self, end: &str, best: &str) -> bool {
+    pub fn may_end_open(&mut self, end: &str, best: &str, alarm: Option<u32>) -> bool {
         if self.is_cut_off(end, best) {
             return false;
         }
@@ -60,7 +60,7 @@ impl<L: Language> Core<'_, L> {
             "the file may have been cut off in transfer; if it is complete, add {best}; for a control that needs no end, set \
              `[control] open_end = \"allow\"`"
         );
-        self.report(Diagnostic::new(codes::P0007, loc, format!("the program ends without {end}")).help(help));
+        self.report(Diagnostic::new(codes::P0007.alarm(alarm), loc, format!("the program ends without {end}")).help(help));
         false
     }
 

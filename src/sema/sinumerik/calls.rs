@@ -318,7 +318,7 @@ impl Run<'_> {
         if self.in_main() {
             let unit = &self.units.list[self.unit()];
             let is_main = unit.kind == UnitKind::Main && !self.iso;
-            if is_main && self.may_end_open("M30, M2 or M17", "M30") {
+            if is_main && self.may_end_open("M30, M2 or M17", "M30", Some(14000)) {
                 let loc = self.end_of_text();
                 let found = Diagnostic::new(codes::S2026.alarm(14000), loc, "the program ends without M30, M2 or M17");
                 self.report(found.help("write M30 as its last block"));

@@ -403,7 +403,7 @@ impl Run<'_> {
             self.stop_run();
             return;
         }
-        self.may_end_open("END or M30", "M30");
+        self.may_end_open("END or M30", "M30", None);
         let _ = self.end_of_job(false);
     }
 }
