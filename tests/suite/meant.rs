@@ -284,30 +284,16 @@ impl Recorder {
     }
 }
 
-/// Takes what was said of the first spindle, which a tap starts by itself, off the end of a list; gives the angle at which it
-/// stopped.
-pub fn spindle_in_front<T>(list: &mut Vec<T>, does: impl Fn(&T) -> Option<&Does>) -> Option<f64> {
-    let mut angle = None;
-    while let Some(last) = list.last().and_then(&does)
-        && matches!(last, Does::Speed(0, _) | Does::Turns(0, 1 | -1) | Does::Orient(0, _))
-    {
-        if let Does::Orient(_, at) = last {
-            angle = angle.or(Some(*at));
-        }
-        list.pop();
-    }
-    angle
+/// Is this said of the first spindle, which a tap starts by itself?
+pub fn is_of_spindle(does: &Does) -> bool {
+    matches!(does, Does::Speed(0, _) | Does::Turns(0, 1 | -1) | Does::Orient(0, _))
 }
 
 impl Sink for Recorder {
     /// As LinuxCNC taps: each stroke comes back to the start, and nothing waits at the depth.
     fn tap(&mut self, tap: &Tap, _: &motion::Place, _: &Origin) {
-        let said = spindle_in_front(&mut self.items, |item| match item {
-            Meant::Does(does) => Some(does),
-            Meant::Move(..) => None,
-        });
-        if let Some(angle) = tap.orient.or(said) {
-            self.does(Does::Orient(0, angle));
+        while self.items.last().is_some_and(|item| matches!(item, Meant::Does(does) if is_of_spindle(does))) {
+            self.items.pop();
         }
         if let Some(speed) = tap.speed_in {
             self.speed = speed;

@@ -61,6 +61,7 @@ const NOTES: &[(&str, Proof)] = &[
     ("O4002", Worked),
     ("O4003", Free("docs/targets.md", "preset")),
     ("O4004", Free("docs/targets.md", "arc_fallback_tolerance")),
+    ("O4006", Asked),
     ("R8001", Same(&[(" G64", "")])),
     ("S8002", Same(&[("FFWON SOFT\n", "")])),
     ("S8004", Same(&[("M41 ", "")])),

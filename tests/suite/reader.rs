@@ -2,7 +2,7 @@
 
 use partc::internals::machine::axis::AXES;
 
-use super::meant::{BEFORE, Cutter, Does, Found, How, Kind, Way, spindle_in_front};
+use super::meant::{BEFORE, Cutter, Does, Found, How, Kind, Way, is_of_spindle};
 
 /// Position in units of 1e-7, so that nothing is rounded twice, halved diameters neither.
 type Units = [i64; AXES];
@@ -222,12 +222,8 @@ impl Reader {
         let (&[(axis, to)], Some(lead)) = (line.ends.as_slice(), line.offset[2]) else {
             return Err("a tap goes along one axis, with a lead".to_owned());
         };
-        let said = spindle_in_front(&mut self.list, |item| match item {
-            Found::Does(does) => Some(does),
-            Found::Move(..) => None,
-        });
-        if let Some(angle) = said {
-            self.does(Does::Orient(0, angle));
+        while self.list.last().is_some_and(|item| matches!(item, Found::Does(does) if is_of_spindle(does))) {
+            self.list.pop();
         }
         let (speed, turn) = self.spindle;
         self.does(Does::Tap { axis, to: to as f64 / UNIT, lead: lead as f64 / UNIT, turn, speed });

@@ -227,7 +227,8 @@ impl Taps {
         };
         let turn = if has(right) { "M3" } else { "M4" };
         let depth = number('Z')?;
-        Some((fits && !(lathe && has(left))).then(|| format!("{turn}\nG33.1 Z{depth} K{lead:.6}\n")))
+        let lead = (lead * 1e4).round() / 1e4;
+        Some((fits && !(lathe && has(left))).then(|| format!("{turn}\nG33.1 Z{depth} K{lead}\n")))
     }
 }
 

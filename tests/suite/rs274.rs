@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use partc::internals::machine::axis::AXES;
 
-use super::meant::{BEFORE, Cutter, Does, Found, How, Kind, Way, spindle_in_front};
+use super::meant::{BEFORE, Cutter, Does, Found, How, Kind, Way, is_of_spindle};
 use super::tools;
 
 /// X Y Z A B C; the stand-alone interpreter has no U V W.
@@ -444,12 +444,8 @@ impl Canon {
         let (Some((axis, to)), None) = (moved.next(), moved.next()) else {
             return Err("a tap along no axis, or along two".to_owned());
         };
-        let said = spindle_in_front(&mut self.list, |item| match item {
-            Found::Does(does) => Some(does),
-            Found::Move(..) => None,
-        });
-        if let Some(angle) = said {
-            self.does(Does::Orient(0, angle));
+        while self.list.last().is_some_and(|item| matches!(item, Found::Does(does) if is_of_spindle(does))) {
+            self.list.pop();
         }
         let (speed, turn) = self.spindle;
         self.does(Does::Tap { axis, to, lead, turn, speed });

@@ -1,11 +1,13 @@
 //! The same part in two dialects gives the same motion. The books under `tests/golden/same_part` have a chapter for each
 //! part, and in it a program for each dialect.
 
-use partc::internals::machine::settings::Quantity;
 use std::collections::BTreeMap;
 
 use super::book::{self, Case};
-use super::meant::{Found, How, Way, tolerance};
+use partc::internals::machine::axis::AXES;
+use partc::internals::machine::settings::Quantity;
+
+use super::meant::{Does, Found, How, Kind, Way, tolerance};
 use super::reader;
 
 /// The moves of the output that go somewhere; the plane is none of theirs, and how corners are taken a matter of the machine.
@@ -16,6 +18,12 @@ fn moves(case: &Case) -> Vec<(Way, How)> {
     let found = found.unwrap_or_else(|why| panic!("{}: {why}", case.name));
     let moves = found.into_iter().filter_map(|found| match found {
         Found::Move(way, how) => Some((way, How { plane: None, corners: None, ..how })),
+        Found::Does(Does::Tap { axis, to, lead, turn, speed }) => {
+            let mut end = [0.0; AXES];
+            end[axis] = to;
+            let feed = Some((Kind::PerRevolution, speed));
+            Some((Way::Feed(end), How { feed, lead: Some(lead * f64::from(turn)), ..How::default() }))
+        }
         Found::Does(_) => None,
     });
     moves.collect()

@@ -96,8 +96,7 @@ fn each_other_word_is_heard_in_every_form() {
 /// Where a word stands alone in its usual form, it is no error to pass over, and has one note at most.
 #[test]
 fn words_for_speed_and_accuracy_make_one_note() {
-    let blocks =
-        "G601\nG602\nG603\nCFC\nFNORM\nSOFT\nFFWON\nCOMPOF\nCOMPCAD\nSPATH\nUPATH\nRTLION\n";
+    let blocks = "G601\nG602\nG603\nCFC\nFNORM\nSOFT\nFFWON\nCOMPOF\nCOMPCAD\nSPATH\nUPATH\nRTLION\n";
     let program = format!("G0 X0 Y0 Z0\n{blocks}{blocks}X10\nM30\n");
     let compiled = compile_bytes("PART.MPF", program.into_bytes(), "sinumerik", &settings(""), &NoFiles);
     assert_eq!(compiled.codes(), ["S8002"], "{:?}", compiled.rendered);

@@ -60,7 +60,9 @@ impl<L: Language> Core<'_, L> {
             "the file may have been cut off in transfer; if it is complete, add {best}; for a control that needs no end, set \
              `[control] open_end = \"allow\"`"
         );
-        self.report(Diagnostic::new(codes::P0007.alarm(alarm), loc, format!("the program ends without {end}")).help(help));
+        self.report(
+            Diagnostic::new(codes::P0007.alarm(alarm), loc, format!("the program ends without {end}")).help(help),
+        );
         false
     }
 
