@@ -20,6 +20,8 @@ pub(super) struct Modal {
     pub plane: Plane,
     /// Constant cutting speed is on, or a program before may have left it on.
     pub cutting_speed: bool,
+    /// It is on by this program.
+    pub cuts_at_speed: bool,
     /// What a dialog has said.
     pub dialog: Said,
 }
@@ -46,6 +48,7 @@ impl Modal {
             feed_kind: FeedKind::PerMinute,
             plane,
             cutting_speed: false,
+            cuts_at_speed: false,
             dialog: Said::default(),
         }
     }

@@ -8,9 +8,34 @@ use partc::internals::machine::settings::Settings;
 use partc::internals::target;
 
 use super::common::{Compiled, settings};
-use super::meant::{Does, Found};
+use super::meant::{Does, Found, Way};
 use super::reader;
 use super::rewritten::{compiled, programs, same};
+
+/// Around a tap each control starts and stops the spindle in its own words: there its state is what counts, at each move.
+fn spindle_at_moves(found: Vec<Found>) -> Vec<Found> {
+    if !found.iter().any(|one| matches!(one, Found::Does(Does::Tap { .. }))) {
+        return found;
+    }
+    let (mut speed, mut turns) = (0.0, 0);
+    let mut list = Vec::new();
+    for one in found {
+        match one {
+            Found::Does(Does::Speed(0, now)) => speed = now,
+            Found::Does(Does::Turns(0, now)) => turns = now,
+            Found::Does(Does::Orient(0, _)) => {}
+            Found::Move(way, how) => {
+                list.push(Found::Does(Does::Turns(0, turns)));
+                if !matches!(way, Way::Rapid(_)) {
+                    list.push(Found::Does(Does::Speed(0, speed)));
+                }
+                list.push(Found::Move(way, how));
+            }
+            Found::Does(other) => list.push(Found::Does(other)),
+        }
+    }
+    list
+}
 
 /// A speed that holds already says nothing.
 fn without_the_same_speed(mut found: Vec<Found>) -> Vec<Found> {
@@ -106,7 +131,7 @@ fn read_by_its_own_front_end(own: &Own) {
         }
         printed += 1;
         let decimals = base.output.places(partc::internals::machine::settings::Quantity::Length);
-        let read = |text: &str| reader::read(text, decimals).map(without_the_same_speed);
+        let read = |text: &str| reader::read(text, decimals).map(without_the_same_speed).map(spindle_at_moves);
         // A SINUMERIK says of its corners what LinuxCNC says, but for a bound that both print rounded.
         let corners = |found: &[Found]| -> Vec<i64> {
             let bounds = found.iter().filter_map(|one| match one {

@@ -50,7 +50,7 @@ impl Printer<'_> {
             Disturbance::Diameter => self.set_places(self.places, !self.diameter),
             Disturbance::Decimals(places) => self.set_places(Places::new(places), self.diameter),
             Disturbance::Side(side) => self.compensation.side = side,
-            Disturbance::CuttingSpeed(on) => self.modal.cutting_speed = on,
+            Disturbance::CuttingSpeed(on) => (self.modal.cutting_speed, self.modal.cuts_at_speed) = (on, on),
             Disturbance::Trusted => {
                 let ends = *self.modal.at();
                 self.modal.reach(crate::machine::AxisSet::MAIN, &ends);

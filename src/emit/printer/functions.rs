@@ -369,6 +369,7 @@ impl Printer<'_> {
                     && std::mem::take(&mut self.modal.cutting_speed)
                 {
                     text.word(cutting.off);
+                    self.modal.cuts_at_speed = false;
                 }
                 if let Form::Dialog(dialog) = self.target.form {
                     self.modal.dialog.speed = Some(units);
@@ -387,7 +388,7 @@ impl Printer<'_> {
                     return self.lacks_cutting_speed(origin);
                 }
                 if is_first(number) {
-                    self.modal.cutting_speed = true;
+                    (self.modal.cutting_speed, self.modal.cuts_at_speed) = (true, true);
                 }
                 let places = self.measures.speed;
                 let Some(units) = self.speed_units(speed, origin) else { return };

@@ -68,9 +68,12 @@ impl Printer<'_> {
         if !self.axes.contains(tap.axis) || self.length.waits && tap.axis == Axis::Z {
             return Err(unfit("a tap along an axis that was not moved", "move to the hole in front of the tap"));
         }
-        if self.modal.cutting_speed {
+        if self.modal.cuts_at_speed {
             let help = "program a constant speed (G97 S) in front of the hole";
             return Err(unfit("a tap under a constant cutting speed", help));
+        }
+        if let (true, Some(speed)) = (self.modal.cutting_speed, tap.speed_in) {
+            self.print_function(&Function::Spindle(Spindle::Speed(speed)), origin);
         }
         let hole = self.hole(tap, origin)?;
         // Where somebody may have moved the axis, its place is said again.

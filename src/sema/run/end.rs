@@ -1,6 +1,6 @@
 //! Where a file ends without an end of program: most often it was cut off in transfer.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::text::{Loc, Span};
 
 use super::Language;
@@ -56,10 +56,10 @@ impl<L: Language> Core<'_, L> {
             return true;
         }
         let loc = self.end_of_text();
-        let help = format!(
+        let help = Answer::key("control", "open_end").one_of(&["\"allow\""]).help(format!(
             "the file may have been cut off in transfer; if it is complete, add {best}; for a control that needs no end, set \
              `[control] open_end = \"allow\"`"
-        );
+        ));
         self.report(
             Diagnostic::new(codes::P0007.alarm(alarm), loc, format!("the program ends without {end}")).help(help),
         );
