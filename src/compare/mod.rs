@@ -90,7 +90,7 @@ impl Difference {
         let mut found = Difference { sums: [Sum::of(a), Sum::of(b)], ..Difference::default() };
         // Where one of them cannot say how corners are taken, the other one may say what it likes.
         let unsaid = [a, b].iter().any(|list| list.iter().any(Step::leaves_corners_open));
-        let counts = |step: &Step| !step.leaves_corners_open() && !(unsaid && step.is_path_control());
+        let counts = |step: &Step| !(step.leaves_corners_open() || unsaid && step.is_path_control());
         let places = [a, b].map(|list| (0..list.len()).filter(|i| counts(&list[*i])).collect::<Vec<_>>());
         let [a, b] =
             [(a, &places[0]), (b, &places[1])].map(|(list, at)| at.iter().map(|i| &list[*i]).collect::<Vec<_>>());

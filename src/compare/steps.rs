@@ -19,6 +19,7 @@ pub struct Step {
 }
 
 #[derive(Debug, Clone, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "nearly all steps are moves")]
 pub enum Does {
     Travel(Travel),
     /// A word such as `M3` or `S`, and its numbers.

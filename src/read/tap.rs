@@ -116,8 +116,8 @@ impl Reader {
         if self.rules.taps == Taps::Announced && !std::mem::take(&mut self.spindle.is_ready) {
             return Err(Fault::new("a tapping cycle without M29 needs a compensating chuck"));
         }
-        for axis in 0..2 {
-            let Some(number) = block.take(LETTERS[axis]) else { continue };
+        for (axis, letter) in LETTERS.iter().enumerate().take(2) {
+            let Some(number) = block.take(*letter) else { continue };
             if self.place(axis) != Some(self.length(number)?) {
                 return Err(Fault::new("a tapping cycle at another place than where the tool stands"));
             }

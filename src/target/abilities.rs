@@ -60,7 +60,7 @@ impl Target {
                 [words.ready, Some(words.right), words.left].into_iter().flatten().collect::<Vec<_>>().join(", ")
             }
             RigidTap::InAndOut { into, out, .. } => format!("{into}, {out}"),
-            RigidTap::Dialog(words) => words.plain.split(' ').skip(2).next().unwrap_or_default().to_owned(),
+            RigidTap::Dialog(words) => words.plain.split(' ').nth(2).unwrap_or_default().to_owned(),
         });
         let dwell = format!(
             "{} {}{}",

@@ -69,7 +69,11 @@ impl Printer<'_> {
                 .units(value)
                 .is_some_and(|units| (units as f64 / places.scale() - value).abs() <= SAME / places.scale())
         };
-        exact(steps.way) && steps.back.is_none_or(|back| exact(back) && back > 0.0)
+        // The last step is one in the printed numbers, too.
+        let last = places.units(tap.surface).zip(places.units(tap.bottom())).zip(places.units(steps.way));
+        let goes_deeper =
+            last.is_some_and(|((surface, to), way)| surface - to > way.saturating_mul(tap.strokes.len() as i64 - 1));
+        exact(steps.way) && goes_deeper && steps.back.is_none_or(|back| exact(back) && back > 0.0)
     }
 
     /// One cycle down to `to`.
@@ -98,6 +102,9 @@ impl Printer<'_> {
             self.unprintable(origin);
             return Err(None);
         };
+        // Rounded, the depth may be a unit more than its steps, and the cycle would make another one.
+        let over = surface - to - way.saturating_mul(tap.strokes.len() as i64);
+        let surface = if steps.is_some() && over == 1 { surface - 1 } else { surface };
         let clearance = hole.start - surface;
         let of_plain = [
             (clearance, places),

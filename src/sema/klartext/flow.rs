@@ -119,7 +119,8 @@ impl Run<'_> {
         } else if self.in_called_program() {
             self.is_cut_off("END PGM", "END PGM");
         } else {
-            self.may_end_open("END PGM, M30 or M2", "M30", None);
+            // Without BEGIN PGM it is a piece of a program.
+            self.piece_may_end_open("END PGM, M30 or M2", "M30", None);
         }
         let _ = self.program_over(false);
     }

@@ -49,9 +49,11 @@ impl<L: Language> Core<'_, L> {
     /// May the main program end here, where `end` is missing? `best` of its words is to be added; `alarm` is what the control shows. What was said of it stops nothing: the
     /// run is over anyway.
     pub fn may_end_open(&mut self, end: &str, best: &str, alarm: Option<u32>) -> bool {
-        if self.is_cut_off(end, best) {
-            return false;
-        }
+        !self.is_cut_off(end, best) && self.piece_may_end_open(end, best, alarm)
+    }
+
+    /// The same of a piece that another program joins to others, whose last line needs no line end.
+    pub fn piece_may_end_open(&mut self, end: &str, best: &str, alarm: Option<u32>) -> bool {
         if self.job.settings.control.open_end {
             return true;
         }

@@ -72,10 +72,12 @@ fn stream(target: &str, turn: Turn) -> Stream {
     Stream { settings, items }
 }
 
+/// Words of the printed text and what stands there instead.
+type Faults = &'static [(&'static str, &'static str)];
+
 #[test]
 fn every_fault_in_a_tap_is_noticed() {
-    // Words of the printed text and what stands there instead.
-    let faults: [(&str, Turn, &[(&str, &str)]); 5] = [
+    let faults: [(&str, Turn, Faults); 5] = [
         (
             "linuxcnc",
             Turn::Clockwise,

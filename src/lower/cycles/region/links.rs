@@ -145,7 +145,7 @@ impl<'a> Ground<'a> {
     pub fn over_to(&self, rings: &[usize]) -> Option<(Point2, Link)> {
         let mut best: Option<(Point2, Link)> = None;
         for ring in rings {
-            let Some((from, link)) = self.from_cut(*ring) else { continue };
+            let Some((from, link)) = self.link_from_cut(*ring) else { continue };
             let is_next = best.as_ref().is_none_or(|(_, best)| link.length < best.length - EQUAL);
             if is_next {
                 best = Some((from, link));
@@ -154,7 +154,7 @@ impl<'a> Ground<'a> {
         best
     }
 
-    fn from_cut(&self, ring: usize) -> Option<(Point2, Link)> {
+    fn link_from_cut(&self, ring: usize) -> Option<(Point2, Link)> {
         let path = &self.room.rings[ring].path;
         let points = |elements: &[Element]| elements.iter().flat_map(|e| [e.from(), e.middle()]).collect::<Vec<_>>();
         let mut ways: Vec<(Point2, (usize, Point2))> = Vec::new();
