@@ -13,6 +13,8 @@ use super::tools::beside_repository;
 
 /// Repositories whose files show an editor every spelling of a language: no programs.
 const NO_PROGRAMS: &[&str] = &["deathaxe__sublime-s840d"];
+/// Programs for a five-axis mill, which wait for tilted planes and tool-tip control: shown, and in no share of what three axes can do.
+const FIVE_AXES: &[&str] = &["unknown__five-axis"];
 /// Least share in per cent of part programs, over both languages.
 const LEAST: usize = 60;
 
@@ -125,7 +127,8 @@ fn measure(language: &str, repository: &Path, into: &mut Vec<String>) -> [Share;
         let one =
             Share { programs: 1, before: usize::from(before.contains(&own)), after: usize::from(after.contains(&own)) };
         shares[1].add(one);
-        if !NO_PROGRAMS.contains(&name.as_str()) && (language == "klartext" || !subprograms.has(path)) {
+        let counts = ![NO_PROGRAMS, FIVE_AXES].concat().contains(&name.as_str());
+        if counts && (language == "klartext" || !subprograms.has(path)) {
             shares[0].add(one);
         }
     }
