@@ -17,8 +17,10 @@ mod mazak;
 mod okuma;
 mod printers;
 mod siemens;
+mod tap_words;
 mod words;
 
+pub use tap_words::*;
 pub use words::*;
 
 /// All targets; the first one is the default.

@@ -1,0 +1,63 @@
+//! The words of a target for tapping without a compensating chuck.
+
+/// How a hole is tapped without a compensating chuck.
+#[derive(Debug, Clone, Copy)]
+pub enum RigidTap {
+    /// A block that goes to the depth and back to where it began, with the addresses of the lead along the way and of the
+    /// factor on the speed of the way back. The spindle turns in front of it, and as before behind it.
+    Return { word: &'static str, lead: u8, factor: u8 },
+    /// A drilling cycle along Z that ends in a word of its own.
+    Cycle(TapCycle),
+    /// A block in and a block out. The spindle is an axis by then; the addresses of the lead are those of X, Y and Z.
+    InAndOut { ready: &'static str, into: &'static str, out: &'static str, leads: [u8; 3] },
+    /// A cycle of a dialog, and its call.
+    Dialog(&'static TapDialog),
+}
+
+/// A tapping cycle of drilling cycles in words.
+#[derive(Debug, Clone, Copy)]
+pub struct TapCycle {
+    /// In a block of its own in front of the cycle, with the speed.
+    pub ready: Option<&'static str>,
+    pub right: &'static str,
+    pub left: Option<&'static str>,
+    /// States where the cycle returns to.
+    pub level: Option<&'static str>,
+    /// Ends the cycle.
+    pub off: &'static str,
+    /// Address of where the thread begins.
+    pub begins: u8,
+    /// That is the way from where the tool stands, not a coordinate.
+    pub from_start: bool,
+    pub pitch: TapPitch,
+    /// Address of the dwell at the bottom, in whole milliseconds.
+    pub dwell: Option<u8>,
+    /// Address of a whole factor on the speed of the way back.
+    pub factor: Option<u8>,
+}
+
+/// What F of a tapping cycle is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TapPitch {
+    /// Pitch times speed, under a feed per minute.
+    PerMinute,
+    /// The pitch, under a feed per revolution.
+    PerRevolution,
+    /// Either of them, by the kind of feed that is in force.
+    Either,
+}
+
+/// The tapping cycles of a dialog: in one go, and in steps with more of its parameters.
+#[derive(Debug)]
+pub struct TapDialog {
+    pub plain: &'static str,
+    pub stepped: &'static str,
+    pub call: &'static str,
+    /// Set-up clearance, depth, pitch, surface, second clearance; depth of a step, factor on the pitch for the way back, angle,
+    /// factor on the speed: the parameter and what it is.
+    pub parameters: [(&'static str, &'static str); 9],
+    /// Parameters of the plain cycle.
+    pub of_plain: usize,
+    /// Places of the factors.
+    pub places: u8,
+}
