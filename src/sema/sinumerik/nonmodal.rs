@@ -34,6 +34,7 @@ impl Run<'_> {
                 self.dwell(span, w)?;
             }
             GCode::G63 => {
+                self.note_once(codes::S8025, span, "G63: the tap needs a compensating chuck on the target");
                 self.technology(w)?;
                 self.early_functions(w)?;
                 moved = true;

@@ -94,7 +94,17 @@ impl Channel<'_> {
     fn goes_on_tapping(&self, w: &Words) -> bool {
         let code = w.code_of(Group::Motion).map_or(self.st.codes.of(Group::Motion), |(code, _)| code);
         let shaped = [Group::Nonmodal, Group::Frame, Group::Buffer, Group::Suppression];
-        code.is_tapping() && !w.axes.is_empty() && shaped.iter().all(|group| w.code_of(*group).is_none())
+        code.is_tapping()
+            && !w.axes.is_empty()
+            && shaped.iter().all(|group| w.code_of(*group).is_none())
+            && !self.acts_in_tap(w)
+    }
+
+    /// A function that would act inside the tap, which is one move: that of its first block acts in front of it, stops and ends of
+    /// programs behind it.
+    fn acts_in_tap(&self, w: &Words) -> bool {
+        let acts = w.m.iter().any(|m| !matches!(m.number, 0..=5 | 17 | 30)) || w.get(Address::T).is_some();
+        acts && self.st.threads.open.is_some()
     }
 
     /// A block that may stand inside a tap: one without a move, a function or a G function, and a dwell at the depth.
