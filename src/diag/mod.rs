@@ -126,6 +126,8 @@ impl Diagnostic {
 
 /// Most characters of a quote.
 const QUOTED: usize = 60;
+/// Most characters of a name: what is cut names no file.
+const NAMED: usize = 400;
 
 /// The text with long quotes, which stand between backticks, cut.
 fn shortened(text: &str) -> Cow<'_, str> {
@@ -137,7 +139,8 @@ fn shortened(text: &str) -> Cow<'_, str> {
         if at > 0 {
             short.push('`');
         }
-        match part.char_indices().nth(QUOTED) {
+        let is_name = part.contains(['/', '\\']) || !part.contains(' ');
+        match part.char_indices().nth(if is_name { NAMED } else { QUOTED }) {
             Some((end, _)) if at % 2 == 1 => {
                 short.push_str(&part[..end]);
                 short.push('…');

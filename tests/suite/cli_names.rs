@@ -183,7 +183,8 @@ fn stand_ins_lie_beside_their_configuration() {
         assert!(ran.out.contains("\nG0 Z1\n"), "{}", ran.out);
     }
     fs::remove_file(folder.0.join("stubs/FOO.SPF")).expect("a file");
-    folder.run(&["compile", "sub/P.MPF", "-o", "-"]).exits(1).says("S2002").says("stubs/FOO.SPF");
+    let concise = ["compile", "sub/P.MPF", "-o", "-", "--format", "concise"];
+    folder.run(&concise).exits(1).says("[S2002]").says("/stubs/FOO.SPF`");
     // A configuration that nobody named opens nothing outside of its folder.
     let inner = Folder::new("names_stand_in/out/inner").with(&[
         ("../FOO.SPF", "G0 Z1\nM17\n"),
