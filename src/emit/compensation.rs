@@ -3,7 +3,7 @@
 //! RS274 controls accept few things between G41 and G40. What must not stand there either ends the
 //! compensation first, or is refused: a contour that starts anew at its offset is another contour.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::geo::Plane;
 use crate::ir::function::CutterData;
 use crate::ir::motion::{Move, Path};
@@ -60,6 +60,11 @@ pub(super) struct Compensation {
     idle: u64,
     /// A move in the plane followed the one that began it.
     has_element: bool,
+}
+
+/// The path of the tool centre answers.
+pub(super) fn resolve(help: &str) -> Help {
+    Answer::key("output", "compensation").one_of(&["\"resolve\""]).help(help)
 }
 
 impl Compensation {
@@ -119,64 +124,67 @@ impl Compensation {
     }
 
     /// What is wrong with `mv`, and what to do.
-    fn obstacle(&self, mv: &Move, selected: Plane, planes: &[Plane], way: Way) -> Option<(&'static str, &'static str)> {
+    fn obstacle(&self, mv: &Move, selected: Plane, planes: &[Plane], way: Way) -> Option<(&'static str, Help)> {
         let on = self.side != Side::None;
         if on != (mv.side != Side::None) && !way.in_plane {
             // The first move in the plane would become the way to or from the contour.
             return Some((
                 "radius compensation begins or ends in a block that does not move in the working plane",
-                "begin and end it in a block that moves from beside the contour to it, or away",
+                "begin and end it in a block that moves from beside the contour to it, or away".into(),
             ));
         }
         if on && mv.side == Side::None && !self.has_element && !way.in_doubt {
             // Controls differ in where the tool stands then, and some raise an alarm.
             return Some((
                 "radius compensation ends before the contour has an element: there is no direction to stand beside",
-                "program one element of the contour at least between the two blocks",
+                "program one element of the contour at least between the two blocks".into(),
             ));
         }
-        let resolve = "end the compensation before this block, or set `[output] compensation = \"resolve\"`";
+        let before = || resolve("end the compensation before this block, or set `[output] compensation = \"resolve\"`");
         if mv.side == Side::None {
             let arc = self.leaving || on;
             return (arc && matches!(mv.path, Path::Arc(..))).then_some((
                 "the target needs a straight move to end its radius compensation, and this block is an arc",
-                "put a straight block without compensation in front of the arc",
+                "put a straight block without compensation in front of the arc".into(),
             ));
         }
         if self.ended_by.is_some() {
             return Some((
                 "radius compensation cannot go on behind a tool change, work offset or plane change",
-                "end the compensation before that block and start it again behind it",
+                "end the compensation before that block and start it again behind it".into(),
             ));
         }
         if !planes.contains(&mv.plane) {
             return Some((
                 "the target does not compensate the tool radius in this working plane",
-                "set `[output] compensation = \"resolve\"`, or take another target",
+                resolve("set `[output] compensation = \"resolve\"`, or take another target"),
             ));
         }
         if on && mv.side != self.side {
             return Some((
                 "the side of the radius compensation changes while it is on",
-                "end the compensation before the side changes or the mirror begins",
+                "end the compensation before the side changes or the mirror begins".into(),
             ));
         }
         if on && mv.plane != selected {
-            return Some(("the working plane changes under radius compensation", resolve));
+            return Some(("the working plane changes under radius compensation", before()));
         }
         if !on && matches!(mv.path, Path::Arc(..)) {
             return Some((
                 "radius compensation cannot start in an arc",
-                "put a straight block with compensation in front of the arc",
+                "put a straight block with compensation in front of the arc".into(),
             ));
         }
         if mv.machine {
-            return Some(("a block in machine coordinates cannot run under the target's radius compensation", resolve));
+            return Some((
+                "a block in machine coordinates cannot run under the target's radius compensation",
+                before(),
+            ));
         }
         match &mv.path {
-            Path::Thread { .. } => Some(("a thread cannot be cut under the target's radius compensation", resolve)),
+            Path::Thread { .. } => Some(("a thread cannot be cut under the target's radius compensation", before())),
             Path::Arc(arc, _) if arc.plane != mv.plane => {
-                Some(("an arc outside the working plane cannot run under the target's radius compensation", resolve))
+                Some(("an arc outside the working plane cannot run under the target's radius compensation", before()))
             }
             Path::Rapid | Path::Line(_) | Path::Arc(..) | Path::Carried { .. } => None,
         }
@@ -190,7 +198,9 @@ impl Compensation {
             return None;
         }
         let message = "a second block that moves nothing in the working plane stands in the compensated contour";
-        let help = "put it in front of the contour or behind it; comments count (`[output] comments = false`)";
+        let help = Answer::key("output", "comments")
+            .one_of(&["false"])
+            .help("put it in front of the contour or behind it; comments count (`[output] comments = false`)");
         Some(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call))
     }
 
@@ -202,7 +212,7 @@ impl Compensation {
         }
         let message =
             format!("a stop stands in the compensated contour, and the target {target} does not read on beyond it");
-        let help = "put it in front of the contour or behind it, or set `[output] compensation = \"resolve\"`";
+        let help = resolve("put it in front of the contour or behind it, or set `[output] compensation = \"resolve\"`");
         Some(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call))
     }
 

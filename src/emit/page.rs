@@ -2,7 +2,7 @@
 
 use std::io;
 
-use crate::diag::{Diagnostic, Diags, codes};
+use crate::diag::{Answer, Diagnostic, Diags, codes};
 use crate::ir::Origin;
 use crate::target::{Line, Sequence};
 use crate::text::Loc;
@@ -236,7 +236,9 @@ impl<'a> Page<'a> {
         let message =
             format!("the target reads {} digits of a number{whole}, and `{line}` has more", self.limits.digits);
         let found = Diagnostic::new(codes::O9314, origin.loc, message).called(origin.call);
-        self.diags.push(found.help("check the value, or print fewer places with `[output] decimals`"));
+        self.diags.push(found.help(
+            Answer::key("output", "decimals").help("check the value, or print fewer places with `[output] decimals`"),
+        ));
     }
 
     #[cold]
@@ -269,6 +271,11 @@ impl<'a> Page<'a> {
         let most = self.limits.length;
         let message = format!("the target reads lines of {most} characters, and `{line}` has {}", line.len());
         let found = Diagnostic::new(codes::O9330, origin.loc, message).called(origin.call);
-        self.diags.push(found.help("print fewer places with `[output] decimals`, or move fewer axes in one block"));
+        self.diags.push(
+            found.help(
+                Answer::key("output", "decimals")
+                    .help("print fewer places with `[output] decimals`, or move fewer axes in one block"),
+            ),
+        );
     }
 }

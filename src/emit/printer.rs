@@ -18,7 +18,7 @@ pub(crate) mod winding;
 
 use std::io;
 
-use crate::diag::{Code, Diagnostic, Diags, codes};
+use crate::diag::{Answer, Code, Diagnostic, Diags, codes};
 use crate::geo::Plane;
 use crate::ir::function::{CutterData, Turn};
 use crate::ir::motion::{Move, Path, Place, Sink};
@@ -355,7 +355,7 @@ impl<'a> Printer<'a> {
         let begins = mv.side != Side::None;
         let of_length = words.tool.is_none() && self.length.tool != number;
         if matches!(mv.path, Path::Carried { .. }) {
-            let help = "set `[output] compensation = \"resolve\"`";
+            let help = Answer::key("output", "compensation").help("set `[output] compensation = \"resolve\"`");
             self.lacks(codes::O9003, origin, "radius compensation that begins or ends in a transformed move", help);
             self.pretend(mv);
             return false;

@@ -1,6 +1,6 @@
 //! Pass 3, continued: undercuts in inside corners of a turned contour.
 
-use crate::diag::{Code, Diagnostic, Diags, codes};
+use crate::diag::{Answer, Code, Diagnostic, Diags, Help, codes};
 use crate::geo::undercut::{Corner, Fault, Orientation, Placed, Reference, place};
 use crate::geo::{Element, Plane, SAME_POINT, distance};
 use crate::ir::motion::{Arc, Path};
@@ -18,19 +18,22 @@ type Refusal = Box<Diagnostic>;
 /// # Errors
 /// G3060 outside the plane of Z and X, G3061 without turning technology, G3062 without a diameter axis.
 pub fn admit(machine: &Machine, plane: Plane, origin: &Origin) -> Result<(), Refusal> {
-    let refuse = |code, message: &str, help: &str| Err(Box::new(at(code, *origin, message).help(help)));
+    let refuse = |code, message: &str, help: Help| Err(Box::new(at(code, *origin, message).help(help)));
     if machine.kind != MachineKind::Lathe {
-        let help = "set `kind = \"lathe\"` in `[machine]` if the program is for a lathe";
+        let help = "set `[machine] kind = \"lathe\"` if the program is for a lathe";
+        let help = Answer::key("machine", "kind").one_of(&["\"lathe\""]).help(help);
         return refuse(codes::G3061, "the machine is configured as a milling machine, which makes no undercuts", help);
     }
     if plane != Plane::Zx {
         return refuse(
             codes::G3060,
             "undercuts exist in the plane of Z and X only",
-            "select G18 in front of the contour",
+            "select G18 in front of the contour".into(),
         );
     }
-    let help = "set `diameter_axis = \"X\"` in `[machine]` (MD 20100)";
+    let help = Answer::key("machine", "diameter_axis")
+        .one_of(&["\"X\""])
+        .help("set `[machine] diameter_axis = \"X\"` (MD 20100)");
     match machine.diameter_axis {
         Some(Axis::X) => Ok(()),
         Some(axis) => {

@@ -1,6 +1,6 @@
 //! Lines of functions: tool, spindle, coolant, dwell, comments.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Origin, Side};
 use crate::machine::settings::ToolChange;
@@ -110,6 +110,7 @@ impl Printer<'_> {
             };
             if of_call {
                 let help = "leave `[output] tool_change` away: the target calls the tool itself";
+                let help = Answer::key("output", "tool_change").one_of(&["\"change\""]).help(help);
                 return self.lacks(
                     codes::O9327,
                     origin,
@@ -149,6 +150,7 @@ impl Printer<'_> {
             }
             None => {
                 let help = "set `[output] tool_change = \"stop\"` to change by hand, or write one program a tool";
+                let help = Answer::key("output", "tool_change").one_of(&["\"stop\""]).help(help);
                 return self.lacks(codes::O9305, origin, "a tool change", help);
             }
         }
@@ -168,6 +170,7 @@ impl Printer<'_> {
         match self.target.tool.length {
             Length::None => {
                 let help = "leave `[output] tool_length` at \"off\", and set the length up on the target";
+                let help = Answer::key("output", "tool_length").one_of(&["\"off\""]).help(help);
                 self.lacks(codes::O9307, origin, "the length of a tool in its table", help);
             }
             Length::WithTool => {}
@@ -444,6 +447,7 @@ impl Printer<'_> {
             let message = format!("the speed {speed} prints as zero, and the spindle would stand");
             let help =
                 "program a higher speed, or give `[output] decimals.speed` where the target reads parts of a turn";
+            let help = Answer::key("output", "decimals").help(help);
             self.diags.push(Diagnostic::new(codes::O1004, origin.loc, message).help(help).called(origin.call));
             return None;
         }
@@ -477,6 +481,7 @@ impl Printer<'_> {
     fn lacks_cutting_speed(&mut self, origin: &Origin) {
         if self.measures.inches {
             let help = "set `[output] units = \"mm\"`, or program a constant speed with G97";
+            let help = Answer::key("output", "units").one_of(&["\"mm\""]).help(help);
             return self.lacks(codes::O9319, origin, "a cutting speed in feet", help);
         }
         let help = "state the largest speed with each constant cutting speed (LIMS, G92 S)";

@@ -1,6 +1,6 @@
 //! What stands around the program: its name, who made it of what, the modes that hold, comments of the configuration.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::machine::settings::{Quantity, Units};
 use crate::target::{Form, ProgramName};
 use crate::text::Loc;
@@ -79,8 +79,10 @@ impl Printer<'_> {
         if number > most {
             let start = Loc { line: 1, ..Loc::default() };
             let message = format!("program number {number}: the target {} counts programs to {most}", self.target.name);
-            self.diags
-                .push(Diagnostic::new(codes::O9324, start, message).help("give a smaller `[output] program_number`"));
+            self.diags.push(
+                Diagnostic::new(codes::O9324, start, message)
+                    .help(Answer::key("output", "program_number").help("give a smaller `[output] program_number`")),
+            );
         }
         Some(format!("{}{number:0digits$}", letter as char))
     }

@@ -1,12 +1,13 @@
 //! What the target has no word for: each refused with its place, and with what to do.
 
-use crate::diag::{Answer, Code, Diagnostic, codes};
+use crate::diag::{Answer, Code, Diagnostic, Help, codes};
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Origin, Side};
 use crate::machine::settings::Quantity;
 use crate::machine::{Axis, AxisSet};
 use crate::text::Loc;
 
+use super::super::compensation::resolve;
 use super::super::modal::FeedKind;
 use super::super::number::Places;
 use super::Printer;
@@ -18,10 +19,14 @@ const NOTICED: f64 = 0.01 + 1e-9;
 const NOTICED_A_TURN: f64 = 0.001 + 1e-9;
 const ANOTHER: f64 = 0.1 + 1e-9;
 
+fn in_millimetres(help: &str) -> Help {
+    Answer::key("output", "units").one_of(&["\"mm\""]).help(help)
+}
+
 impl Printer<'_> {
     /// Refuses what the target has no word for.
     #[cold]
-    pub(super) fn lacks(&mut self, code: &'static Code, origin: &Origin, what: &str, help: &str) {
+    pub(super) fn lacks(&mut self, code: &'static Code, origin: &Origin, what: &str, help: impl Into<Help>) {
         self.page.text.drop_line();
         let message = format!("the target {} has no word for {what}", self.target.name);
         self.diags.push(Diagnostic::new(code, origin.loc, message).help(help).called(origin.call));
@@ -32,6 +37,7 @@ impl Printer<'_> {
     pub(super) fn lacks_diameters(&mut self) {
         let start = Loc { line: 1, ..Loc::default() };
         let help = "leave `[output] diameter` away: X is printed as a radius";
+        let help = Answer::key("output", "diameter").one_of(&["false"]).help(help);
         self.lacks(codes::O9315, &Origin { loc: start, ..Origin::default() }, "X as a diameter", help);
     }
 
@@ -39,10 +45,20 @@ impl Printer<'_> {
     #[cold]
     pub(super) fn lacks_machine(&mut self, lathe: bool) {
         let start = Loc { line: 1, ..Loc::default() };
+        let diameters = Answer::key("output", "diameter").one_of(&["true"]);
+        let kind = Answer::key("machine", "kind");
         let (what, help) = match (lathe, self.target.frame.lathe_diameter) {
-            (true, Some(_)) => ("X as a radius", "leave `[output] diameter` away: X is printed as a diameter"),
-            (true, None) => ("a lathe", "take the target for lathes, or set `[machine] kind = \"mill\"`"),
-            (false, _) => ("a mill", "take the target for mills, or set `[machine] kind = \"lathe\"`"),
+            (true, Some(_)) => {
+                ("X as a radius", diameters.help("leave `[output] diameter` away: X is printed as a diameter"))
+            }
+            (true, None) => {
+                let help = "take the target for lathes, or set `[machine] kind = \"mill\"`";
+                ("a lathe", kind.one_of(&["\"mill\""]).help(help))
+            }
+            (false, _) => {
+                let help = "take the target for mills, or set `[machine] kind = \"lathe\"`";
+                ("a mill", kind.one_of(&["\"lathe\""]).help(help))
+            }
         };
         self.lacks(codes::O9317, &Origin { loc: start, ..Origin::default() }, what, help);
     }
@@ -54,7 +70,7 @@ impl Printer<'_> {
             let help = "move along Z in a straight block behind the tool change";
             self.lacks(codes::O9318, origin, "the length of a tool that begins in such a block", help);
         } else {
-            let help = "set `[output] units = \"mm\"`";
+            let help = in_millimetres("set `[output] units = \"mm\"`");
             self.lacks(codes::O9319, origin, "a rotary axis at a feed in inches", help);
         }
         self.pretend(mv);
@@ -77,13 +93,15 @@ impl Printer<'_> {
             let (what, help) = match (oversize, of_length) {
                 (true, _) => (
                     "a tool radius with an oversize of the program",
-                    "put the oversize into the tool table of the target, or set `[output] compensation = \"resolve\"`",
+                    resolve("put the oversize into the tool table of the target, or set `[output] compensation = \"resolve\"`"),
                 ),
                 (false, true) => (
                     "the radius of a tool whose D it does not print",
-                    "call the tool in the program, and leave `[output] tool_length` away: D1 brings the radius, too",
+                    Answer::key("output", "tool_length").one_of(&["\"off\""]).help(
+                        "call the tool in the program, and leave `[output] tool_length` away: D1 brings the radius, too",
+                    ),
                 ),
-                (false, false) => ("the radius of tool 0", "call a tool in front of the contour"),
+                (false, false) => ("the radius of tool 0", "call a tool in front of the contour".into()),
             };
             self.lacks(codes::O9308, origin, what, help);
         }
@@ -137,7 +155,7 @@ impl Printer<'_> {
     #[cold]
     pub(super) fn lacks_inches(&mut self) {
         let start = Loc { line: 1, ..Loc::default() };
-        let help = "set `[output] units = \"mm\"`, or leave the key away";
+        let help = in_millimetres("set `[output] units = \"mm\"`, or leave the key away");
         self.lacks(codes::O9332, &Origin { loc: start, ..Origin::default() }, "inches", help);
     }
 
@@ -172,6 +190,7 @@ impl Printer<'_> {
             let (name, letter) = (self.target.name, letter as char);
             let message = format!("{letter}{number}: the target {name} is taken to have {most} offsets of tools");
             let help = "say how many it has (`[output] tool_offsets`), or give the tool a smaller number (`number` in `[tools]`)";
+            let help = Answer::key("output", "tool_offsets").help(help);
             self.diags.push(Diagnostic::new(codes::O9337, origin.loc, message).help(help).called(origin.call));
         }
         number <= most
@@ -191,7 +210,7 @@ impl Printer<'_> {
     pub(super) fn begins_at_rapid(&self, mv: &Move, origin: &Origin) {
         if mv.side != Side::None && matches!(mv.path, Path::Rapid) && self.diags.first_time(codes::O4005) {
             let message = "radius compensation begins in a rapid move: where the target goes beside the contour is its own choice";
-            let help = "lead to the contour at a feed, or set `[output] compensation = \"resolve\"`";
+            let help = resolve("lead to the contour at a feed, or set `[output] compensation = \"resolve\"`");
             self.diags.push(Diagnostic::new(codes::O4005, origin.loc, message).help(help).called(origin.call));
         }
     }
@@ -222,6 +241,7 @@ impl Printer<'_> {
             let help = format!(
                 "print more places where the target reads them (`[output] {key}`), or program a {what} that can be said"
             );
+            let help = Answer::key("output", "decimals").help(help);
             self.diags.push(Diagnostic::new(code, origin.loc, message).help(help).called(origin.call));
         }
         !another
@@ -232,9 +252,10 @@ impl Printer<'_> {
     pub(super) fn wait_is_lost(&mut self, seconds: f64, origin: &Origin) {
         let message = format!("the wait of {seconds} s prints as zero");
         let help = if self.settings.waits_in_milliseconds() {
-            "the target counts whole milliseconds: program 0.001 s, or leave the wait out"
+            "the target counts whole milliseconds: program 0.001 s, or leave the wait out".into()
         } else {
-            "print more places (`[output] decimals = { time = 3 }`), or leave the wait out"
+            let help = "print more places (`[output] decimals = { time = 3 }`), or leave the wait out";
+            Answer::key("output", "decimals").one_of(&["{ time = 3 }"]).help(help)
         };
         self.diags.push(Diagnostic::new(codes::O1005, origin.loc, message).help(help).called(origin.call));
     }

@@ -1,6 +1,6 @@
 //! What is said about a contour that the tool cannot follow.
 
-use crate::diag::{Code, Diagnostic, Diags, codes};
+use crate::diag::{Answer, Code, Diagnostic, Diags, codes};
 use crate::geo::{Element, Plane, Point2, distance, joint};
 use crate::ir::compensation::{Compensation, FeedAt};
 use crate::ir::motion::{Move, Path};
@@ -236,7 +236,9 @@ pub fn open_turn(last: &Piece, next: &Piece, diags: &Diags) {
         length(turn.to_degrees())
     );
     diags.push(at(codes::G3215, last.origin, message).also(next.origin.loc, "element after").help(
-        "give the limits of the machine: `[control] g451_limit` (MD 20210) and `g450_flat` (MD 20230), in degrees",
+        Answer::key("control", "g451_limit").help(
+            "give the limits of the machine: `[control] g451_limit` (MD 20210) and `g450_flat` (MD 20230), in degrees",
+        ),
     ));
 }
 
@@ -319,6 +321,6 @@ fn feed_of_centre(piece: &Piece, diags: &Diags) {
         length(distance(from, center))
     );
     diags.push(at(codes::G3216, piece.origin, message).help(
-        "for the feed of the control set `[control] curve_feed = \"control\"`, or program CFTCP if F is meant for the centre",
+        Answer::key("control", "curve_feed").help("for the feed of the control set `[control] curve_feed = \"control\"`, or program CFTCP if F is meant for the centre"),
     ));
 }

@@ -8,7 +8,7 @@ mod way;
 
 use core::f64::consts::TAU;
 
-use crate::diag::{Code, Diagnostic, codes};
+use crate::diag::{Answer, Code, Diagnostic, Help, codes};
 use crate::geo::{Plane, Point2, distance, turned};
 use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::transformation::Surface;
@@ -109,20 +109,21 @@ impl Transformer {
         let rotary = self.by.rotary;
         let made = [Axis::X, Axis::Y, rotary];
         let (what, help) = if mv.axes.contains(rotary) {
-            (format!("{} is moved by the transformation and by this block", rotary.letter()), "program X and Y")
+            (format!("{} is moved by the transformation and by this block", rotary.letter()), "program X and Y".into())
         } else if mv.machine && mv.axes.iter().any(|axis| made.contains(&axis)) {
             (
                 "a place of the machine is approached inside the transformation".to_owned(),
-                "end the transformation first",
+                Help::from("end the transformation first"),
             )
         } else if mv.side != Side::None {
             let help = "leave `[output] compensation` at \"resolve\"";
+            let help = Answer::key("output", "compensation").one_of(&["\"resolve\""]).help(help);
             ("the target cannot compensate the tool inside the transformation".to_owned(), help)
         } else if matches!(mv.path, Path::Thread { .. }) {
-            ("a thread in step with the spindle".to_owned(), "cut the thread outside of the transformation")
+            ("a thread in step with the spindle".to_owned(), "cut the thread outside of the transformation".into())
         } else if let Some(Feed::PerRevolution(_)) = mv.path.feed() {
             let what = "the feed counts turns of the first spindle, which the transformation turns as an axis";
-            (what.to_owned(), "program a feed per minute (G94), or make the driven spindle the master")
+            (what.to_owned(), "program a feed per minute (G94), or make the driven spindle the master".into())
         } else {
             return Ok(());
         };
@@ -325,7 +326,7 @@ fn pole_is_far(closest: f64, origin: &Origin) -> Result<(), Box<Diagnostic>> {
     Err(refusal(codes::G3337, origin, what, help))
 }
 
-fn refusal(code: &'static Code, origin: &Origin, what: String, help: &str) -> Box<Diagnostic> {
+fn refusal(code: &'static Code, origin: &Origin, what: String, help: impl Into<Help>) -> Box<Diagnostic> {
     Box::new(at(code, *origin, what).help(help))
 }
 

@@ -512,9 +512,11 @@ impl Run<'_> {
             && self.tool.is_some_and(|t| t != 0)
         {
             let message = "the tool moves without its length, and the output adds it (G43) at the tool change";
-            return Err(
-                self.refused(message, "set `[output] tool_length = \"off\"`, or write G43 in front of the move")
-            );
+            return Err(self.refused(
+                message,
+                Answer::key("output", "tool_length")
+                    .help("set `[output] tool_length = \"off\"`, or write G43 in front of the move"),
+            ));
         }
         let mut end = Pos::UNKNOWN;
         for axis in (0..AXES).filter(|axis| mv.axes & (1 << axis) != 0) {

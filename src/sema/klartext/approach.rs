@@ -8,7 +8,7 @@
 mod arrival;
 mod departure;
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::geo::{Point2, SAME_DIRECTION, Vec2, left};
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::{Feed, Pos, Side};
@@ -108,7 +108,9 @@ impl Run<'_> {
                 format!(
                     "{name} is not supported where the target compensates: it would not come straight to the contour"
                 ),
-                "set `[output] compensation = \"resolve\"`, or write LT or CT",
+                Answer::key("output", "compensation")
+                    .one_of(&["\"resolve\""])
+                    .help("set `[output] compensation = \"resolve\"`, or write LT or CT"),
             );
         }
         let (rest, len, angle) = self.named_lengths(block, text, name)?;

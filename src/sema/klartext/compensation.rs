@@ -249,7 +249,7 @@ impl Run<'_> {
                 self.loc(m.span),
                 "M98 opens the corner at the end of this block where it is an inside one: a straight line leads from one side to the other",
             )
-            .help("`[control] m98 = \"refuse\"` refuses such corners"),
+            .help(Answer::key("control", "m98").help("`[control] m98 = \"refuse\"` refuses such corners")),
         );
         self.own_corner(Outside::default(), Some(Inside::Open));
         Ok(())

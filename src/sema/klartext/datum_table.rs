@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::machine::table::{self, Kind, Place};
 use crate::machine::{Axis, Unit};
 use crate::sema::run::{Wanted, open_program};
@@ -144,7 +144,7 @@ impl Run<'_> {
             }
             self.report(
                 Diagnostic::new(codes::K9012, self.here.origin.loc, "no datum table is selected").help(
-                    "select it in the program, `SEL TABLE \"NAME.D\"`, or name the file in partc.toml: `[control] datum_table = \"NAME.D\"`",
+                    Answer::key("control", "datum_table").help("select it in the program, `SEL TABLE \"NAME.D\"`, or name the file in partc.toml: `[control] datum_table = \"NAME.D\"`"),
                 ),
             );
             return Err(Reported);

@@ -186,7 +186,7 @@ impl Run<'_> {
             let loc = Loc { file: self.job.main, line: 1, span: Span::at(0, 1) };
             self.job.diags.push(
                 Diagnostic::new(codes::K1008, loc, "no BEGIN PGM block: lengths are taken as millimetres")
-                    .help("set `[control] unit` in partc.toml, or add the block"),
+                    .help(Answer::key("control", "unit").help("set `[control] unit` in partc.toml, or add the block")),
             );
         }
     }

@@ -70,8 +70,10 @@ impl Run<'_> {
                 "the mirror acts first, then the rotation"
             };
             self.report(
-                Diagnostic::new(codes::K2807, here, what)
-                    .help("compare one point with the control; `[control] mirror` selects the other order"),
+                Diagnostic::new(codes::K2807, here, what).help(
+                    Answer::key("control", "mirror")
+                        .help("compare one point with the control; `[control] mirror` selects the other order"),
+                ),
             );
         }
         if next.scaling_order_counts() && (turned || now.axis_scale != next.axis_scale) {
@@ -167,7 +169,10 @@ impl Run<'_> {
                     self.here.origin.loc,
                     "the datum shift is measured along the original axes, although they are turned, mirrored or scaled",
                 )
-                .help("reset the other transformations first, or set `[control] shift_axes`"),
+                .help(
+                    Answer::key("control", "shift_axes")
+                        .help("reset the other transformations first, or set `[control] shift_axes`"),
+                ),
             );
         }
         self.set_transformation(next)
@@ -246,8 +251,10 @@ impl Run<'_> {
         let in_plane = self.job.settings.control.scaling_in_plane;
         if factor != 1.0 && !in_plane {
             self.job.diags.push_once(
-                Diagnostic::new(codes::K2507, self.here.origin.loc, "the scaling acts on the tool axis, too")
-                    .help("if MP 7410 limits it to the plane, set `[control] scaling = \"plane\"`"),
+                Diagnostic::new(codes::K2507, self.here.origin.loc, "the scaling acts on the tool axis, too").help(
+                    Answer::key("control", "scaling")
+                        .help("if MP 7410 limits it to the plane, set `[control] scaling = \"plane\"`"),
+                ),
             );
         }
         let mut next = self.st.frames.transform.clone();
@@ -311,9 +318,9 @@ impl Run<'_> {
                     self.here.origin.loc,
                     format!("this cycle 26 names no centre for {letter}, and {letter} is scaled about {what}"),
                 )
-                .help(format!(
+                .help(Answer::key("control", "scaling_center").help(format!(
                     "write CC{letter} into the definition; `[control] scaling_center` selects the other reading"
-                )),
+                ))),
             );
         }
     }

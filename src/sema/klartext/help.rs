@@ -1,11 +1,11 @@
 //! What mends most findings of a code, where a finding says nothing better.
 
-use crate::diag::Code;
+use crate::diag::{Answer, Code, Help};
 
 /// The line of help for `code`.
 #[cold]
-pub(super) fn usual_help(code: &Code) -> Option<&'static str> {
-    Some(match code.id {
+pub(super) fn usual_help(code: &Code) -> Option<Help> {
+    let text = match code.id {
         "K1005" => "remove the word, or put it into a block where it belongs",
         "K1007" => "write the unit behind the name: `BEGIN PGM PART MM`",
         "K1009" => "correct the wrong one of the two",
@@ -40,5 +40,9 @@ pub(super) fn usual_help(code: &Code) -> Option<&'static str> {
         "O9002" => "the sense of rotation comes from M3 or M4, the speed is positive",
         "P4003" => "nest the calls less deeply",
         _ => return None,
+    };
+    Some(match code.id {
+        "K9005" => Answer::key("control", "probing").help(text),
+        _ => text.into(),
     })
 }

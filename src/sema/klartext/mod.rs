@@ -68,7 +68,7 @@ mod unexecuted;
 mod vars;
 mod words;
 
-use crate::diag::{CallPath, Code, Diagnostic, codes};
+use crate::diag::{CallPath, Code, Diagnostic, Help, codes};
 use crate::ir::Function;
 use crate::ir::contour::{Move, Sink};
 use crate::machine::{AxisSet, Proposed, Unit};
@@ -185,7 +185,7 @@ impl Language for Klartext {
         block.ops.len()
     }
 
-    fn usual_help(code: &'static Code) -> Option<&'static str> {
+    fn usual_help(code: &'static Code) -> Option<Help> {
         help::usual_help(code)
     }
 

@@ -4,7 +4,7 @@
 //! unless it stands higher; Q301 decides how high it goes from place to place; after the last one it stands at the 2nd
 //! set-up clearance.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::contour::Path;
 use crate::ir::{Feed, Pos};
@@ -233,7 +233,10 @@ impl Run<'_> {
                 self.here.origin.loc,
                 format!("{call} has no F: the tool goes from place to place {way}"),
             )
-            .help("write F or FMAX into the call; `[control] pattern_feed` selects the other reading"),
+            .help(
+                Answer::key("control", "pattern_feed")
+                    .help("write F or FMAX into the call; `[control] pattern_feed` selects the other reading"),
+            ),
         );
         Ok(feed)
     }

@@ -6,7 +6,7 @@
 use libm::atan2;
 use nalgebra::Vector3;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::Deg;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Axis, AxisSet};
@@ -330,7 +330,11 @@ impl Run<'_> {
                     self.here.origin.loc,
                     format!("C{turn:+} of cycle 19 is read as a space angle: the coordinates turn about Z"),
                 )
-                .help("if it is the angle of the rotary axis on this machine, set `[control] cycle_19 = \"axes\"`"),
+                .help(
+                    Answer::key("control", "cycle_19").help(
+                        "if it is the angle of the rotary axis on this machine, set `[control] cycle_19 = \"axes\"`",
+                    ),
+                ),
             );
         }
         // Whether the rotary axes are positioned at once is up to the machine; the tool does not follow them.

@@ -6,7 +6,7 @@
 //!
 //! Source: K 7.1 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::geo::Deg;
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
@@ -171,7 +171,9 @@ impl Run<'_> {
                 )
             }
             Some(false) => {
-                let help = "`[control] probing_datum = \"refuse\"` compiles no such program";
+                let help = Answer::key("control", "probing_datum")
+                    .one_of(&["\"set\""])
+                    .help("`[control] probing_datum = \"refuse\"` compiles no such program");
                 self.refuse_setting(span, message, help)
             }
             None | Some(true) => {
@@ -191,7 +193,7 @@ impl Run<'_> {
         }
     }
 
-    fn refuse_setting(&mut self, span: Span, message: String, help: &'static str) -> Outcome {
+    fn refuse_setting(&mut self, span: Span, message: String, help: impl Into<Help>) -> Outcome {
         self.lose_all();
         self.fail_help(codes::K9005, span, message, help)
     }

@@ -464,7 +464,7 @@ impl Run<'_> {
             codes::K2890,
             span,
             format!("tool {called} has radius {own} in its TOOL DEF and {table} in the tool table"),
-            format!("write the radius of the tool in use into both, or remove `radius` from `[tools.{called}]` or R from TOOL DEF"),
+            Answer::tool(called, "radius").help(format!("write the radius of the tool in use into both, or remove `radius` from `[tools.{called}]` or R from TOOL DEF")),
         )
     }
 

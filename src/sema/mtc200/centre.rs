@@ -184,10 +184,9 @@ impl Run<'_> {
             Reading::Coordinates => ("under G91 the centres of this program are coordinates", "absolute"),
             Reading::Distances => ("under G90 the centres of this program are distances from the start", "relative"),
         };
-        self.report(
-            Diagnostic::new(codes::M2007, loc, text)
-                .help(format!("set `[control] centres = \"{value}\"` if that is meant")),
-        );
+        self.report(Diagnostic::new(codes::M2007, loc, text).help(
+            Answer::key("control", "centres").help(format!("set `[control] centres = \"{value}\"` if that is meant")),
+        ));
     }
 
     fn off_circle(&mut self, misses: &[(Reading, f64)], span: Span) -> Outcome<Point2> {
@@ -203,7 +202,8 @@ impl Run<'_> {
             codes::M2010,
             span,
             message,
-            "check start, end and centre, or raise `[control] circle_tolerance`",
+            Answer::key("control", "circle_tolerance")
+                .help("check start, end and centre, or raise `[control] circle_tolerance`"),
         )
     }
 

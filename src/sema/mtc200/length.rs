@@ -3,7 +3,7 @@
 //! The programmed path is that of the tool tip while G48 is in force, and that of the spindle nose under G47. The
 //! output is a path of the tip, so neither has a word in it. Source: M 8.0 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::Pos;
 use crate::machine::Axis;
 use crate::text::{Loc, Span};
@@ -75,7 +75,8 @@ impl Run<'_> {
             self.report(Diagnostic::new(codes::M9050, loc, message).help("program G48 in front of the move"));
             return Err(Reported);
         }
-        let help = "program G48 in front of the move; to refuse such moves set `[control] spindle_nose = \"refuse\"`";
+        let help = Answer::key("control", "spindle_nose")
+            .help("program G48 in front of the move; to refuse such moves set `[control] spindle_nose = \"refuse\"`");
         self.report(Diagnostic::new(codes::M8003, loc, message).help(help));
         Ok(())
     }

@@ -278,14 +278,20 @@ impl Run<'_> {
 
     fn radius_is_that_of_the_table(&mut self, span: Span) -> Outcome {
         let print = "set `[output] compensation = \"control\"` to print G41 and G42";
+        let printed = Answer::key("output", "compensation").one_of(&["\"control\""]);
         if self.st.tool.corrected {
             let message = "what the correction D in force adds to the radius of the tool only the machine knows";
-            return self.fail_help(codes::M9004, span, message, format!("leave D out, or {print}"));
+            return self.fail_help(codes::M9004, span, message, printed.help(format!("leave D out, or {print}")));
         }
         if self.st.tool.other_edge {
             let message =
                 "the radius of the edge E in force only the machine knows: `[tools]` describes the first edge";
-            return self.fail_help(codes::M9004, span, message, format!("compensate the first edge, or {print}"));
+            return self.fail_help(
+                codes::M9004,
+                span,
+                message,
+                printed.help(format!("compensate the first edge, or {print}")),
+            );
         }
         Ok(())
     }

@@ -153,10 +153,10 @@ impl Run<'_> {
             codes::M2018,
             span,
             format!("{letter} is incremental, and its zero offset changed since {letter} was programmed last"),
-            format!(
+            Answer::key("control", "g91_after_offset").help(format!(
                 "program {letter} once under G90 behind the offset, then go on with G91; or set `[control] \
                  g91_after_offset` to \"with-offset\" or \"increment\""
-            ),
+            )),
         )
     }
 

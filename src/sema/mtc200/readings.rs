@@ -2,7 +2,7 @@
 //!
 //! Source: M 13 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::machine::options::mtc200::Reading;
 use crate::text::Span;
 
@@ -23,7 +23,8 @@ impl Run<'_> {
         self.confirmed.push(reading);
         let code = if reading == Reading::MFunctions { codes::M8005 } else { codes::M8004 };
         let help = format!("if the control does so, add `[control] confirmed = [\"{}\"]`", reading.name());
-        self.report(Diagnostic::new(code, self.loc(span), what).help(help));
+        let answer = Answer::item("control", "confirmed", format!("\"{}\"", reading.name()));
+        self.report(Diagnostic::new(code, self.loc(span), what).help(answer.help(help)));
     }
 
     /// G90 and G94 are in force at the start; where a program relies on that it shows at its first position or feed.

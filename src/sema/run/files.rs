@@ -99,7 +99,7 @@ pub fn not_opened(error: FileError, name: &str, from: Loc) -> Diagnostic {
         }
         FileError::Forbidden { why } => {
             Diagnostic::new(codes::P0102, from, format!("program `{name}` may not be opened: {why}"))
-                .help("name its folder under `[include] roots`")
+                .help(Answer::folder_of(&[name]).help("name its folder under `[include] roots`"))
         }
         FileError::Ambiguous { names } => {
             let folder = |name: &String| name.rsplit_once(['/', '\\']).map(|(folder, _)| folder.to_owned());

@@ -16,7 +16,7 @@ mod source;
 pub mod survey;
 pub mod unexecuted;
 
-use crate::diag::Code;
+use crate::diag::{Code, Help};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Span, SplitRules};
@@ -91,7 +91,7 @@ pub trait Language: Default {
     }
 
     /// What to do about a finding that brings no help of its own.
-    fn usual_help(_code: &'static Code) -> Option<&'static str> {
+    fn usual_help(_code: &'static Code) -> Option<Help> {
         None
     }
 

@@ -104,7 +104,7 @@ impl<L: Language> Core<'_, L> {
             "give it a number of its own in partc.toml: `number` in `[tools.{mapped}]`; if both are one tool, describe it in \
              one place: `[tools.{number}]` with its `name`"
         );
-        Diagnostic::new(codes::P0203, self.loc(place.into()), message).help(help)
+        Diagnostic::new(codes::P0203, self.loc(place.into()), message).help(Answer::tool(mapped, "number").help(help))
     }
 
     /// A work offset is to be printed by its number. Refused where the target has none of that number, or where
@@ -141,6 +141,7 @@ impl<L: Language> Core<'_, L> {
             "name another work offset of the target in `[datums] {key}`, and set it up there; to the same values if both \
              are one place"
         );
+        let help = Answer::key("datums", &key).help(help);
         let found = Diagnostic::new(codes::P0202, self.loc(place), message).help(help);
         self.report(found.also(other_at, format!("{theirs} is printed as {word}")));
         Err(Reported)

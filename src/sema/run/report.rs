@@ -77,7 +77,11 @@ impl<L: Language> Core<'_, L> {
             }
         }
         found.message = rounded(found.message);
-        found.help = found.help.or_else(|| L::usual_help(found.code).map(str::to_owned));
+        if found.help.is_none()
+            && let Some(help) = L::usual_help(found.code)
+        {
+            found = found.help(help);
+        }
         if once && self.job.diags.is_known(&found) {
             return;
         }

@@ -7,7 +7,7 @@
 
 use rustc_hash::FxHashSet;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisUse, LONGEST_AXIS_NAME, Settings};
 use crate::text::Span;
@@ -140,8 +140,9 @@ impl Channel<'_> {
             return Ok(Some(axis));
         }
         let message = format!("{} and {} would both be printed as {}", first.text(), named.text(), axis.letter());
-        let help =
-            "give one of them another letter under `[machine] axes`, or \"leave-out\" if the target has no such axis";
+        let help = Answer::entry("machine", "axes", named.text()).help(
+            "give one of them another letter under `[machine] axes`, or \"leave-out\" if the target has no such axis",
+        );
         self.fail_help(codes::S2130, span, message, help)
     }
 }

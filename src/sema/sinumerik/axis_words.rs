@@ -31,7 +31,8 @@ impl Channel<'_> {
             return Ok(());
         }
         let message = format!("{} takes the modal call to another place, and is left out", named.text());
-        let help = "print the axis (`[machine] axes`), or end the modal call in front of this block";
+        let help = Answer::entry("machine", "axes", named.text())
+            .help("print the axis (`[machine] axes`), or end the modal call in front of this block");
         self.fail_help(codes::S9130, *span, message, help)
     }
 

@@ -2,7 +2,7 @@
 //!
 //! Source: S 2.3 to 2.5 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::angle::rotated;
 use crate::geo::arc::{center_by_radius, through};
 use crate::geo::{Deg, Plane, Point2};
@@ -379,7 +379,8 @@ impl Core<'_> {
                 codes::S3007.alarm(14040),
                 span,
                 message,
-                "check start, end and centre; `[control] md21000` and `md21010` set the tolerance",
+                Answer::key("control", "md21000")
+                    .help("check start, end and centre; `[control] md21000` and `md21010` set the tolerance"),
             );
         }
         match fitting_center(start, to, center, ccw, (r1, off)) {

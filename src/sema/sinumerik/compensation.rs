@@ -102,7 +102,9 @@ impl Channel<'_> {
             if value == 0.0 {
                 return Ok(());
             }
-            let help = "put it into the tool data, or have the path computed: `[output] compensation = \"resolve\"`";
+            let help = Answer::key("output", "compensation")
+                .one_of(&["\"resolve\""])
+                .help("put it into the tool data, or have the path computed: `[output] compensation = \"resolve\"`");
             let message = "an offset of the tool that the program adds cannot be printed";
             return self.fail_help(codes::S9010, offn.span, message, help);
         }

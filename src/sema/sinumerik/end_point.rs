@@ -106,7 +106,9 @@ impl Channel<'_> {
         } else {
             "only the increment is travelled (SD 42440 = 0)"
         };
-        self.report(found.here(how).help("set `[control] sd42440`, or program the position absolutely"));
+        self.report(found.here(how).help(
+            Answer::key("control", "sd42440").help("set `[control] sd42440`, or program the position absolutely"),
+        ));
         Ok(chosen)
     }
 

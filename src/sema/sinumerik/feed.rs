@@ -95,7 +95,11 @@ impl Channel<'_> {
         }
         let message = "no block says what F counts: it is taken in mm per minute (G94)";
         let found = Diagnostic::new(codes::S8045, self.loc(Where::Block), message);
-        self.report(found.help("program G94 or G95, or set `[control] md20150 = \"g95\"`"));
+        self.report(
+            found.help(
+                Answer::key("control", "md20150").help("program G94 or G95, or set `[control] md20150 = \"g95\"`"),
+            ),
+        );
     }
 
     /// Says once that nothing turns the spindle that a feed per revolution waits for.

@@ -2,7 +2,7 @@
 //!
 //! Source: S 1.5 and 5.6 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::ir::Side;
 use crate::sema::run::Where;
 use crate::text::Span;
@@ -133,7 +133,8 @@ impl Channel<'_> {
         let small = self.job.settings.control.sinumerik.model == "802d";
         if w.axes.is_empty() && !small {
             let message = format!("{} has no axes", code.word());
-            let help = "on an 802D it selects a work offset: set `[control] sinumerik = \"802d\"`";
+            let help = Answer::key("control", "sinumerik")
+                .help("on an 802D it selects a work offset: set `[control] sinumerik = \"802d\"`");
             return self.fail_help(codes::S2013.alarm(12120), span, message, help);
         }
         if small && !w.axes.is_empty() {

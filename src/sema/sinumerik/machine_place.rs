@@ -3,7 +3,7 @@
 //! With MD 10760 = 0 the control places the tip of the tool, the target the nose of the spindle: what is printed is a
 //! tool length off unless it is added. Source: S 4.8 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::machine::{Axis, AxisSet};
 use crate::sema::run::Where;
 use crate::text::Span;
@@ -116,8 +116,9 @@ impl Channel<'_> {
             Some(number) if !self.st.machine.lathe => {
                 Answer::tool(number, "length").help(format!("give it: `[tools.{number}] length = 120.0`; or {ways}"))
             }
-            _ => ways.into(),
+            _ => Help::from(ways),
         };
+        let help = help.and(Answer::key("control", "md10760").one_of(&["true"]));
         self.fail_help(codes::S9102, place, message, &help)
     }
 
@@ -146,6 +147,8 @@ impl Core<'_> {
                            with its spindle: a tool length lower";
             let help = "write D0 in the block; or set `[output] tool_length = \"G43\"` with the lengths of the tools, or \
                         `[control] md10760 = true`";
+            let help = Answer::key("output", "tool_length").one_of(&["\"G43\""]).help(help);
+            let help = help.and(Answer::key("control", "md10760").one_of(&["true"]));
             self.report(Diagnostic::new(codes::S8106, self.loc(place), message).help(help));
         }
     }

@@ -337,7 +337,7 @@ impl Run<'_> {
                     codes::S9008,
                     word.span,
                     "an axis that moves beside the path cannot be printed",
-                    "move the axis in a path block, or by POS[…]; leave out an axis that the target does not have: `[machine] axes`",
+                    Answer::key("machine", "axes").help("move the axis in a path block, or by POS[…]; leave out an axis that the target does not have: `[machine] axes`"),
                 )
             }
             Indexed::CutAxis => {

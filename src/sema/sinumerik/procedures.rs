@@ -379,7 +379,8 @@ impl Run<'_> {
                     codes::S9001,
                     span,
                     "GEOAX gives the geometry axes other names",
-                    "name the axes of the machine by `[machine] geometry_axes`",
+                    Answer::key("machine", "geometry_axes")
+                        .help("name the axes of the machine by `[machine] geometry_axes`"),
                 );
             }
         }

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::Plane;
 use crate::ir::contour::{Ctx, CtxRef};
 use crate::ir::{Feed, Frame, Side};
@@ -283,7 +283,12 @@ impl Channel<'_> {
             let message =
                 "the program with SAVE changed the frame of the work offset; it stays changed (MD 10617, bit 0 = 0)";
             let found = Diagnostic::new(codes::S9018, self.here.origin.loc, message);
-            self.report(found.help("set `[control] md10617`, or select the offset again in the calling program"));
+            self.report(
+                found.help(
+                    Answer::key("control", "md10617")
+                        .help("set `[control] md10617`, or select the offset again in the calling program"),
+                ),
+            );
         }
     }
 

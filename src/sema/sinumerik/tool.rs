@@ -2,7 +2,7 @@
 //!
 //! Source: S 2.12 and 2.15 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::function::CutterData;
 use crate::ir::{Function, Side};
 use crate::machine::tools::ToolKey;
@@ -378,9 +378,10 @@ impl Channel<'_> {
     /// Tells the target which tool is compensated.
     pub(super) fn select_cutter(&mut self, span: Span) -> Outcome {
         let help = if self.st.tool.next.is_some() {
-            "the tool is chosen, not changed: M6 is missing, or set `[control] tool_change = \"t\"`"
+            Answer::key("control", "tool_change")
+                .help("the tool is chosen, not changed: M6 is missing, or set `[control] tool_change = \"t\"`")
         } else {
-            "select a tool before"
+            "select a tool before".into()
         };
         let Some(number) = self.st.tool.active.filter(|n| *n != 0) else {
             return self.fail_help(codes::S2080.alarm(10750), span, "radius compensation without a tool", help);

@@ -198,7 +198,8 @@ impl Channel<'_> {
     fn has_axes_for(&mut self, on: OnSurface, span: Span) -> Outcome {
         let machine = &self.job.settings.machine;
         if on == OnSurface::Mantle && machine.kind != MachineKind::Lathe {
-            let help = "set `[machine] kind = \"lathe\"` if the tool points along X to a workpiece that turns about Z";
+            let help = Answer::key("machine", "kind")
+                .help("set `[machine] kind = \"lathe\"` if the tool points along X to a workpiece that turns about Z");
             return self.fail_help(
                 codes::S2280,
                 span,

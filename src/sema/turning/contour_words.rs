@@ -2,7 +2,7 @@
 //!
 //! A recess has a floor and two walls, a roughed contour two elements. Source: T 8.11 and 12 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::geo::{Deg, Point2, SAME_DIRECTION, Vec2, direction, intersect};
 
 use super::chain::{AGREES, Coord, Data};
@@ -48,7 +48,7 @@ impl Run<'_> {
                 codes::T9007,
                 num.span,
                 format!("no manual at hand lists the words of G80 ({addr})"),
-                "write the contour with G0, G1, G2 and G3 blocks before G80, or set `[control] contour_words = \"documented\"`",
+                Answer::key("control", "contour_words").help("write the contour with G0, G1, G2 and G3 blocks before G80, or set `[control] contour_words = \"documented\"`"),
             );
         }
         self.depends_on(Question::ContourWords, num.span);

@@ -2,7 +2,7 @@
 //!
 //! Sources: MANUALplus 4110 pilot (4110P) and manual (4110), CNC PILOT 4290 DIN PLUS (4290-71), MANUALplus 620.
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::sema::cycle_table::{
     Kind, Name, Parameter, Rule, Signature, Status, angle, count, dwell, feed, length, number, words,
 };
@@ -422,7 +422,9 @@ impl Run<'_> {
             codes::T2017,
             self.block_span(),
             "the MANUALplus 4110 has no G869, and a program without sections is one of that control",
-            "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml if it is for a later control",
+            Answer::key("control", "heidenhain_turning").help(
+                "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml if it is for a later control",
+            ),
         )
     }
 }

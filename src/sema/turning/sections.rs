@@ -1,6 +1,6 @@
 //! Sections of a program, header lines, units; which control a program was written for.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::Function;
 use crate::machine::{Settings, Unit};
 use crate::parser::turning::ast::{Block, Section, Stmt, Value};
@@ -104,7 +104,9 @@ impl Run<'_> {
                     codes::T2017,
                     self.block_span(),
                     "programs of the MANUALplus 4110 have no sections",
-                    "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml for DIN PLUS programs",
+                    Answer::key("control", "heidenhain_turning").help(
+                        "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml for DIN PLUS programs",
+                    ),
                 )
             }
             (None, Some(Family::Basic)) => self.fail_help(
@@ -312,7 +314,8 @@ impl Run<'_> {
                 self.here.origin.loc,
                 "the data of this tool is not used: tool data comes from partc.toml",
             );
-            self.report(found.help(format!("add `[tools.{}]` with `radius`, `width` and `orientation`", num.value)));
+            let help = format!("add `[tools.{}]` with `radius`, `width` and `orientation`", num.value);
+            self.report(found.help(Answer::tool(num.value, "radius").help(help)));
         }
         let name = w.text("ID").map(|span| readable(span.of(text)).into_owned());
         let digits = num.span.of(text);
@@ -353,8 +356,9 @@ impl Run<'_> {
         {
             let loc = Loc { file: self.job.main, line: 1, span: Span::at(0, 1) };
             self.job.diags.push(
-                Diagnostic::new(codes::T1013, loc, "no #UNIT line: lengths are taken as millimetres")
-                    .help("set `[control] unit` in partc.toml, or add `#UNIT METRIC`"),
+                Diagnostic::new(codes::T1013, loc, "no #UNIT line: lengths are taken as millimetres").help(
+                    Answer::key("control", "unit").help("set `[control] unit` in partc.toml, or add `#UNIT METRIC`"),
+                ),
             );
         }
         self.function(Function::End { rewind });

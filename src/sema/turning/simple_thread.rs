@@ -3,7 +3,7 @@
 //! No manual at hand shows its list of words; they are read as docs/turning.md says, from the reference, section
 //! 10.4; `[control] simple_thread = "refuse"` refuses them.
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::cycle::thread::{Flank, Infeed, ThreadPart};
 use crate::ir::cycle::turning::Towards;
@@ -25,7 +25,8 @@ impl Run<'_> {
                 codes::T9007,
                 span,
                 "the words of G32 are not confirmed by a manual",
-                "program G31, or set `[control] simple_thread = \"documented\"` in partc.toml",
+                Answer::key("control", "simple_thread")
+                    .help("program G31, or set `[control] simple_thread = \"documented\"` in partc.toml"),
             );
         }
         self.depends_on(Question::SimpleThread, span);

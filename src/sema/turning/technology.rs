@@ -274,7 +274,7 @@ impl Run<'_> {
                     codes::T9005,
                     fun.span,
                     format!("G{} compensates the nose radius: {what}", fun.number),
-                    "add `radius` and `orientation` of the tool to partc.toml, or set `[output] compensation = \"control\"` to print G41 and G42",
+                    Answer::key("output", "compensation").one_of(&["\"control\""]).help("add `radius` and `orientation` of the tool to partc.toml, or set `[output] compensation = \"control\"` to print G41 and G42"),
                 );
             }
         };

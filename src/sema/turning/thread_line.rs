@@ -2,7 +2,7 @@
 //!
 //! Source: T 10.1 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::geo::{Element, Point2};
 use crate::ir::cycle::thread::{MOST_PARTS, ThreadPart};
 use crate::ir::cycle::turning::Towards;
@@ -139,7 +139,7 @@ impl Run<'_> {
                 codes::T2024,
                 self.block_span(),
                 "the thread runs across a face, and nothing tells whether it is the front or the rear one",
-                "add `orientation` of the tool to partc.toml (2, 3, 7 front, 1, 4, 5 rear), or set `[control] thread_face`",
+                Answer::key("control", "thread_face").help("add `orientation` of the tool to partc.toml (2, 3, 7 front, 1, 4, 5 rear), or set `[control] thread_face`"),
             ),
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! Source: T 10 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::cycle::thread::{Flank, Infeed, ThreadPart};
 use crate::ir::cycle::turning::Towards;
@@ -203,7 +203,9 @@ impl Run<'_> {
                 codes::T9007,
                 word,
                 "V3 divides the depth on the MANUALplus and follows pitch and speed on the CNC PILOT 4290",
-                "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml, or program V0, V1 or V2",
+                Answer::key("control", "heidenhain_turning").help(
+                    "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml, or program V0, V1 or V2",
+                ),
             ),
             _ => self.fail_help(
                 codes::T9007,

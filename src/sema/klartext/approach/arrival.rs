@@ -1,6 +1,6 @@
 //! APPR: known when the first element of the contour is.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{self, Point2, SAME_POINT, Vec2, distance, joint};
 use crate::ir::contour::Move;
 use crate::ir::{Feed, Function, Origin, Pos, Side};
@@ -290,7 +290,11 @@ impl Run<'_> {
                     self.loc(a.span),
                     format!("the tool axis of {} moves evenly over the whole way to the contour", a.name),
                 )
-                .help("write the depth into a block in front, or choose a reading with `[control] approach_depth`"),
+                .help(
+                    Answer::key("control", "approach_depth").help(
+                        "write the depth into a block in front, or choose a reading with `[control] approach_depth`",
+                    ),
+                ),
             );
         }
         Ok((Some(from + (depth - from) * share), None, Some(depth)))

@@ -1,6 +1,6 @@
 //! DEP: from the last element of the contour.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{self, Point2, SAME_POINT, distance, joint};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{ApproachDepth, Axis, Generation};
@@ -156,7 +156,11 @@ impl Run<'_> {
                             self.here.origin.loc,
                             format!("the tool axis of {name} moves at the end of the departure"),
                         )
-                        .help("write it into a block behind, or choose a reading with `[control] approach_depth`"),
+                        .help(
+                            Answer::key("control", "approach_depth").help(
+                                "write it into a block behind, or choose a reading with `[control] approach_depth`",
+                            ),
+                        ),
                     );
                 }
                 generation >= Generation::Tnc7

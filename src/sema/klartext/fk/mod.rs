@@ -9,7 +9,7 @@ mod words;
 
 use std::collections::VecDeque;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::open::window::{Closed, EndAngle, Item, MOST_BACK, Serial, Settled, Window};
 use crate::geo::{Point2, Vec2, distance};
 use crate::ir::Pos;
@@ -378,7 +378,7 @@ impl Run<'_> {
                     self.shown(other)
                 ),
             )
-            .help("choose with `[control] fk_cca = \"end-angle\"` or \"sweep\", or write the end point");
+            .help(Answer::key("control", "fk_cca").help("choose with `[control] fk_cca = \"end-angle\"` or \"sweep\", or write the end point"));
             self.job.diags.push(found.called(waiting.here.origin.call));
         }
     }

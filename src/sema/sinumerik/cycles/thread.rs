@@ -2,7 +2,7 @@
 //!
 //! Source: C 5.8 to 5.10 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{Deg, Point2, parts};
 use crate::ir::cycle::thread::{Flank, Infeed, Thread, ThreadPart};
 use crate::ir::cycle::turning::Towards;
@@ -414,7 +414,12 @@ impl CycleCall<'_, '_> {
         if chosen.is_none() && self.job.diags.first_time(codes::S8021) {
             let message = "a flank infeed is counted from the crest: the manuals leave open which pass stands at the programmed Z";
             let found = Diagnostic::new(codes::S8021, self.loc(args.span_of(key)), message);
-            self.report(found.help("say it by `[control] thread_flank`: \"crest\", or \"root\" for the last pass"));
+            self.report(
+                found.help(
+                    Answer::key("control", "thread_flank")
+                        .help("say it by `[control] thread_flank`: \"crest\", or \"root\" for the last pass"),
+                ),
+            );
         }
         match chosen {
             Some(FlankReference::Root) => Flank::Behind { angle: Deg(angle) },
