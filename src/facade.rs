@@ -9,6 +9,7 @@ use crate::dialect::{self, Dialect};
 use crate::driver::{Failure, Session};
 use crate::emit::stats::Model;
 use crate::machine::Settings;
+use crate::machine::keys::choices;
 use crate::text::{Files, Memory, Opened};
 use crate::validate::Mismatch;
 
@@ -143,7 +144,7 @@ fn outcome(session: Session, out: Vec<u8>) -> Outcome {
 
 fn findings(session: Session) -> Vec<Finding> {
     let Session { sources, diags, trail } = session;
-    diags.into_sorted().iter().map(|found| Finding::new(found, &sources, &trail)).collect()
+    diags.into_sorted().iter().map(|found| Finding::new(found, &sources, &trail, choices)).collect()
 }
 
 #[cfg(test)]

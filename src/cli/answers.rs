@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use crate::diag::{Answer, Code, Severity, Values};
 use crate::driver::Session;
-use crate::machine::keys::{Key, Kind, SECTIONS};
+use crate::machine::keys::{Key, Kind, SECTIONS, choices};
 use crate::text::Loc;
 
 /// Column of the remarks.
@@ -289,13 +289,7 @@ impl Need {
                 choices.extend(list.iter().filter(|value| !choices.contains(value)).cloned().collect::<Vec<_>>());
             }
         }
-        if choices.is_empty()
-            && self.answer.path.len() == 1
-            && let Some(Kind::Choice(list)) = self.key().map(|key| key.kind)
-        {
-            choices = list.iter().filter(|value| **value != "refuse").map(|value| format!("\"{value}\"")).collect();
-        }
-        choices
+        if choices.is_empty() { self::choices(&self.answer) } else { choices }
     }
 
     /// What kind of value the user has to find.

@@ -10,6 +10,7 @@ use crate::diag::render::{brief, concise};
 use crate::diag::report::{Checked, Counts, Document};
 use crate::diag::{Answer, Diagnostic, Severity, Trail, Values, codes};
 use crate::driver::Session;
+use crate::machine::keys::choices;
 use crate::text::decode::harmless_lines;
 use crate::text::{FileId, Sources};
 
@@ -104,7 +105,7 @@ impl Look {
         let concise = if self.concise { written(Format::Concise, false) } else { String::new() };
         let shown = if self.documents { list.as_slice() } else { &[] };
         Presented {
-            checked: Checked::new(&file, shown, counts, &sources, &trail),
+            checked: Checked::new(&file, shown, counts, (&sources, &trail), choices),
             text,
             human,
             concise,

@@ -60,12 +60,15 @@ pub struct Asked {
     pub values: Vec<String>,
 }
 
+/// The values that a key may take, as TOML, where it has a list of them and the finding offers none.
+pub type Choices = fn(&Answer) -> Vec<String>;
+
 impl Asked {
     /// `None` for what only a look into folders can tell.
-    fn new(answer: &Answer) -> Option<Asked> {
+    fn new(answer: &Answer, choices: Choices) -> Option<Asked> {
         let (table, key) = answer.place();
         let values = match &answer.values {
-            Values::Open => Vec::new(),
+            Values::Open => choices(answer),
             Values::Item(item) => vec![format!("[{item}]")],
             Values::OneOf(values) => values.clone(),
             Values::FolderOf(_) => return None,
@@ -88,7 +91,7 @@ fn word<S: serde::Serializer>(severity: &Severity, to: S) -> Result<S::Ok, S::Er
 
 impl Finding {
     /// The finding with its places looked up.
-    pub fn new(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Finding {
+    pub fn new(found: &Diagnostic, sources: &Sources, trail: &Trail, choices: Choices) -> Finding {
         let loc = found.label.loc;
         let line = sources.line(loc);
         let related = found.more.iter().map(|label| {
@@ -114,7 +117,7 @@ impl Finding {
             related: related.collect(),
             stack: stack.collect(),
             alarm: found.alarm,
-            answers: found.answers.iter().filter_map(Asked::new).collect(),
+            answers: found.answers.iter().filter_map(|answer| Asked::new(answer, choices)).collect(),
             text: line.text,
         }
     }

@@ -20,6 +20,7 @@ use crate::emit::LineMap;
 use crate::emit::stats::{Counter, Model, SMOOTH_DEG};
 use crate::ir::motion::{Move, Sink};
 use crate::ir::{Function, Origin, Pos};
+use crate::machine::keys::choices;
 use crate::machine::tools::{Tool, ToolKey};
 use crate::machine::{MachineKind, Settings};
 use crate::seen::Seen;
@@ -118,7 +119,7 @@ pub fn checked(session: &Session, dialect: &Dialect, settings: &Settings, files:
 fn findings(diags: &Diags, sources: &Sources, trail: &Trail) -> Vec<Finding> {
     let mut list = Vec::new();
     diags.each(|found| {
-        list.push(((found.label.loc.file, found.label.loc.span.start), Finding::new(found, sources, trail)))
+        list.push(((found.label.loc.file, found.label.loc.span.start), Finding::new(found, sources, trail, choices)))
     });
     list.sort_by_key(|(at, _)| *at);
     let (main, name) = (sources.name(FileId(0)), name(sources));

@@ -9,6 +9,7 @@ use crate::driver::Session;
 use crate::lint::fix::Fix;
 use crate::lint::lead;
 use crate::machine::Settings;
+use crate::machine::keys::choices;
 use crate::seen::Seen;
 use crate::sema::Job;
 use crate::sema::run::survey::{OfStraight, StraightLine, Surveyed, Visitor, Wanted, What};
@@ -101,7 +102,7 @@ pub fn study(
         let own = found.label.loc.file == FileId(0);
         let outermost = trail.sites(found.call).pop().filter(|site| site.file == FileId(0));
         let span = if own { Some(found.label.loc.span) } else { outermost.map(|site| site.span) };
-        let shown = Finding::new(&found, &sources, &trail);
+        let shown = Finding::new(&found, &sources, &trail, choices);
         let mut message = shown.message;
         if !own {
             message = format!("{}, line {}: {message}", shown.file, shown.line);

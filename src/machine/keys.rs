@@ -1,5 +1,7 @@
 //! Every key of a `partc.toml`: its kind, its default, its meaning.
 
+use crate::diag::Answer;
+
 use super::options::{
     control, cycles, klartext, klartext_cycles, lint, machine, mtc200, output, sinumerik, turning, undercut,
 };
@@ -81,6 +83,19 @@ impl Section {
     /// All of its keys.
     pub fn keys(&self) -> impl Iterator<Item = &'static Key> {
         self.keys.iter().copied().flatten()
+    }
+}
+
+/// The values that a key of `partc.toml` may take, as TOML, where it has a list of them: none of these refuses.
+pub fn choices(answer: &Answer) -> Vec<String> {
+    let [name] = &answer.path[..] else { return Vec::new() };
+    let section = SECTIONS.iter().find(|section| section.name == answer.section);
+    match section.and_then(|section| section.keys().find(|key| key.name == name)).map(|key| key.kind) {
+        Some(Kind::Choice(list)) => {
+            list.iter().filter(|value| **value != "refuse").map(|value| format!("\"{value}\"")).collect()
+        }
+        Some(Kind::Flag) => vec!["true".to_owned(), "false".to_owned()],
+        _ => Vec::new(),
     }
 }
 

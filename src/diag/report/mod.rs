@@ -13,6 +13,7 @@ pub mod xml;
 
 use crate::text::Sources;
 
+use super::finding::Choices;
 use super::{Diagnostic, Diags, Finding, Severity, Trail};
 
 /// What one program came to.
@@ -62,8 +63,14 @@ impl Counts {
 
 impl Checked {
     /// The findings of `list` with their places looked up.
-    pub fn new(file: &str, list: &[Diagnostic], counts: Counts, sources: &Sources, trail: &Trail) -> Checked {
-        let findings = list.iter().map(|found| Finding::new(found, sources, trail)).collect();
+    pub fn new(
+        file: &str,
+        list: &[Diagnostic],
+        counts: Counts,
+        (sources, trail): (&Sources, &Trail),
+        choices: Choices,
+    ) -> Checked {
+        let findings = list.iter().map(|found| Finding::new(found, sources, trail, choices)).collect();
         Checked { file: file.to_owned(), findings, counts, bytes: sources.size(crate::text::FileId(0)) }
     }
 }

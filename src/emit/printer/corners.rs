@@ -6,6 +6,7 @@ use crate::machine::{PathChoice, PathControl};
 use crate::target::{Form, PathBound};
 use crate::text::Loc;
 
+use super::super::compensation::resolve;
 use super::super::number::Places;
 use super::Printer;
 
@@ -94,7 +95,8 @@ impl Printer<'_> {
         let message = format!(
             "how corners are taken changes while radius compensation is on, and the target {name} does not change it there"
         );
-        let help = "let it change in front of the contour or behind it, or set `[output] compensation = \"resolve\"`";
+        let help =
+            resolve("let it change in front of the contour or behind it, or set `[output] compensation = \"resolve\"`");
         self.diags.push(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call));
     }
 

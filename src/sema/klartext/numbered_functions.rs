@@ -59,7 +59,7 @@ impl Run<'_> {
                             "FN {number} gives values to the PLC of the machine, and the output has no word for it"
                         ),
                     )
-                    .help("if the target machine needs them, switch by an M function: `[output] pass_m`"),
+                    .help("if the target machine needs them, switch by an M function that the target knows"),
                 );
                 Ok(())
             }

@@ -302,7 +302,9 @@ impl Run<'_> {
         let known = self.job.settings.tools.by_number(tool, 0);
         let help =
             "add it to `[tools]` in partc.toml, or set `[output] compensation = \"control\"` to print G41 and G42";
-        let lacks = |field| Answer::tool(tool, field).help(help);
+        let lacks = |field| {
+            Answer::tool(tool, field).help(help).and(Answer::key("output", "compensation").one_of(&["\"control\""]))
+        };
         let radius = known.and_then(|tool| tool.radius.map(|radius| radius + tool.deltas[1]));
         let Some(radius) = radius.filter(|radius| *radius >= 0.0) else {
             let message = match radius {

@@ -102,6 +102,7 @@ impl Channel<'_> {
         let message =
             format!("under {plane} the length of the tool acts along {}, and {who} adds it to Z", third.letter());
         let help = format!("{help}, or program the block under G17");
+        let help = Answer::key("output", "tool_length").one_of(&["\"off\""]).help(help);
         self.report(Diagnostic::new(codes::O9190, self.loc(Where::Block), message).help(help));
     }
 

@@ -273,7 +273,9 @@ impl Core<'_> {
             format!("{what} a work offset of the machine, and where it lies from the basic system is not known"),
             Answer::key("datums", "basic").help(
                 "give the basic frame (`[datums] basic = { X = 0.0, Y = 0.0, Z = 0.0 }`), the values of the offset (`[datums] G54 = { … }`), or the offset that G500 stands for (`[datums] G500 = \"G55\"`)",
-            ),
+            )
+            .and(Answer::key("datums", "G54"))
+            .and(Answer::key("datums", "G500")),
         )
     }
 

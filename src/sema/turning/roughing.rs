@@ -223,7 +223,7 @@ impl Run<'_> {
                 codes::T2030,
                 self.block_span(),
                 format!("the contour falls at {steepest:.1} degrees, and the flank of the tool clears {angle} only"),
-                "take a tool with a larger clearance angle (`[tools.N] clearance`), or leave these parts out with E0",
+                "take a tool with a larger clearance angle (`clearance` in partc.toml), or leave these parts out with E0",
             ),
             Some(_) => Ok(()),
             None => {

@@ -189,7 +189,7 @@ impl CycleCall<'_, '_> {
                     let message = format!(
                         "the relief cut from {shown} falls at {steepest:.1} degrees, and the flank of the tool clears {angle} only"
                     );
-                    let help = "take a tool with a larger clearance angle (`[tools.N] clearance`, $TC_DP24), or leave the relief to a groove cycle";
+                    let help = "take a tool with a larger clearance angle (`clearance` in partc.toml, $TC_DP24), or leave the relief to a groove cycle";
                     return self.cycle_fault(args.span, 61604, &message, help);
                 }
             } else {

@@ -158,7 +158,7 @@ impl CycleCall<'_, '_> {
     fn ask_tool(&self, field: &'static str, help: &str) -> Help {
         match self.st.tool.active() {
             Some(number) => Answer::tool(number, field).help(help),
-            None => help.into(),
+            None => "select the tool before the cycle".into(),
         }
     }
 
