@@ -44,7 +44,8 @@ pub(super) fn cut(text: &str) -> String {
 #[derive(Debug, Clone)]
 pub(super) struct Request {
     pub answer: Answer,
-    pub code: &'static Code,
+    /// `None` where no finding asks, but what the program looks like.
+    pub code: Option<&'static Code>,
     pub place: Place,
 }
 
@@ -56,7 +57,7 @@ pub(super) fn requests(session: &Session, folder_of: &dyn Fn(&str) -> Option<(St
             return;
         }
         let place = Place::new(found.label.loc, session);
-        let request = |answer| Request { answer, code: found.code, place: place.clone() };
+        let request = |answer| Request { answer, code: Some(found.code), place: place.clone() };
         let folder = found.answers.iter().find_map(|answer| match &answer.values {
             Values::FolderOf(files) => files.iter().find_map(|file| folder_of(file)),
             _ => None,
@@ -90,6 +91,8 @@ pub(super) struct Need {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Needs {
     map: BTreeMap<(usize, Vec<String>), Need>,
+    /// Choices that are tried, by key: others than the first.
+    tried: BTreeMap<(usize, Vec<String>), usize>,
     /// Tools that are called by name, in the order in which they were met.
     names: Vec<String>,
 }
@@ -112,6 +115,20 @@ impl Needs {
 
     pub fn len(&self) -> usize {
         self.map.len()
+    }
+
+    /// Each other choice that could be tried, one key at a time.
+    pub fn alternatives(&self) -> Vec<Needs> {
+        let mut list = Vec::new();
+        for (key, need) in &self.map {
+            let now = self.tried.get(key).copied().unwrap_or(0);
+            for at in (0..need.choices().len()).filter(|at| *at != now) {
+                let mut other = self.clone();
+                other.tried.insert(key.clone(), at);
+                list.push(other);
+            }
+        }
+        list
     }
 
     /// Takes what `program` asks for. True if one of it is new.
@@ -137,7 +154,7 @@ impl Needs {
             });
             is_new |= need.values.insert(values) && matches!(need.answer.values, Values::Item(_));
             need.programs.insert(program.to_owned());
-            need.codes.insert(request.code.id);
+            need.codes.extend(request.code.map(|code| code.id));
         }
         is_new
     }
@@ -221,7 +238,8 @@ impl Needs {
                     let _ = writeln!(text, "{} = \"{word}\"", need.answer.place().1);
                     continue;
                 }
-                line(&mut text, form, need, &|key| listed(section.name, key));
+                let choice = self.tried.get(&(at, need.answer.path.clone())).copied().unwrap_or(0);
+                line(&mut text, form, need, choice, &|key| listed(section.name, key));
             }
         }
         text
@@ -253,7 +271,7 @@ impl Needs {
                 let _ = writeln!(text, "{mark}[tools.{quoted}]");
             }
             for need in needs.into_iter().filter(|need| form != Form::Tried || need.answer.path[1] != "name") {
-                line(text, form, need, &|_| Vec::new());
+                line(text, form, need, 0, &|_| Vec::new());
             }
         }
     }
@@ -314,8 +332,8 @@ impl Need {
     }
 }
 
-/// One line of a key, with what it is and what asks for it.
-fn line(text: &mut String, form: Form, need: &Need, listed: &dyn Fn(&str) -> Vec<String>) {
+/// One line of a key, with what it is and what asks for it. `choice` is the one that is tried.
+fn line(text: &mut String, form: Form, need: &Need, choice: usize, listed: &dyn Fn(&str) -> Vec<String>) {
     let key = match need.answer.section {
         "tools" => need.answer.path[1].clone(),
         _ => need.answer.place().1,
@@ -328,11 +346,7 @@ fn line(text: &mut String, form: Form, need: &Need, listed: &dyn Fn(&str) -> Vec
             (format!("[{}]", items.join(", ")), String::new())
         }
         (_, [only]) => (only.clone(), String::new()),
-        (_, [first, ..]) if form == Form::Tried => (first.clone(), String::new()),
-        // What the program calls is no choice of keys: the first is what it looks like.
-        (Values::OneOf(_), [first, others @ ..]) if need.answer.section == "programs" => {
-            (first.clone(), format!("or {}; ", others.join(" or ")))
-        }
+        (_, [first, ..]) if form == Form::Tried => (choices.get(choice).unwrap_or(first).clone(), String::new()),
         (_, [_, ..]) => (String::new(), format!("{}; ", choices.join(" or "))),
         (_, []) if form == Form::Tried => (tried(&need.answer).to_owned(), String::new()),
         (_, []) => (String::new(), need.wanted()),

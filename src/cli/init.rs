@@ -5,10 +5,10 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use crate::diag::{Severity, codes};
+use crate::diag::{Answer, Severity, codes};
 use crate::dialect::Dialect;
 use crate::driver::Session;
-use crate::machine::tree::{Table, overlay, parse};
+use crate::machine::tree::{Table, Value, overlay, parse};
 use crate::machine::{MachineKind, Settings};
 use crate::text::decode::harmless_lines;
 
@@ -26,6 +26,8 @@ use super::{Exit, Trouble, config};
 
 /// Most times that a program is tried: what is answered lets the run go on to what else is missing.
 const MOST_ROUNDS: usize = 8;
+/// Most choices of keys that are tried besides the first ones.
+const MOST_CHOICES: usize = 12;
 /// Steps of a trial: what runs longer is cut off.
 const STEPS: u64 = 200_000;
 /// Codes of what is left that are listed.
@@ -206,7 +208,6 @@ struct Trial {
     /// Its tools, with what they do.
     tools: Vec<(Called, Place, String)>,
     offsets: Vec<(u8, Place)>,
-    cutting_speed: Option<Place>,
     /// Called programs that no key stands for.
     missing: Vec<(String, Place)>,
     /// Errors of the last round, none for a program that compiles.
@@ -214,91 +215,129 @@ struct Trial {
     rounds: usize,
     /// What every round asked for.
     requests: Vec<Request>,
-    lists: BTreeMap<(String, String), Vec<String>>,
+    lists: Lists,
 }
 
 impl Trial {
-    /// Tries the program, answers what it asks for with some value, and tries it again, until it asks for nothing new.
+    /// Tries the program, answers what it asks for with some value, and tries it again, until it asks for nothing new. Where
+    /// something is left then, other choices of its keys are tried.
     fn of(path: &Path, folder: &Base, common: &Common) -> Result<Trial, Trouble> {
-        let base = config::tree_for(path, common)?;
-        let name = path.display().to_string();
-        let mut needs = Needs::default();
-        let lists = lists(&config::settings_of(&base, common)?);
-        let (mut trial, mut all): (Option<Trial>, Vec<Request>) = (None, Vec::new());
-        for round in 0..MOST_ROUNDS {
-            let tried_with = needs.clone();
-            let settings = tried(&base, &needs, &lists, folder, common)?;
-            let Loaded { session, dialect, settings, files, .. } = load_with(path, common, settings)?;
-            let uses = session.uses(dialect, &settings, &files);
-            files.unchanged()?;
-            let asked = requests(&session, &|file| folder.root_of(file));
-            let is_new = needs.take(&name, &asked);
-            all.extend(asked.into_iter().map(|request| needs.by_its_name(request)));
-            let place = |loc| Place::new(loc, &session);
-            let now = Trial {
-                dialect,
-                needs: Needs::default(),
-                tools: uses
-                    .tools
-                    .iter()
-                    .filter(|(number, _)| **number != 0)
-                    .map(|(number, tool)| {
-                        let mut what: Vec<String> = tool.cycles.iter().map(|family| words(family)).collect();
-                        what.extend(tool.compensated.then(|| "radius compensation".to_owned()));
-                        (Called::of(*number, &tried_with), place(tool.first), what.join(", "))
-                    })
-                    .collect(),
-                offsets: uses
-                    .offsets
-                    .iter()
-                    .filter(|(number, _)| !tried_with.is_tried_offset(&offset(**number)))
-                    .map(|(number, loc)| (*number, place(*loc)))
-                    .collect(),
-                cutting_speed: uses
-                    .cutting_speed
-                    .filter(|_| settings.machine.kind == MachineKind::Mill && !dialect.turns)
-                    .map(place),
-                missing: missing(&session),
-                left: errors(&session),
-                rounds: round,
-                requests: Vec::new(),
-                lists: BTreeMap::new(),
-            };
-            let done = !is_new || now.left.is_empty();
-            trial = Some(now);
-            if done {
-                break;
+        let tree = config::tree_for(path, common)?;
+        let tried = Tried { path, folder, common, lists: lists(&config::settings_of(&tree, common)?), tree };
+        let mut trial = tried.answered(Needs::default())?;
+        let mut left = MOST_CHOICES;
+        while !trial.left.is_empty() {
+            let mut better = None;
+            for needs in trial.needs.alternatives() {
+                if left == 0 {
+                    return Ok(trial);
+                }
+                left -= 1;
+                // What does not go together is no answer.
+                let Ok(other) = tried.answered(needs) else { continue };
+                if other.left.len() < trial.left.len() {
+                    better = Some(other);
+                    break;
+                }
+            }
+            let Some(other) = better else { break };
+            let requests = std::mem::take(&mut trial.requests);
+            trial = Trial { requests: requests.into_iter().chain(other.requests).collect(), ..other };
+        }
+        Ok(trial)
+    }
+}
+
+/// A program that is tried.
+struct Tried<'a> {
+    path: &'a Path,
+    folder: &'a Base,
+    common: &'a Common,
+    tree: Table,
+    /// Lists of its configuration that findings add to.
+    lists: Lists,
+}
+
+type Lists = BTreeMap<(String, String), Vec<String>>;
+
+impl Tried<'_> {
+    /// What it comes to once all is answered that it asks for, beginning with `needs`.
+    fn answered(&self, mut needs: Needs) -> Result<Trial, Trouble> {
+        let name = self.path.display().to_string();
+        let mut requests: Vec<Request> = Vec::new();
+        for round in 0.. {
+            let mut trial = self.once(&needs)?;
+            let is_new = needs.take(&name, &trial.requests);
+            requests.extend(trial.requests.drain(..).map(|request| needs.by_its_name(request)));
+            if !is_new || trial.left.is_empty() || round + 1 == MOST_ROUNDS {
+                return Ok(Trial { needs, requests, rounds: round, lists: self.lists.clone(), ..trial });
             }
         }
-        let trial = trial.ok_or("nothing was tried")?;
-        Ok(Trial { needs, lists, requests: all, ..trial })
+        Err("nothing was tried".to_owned())
+    }
+
+    /// One run with some value for each of `needs`.
+    fn once(&self, needs: &Needs) -> Result<Trial, Trouble> {
+        let settings = self.settings(needs)?;
+        let Loaded { session, dialect, settings, files, .. } = load_with(self.path, self.common, settings)?;
+        let uses = session.uses(dialect, &settings, &files);
+        files.unchanged()?;
+        let place = |loc| Place::new(loc, &session);
+        let mut asked = requests(&session, &|file| self.folder.root_of(file));
+        // A constant cutting speed looks like a lathe; only the user knows.
+        let is_open = !said(&self.tree, "machine", "kind");
+        if let Some(loc) = uses.cutting_speed
+            && settings.machine.kind == MachineKind::Mill
+            && !dialect.turns
+            && is_open
+        {
+            let answer = Answer::key("machine", "kind").one_of(&["\"lathe\"", "\"mill\""]);
+            asked.push(Request { answer, code: None, place: place(loc) });
+        }
+        let tools = uses.tools.iter().filter(|(number, _)| **number != 0).map(|(number, tool)| {
+            let mut what: Vec<String> = tool.cycles.iter().map(|family| words(family)).collect();
+            what.extend(tool.compensated.then(|| "radius compensation".to_owned()));
+            (Called::of(*number, needs), place(tool.first), what.join(", "))
+        });
+        let offsets = uses.offsets.iter().filter(|(number, _)| !needs.is_tried_offset(&offset(**number)));
+        Ok(Trial {
+            dialect,
+            needs: Needs::default(),
+            tools: tools.collect(),
+            offsets: offsets.map(|(number, loc)| (*number, place(*loc))).collect(),
+            missing: missing(&session),
+            left: errors(&session),
+            rounds: 0,
+            requests: asked,
+            lists: Lists::new(),
+        })
+    }
+
+    /// The settings with some value for all that is asked for.
+    fn settings(&self, needs: &Needs) -> Result<Settings, Trouble> {
+        let listed = |section: &str, key: &str| {
+            self.lists.get(&(section.to_owned(), key.to_owned())).cloned().unwrap_or_default()
+        };
+        let text = needs.toml(Form::Tried, &BTreeSet::new(), &listed);
+        let mut tree = self.tree.clone();
+        let mut over = parse(&text, "what is tried").map_err(|error| error.to_string())?;
+        config::make_absolute(&mut over, &self.folder.folder);
+        overlay(&mut tree, over);
+        let mut settings = config::settings_of(&tree, self.common)?;
+        settings.limits.steps = settings.limits.steps.min(STEPS);
+        Ok(settings)
     }
 }
 
 /// Lists of the configuration that findings add to.
-fn lists(settings: &Settings) -> BTreeMap<(String, String), Vec<String>> {
+fn lists(settings: &Settings) -> Lists {
     let m = settings.output.pass_m.iter().map(ToString::to_string).collect();
     BTreeMap::from([(("output".to_owned(), "pass_m".to_owned()), m)])
 }
 
-/// The settings with some value for all that is asked for.
-fn tried(
-    base: &Table,
-    needs: &Needs,
-    lists: &BTreeMap<(String, String), Vec<String>>,
-    folder: &Base,
-    common: &Common,
-) -> Result<Settings, Trouble> {
-    let listed =
-        |section: &str, key: &str| lists.get(&(section.to_owned(), key.to_owned())).cloned().unwrap_or_default();
-    let text = needs.toml(Form::Tried, &BTreeSet::new(), &listed);
-    let mut tree = base.clone();
-    let mut over = parse(&text, "what is tried").map_err(|error| error.to_string())?;
-    config::make_absolute(&mut over, &folder.folder);
-    overlay(&mut tree, over);
-    let mut settings = config::settings_of(&tree, common)?;
-    settings.limits.steps = settings.limits.steps.min(STEPS);
-    Ok(settings)
+/// Does the configuration say this key?
+fn said(tree: &Table, section: &str, key: &str) -> bool {
+    matches!(tree.get(section).map(|node| &node.value), Some(Value::Table(table)) if table.contains_key(key))
 }
 
 /// `PathMilling` as words.
@@ -351,10 +390,9 @@ struct Programs {
     needs: Needs,
     tools: BTreeMap<Called, (Place, BTreeSet<String>, u32)>,
     offsets: Seen<u8>,
-    cutting_speed: Option<(Place, u32)>,
     missing: Seen<String>,
     left: BTreeMap<&'static str, (Vec<Place>, u32)>,
-    lists: BTreeMap<(String, String), Vec<String>>,
+    lists: Lists,
 }
 
 impl Programs {
@@ -374,9 +412,6 @@ impl Programs {
         }
         for (number, place) in trial.offsets {
             self.offsets.entry(number).or_insert_with(|| (place, 0)).1 += 1;
-        }
-        if let Some(place) = trial.cutting_speed {
-            self.cutting_speed.get_or_insert((place, 0)).1 += 1;
         }
         for (name, place) in trial.missing {
             self.missing.entry(name).or_insert_with(|| (place, 0)).1 += 1;
@@ -431,14 +466,6 @@ impl Programs {
 
     /// What the programs use and what needs no answer.
     fn seen(&self, text: &mut String) {
-        if let Some((place, programs)) = &self.cutting_speed {
-            let others = more(*programs);
-            let _ = writeln!(
-                text,
-                "#\n# Constant cutting speed, so a lathe: {}{others}; `[machine] kind = \"lathe\"` where that is so.",
-                at(place)
-            );
-        }
         if !self.tools.is_empty() {
             *text += "#\n# Tools that are called:\n";
         }

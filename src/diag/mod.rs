@@ -139,7 +139,7 @@ fn shortened(text: &str) -> Cow<'_, str> {
         if at > 0 {
             short.push('`');
         }
-        let is_name = part.contains(['/', '\\']) || !part.contains(' ');
+        let is_name = part.contains(['/', '\\']) || part.contains('.') && !part.contains(' ');
         match part.char_indices().nth(if is_name { NAMED } else { QUOTED }) {
             Some((end, _)) if at % 2 == 1 => {
                 short.push_str(&part[..end]);

@@ -30,6 +30,9 @@ fn value(section: &str, key: &str, remark: &str) -> String {
     if let Some(choice) = remark.strip_prefix('"').and_then(|rest| rest.split_once('"')) {
         return format!("\"{}\"", choice.0);
     }
+    if let Some((choice, _)) = remark.strip_prefix("{ ").and_then(|rest| rest.split_once(" }")) {
+        return format!("{{ {choice} }}");
+    }
     match key {
         "radius" => "1.0",
         "length" => "100.0",
@@ -112,12 +115,50 @@ fn programs_of_the_machine_builder_and_folders_are_named() {
     folder.run(&["init", "."]).exits(0);
     let config = folder.read("partc.toml");
     for wanted in
-        ["#TC = { tool = 1 }", "or { ignore = true }", "#roots.\"/_N_SPF_DIR\" = \"LIB\"", "#name = \"MILL_D10\""]
+        ["#TC = ", "# { tool = 1 } or { ignore = true }; ", "#roots.\"/_N_SPF_DIR\" = \"LIB\"", "#name = \"MILL_D10\""]
     {
         assert!(config.contains(wanted), "{wanted} is missing in:\n{config}");
     }
     folder.write("partc.toml", &filled(&config));
     folder.run(&["compile", "MPF/A.MPF", "-o", "-"]).exits(0);
+}
+
+/// A call that is found nowhere may change the tool, or not: what the user has not said changes none and loses none.
+#[test]
+fn nothing_is_guessed_of_a_call() {
+    let plain = "G17 G90 G54 ; a\nT1 M6\nT2\nS1000 M3\nG0 X0 Y0 Z50\nTIME_OFF ; counter of hours\nG0 X10 Y10\nM30\n";
+    let named = "G18 G54 G90\nT=\"ROUGH\"\nTC(1,0,0,2,90,0) ; tool change\nS320 M4 F200\nG0 X60 Z2\nG1 Z-10\nM30\n";
+    let folder = Folder::new("init_calls_open").with(&[("a/A.MPF", plain), ("b/B.MPF", named)]);
+    for (at, name, block) in [("a", "TIME_OFF", "counter of hours"), ("b", "TC", "TC(1,0,0,2,90,0) ; tool change")] {
+        folder.run(&["init", at]).exits(0);
+        let config = folder.read(&format!("{at}/partc.toml"));
+        let line = config.lines().find(|line| line.starts_with(&format!("#{name} = "))).expect("a line for the call");
+        let (entry, remark) = line.split_once(" # ").expect("a remark");
+        assert_eq!(entry.trim_end(), format!("#{name} ="), "{config}");
+        assert!(remark.contains("{ change = true } or { ignore = true }") && remark.contains(block), "{line}");
+        // Taking the marks away decides nothing.
+        let bare = |line: &str| line.strip_prefix('#').filter(|rest| !rest.starts_with(' ')).unwrap_or(line).to_owned();
+        folder.write(&format!("{at}/partc.toml"), &config.lines().map(|line| bare(line) + "\n").collect::<String>());
+        let program = format!("{at}/{}.MPF", at.to_uppercase());
+        folder.run(&["compile", &program, "-o", "-"]).exits(2);
+    }
+}
+
+/// Where the first choice of a key does not do, the others are tried, and the kind of machine is a line.
+#[test]
+fn each_choice_is_tried_before_a_program_is_given_up() {
+    let turned = "G18 G54 G90 G96\nT1 D1\nS300 LIMS=3000 M4\nG0 X60 Z2 M8\nG1 Z-10 F0.2\nM30\n";
+    let folder = Folder::new("init_choices").with(&[("A.MPF", turned)]);
+    folder.run(&["init", "."]).exits(0).says("1 with");
+    let config = folder.read("partc.toml");
+    assert!(config.contains("#kind = ") && config.contains("# \"lathe\" or \"mill\"; "), "{config}");
+    assert!(!config.contains("left whatever"), "{config}");
+    // The keys of the target are asked for as those of the control are.
+    let changed = "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1000\n2 L X+0 Y+0 R0 FMAX M3\n3 TOOL CALL 2 Z S1000\n4 L X+9 R0 FMAX M30\n5 END PGM A MM\n";
+    let folder = Folder::new("init_target").with(&[("A.H", changed)]);
+    folder.run(&["init", ".", "--target", "grbl"]).exits(0);
+    let config = folder.read("partc.toml");
+    assert!(config.contains("#tool_change = \"stop\""), "{config}");
 }
 
 #[test]

@@ -248,8 +248,19 @@ fn run_while_written(folder: &Folder, file: &str, args: &[&str]) -> Ran {
     run_while(folder, file, [";A\n", ";B\n"], args)
 }
 
-/// The same with the two texts that its start changes between.
+/// The same with the two texts that its start changes between. Where the writer did not get its turn while partc read, the
+/// file did not change: it is run again.
 fn run_while(folder: &Folder, file: &str, texts: [&str; 2], args: &[&str]) -> Ran {
+    for _ in 0..50 {
+        let ran = run_beside(folder, file, texts, args);
+        if ran.code != Some(0) {
+            return ran;
+        }
+    }
+    run_beside(folder, file, texts, args)
+}
+
+fn run_beside(folder: &Folder, file: &str, texts: [&str; 2], args: &[&str]) -> Ran {
     let stop = AtomicBool::new(false);
     std::thread::scope(|scope| {
         scope.spawn(|| {
@@ -321,7 +332,8 @@ fn a_file_that_is_replaced_while_it_is_read_gives_no_output() {
                 fs::rename(folder.0.join("new"), folder.0.join("MAIN.MPF")).expect("a file");
             }
         });
-        let ran = folder.run(&["compile", "MAIN.MPF", "-o", "-"]);
+        let run = || folder.run(&["compile", "MAIN.MPF", "-o", "-"]);
+        let ran = (0..50).map(|_| run()).find(|ran| ran.code != Some(0)).unwrap_or_else(run);
         stop.store(true, Ordering::Relaxed);
         assert!(ran.exits(2).says("MAIN.MPF: changed while it was read").out.is_empty());
     });

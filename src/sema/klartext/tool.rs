@@ -244,7 +244,12 @@ impl Run<'_> {
             "with the tool axis {} the length of the tool acts along it, and {who} adds it to Z",
             axis.letter()
         );
-        self.fail_help(codes::O9190, span, message, help)
+        self.fail_help(
+            codes::O9190,
+            span,
+            message,
+            Answer::key("output", "tool_length").one_of(&["\"off\""]).help(help),
+        )
     }
 
     fn set_tool_axis(&mut self, axis: Axis) {

@@ -24,7 +24,7 @@ use std::rc::Rc;
 
 use rustc_hash::FxHashSet;
 
-use crate::diag::{Diags, codes};
+use crate::diag::{Answer, Diags, codes};
 use crate::geo::Plane;
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{Corner, Ctx, CtxRef, Load, Move, Sink};
@@ -445,7 +445,10 @@ impl Run<'_> {
         }
         let [who, help] = settings.output.length_along_z();
         let message = format!("outside G17 the length of the tool does not act along Z, to which {who} adds it");
-        self.fail_help(codes::O9190, span, message, format!("{help}, or program the block under G17"))
+        let help = Answer::key("output", "tool_length")
+            .one_of(&["\"off\""])
+            .help(format!("{help}, or program the block under G17"));
+        self.fail_help(codes::O9190, span, message, help)
     }
 
     fn set_plane(&mut self, plane: Plane, span: Span) -> Outcome {
