@@ -253,28 +253,94 @@ impl Needs {
         }
         let own: BTreeSet<u32> = by_tool.keys().filter(|key| !key.0).map(|key| key.1).collect();
         let mut free = (1..).filter(|n| !taken.contains(n) && !own.contains(n));
-        for ((named, _, tool), needs) in by_tool {
-            // A tool without a value is none.
-            let mark = if form == Form::Commented { "#" } else { "" };
-            let _ = write!(text, "{}", if text.is_empty() { "" } else { "\n" });
-            if named {
+        let heads = by_tool.keys().map(|(named, _, tool)| match named {
+            true => {
                 let tried = self.names.iter().position(|name| name == tool).unwrap_or(0) as u32 + FIRST_TRIED;
                 let number = if form == Form::Tried { tried } else { free.next().unwrap_or(tried) };
-                let head = format!("{mark}[tools.{number}]");
-                if form == Form::Tried {
-                    let _ = writeln!(text, "{head}\nname = {tool}");
-                } else {
-                    let _ = writeln!(text, "{head:WIDTH$} # a free number: write the one of this tool, it is printed");
-                }
-            } else {
-                let quoted = if tool.contains('.') { format!("\"{tool}\"") } else { tool.to_owned() };
-                let _ = writeln!(text, "{mark}[tools.{quoted}]");
+                (true, number.to_string())
+            }
+            false if tool.contains('.') => (false, format!("\"{tool}\"")),
+            false => (false, (*tool).to_owned()),
+        });
+        let heads: Vec<(bool, String)> = heads.collect();
+        if form == Form::Commented {
+            return tool_lines(text, &heads, &by_tool.into_values().collect::<Vec<_>>());
+        }
+        for ((is_named, head), ((_, _, tool), needs)) in heads.into_iter().zip(by_tool) {
+            let _ = write!(text, "{}", if text.is_empty() { "" } else { "\n" });
+            let head = format!("[tools.{head}]");
+            match (is_named, form) {
+                (true, Form::Tried) => drop(writeln!(text, "{head}\nname = {tool}")),
+                (true, _) => drop(writeln!(text, "{head:WIDTH$} # {FREE}")),
+                (false, _) => drop(writeln!(text, "{head}")),
             }
             for need in needs.into_iter().filter(|need| form != Form::Tried || need.answer.path[1] != "name") {
                 line(text, form, need, 0, &|_| Vec::new());
             }
         }
     }
+}
+
+/// Of the number of a tool that is called by its name.
+const FREE: &str = "a free number: write the one of this tool, it is printed";
+
+/// Tools as one table, a line for each: behind what its fields are, number, fields, what its name or its block says, place.
+fn tool_lines(text: &mut String, heads: &[(bool, String)], tools: &[Vec<&Need>]) {
+    let _ = writeln!(text, "{}[tools]", if text.is_empty() { "" } else { "\n" });
+    let fields: BTreeMap<&str, &Need> =
+        tools.iter().flatten().map(|need| (need.answer.path[1].as_str(), *need)).collect();
+    for (field, need) in fields.iter().filter(|(field, _)| **field != "name") {
+        let what = match &need.choices()[..] {
+            [_, _, ..] => need.choices().join(" or "),
+            _ => need.wanted().trim_end_matches("; ").to_owned(),
+        };
+        let _ = writeln!(text, "# {field}: {what}");
+    }
+    for ((is_named, head), needs) in heads.iter().zip(tools) {
+        let name_first = |need: &&&Need| need.answer.path[1] != "name";
+        let mut needs: Vec<&&Need> = needs.iter().collect();
+        needs.sort_by_key(name_first);
+        let fields: Vec<String> = needs
+            .iter()
+            .map(|need| match &need.choices()[..] {
+                [only] => format!("{} = {only}", need.answer.path[1]),
+                _ => format!("{} = ", need.answer.path[1]),
+            })
+            .collect();
+        let entry = format!("#{head} = {{ {} }}", fields.join(", "));
+        let remark = if *is_named { format!("{FREE}; ") } else { String::new() };
+        let said = needs.iter().any(|need| need.answer.path[1] == "radius").then(|| radius_in(needs[0])).flatten();
+        let said = said.map_or_else(String::new, |radius| format!("radius {radius}, by its name?; "));
+        let _ = writeln!(text, "{entry:WIDTH$} # {remark}{said}{}", needs[0].places());
+    }
+}
+
+/// The radius that the name of a tool, or the comment of its block, seems to carry: `MILL_D10`, `DR_R0.8K95`, `end mill 10 mm`.
+fn radius_in(need: &Need) -> Option<f64> {
+    let name = need.choices().into_iter().next().unwrap_or_default();
+    [name.as_str(), need.first.block.as_str()].into_iter().find_map(radius_of)
+}
+
+fn radius_of(text: &str) -> Option<f64> {
+    let text = text.to_uppercase();
+    let number = |at: usize| -> Option<(f64, usize)> {
+        let digits = text[at..].find(|c: char| !c.is_ascii_digit() && c != '.').map_or(text.len(), |end| at + end);
+        Some((text[at..digits].trim_end_matches('.').parse().ok()?, digits))
+    };
+    let starts = |letter: char| {
+        let text = &text;
+        text.match_indices(letter).filter(move |(at, _)| !text[..*at].ends_with(|c: char| c.is_alphanumeric()))
+    };
+    let after = |letter: char| starts(letter).find_map(|(at, sign)| number(at + sign.len()));
+    let of_unit = || {
+        let (before, _) = text.split_once(" MM").or_else(|| text.split_once("MM"))?;
+        let from = before.rfind(|c: char| !c.is_ascii_digit() && c != '.').map_or(0, |at| at + 1);
+        let is_cutter = ["MILL", "DRILL", "CUTTER", "FR", "BOHR"].iter().any(|word| before.contains(word));
+        if is_cutter && before.is_char_boundary(from) { number(from) } else { None }
+    };
+    let radius = after('R').map(|(value, _)| value);
+    let diameter = || after('D').or_else(|| after('Ø')).or_else(of_unit).map(|(value, _)| value / 2.0);
+    radius.or_else(diameter).filter(|radius| *radius > 0.0 && *radius < 500.0)
 }
 
 impl Need {

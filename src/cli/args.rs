@@ -198,9 +198,12 @@ pub(super) struct Init {
     /// File to write; `-` writes standard output. Default: partc.toml in the folder that is named
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Write over an existing file
+    /// Write over an existing file, as if it were not there
     #[arg(long)]
     pub force: bool,
+    /// Keep an existing file as it is, and add the lines that are new
+    #[arg(long, conflicts_with = "force")]
+    pub update: bool,
     #[command(flatten)]
     pub many: Many,
     #[command(flatten)]

@@ -71,7 +71,12 @@ fn set(tree: &mut Table, section: &str, key: &str, value: Value) {
 
 /// The configuration in force for `input`: its file and what that extends, and the findings that the command line chooses.
 pub(super) fn tree_for(input: &Path, common: &Common) -> Result<Table, Trouble> {
-    let mut tree = file_for(input, common)?;
+    tree_beyond(None, input, common)
+}
+
+/// The same as if the configuration `hidden`, which will be written anew, were not there.
+pub(super) fn tree_beyond(hidden: Option<&Path>, input: &Path, common: &Common) -> Result<Table, Trouble> {
+    let mut tree = file_for(hidden, input, common)?;
     for (key, words) in [("select", &common.report.select), ("ignore", &common.report.ignore)] {
         let Some(words) = words else { continue };
         let spot = Spot { file: "command line".to_owned(), ..Spot::default() };
@@ -82,11 +87,11 @@ pub(super) fn tree_for(input: &Path, common: &Common) -> Result<Table, Trouble> 
 }
 
 /// The configuration file for `input`, with what it extends; empty where there is none.
-fn file_for(input: &Path, common: &Common) -> Result<Table, Trouble> {
+fn file_for(hidden: Option<&Path>, input: &Path, common: &Common) -> Result<Table, Trouble> {
     let file = match &common.config {
         Some(file) => Some(file.clone()),
         None if common.isolated => None,
-        None => nearest(input)?,
+        None => nearest(hidden, input)?,
     };
     let Some(file) = file else { return Ok(Table::new()) };
     // What nobody named may come from anywhere, with a folder of programs that was downloaded.
@@ -187,7 +192,7 @@ pub(super) fn read_for(input: &Path, common: &Common) -> Result<Read, Trouble> {
         Some(file) => Some(file.clone()),
         None if common.isolated => None,
         None => {
-            let found = nearest(input)?;
+            let found = nearest(None, input)?;
             let folder = found.as_deref().and_then(Path::parent);
             let above = folder_of(input)?.map(|folder| folder.ancestors().map(Path::to_path_buf).collect::<Vec<_>>());
             let nearer = above.unwrap_or_default().into_iter().take_while(|dir| Some(dir.as_path()) != folder);
@@ -233,9 +238,10 @@ pub(super) fn above(folder: &Path) -> Option<String> {
 }
 
 /// The nearest configuration file at or above the folder of `input`: whatever has its name is one, also what cannot be read.
-fn nearest(input: &Path) -> Result<Option<PathBuf>, Trouble> {
+fn nearest(hidden: Option<&Path>, input: &Path) -> Result<Option<PathBuf>, Trouble> {
     let Some(folder) = folder_of(input)? else { return Ok(None) };
-    for file in folder.ancestors().map(|dir| dir.join(NAME)) {
+    let hidden = hidden.and_then(|file| fs::canonicalize(file).ok());
+    for file in folder.ancestors().map(|dir| dir.join(NAME)).filter(|file| Some(file) != hidden.as_ref()) {
         match fs::symlink_metadata(&file) {
             Ok(_) => return Ok(Some(file)),
             Err(error) if is_absence(&error) => {}

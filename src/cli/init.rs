@@ -22,6 +22,7 @@ use super::output::Destination;
 use super::pool::in_order;
 use super::report::{Reporter, Stdout, counted};
 use super::run::{Loaded, is_output, is_program, load_with};
+use super::update::merged;
 use super::{Exit, Trouble, config};
 
 /// Most times that a program is tried: what is answered lets the run go on to what else is missing.
@@ -38,12 +39,16 @@ const MOST_NAMED: usize = 3;
 /// `partc init`
 pub(super) fn init(args: &Init) -> Result<Exit, Trouble> {
     let target = target(args)?;
-    if target != Path::new("-") && target.exists() && !args.force {
+    let is_there = target != Path::new("-") && target.exists();
+    if is_there && !args.force && !args.update {
         return Err(format!(
-            "{}: exists; use --force to write over it, or `-o -` to see what would be written",
+            "{}: exists; use --update to add what is new, --force to write over it, or `-o -` to see what would be written",
             target.display()
         ));
     }
+    let shown = target.display();
+    let trouble = |error: std::io::Error| format!("{shown}: {error}");
+    let old = if args.update && is_there { Some(std::fs::read_to_string(&target).map_err(trouble)?) } else { None };
     let targets = Targets::new([target.as_path()]);
     let found = inputs(&args.paths, &args.many, &|path| is_program(path, &args.common) && !is_output(path))?;
     let mut reporter = Reporter::new(&args.common, &super::options::Findings::SHOWN, Stdout::Taken, None);
@@ -54,7 +59,8 @@ pub(super) fn init(args: &Init) -> Result<Exit, Trouble> {
     if args.common.config.is_none() && !args.common.isolated {
         all.extends = config::above(folder);
     }
-    let base = Base { folder: folder.to_path_buf(), lies_in: index(folder) };
+    let hidden = (is_there && old.is_none()).then(|| target.clone());
+    let base = Base { folder: folder.to_path_buf(), lies_in: index(folder), hidden };
     // The older configuration is what `--force` is about.
     for input in &inputs {
         let read = config::read_for(&input.path, &args.common).map(|read| read.files).unwrap_or_default();
@@ -73,12 +79,13 @@ pub(super) fn init(args: &Init) -> Result<Exit, Trouble> {
         return Err("no part program lies in the folders that are named".to_owned());
     }
     // Names of files and texts of programs stand in comments.
-    let text: String = all.toml().lines().map(|line| harmless_lines(line) + "\n").collect();
+    let text = match old {
+        Some(old) => merged(&old, &harmless(&all.asked())),
+        None => harmless(&all.toml()),
+    };
     if target == Path::new("-") {
         print(text.as_bytes())?;
     } else {
-        let shown = target.display();
-        let trouble = |error: std::io::Error| format!("{shown}: {error}");
         let mut out = Destination::open(&target).map_err(trouble)?;
         out.write_all(text.as_bytes()).and_then(|()| out.commit()).map_err(trouble)?;
         let values = counted(all.needs.len() as u32, "value", "values");
@@ -90,6 +97,10 @@ pub(super) fn init(args: &Init) -> Result<Exit, Trouble> {
         ));
     }
     Ok(if reporter.troubles().is_empty() { Exit::Clean } else { Exit::Usage })
+}
+
+fn harmless(text: &str) -> String {
+    text.lines().map(|line| harmless_lines(line) + "\n").collect()
 }
 
 /// The file to write.
@@ -109,7 +120,7 @@ fn usual(args: &Init) -> Result<PathBuf, Trouble> {
 
 /// What a program asks for once all that it asks for is answered.
 pub(super) fn requests_of(path: &Path, common: &Common) -> Result<Vec<Request>, Trouble> {
-    let base = Base { folder: PathBuf::from("."), lies_in: BTreeMap::new() };
+    let base = Base { folder: PathBuf::from("."), lies_in: BTreeMap::new(), hidden: None };
     Ok(Trial::of(path, &base, common)?.requests)
 }
 
@@ -118,6 +129,8 @@ struct Base {
     folder: PathBuf,
     /// Folders of the files, by upper-case name.
     lies_in: BTreeMap<String, BTreeSet<PathBuf>>,
+    /// An older configuration, of which nothing stays.
+    hidden: Option<PathBuf>,
 }
 
 impl Base {
@@ -222,7 +235,7 @@ impl Trial {
     /// Tries the program, answers what it asks for with some value, and tries it again, until it asks for nothing new. Where
     /// something is left then, other choices of its keys are tried.
     fn of(path: &Path, folder: &Base, common: &Common) -> Result<Trial, Trouble> {
-        let tree = config::tree_for(path, common)?;
+        let tree = config::tree_beyond(folder.hidden.as_deref(), path, common)?;
         let tried = Tried { path, folder, common, lists: lists(&config::settings_of(&tree, common)?), tree };
         let mut trial = tried.answered(Needs::default())?;
         let mut left = MOST_CHOICES;
@@ -433,6 +446,14 @@ impl Programs {
             text += &format!("\n# It held for these programs until now.\nextend = \"{above}\"\n");
         }
         self.seen(&mut text);
+        text += "\n";
+        text += &self.asked();
+        self.rest(&mut text);
+        text
+    }
+
+    /// The keys that wait for a value.
+    fn asked(&self) -> String {
         let number = |called: &Called| match called {
             Called::Number(number) => Some(*number),
             Called::Name(_) => None,
@@ -441,10 +462,7 @@ impl Programs {
         let listed = |section: &str, key: &str| {
             self.lists.get(&(section.to_owned(), key.to_owned())).cloned().unwrap_or_default()
         };
-        text += "\n";
-        text += &self.needs.toml(Form::Commented, &taken, &listed);
-        self.rest(&mut text);
-        text
+        self.needs.toml(Form::Commented, &taken, &listed)
     }
 
     fn head(&self) -> String {

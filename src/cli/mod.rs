@@ -37,6 +37,7 @@ mod targets;
 mod tools;
 mod trace;
 mod unified;
+mod update;
 mod watch;
 
 use std::ffi::OsString;

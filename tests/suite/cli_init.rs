@@ -15,6 +15,16 @@ pub(super) fn filled(config: &str) -> String {
         if entry.starts_with('[') {
             entry.clone_into(&mut section);
         }
+        if let Some((head, fields)) = entry.strip_suffix(" }").and_then(|rest| rest.split_once(" = { ")) {
+            // A tool in one line.
+            let field = |field: &str| match field.trim_end().strip_suffix(" =") {
+                Some(key) => format!("{key} = {}", value(&section, key, "")),
+                None => field.to_owned(),
+            };
+            let fields: Vec<String> = fields.split(", ").map(field).collect();
+            text += &format!("{head} = {{ {} }}\n", fields.join(", "));
+            continue;
+        }
         text += entry;
         if entry.ends_with('=') {
             text += " ";
@@ -65,9 +75,9 @@ fn one_round_answers_everything() {
     let config = folder.read("shop/partc.toml");
     for wanted in [
         "#feed = ",
-        "#[tools.5]\n#radius = ",
-        "#[tools.1]",
-        "#name = \"MILL_D8\"",
+        "[tools]\n# radius: ",
+        "\n#5 = { radius =  } ",
+        "\n#1 = { name = \"MILL_D8\" } ",
         "#Q50 = ",
         "#pass_m = [77]",
         "shop/A.H:4 `3 L X+0 Y+0 R0 F AUTO M77`",
@@ -88,8 +98,15 @@ fn an_existing_configuration_is_kept() {
     let printed = folder.run(&["init", ".", "-o", "-"]).exits(0).out;
     assert!(printed.contains("pass_m = [5, 77]"), "{printed}");
     assert_eq!(folder.read("partc.toml"), "[output]\npass_m = [5]\n");
+    folder.run(&["init", ".", "--update"]).exits(0);
+    let updated = folder.read("partc.toml");
+    assert!(updated.starts_with("[output]\npass_m = [5]\n#pass_m = [5, 77] "), "{updated}");
+    assert!(updated.contains("\n[tools]\n") && updated.contains("\n#5 = { radius =  } "), "{updated}");
+    folder.run(&["init", ".", "--update"]).exits(0);
+    assert_eq!(folder.read("partc.toml"), updated, "a second time there is nothing new");
     folder.run(&["init", ".", "--force"]).exits(0);
-    assert!(folder.read("partc.toml").starts_with("# Written by `partc init`"));
+    let anew = folder.read("partc.toml");
+    assert!(anew.starts_with("# Written by `partc init`") && anew.contains("#pass_m = [77] "), "{anew}");
     folder.run(&["init", "nowhere"]).exits(2);
 }
 
