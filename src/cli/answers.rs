@@ -8,8 +8,10 @@ use crate::driver::Session;
 use crate::machine::keys::{Key, Kind, SECTIONS, choices};
 use crate::text::Loc;
 
+use super::tool_lines::{radius_in, tool_lines};
+
 /// Column of the remarks.
-const WIDTH: usize = 34;
+pub(super) const WIDTH: usize = 34;
 /// Characters of a block that are quoted.
 const QUOTED: usize = 60;
 /// Numbers handed out while a program is tried that calls tools by name.
@@ -76,10 +78,13 @@ pub(super) fn requests(session: &Session, folder_of: &dyn Fn(&str) -> Option<(St
     list
 }
 
+/// A key among those that are asked for: place of its section, and its path.
+pub(super) type NeedKey = (usize, Vec<String>);
+
 /// All that is asked for a key.
 #[derive(Debug, Clone)]
 pub(super) struct Need {
-    answer: Answer,
+    pub answer: Answer,
     values: BTreeSet<Values>,
     pub first: Place,
     /// Programs that ask.
@@ -90,11 +95,33 @@ pub(super) struct Need {
 /// The keys that are asked for.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Needs {
-    map: BTreeMap<(usize, Vec<String>), Need>,
+    map: BTreeMap<NeedKey, Need>,
     /// Choices that are tried, by key: others than the first.
-    tried: BTreeMap<(usize, Vec<String>), usize>,
+    tried: BTreeMap<NeedKey, usize>,
+    /// Values that the user gave, as TOML.
+    given: BTreeMap<NeedKey, String>,
     /// Tools that are called by name, in the order in which they were met.
     names: Vec<String>,
+}
+
+/// A key, and what a user has to know to answer.
+#[derive(Debug, Default)]
+pub(super) struct Question {
+    pub key: String,
+    pub name: String,
+    pub about: Vec<String>,
+    /// The value that the program itself says, as TOML.
+    pub offered: Option<String>,
+    choices: Vec<String>,
+    pub places: String,
+}
+
+impl Question {
+    /// What somebody typed, as TOML: one of the choices may stand without its quotes.
+    pub fn as_toml(&self, said: &str) -> String {
+        let quoted = format!("\"{said}\"");
+        if self.choices.contains(&quoted) { quoted } else { said.to_owned() }
+    }
 }
 
 /// How keys are written.
@@ -129,6 +156,58 @@ impl Needs {
             }
         }
         list
+    }
+
+    /// The keys without a value, what most programs ask for first.
+    pub fn open(&self) -> Vec<NeedKey> {
+        let mut keys: Vec<&NeedKey> = self.map.keys().filter(|key| !self.given.contains_key(*key)).collect();
+        keys.sort_by_key(|key| std::cmp::Reverse(self.programs(key).len()));
+        keys.into_iter().cloned().collect()
+    }
+
+    /// Programs that ask for a key.
+    pub fn programs(&self, key: &NeedKey) -> &BTreeSet<String> {
+        static NONE: BTreeSet<String> = BTreeSet::new();
+        self.map.get(key).map_or(&NONE, |need| &need.programs)
+    }
+
+    pub fn give(&mut self, key: &NeedKey, value: String) {
+        self.given.insert(key.clone(), value);
+    }
+
+    /// The keys that have a value of the user.
+    pub fn only_given(&self) -> Needs {
+        let mut given = self.clone();
+        given.map.retain(|key, _| self.given.contains_key(key));
+        given
+    }
+
+    /// What the user said of a field of a tool.
+    pub fn of_tool(&self, need: &Need) -> Option<&str> {
+        let found = self.given.iter().find(|(key, _)| key.1 == need.answer.path && self.map.get(*key).is_some());
+        found.map(|(_, value)| value.as_str()).filter(|_| need.answer.section == "tools")
+    }
+
+    /// A key as it is asked for.
+    pub fn question(&self, key: &NeedKey) -> Question {
+        let Some(need) = self.map.get(key) else { return Question::default() };
+        let (section, name) = match need.answer.section {
+            "tools" => (format!("tools.{}", need.answer.path[0]), need.answer.path[1].clone()),
+            _ => need.answer.place(),
+        };
+        let choices = need.choices();
+        let mut about = Vec::new();
+        match &choices[..] {
+            [_, _, ..] => about.push(choices.join(" or ")),
+            _ => about.push(need.wanted().trim_end_matches("; ").to_owned()),
+        }
+        let by_name = || Some(radius_in(need).filter(|_| name == "radius")?.to_string());
+        let offered = match (&need.answer.values, &choices[..]) {
+            (Values::Item(_), _) => Some(format!("[{}]", need.items().join(", "))),
+            (_, [only]) => Some(only.clone()),
+            _ => by_name(),
+        };
+        Question { key: format!("[{section}] {name}"), name, about, offered, choices, places: need.places() }
     }
 
     /// Takes what `program` asks for. True if one of it is new.
@@ -233,13 +312,16 @@ impl Needs {
             let _ = writeln!(text, "{}[{}]", if text.is_empty() { "" } else { "\n" }, section.name);
             let mut offsets = TRIED_OFFSETS.iter().chain(std::iter::repeat(&"G54"));
             for need in needs {
-                if form == Form::Tried && section.name == "datums" && need.choices().is_empty() {
+                let is_given = self.given.contains_key(&(at, need.answer.path.clone()));
+                if form == Form::Tried && section.name == "datums" && need.choices().is_empty() && !is_given {
                     let word = offsets.next().unwrap_or(&"G54");
                     let _ = writeln!(text, "{} = \"{word}\"", need.answer.place().1);
                     continue;
                 }
-                let choice = self.tried.get(&(at, need.answer.path.clone())).copied().unwrap_or(0);
-                line(&mut text, form, need, choice, &|key| listed(section.name, key));
+                let key = (at, need.answer.path.clone());
+                let choice = self.tried.get(&key).copied().unwrap_or(0);
+                let given = self.given.get(&key).map(String::as_str);
+                line(&mut text, form, need, (choice, given), &|key| listed(section.name, key));
             }
         }
         text
@@ -264,7 +346,7 @@ impl Needs {
         });
         let heads: Vec<(bool, String)> = heads.collect();
         if form == Form::Commented {
-            return tool_lines(text, &heads, &by_tool.into_values().collect::<Vec<_>>());
+            return tool_lines(text, self, &heads, &by_tool.into_values().collect::<Vec<_>>());
         }
         for ((is_named, head), ((_, _, tool), needs)) in heads.into_iter().zip(by_tool) {
             let _ = write!(text, "{}", if text.is_empty() { "" } else { "\n" });
@@ -275,73 +357,14 @@ impl Needs {
                 (false, _) => drop(writeln!(text, "{head}")),
             }
             for need in needs.into_iter().filter(|need| form != Form::Tried || need.answer.path[1] != "name") {
-                line(text, form, need, 0, &|_| Vec::new());
+                line(text, form, need, (0, self.of_tool(need)), &|_| Vec::new());
             }
         }
     }
 }
 
 /// Of the number of a tool that is called by its name.
-const FREE: &str = "a free number: write the one of this tool, it is printed";
-
-/// Tools as one table, a line for each: behind what its fields are, number, fields, what its name or its block says, place.
-fn tool_lines(text: &mut String, heads: &[(bool, String)], tools: &[Vec<&Need>]) {
-    let _ = writeln!(text, "{}[tools]", if text.is_empty() { "" } else { "\n" });
-    let fields: BTreeMap<&str, &Need> =
-        tools.iter().flatten().map(|need| (need.answer.path[1].as_str(), *need)).collect();
-    for (field, need) in fields.iter().filter(|(field, _)| **field != "name") {
-        let what = match &need.choices()[..] {
-            [_, _, ..] => need.choices().join(" or "),
-            _ => need.wanted().trim_end_matches("; ").to_owned(),
-        };
-        let _ = writeln!(text, "# {field}: {what}");
-    }
-    for ((is_named, head), needs) in heads.iter().zip(tools) {
-        let name_first = |need: &&&Need| need.answer.path[1] != "name";
-        let mut needs: Vec<&&Need> = needs.iter().collect();
-        needs.sort_by_key(name_first);
-        let fields: Vec<String> = needs
-            .iter()
-            .map(|need| match &need.choices()[..] {
-                [only] => format!("{} = {only}", need.answer.path[1]),
-                _ => format!("{} = ", need.answer.path[1]),
-            })
-            .collect();
-        let entry = format!("#{head} = {{ {} }}", fields.join(", "));
-        let remark = if *is_named { format!("{FREE}; ") } else { String::new() };
-        let said = needs.iter().any(|need| need.answer.path[1] == "radius").then(|| radius_in(needs[0])).flatten();
-        let said = said.map_or_else(String::new, |radius| format!("radius {radius}, by its name?; "));
-        let _ = writeln!(text, "{entry:WIDTH$} # {remark}{said}{}", needs[0].places());
-    }
-}
-
-/// The radius that the name of a tool, or the comment of its block, seems to carry: `MILL_D10`, `DR_R0.8K95`, `end mill 10 mm`.
-fn radius_in(need: &Need) -> Option<f64> {
-    let name = need.choices().into_iter().next().unwrap_or_default();
-    [name.as_str(), need.first.block.as_str()].into_iter().find_map(radius_of)
-}
-
-fn radius_of(text: &str) -> Option<f64> {
-    let text = text.to_uppercase();
-    let number = |at: usize| -> Option<(f64, usize)> {
-        let digits = text[at..].find(|c: char| !c.is_ascii_digit() && c != '.').map_or(text.len(), |end| at + end);
-        Some((text[at..digits].trim_end_matches('.').parse().ok()?, digits))
-    };
-    let starts = |letter: char| {
-        let text = &text;
-        text.match_indices(letter).filter(move |(at, _)| !text[..*at].ends_with(|c: char| c.is_alphanumeric()))
-    };
-    let after = |letter: char| starts(letter).find_map(|(at, sign)| number(at + sign.len()));
-    let of_unit = || {
-        let (before, _) = text.split_once(" MM").or_else(|| text.split_once("MM"))?;
-        let from = before.rfind(|c: char| !c.is_ascii_digit() && c != '.').map_or(0, |at| at + 1);
-        let is_cutter = ["MILL", "DRILL", "CUTTER", "FR", "BOHR"].iter().any(|word| before.contains(word));
-        if is_cutter && before.is_char_boundary(from) { number(from) } else { None }
-    };
-    let radius = after('R').map(|(value, _)| value);
-    let diameter = || after('D').or_else(|| after('Ø')).or_else(of_unit).map(|(value, _)| value / 2.0);
-    radius.or_else(diameter).filter(|radius| *radius > 0.0 && *radius < 500.0)
-}
+pub(super) const FREE: &str = "a free number: write the one of this tool, it is printed";
 
 impl Need {
     /// The key of the configuration that it is.
@@ -366,7 +389,7 @@ impl Need {
     }
 
     /// The values that would do.
-    fn choices(&self) -> Vec<String> {
+    pub fn choices(&self) -> Vec<String> {
         let mut choices: Vec<String> = Vec::new();
         for values in &self.values {
             if let Values::OneOf(list) = values {
@@ -377,7 +400,7 @@ impl Need {
     }
 
     /// What kind of value the user has to find.
-    fn wanted(&self) -> String {
+    pub fn wanted(&self) -> String {
         match (self.answer.section, self.key()) {
             ("include", _) => "a folder; ".to_owned(),
             (_, Some(key)) => format!("{}; ", kind(key)),
@@ -387,7 +410,7 @@ impl Need {
         }
     }
 
-    fn places(&self) -> String {
+    pub fn places(&self) -> String {
         let Place { file, line, block } = &self.first;
         let more = match self.programs.len() {
             0 | 1 => String::new(),
@@ -398,14 +421,21 @@ impl Need {
     }
 }
 
-/// One line of a key, with what it is and what asks for it. `choice` is the one that is tried.
-fn line(text: &mut String, form: Form, need: &Need, choice: usize, listed: &dyn Fn(&str) -> Vec<String>) {
+/// One line of a key, with what it is and what asks for it. `choice` is the one that is tried, `given` what the user said.
+fn line(
+    text: &mut String,
+    form: Form,
+    need: &Need,
+    (choice, given): (usize, Option<&str>),
+    listed: &dyn Fn(&str) -> Vec<String>,
+) {
     let key = match need.answer.section {
         "tools" => need.answer.path[1].clone(),
         _ => need.answer.place().1,
     };
     let choices = need.choices();
     let (value, remark) = match (&need.answer.values, &choices[..]) {
+        _ if given.is_some() => (given.unwrap_or_default().to_owned(), String::new()),
         (Values::Item(_), _) => {
             let mut items = listed(&need.answer.path[0]);
             items.extend(need.items().into_iter().filter(|item| !items.contains(item)).collect::<Vec<_>>());
@@ -421,7 +451,7 @@ fn line(text: &mut String, form: Form, need: &Need, choice: usize, listed: &dyn 
         let _ = writeln!(text, "{key} = {value}");
         return;
     }
-    let mark = if form == Form::Commented { "#" } else { "" };
+    let mark = if form == Form::Commented && given.is_none() { "#" } else { "" };
     let entry = format!("{mark}{key} = {value}");
     let _ = writeln!(text, "{entry:WIDTH$} # {remark}{}", need.places());
 }

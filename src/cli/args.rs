@@ -201,6 +201,9 @@ pub(super) struct Init {
     /// Write over an existing file, as if it were not there
     #[arg(long)]
     pub force: bool,
+    /// Ask for the values one by one
+    #[arg(short, long)]
+    pub interactive: bool,
     /// Keep an existing file as it is, and add the lines that are new
     #[arg(long, conflicts_with = "force")]
     pub update: bool,

@@ -14,6 +14,7 @@ use crate::text::decode::harmless_lines;
 
 use super::answers::{Form, Needs, Place, Request, requests};
 use super::args::Init;
+use super::ask::{Shop, ask};
 use super::closure::Targets;
 use super::inputs::{Ignored, Input, inputs, walk};
 use super::listing::print;
@@ -77,6 +78,12 @@ pub(super) fn init(args: &Init) -> Result<Exit, Trouble> {
     });
     if all.count == 0 {
         return Err("no part program lies in the folders that are named".to_owned());
+    }
+    if args.interactive {
+        let shop = Inputs { list: &inputs, base: &base, common: &args.common };
+        let (compiling, count) = (std::mem::take(&mut all.compiling), all.count);
+        let (mut input, mut out) = (std::io::stdin().lock(), std::io::stderr().lock());
+        ask(&mut all.needs, compiling, count, &shop, &mut input, &mut out).map_err(|error| error.to_string())?;
     }
     // Names of files and texts of programs stand in comments.
     let text = match old {
@@ -216,6 +223,7 @@ impl std::fmt::Display for Called {
 
 /// What one program came to.
 struct Trial {
+    name: String,
     dialect: &'static Dialect,
     needs: Needs,
     /// Its tools, with what they do.
@@ -235,8 +243,7 @@ impl Trial {
     /// Tries the program, answers what it asks for with some value, and tries it again, until it asks for nothing new. Where
     /// something is left then, other choices of its keys are tried.
     fn of(path: &Path, folder: &Base, common: &Common) -> Result<Trial, Trouble> {
-        let tree = config::tree_beyond(folder.hidden.as_deref(), path, common)?;
-        let tried = Tried { path, folder, common, lists: lists(&config::settings_of(&tree, common)?), tree };
+        let tried = Tried::new(path, folder, common)?;
         let mut trial = tried.answered(Needs::default())?;
         let mut left = MOST_CHOICES;
         while !trial.left.is_empty() {
@@ -273,7 +280,12 @@ struct Tried<'a> {
 
 type Lists = BTreeMap<(String, String), Vec<String>>;
 
-impl Tried<'_> {
+impl<'a> Tried<'a> {
+    fn new(path: &'a Path, folder: &'a Base, common: &'a Common) -> Result<Tried<'a>, Trouble> {
+        let tree = config::tree_beyond(folder.hidden.as_deref(), path, common)?;
+        Ok(Tried { path, folder, common, lists: lists(&config::settings_of(&tree, common)?), tree })
+    }
+
     /// What it comes to once all is answered that it asks for, beginning with `needs`.
     fn answered(&self, mut needs: Needs) -> Result<Trial, Trouble> {
         let name = self.path.display().to_string();
@@ -314,6 +326,7 @@ impl Tried<'_> {
         });
         let offsets = uses.offsets.iter().filter(|(number, _)| !needs.is_tried_offset(&offset(**number)));
         Ok(Trial {
+            name: self.path.display().to_string(),
             dialect,
             needs: Needs::default(),
             tools: tools.collect(),
@@ -389,6 +402,31 @@ fn errors(session: &Session) -> Vec<(&'static str, Place)> {
     list
 }
 
+/// The programs, while their values are asked for.
+struct Inputs<'a> {
+    list: &'a [Input],
+    base: &'a Base,
+    common: &'a Common,
+}
+
+impl Inputs<'_> {
+    fn tried(&self, program: &str) -> Option<Tried<'_>> {
+        let input = self.list.iter().find(|input| input.path.display().to_string() == program)?;
+        Tried::new(&input.path, self.base, self.common).ok()
+    }
+}
+
+impl Shop for Inputs<'_> {
+    fn refuses(&self, given: &Needs) -> Option<Trouble> {
+        let first = self.list.first()?;
+        Tried::new(&first.path, self.base, self.common).and_then(|tried| tried.settings(given)).err()
+    }
+
+    fn compiles(&self, program: &str, given: &Needs) -> bool {
+        self.tried(program).and_then(|tried| tried.once(given).ok()).is_some_and(|trial| trial.left.is_empty())
+    }
+}
+
 /// What all programs came to.
 #[derive(Default)]
 struct Programs {
@@ -397,6 +435,7 @@ struct Programs {
     count: u32,
     /// Compile as they are.
     at_once: u32,
+    compiling: BTreeSet<String>,
     /// Compile once the values are filled in.
     after: u32,
     dialects: BTreeMap<&'static str, u32>,
@@ -413,7 +452,10 @@ impl Programs {
         self.count += 1;
         *self.dialects.entry(trial.dialect.name).or_default() += 1;
         match (trial.left.is_empty(), trial.rounds) {
-            (true, 0) => self.at_once += 1,
+            (true, 0) => {
+                self.at_once += 1;
+                self.compiling.insert(trial.name);
+            }
             (true, _) => self.after += 1,
             (false, _) => {}
         }

@@ -2,6 +2,7 @@
 
 mod answers;
 mod args;
+mod ask;
 mod bundle;
 mod closure;
 mod config;
@@ -34,6 +35,7 @@ mod stamp;
 mod stats;
 mod summary;
 mod targets;
+mod tool_lines;
 mod tools;
 mod trace;
 mod unified;

@@ -23,8 +23,9 @@ impl File {
         if section == "[tools]"
             && let Some(of_tool) = self.section(&format!("[tools.{key}]"))
         {
-            for field in fields_of(line) {
-                self.insert(of_tool, &field, &format!("#{field} ="));
+            for (field, value) in fields_of(line) {
+                let mark = if value.is_empty() || line.starts_with('#') { "#" } else { "" };
+                self.insert(of_tool, &field, format!("{mark}{field} = {value}").trim_end());
             }
             return;
         }
@@ -62,7 +63,7 @@ impl File {
         let is_longer = !self.lines[own].starts_with('#') && (list_of(line) || !fields_of(line).is_empty());
         if is_longer {
             self.lines.insert(own + 1, format!("{line}; in place of the line above"));
-        } else if self.lines[own].starts_with('#') && list_of(line) {
+        } else if self.lines[own].starts_with('#') && (list_of(line) || !line.starts_with('#')) {
             line.clone_into(&mut self.lines[own]);
         }
     }
@@ -77,11 +78,13 @@ fn key_of(line: &str) -> Option<String> {
     is_key.then(|| key.to_owned())
 }
 
-/// The keys of an inline table.
-fn fields_of(line: &str) -> Vec<String> {
+/// The keys of an inline table, with their values.
+fn fields_of(line: &str) -> Vec<(String, String)> {
     let Some((_, rest)) = line.split_once("= {") else { return Vec::new() };
     let (inside, _) = rest.split_once('}').unwrap_or((rest, ""));
-    inside.split(',').filter_map(|field| Some(field.split_once('=')?.0.trim().to_owned())).collect()
+    let field =
+        |field: &str| field.split_once('=').map(|(key, value)| (key.trim().to_owned(), value.trim().to_owned()));
+    inside.split(',').filter_map(field).collect()
 }
 
 fn list_of(line: &str) -> bool {

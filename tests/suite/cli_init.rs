@@ -161,6 +161,23 @@ fn nothing_is_guessed_of_a_call() {
     }
 }
 
+/// On request the values are asked for one by one: what is no value is asked for again, and what is left open stays open.
+#[test]
+fn values_are_asked_for_one_by_one() {
+    let folder = Folder::new("init_asks").with(&[("A.H", RADIUS), ("B.H", NEEDS)]);
+    let said = folder.run_with(&["init", ".", "-i"], "wide\n4.5\nq\n").exits(0).err;
+    assert!(said.contains("0 of 2 programs compile as they are"), "{said}");
+    assert!(said.contains("[tools.5] radius (1 of ") && said.contains("and another program"), "{said}");
+    assert!(said.matches("\n  radius: ").count() == 2 && said.contains("  1 of 2 programs compile\n"), "{said}");
+    let config = folder.read("partc.toml");
+    assert!(config.contains("\n5 = { radius = 4.5 } ") && config.contains("\n#feed = "), "{config}");
+    folder.run(&["compile", "A.H", "-o", "-"]).exits(0);
+    // What is left is asked for by a further conversation; the first answers stay.
+    folder.run_with(&["init", ".", "-i", "--update"], "-\n-\n-\n[77]\n").exits(0);
+    let updated = folder.read("partc.toml");
+    assert!(updated.contains("\n5 = { radius = 4.5 } ") && updated.contains("\npass_m = [77]"), "{updated}");
+}
+
 /// Where the first choice of a key does not do, the others are tried, and the kind of machine is a line.
 #[test]
 fn each_choice_is_tried_before_a_program_is_given_up() {
