@@ -38,6 +38,7 @@ mod targets;
 mod tool_lines;
 mod tools;
 mod trace;
+mod trial;
 mod unified;
 mod update;
 mod watch;

@@ -381,7 +381,7 @@ fn present(look: Look, session: Session, path: &Path, common: &Common, alone: bo
     let mut presented = look.present(session);
     if alone && small && path != Path::new("-") && presented.asks() {
         // Values that are no configuration (preset -1) leave what is to be pasted unsaid; the findings stand for themselves.
-        if let Ok(requests) = super::init::requests_of(path, common) {
+        if let Ok(requests) = super::trial::requests_of(path, common) {
             presented.ask(requests);
         }
     }

@@ -1,0 +1,311 @@
+//! A program that `partc init` tries: what it asks for gets some value, so that the run goes on to what else is missing.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use crate::diag::{Answer, Severity, codes};
+use crate::dialect::Dialect;
+use crate::driver::Session;
+use crate::machine::tree::{Table, Value, overlay, parse};
+use crate::machine::{MachineKind, Settings};
+use crate::text::FileId;
+
+use super::answers::{Form, Needs, Place, Request, requests};
+use super::inputs::{Ignored, walk};
+use super::options::Common;
+use super::run::{Loaded, load_with};
+use super::{Trouble, config};
+
+/// Most times that a program is tried: what is answered lets the run go on to what else is missing.
+const MOST_ROUNDS: usize = 8;
+/// Most choices of keys that are tried besides the first ones.
+const MOST_CHOICES: usize = 12;
+/// Steps of a trial: what runs longer is cut off.
+const STEPS: u64 = 200_000;
+/// What a program asks for once all that it asks for is answered.
+pub(super) fn requests_of(path: &Path, common: &Common) -> Result<Vec<Request>, Trouble> {
+    let base = Base { folder: PathBuf::from("."), lies_in: BTreeMap::new(), hidden: None };
+    Ok(Trial::of(path, &base, common)?.requests)
+}
+
+/// Where the new configuration lies, and the files below it.
+pub(super) struct Base {
+    pub folder: PathBuf,
+    /// Folders of the files, by upper-case name.
+    pub lies_in: BTreeMap<String, BTreeSet<PathBuf>>,
+    /// An older configuration, of which nothing stays.
+    pub hidden: Option<PathBuf>,
+}
+
+impl Base {
+    /// The folder that holds this file, and the key of a root for it: the only one, or the one that a SINUMERIK searches
+    /// first.
+    fn root_of(&self, file: &str) -> Option<(String, String)> {
+        let folders = self.lies_in.get(&file.to_uppercase())?;
+        let (_, extension) = file.rsplit_once('.')?;
+        let below = |folder: &Path| folder.to_string_lossy().replace('\\', "/");
+        if extension.eq_ignore_ascii_case("spf") {
+            let rank = |folder: &Path| SEARCHED.iter().position(|name| is_copy_of(folder, name));
+            // Of two copies of one folder nobody knows which is meant.
+            let copies = |at: usize| folders.iter().filter(move |folder| rank(folder) == Some(at)).collect::<Vec<_>>();
+            if let Some((at, list)) = (0..SEARCHED.len()).map(|at| (at, copies(at))).find(|(_, list)| !list.is_empty())
+            {
+                let [folder] = list[..] else { return None };
+                return Some((format!("/_N_{}_DIR", SEARCHED[at]), below(folder)));
+            }
+        }
+        let mut folders = folders.iter();
+        let (Some(folder), None) = (folders.next(), folders.next()) else { return None };
+        let name = folder.file_name()?.to_string_lossy().to_uppercase();
+        let root = match &extension.to_ascii_lowercase()[..] {
+            "h" => format!("TNC:/{}", below(folder)),
+            // No other folder and no workpiece is searched for a subprogram, and none for a main program.
+            "spf" if !name.ends_with(".WPD") && !name.ends_with("_WPD") => format!("/_N_{}_DIR", SEARCHED[0]),
+            "spf" | "mpf" => return None,
+            _ => format!("/_N_{name}_DIR"),
+        };
+        Some((root, below(folder)))
+    }
+}
+
+/// Folders in which a SINUMERIK looks for a subprogram beside that of the main program, in its order.
+const SEARCHED: [&str; 4] = ["SPF", "CUS", "CMA", "CST"];
+
+/// Is the folder called as a copy of `/_N_SPF_DIR` is, where the name is SPF?
+fn is_copy_of(folder: &Path, name: &str) -> bool {
+    let folder = folder.file_name().map(|folder| folder.to_string_lossy().to_uppercase()).unwrap_or_default();
+    [format!("{name}.DIR"), format!("_N_{name}_DIR"), format!("{name}_DIR")].contains(&folder)
+}
+
+/// The files in folders below `folder`.
+pub(super) fn index(folder: &Path) -> BTreeMap<String, BTreeSet<PathBuf>> {
+    let mut lies_in: BTreeMap<String, BTreeSet<PathBuf>> = BTreeMap::new();
+    for path in walk(folder, &|_| true, Ignored::LeftOut).unwrap_or_default() {
+        let below = path.strip_prefix(folder).unwrap_or(&path);
+        if let (Some(name), Some(parent)) = (below.file_name(), below.parent())
+            && !parent.as_os_str().is_empty()
+        {
+            lies_in.entry(name.to_string_lossy().to_uppercase()).or_default().insert(parent.to_path_buf());
+        }
+    }
+    lies_in
+}
+
+/// How a program calls a tool.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Called {
+    Number(u32),
+    /// In quotes.
+    Name(String),
+}
+
+impl Called {
+    /// The tool that was printed as `number` when a program was tried with `needs`.
+    fn of(number: u32, needs: &Needs) -> Called {
+        needs.name_of(number).map_or(Called::Number(number), |name| Called::Name(name.to_owned()))
+    }
+}
+
+impl std::fmt::Display for Called {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Called::Number(number) => write!(f, "{number}"),
+            Called::Name(name) => f.write_str(name),
+        }
+    }
+}
+
+/// What one program came to.
+pub(super) struct Trial {
+    pub name: String,
+    pub dialect: &'static Dialect,
+    pub needs: Needs,
+    /// Its tools, with what they do.
+    pub tools: Vec<(Called, Place, String)>,
+    pub offsets: Vec<(u8, Place)>,
+    /// Called programs that no key stands for.
+    pub missing: Vec<(String, Place)>,
+    /// What it is, and what it calls: what tells files apart.
+    pub identity: String,
+    pub calls: Vec<String>,
+    /// Errors of the last round, none for a program that compiles.
+    pub left: Vec<(&'static str, Place)>,
+    pub rounds: usize,
+    /// What every round asked for.
+    requests: Vec<Request>,
+    pub lists: Lists,
+}
+
+impl Trial {
+    /// Tries the program, answers what it asks for with some value, and tries it again, until it asks for nothing new. Where
+    /// something is left then, other choices of its keys are tried.
+    pub fn of(path: &Path, folder: &Base, common: &Common) -> Result<Trial, Trouble> {
+        let tried = Tried::new(path, folder, common)?;
+        let mut trial = tried.answered(Needs::default())?;
+        let mut left = MOST_CHOICES;
+        while !trial.left.is_empty() {
+            let mut better = None;
+            for needs in trial.needs.alternatives() {
+                if left == 0 {
+                    return Ok(trial);
+                }
+                left -= 1;
+                // What does not go together is no answer.
+                let Ok(other) = tried.answered(needs) else { continue };
+                if other.left.len() < trial.left.len() {
+                    better = Some(other);
+                    break;
+                }
+            }
+            let Some(other) = better else { break };
+            let requests = std::mem::take(&mut trial.requests);
+            trial = Trial { requests: requests.into_iter().chain(other.requests).collect(), ..other };
+        }
+        Ok(trial)
+    }
+}
+
+/// A program that is tried.
+pub(super) struct Tried<'a> {
+    path: &'a Path,
+    folder: &'a Base,
+    common: &'a Common,
+    tree: Table,
+    /// Lists of its configuration that findings add to.
+    lists: Lists,
+}
+
+pub(super) type Lists = BTreeMap<(String, String), Vec<String>>;
+
+impl<'a> Tried<'a> {
+    pub fn new(path: &'a Path, folder: &'a Base, common: &'a Common) -> Result<Tried<'a>, Trouble> {
+        let tree = config::tree_beyond(folder.hidden.as_deref(), path, common)?;
+        Ok(Tried { path, folder, common, lists: lists(&config::settings_of(&tree, common)?), tree })
+    }
+
+    /// What it comes to once all is answered that it asks for, beginning with `needs`.
+    fn answered(&self, mut needs: Needs) -> Result<Trial, Trouble> {
+        let name = self.path.display().to_string();
+        let mut requests: Vec<Request> = Vec::new();
+        for round in 0.. {
+            let mut trial = self.once(&needs)?;
+            let is_new = needs.take(&name, &trial.requests);
+            requests.extend(trial.requests.drain(..).map(|request| needs.by_its_name(request)));
+            if !is_new || trial.left.is_empty() || round + 1 == MOST_ROUNDS {
+                return Ok(Trial { needs, requests, rounds: round, lists: self.lists.clone(), ..trial });
+            }
+        }
+        Err("nothing was tried".to_owned())
+    }
+
+    /// One run with some value for each of `needs`.
+    pub fn once(&self, needs: &Needs) -> Result<Trial, Trouble> {
+        let settings = self.settings(needs)?;
+        let Loaded { session, dialect, settings, files, .. } = load_with(self.path, self.common, settings)?;
+        let uses = session.uses(dialect, &settings, &files);
+        files.unchanged()?;
+        let place = |loc| Place::new(loc, &session);
+        let mut asked = requests(&session, &|file| self.folder.root_of(file));
+        // A constant cutting speed looks like a lathe; only the user knows.
+        let is_open = !said(&self.tree, "machine", "kind");
+        if let Some(loc) = uses.cutting_speed
+            && settings.machine.kind == MachineKind::Mill
+            && !dialect.turns
+            && is_open
+        {
+            let answer = Answer::key("machine", "kind").one_of(&["\"lathe\"", "\"mill\""]);
+            asked.push(Request { answer, code: None, place: place(loc) });
+        }
+        let tools = uses.tools.iter().filter(|(number, _)| **number != 0).map(|(number, tool)| {
+            let mut what: Vec<String> = tool.cycles.iter().map(|family| words(family)).collect();
+            what.extend(tool.compensated.then(|| "radius compensation".to_owned()));
+            (Called::of(*number, needs), place(tool.first), what.join(", "))
+        });
+        let offsets = uses.offsets.iter().filter(|(number, _)| !needs.is_tried_offset(&offset(**number)));
+        Ok(Trial {
+            name: self.path.display().to_string(),
+            dialect,
+            needs: Needs::default(),
+            tools: tools.collect(),
+            offsets: offsets.map(|(number, loc)| (*number, place(*loc))).collect(),
+            missing: missing(&session),
+            identity: session.sources.identity(FileId(0)),
+            calls: (1..session.sources.len()).map(|file| session.sources.identity(FileId(file as u16))).collect(),
+            left: errors(&session),
+            rounds: 0,
+            requests: asked,
+            lists: Lists::new(),
+        })
+    }
+
+    /// The settings with some value for all that is asked for.
+    pub fn settings(&self, needs: &Needs) -> Result<Settings, Trouble> {
+        let listed = |section: &str, key: &str| {
+            self.lists.get(&(section.to_owned(), key.to_owned())).cloned().unwrap_or_default()
+        };
+        let text = needs.toml(Form::Tried, &BTreeSet::new(), &listed);
+        let mut tree = self.tree.clone();
+        let mut over = parse(&text, "what is tried").map_err(|error| error.to_string())?;
+        config::make_absolute(&mut over, &self.folder.folder);
+        overlay(&mut tree, over);
+        let mut settings = config::settings_of(&tree, self.common)?;
+        settings.limits.steps = settings.limits.steps.min(STEPS);
+        Ok(settings)
+    }
+}
+
+/// Lists of the configuration that findings add to.
+fn lists(settings: &Settings) -> Lists {
+    let m = settings.output.pass_m.iter().map(ToString::to_string).collect();
+    BTreeMap::from([(("output".to_owned(), "pass_m".to_owned()), m)])
+}
+
+/// Does the configuration say this key?
+fn said(tree: &Table, section: &str, key: &str) -> bool {
+    matches!(tree.get(section).map(|node| &node.value), Some(Value::Table(table)) if table.contains_key(key))
+}
+
+/// `PathMilling` as words.
+fn words(family: &str) -> String {
+    let mut text = String::new();
+    for c in family.chars() {
+        if c.is_uppercase() && !text.is_empty() {
+            text.push(' ');
+        }
+        text.extend(c.to_lowercase());
+    }
+    text
+}
+
+/// Called programs that are found nowhere and that no key stands for.
+fn missing(session: &Session) -> Vec<(String, Place)> {
+    let mut list = Vec::new();
+    session.diags.each(|found| {
+        if found.code.id == codes::P0101.id {
+            list.push((found.message.clone(), Place::new(found.label.loc, session)));
+        }
+    });
+    list
+}
+
+/// Codes of the errors, each once.
+fn errors(session: &Session) -> Vec<(&'static str, Place)> {
+    let mut list: Vec<(&'static str, Place)> = Vec::new();
+    session.diags.each(|found| {
+        let is_known = list.iter().any(|(code, _)| *code == found.code.id);
+        // A trial is cut off early.
+        if found.severity == Severity::Error && found.code.id != codes::P4001.id && !is_known {
+            list.push((found.code.id, Place::new(found.label.loc, session)));
+        }
+    });
+    list
+}
+
+/// The word of a work offset, 1 (G54) to 9 (G59.3), and on.
+pub(super) fn offset(number: u8) -> String {
+    match number {
+        1..=6 => format!("G{}", 53 + number),
+        10.. => format!("G54.1 P{}", number - 6),
+        n => format!("G59.{}", n.saturating_sub(6)),
+    }
+}
