@@ -192,6 +192,13 @@ pub struct Control {
     pub mtc200: Mtc200,
 }
 
+impl Control {
+    /// Is it said which word changes tools?
+    pub fn says_tool_change(&self) -> bool {
+        self.sinumerik.tool_change_by_t.is_some()
+    }
+}
+
 /// `[datums]`
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Datums {

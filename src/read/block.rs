@@ -233,6 +233,20 @@ impl Block {
                 return Ok(());
             }
         };
+        let group = self
+            .motion_word(tenths)
+            .or_else(|| self.word_of_place(tenths))
+            .or_else(|| self.word_of_mode(tenths))
+            .ok_or_else(unknown)?;
+        if self.groups & (1 << group) != 0 {
+            return Err(Fault::new("two G functions of one group contradict each other"));
+        }
+        self.groups |= 1 << group;
+        Ok(())
+    }
+
+    /// A word that says how the block moves, and its group.
+    fn motion_word(&mut self, tenths: i64) -> Option<u8> {
         let group = match tenths {
             0 | 10 | 20 | 30 | 330 => {
                 self.motion = Some((tenths / 10) as u8);
@@ -261,17 +275,17 @@ impl Block {
                 self.dwell = true;
                 1
             }
-            70 | 80 => {
-                self.diameter = Some(tenths == 70);
-                2
-            }
+            _ => return None,
+        };
+        Some(group)
+    }
+
+    /// A word that says from where positions count, or for which tool.
+    fn word_of_place(&mut self, tenths: i64) -> Option<u8> {
+        let group = match tenths {
             170 | 180 | 190 => {
                 self.plane = Some([Plane::Xy, Plane::Zx, Plane::Yz][(tenths / 10 - 17) as usize]);
                 3
-            }
-            200 | 210 => {
-                self.inches = Some(tenths == 200);
-                4
             }
             400 => {
                 self.side = Some((0, false));
@@ -296,6 +310,22 @@ impl Block {
             540 | 550 | 560 | 570 | 580 | 590..=593 => {
                 self.offset = Some((tenths / 10 - 53 + tenths % 10) as u8);
                 OFFSETS
+            }
+            _ => return None,
+        };
+        Some(group)
+    }
+
+    /// A word that says how numbers and feeds are meant, or how corners are taken.
+    fn word_of_mode(&mut self, tenths: i64) -> Option<u8> {
+        let group = match tenths {
+            70 | 80 => {
+                self.diameter = Some(tenths == 70);
+                2
+            }
+            200 | 210 => {
+                self.inches = Some(tenths == 200);
+                4
             }
             600 | 610 | 611 | 640 | 6410 | 6420 => {
                 self.corners = Some(match tenths {
@@ -323,13 +353,9 @@ impl Block {
                 self.constant_cut = Some(tenths == 960);
                 13
             }
-            _ => return Err(unknown()),
+            _ => return None,
         };
-        if self.groups & (1 << group) != 0 {
-            return Err(Fault::new("two G functions of one group contradict each other"));
-        }
-        self.groups |= 1 << group;
-        Ok(())
+        Some(group)
     }
 
     /// The compensation that the block asks for.

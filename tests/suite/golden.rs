@@ -23,15 +23,15 @@ macro_rules! books {
 
 books! {
     errors_gcode = "errors/gcode":
-        R R4;
+        P0206 R R4;
     errors_heidenhain_turning = "errors/heidenhain-turning":
         G L T0 T1 T200 T201 T202 T203 T205 T207 T3 T8 T9;
     errors_klartext = "errors/klartext":
         G G305 G32 K0 K100 K1005 K101 K18 K20 K2014 K21 K22 K23 K24 K2412 K25 K26 K27 K28 K2854 K2855 K2856 K29 K294 K295 K30 K8 K8026 K8027 K81 K814 K900 K901 K903 K904 L1 L2 O P;
     errors_mtc200 = "errors/mtc200":
-        G L M0 M100 M1006 M101 M1012 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O P P0205;
+        G L M0 M100 M1006 M101 M1012 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O P P0205 P0206;
     errors_sinumerik = "errors/sinumerik":
-        G G330 G332 L1 L2 O O4006 P P000 P0107 P0205 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
+        G G330 G332 L1 L2 O O4006 P P000 P0107 P0205 P0206 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
     gcode = "gcode":
         lines path_control rigid_taps speeds;
     heidenhain_turning = "heidenhain-turning":
@@ -39,6 +39,8 @@ books! {
         recess_turning roughing shifts threads tools undercut variables;
     heidenhain_turning_finishing = "heidenhain-turning/finishing":
         ends;
+    heidenhain_turning_noses = "heidenhain-turning/noses":
+        centre;
     heidenhain_turning_recess_turning = "heidenhain-turning/recess_turning":
         blanks words;
     heidenhain_turning_threads = "heidenhain-turning/threads":
@@ -65,7 +67,7 @@ books! {
     klartext_functions = "klartext/functions":
         m116_to_m140 m91;
     klartext_machining = "klartext/machining":
-        bores contours contours_refused faces finishing holes islands old_pockets patterns pockets rest slots studs threads ties tilts;
+        bores contours contours_refused faces finishing holes islands middle_line old_pockets patterns pockets rest slots studs threads ties tilts;
     klartext_parameters = "klartext/parameters":
         functions system_data texts;
     klartext_path = "klartext/path":
@@ -88,7 +90,7 @@ books! {
     sinumerik_approach = "sinumerik/approach":
         lines;
     sinumerik_calls = "sinumerik/calls":
-        external numbered parameters passes reserved save search_path;
+        external left_out numbered parameters passes reserved save search_path;
     sinumerik_circles = "sinumerik/circles":
         cip_and_ct helices;
     sinumerik_compensation = "sinumerik/compensation":
@@ -102,7 +104,7 @@ books! {
     sinumerik_corners = "sinumerik/corners":
         chamfers rounding;
     sinumerik_drilling = "sinumerik/drilling":
-        boring cycle81 cycle82 cycle83 cycle84 cycle840 lathe planes zones;
+        boring cycle81 cycle82 cycle83 cycle84 cycle840 lathe planes zone_signs zones;
     sinumerik_examples = "sinumerik/examples":
         arcs corners faults frames language;
     sinumerik_feeds = "sinumerik/feeds":
@@ -124,7 +126,7 @@ books! {
     sinumerik_undercut_corners = "sinumerik/undercut_corners":
         form_e form_f threads;
     sinumerik_undercut_cycles = "sinumerik/undercut_cycles":
-        cycle94 cycle940 cycle940_a cycle940_b cycle940_c cycle940_d cycle940_e cycle940_f cycle940_t cycle96 noses;
+        cycle94 cycle940 cycle940_a cycle940_b cycle940_c cycle940_d cycle940_e cycle940_f cycle940_t cycle96 noses written_edges;
     sinumerik_variables = "sinumerik/variables":
         arrays;
     targets_klartext = "targets/klartext":

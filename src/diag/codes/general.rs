@@ -114,6 +114,9 @@ P0205 Error "entry-takes-a-move-away" "entry of partc.toml would make a move van
 function, a machining cycle, mirror, scale, a transformation. Left out, what follows would be another path: a tap would go into its hole at rapid. Take the entry out. What cannot be compiled has to \
 be programmed another way; for a cycle, a program of your own may stand: `{ file = \"stubs/CYCLE952.SPF\" }`."
 
+P0206 Warning "tool-never-changed" "tool is chosen, and the program changes none"
+"T chooses a tool, the program cuts, and no word of it changes a tool. Where M6 changes tools, the tool that is in the spindle at the start cuts, on the control and here. Where T itself changes them, the output would cut with the wrong one: partc takes M6 for the word unless the machine is a lathe. Set `[control] tool_change = \"t\"` for a machine that changes with T, or \"m6\" where the program means the tool that is there."
+
 P4001 Error "step-limit" "program runs too many blocks"
 "partc executes the program as the control would, and stops after `[limits] steps` blocks, counted from the first jump \
 or call on (10 million by default). \

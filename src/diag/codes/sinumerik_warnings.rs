@@ -243,7 +243,8 @@ the machine (coolant, retraction, speed) is not in the output, and the axes stan
 S8163 Warning "siemens-change-left-out" "tool is chosen and never changed in"
 "T chose a tool, a call that `[programs]` leaves out follows, and no M6 changes the tool in. If the program behind that call is the tool change of the machine, the \
 output cuts with the tool before it. Say what the call does: `TC = { change = true }` changes to the tool that T chose, `TC = { tool = 1 }` to the tool of its first argument. Where T \
-itself changes the tool (a turret), set `[control] tool_change = \"t\"`. A tool that an M6 changes in later is only chosen ahead, and nothing is reported."
+itself changes the tool (a turret), set `[control] tool_change = \"t\"`. A tool that an M6 changes in later is only chosen ahead, and nothing is reported; where T chooses it once more after \
+something was cut, that may have been the cut of this tool, and it is. The same holds for a call that names a tool in quotation marks: one of `[tools]` or `$TC_TP2`, or any name in front of the first tool."
 
 S8190 Warning "siemens-g53-beside-g500" "machine coordinates beside positions under G500"
 "Positions under G500 count from the basic system and are printed as they stand, in the offset that is active on the target at the start. Those of G53, G153 and SUPA \

@@ -162,7 +162,7 @@ end as if the contour went on level. G810, G819, G820 and G829 cut these parts w
 
 T2027 Note "turning-nose-unknown" "nose radius of the tool is not known"
 "Contour cycles compensate the radius of the nose. The program does not hold it. This contour lies along the axes, where the programmed point of the tool is \
-exact, so it is printed; in inner corners the nose leaves its radius standing. With a slope or an arc the cycle is refused (T2024). Add `radius` and `orientation` \
+exact, so it is printed; in inner corners the nose leaves its radius standing. A face that ends at X0 keeps a pip of that radius at the centre: the nose touches the face beside the programmed point. With a slope or an arc the cycle is refused (T2024). Add `radius` and `orientation` \
 of the tool to `[tools]` in partc.toml."
 
 T2028 Warning "turning-descending-feed" "feed on descending elements is partc's choice"

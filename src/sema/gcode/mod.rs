@@ -248,6 +248,10 @@ impl<'a> Interpreter<'a> for Run<'a> {
     fn unread_block(&mut self) {
         self.lose_all();
     }
+
+    fn finish(&mut self) {
+        self.report_no_change();
+    }
 }
 
 /// Why a line is refused.

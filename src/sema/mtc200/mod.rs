@@ -202,6 +202,10 @@ impl<'a> Interpreter<'a> for Run<'a> {
         self.st.motion.lose();
         self.lose_all();
     }
+
+    fn finish(&mut self) {
+        self.report_no_change();
+    }
 }
 
 impl Run<'_> {

@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use crate::diag::{Diagnostic, codes};
-use crate::ir::contour::{Coords, Corner, CtxRef, Move, Sink, TOO_LARGE, TOO_LARGE_HELP};
+use crate::ir::contour::{Coords, Corner, CtxRef, Move, Path, Sink, TOO_LARGE, TOO_LARGE_HELP};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos, Tap};
 use crate::parser::problem::Problem;
@@ -15,6 +15,7 @@ use crate::text::{FileId, Loc, Span};
 
 use super::Language;
 use super::budget::{BYTES_A_STEP, Budget};
+use super::chosen_tool::ChosenTool;
 use super::level::{Level, Program};
 use super::printed::{PrintedOffsets, PrintedTools};
 use super::site::Site;
@@ -44,6 +45,7 @@ pub struct Core<'a, L: Language> {
     /// A move counted from the work offset that is selected.
     pub(super) moved: bool,
     pub(super) printed_tools: PrintedTools,
+    pub(super) chosen_tool: ChosenTool,
     pub(super) errors: Cell<u32>,
 }
 
@@ -72,6 +74,7 @@ impl<'a, L: Language> Core<'a, L> {
             printed_offsets: PrintedOffsets::default(),
             moved: false,
             printed_tools: PrintedTools::default(),
+            chosen_tool: ChosenTool::default(),
             errors: Cell::new(0),
         }
     }
@@ -266,6 +269,9 @@ impl<L: Language> Core<'_, L> {
             return self.out_of_range(ctx, origin);
         }
         self.moved |= mv.coords == Coords::Frame;
+        if !matches!(mv.path, Path::Rapid) {
+            self.chosen_tool.cuts();
+        }
         self.out.movement(mv, ctx, origin);
     }
 
@@ -280,6 +286,7 @@ impl<L: Language> Core<'_, L> {
     }
 
     pub fn send_function(&mut self, function: &Function, ctx: &CtxRef) {
+        self.chosen_tool.function(function, self.here.origin.loc);
         self.out.function(function, ctx, &self.here.origin);
     }
 
@@ -288,6 +295,7 @@ impl<L: Language> Core<'_, L> {
             return self.out_of_steps(self.here.origin.loc);
         }
         self.moved = true;
+        self.chosen_tool.cuts();
         self.out.cycle(cycle, ctx, &self.here.origin);
     }
 
@@ -300,6 +308,7 @@ impl<L: Language> Core<'_, L> {
     /// A tap of another block than the one in hand.
     pub fn send_tap_of(&mut self, tap: &Tap, ctx: &CtxRef, origin: &Origin) {
         self.moved = true;
+        self.chosen_tool.cuts();
         self.out.tap(tap, ctx, origin);
     }
 

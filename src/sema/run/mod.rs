@@ -4,6 +4,7 @@
 //! becomes blocks, an [`Interpreter`] what a block does, and [`run`] drives both.
 
 mod budget;
+mod chosen_tool;
 mod core;
 mod end;
 mod entries;

@@ -282,7 +282,7 @@ impl Run<'_> {
             return self.fail_help(codes::S9005, block.span, message, help);
         }
         let arguments = self.arguments(args, block, text)?;
-        if let Some(done) = self.modal_stand_in(&word, block.span) {
+        if let Some(done) = self.modal_stand_in(&word, block.span, &arguments) {
             return done;
         }
         let unit = self.find_called(&word, block.span, &arguments)?;

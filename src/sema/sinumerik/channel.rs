@@ -3,7 +3,6 @@
 //! It knows the modal state and where items go, and nothing of variables, formulas and programs, which [`super::Run`]
 //! keeps above it.
 
-use crate::diag::Diagnostic;
 use crate::ir::Function;
 use crate::ir::contour::Sink;
 use crate::machine::Proposed;
@@ -14,6 +13,7 @@ use super::Core;
 use super::axis_names::AxisNames;
 use super::capture::Capture;
 use super::lane::Lane;
+use super::lost_change::LeftOut;
 use super::soft_approach::Soft;
 use super::state::State;
 
@@ -32,8 +32,8 @@ pub(super) struct Channel<'a> {
     pub iso: bool,
     /// Straight blocks that may take the lane.
     pub lane: Lane,
-    /// What a call that is left out may have changed in: the tool that T chose, and the finding if nothing else changes it in.
-    pub change_left_out: Option<Box<(u32, Diagnostic)>>,
+    /// What a call that is left out may have changed in.
+    pub change_left_out: Option<Box<LeftOut>>,
 }
 
 impl<'a> Channel<'a> {

@@ -11,11 +11,12 @@ use crate::ir;
 use crate::ir::Side;
 use crate::ir::compensation::{Alarms, Border, Ends, FeedAt, Inside, Outside, Search};
 use crate::machine::Compensation;
+use crate::sema::common::compensation::edge_direction;
 use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::g_groups::{GCode, Group};
-use super::value::Val;
+use super::value::{Val, whole};
 use super::vocabulary::Address;
 use super::words::{Given, Words};
 use super::{Channel, Core, Outcome};
@@ -323,7 +324,7 @@ impl Channel<'_> {
             let message = format!("T{number} is a turning tool, and its nose is compensated in the plane ZX only");
             return self.fail_help(codes::S9010, span, message, "select G18 in front of G41 and G42");
         }
-        let position = written(2).or(tool.and_then(|tool| tool.orientation).map(f64::from));
+        let position = self.edge_position(number, edge);
         let Some(way) = position.and_then(nose_of) else {
             let (message, help) = match position {
                 Some(position) => {
@@ -364,18 +365,6 @@ impl Core<'_> {
 /// Way from the tip to the centre of a nose of radius 1 along Z and X, by the position of the edge: seen with Z to the
 /// right and X up.
 pub(super) fn nose_of(position: f64) -> Option<Vec2> {
-    let (z, x) = match position as i64 {
-        _ if position.fract() != 0.0 => return None,
-        1 => (-1.0, -1.0),
-        2 => (1.0, -1.0),
-        3 => (1.0, 1.0),
-        4 => (-1.0, 1.0),
-        5 => (-1.0, 0.0),
-        6 => (0.0, -1.0),
-        7 => (1.0, 0.0),
-        8 => (0.0, 1.0),
-        9 => (0.0, 0.0),
-        _ => return None,
-    };
-    Some(Vec2::new(z, x))
+    let position = whole(position).and_then(|position| u8::try_from(position).ok())?;
+    edge_direction(position).map(|to| Vec2::zeros() - to)
 }

@@ -71,6 +71,7 @@ impl Channel<'_> {
             && !self.st.compensation.waits()
             && !self.st.corners.open.is_open()
             && self.st.corners.rounding() == 0.0
+            && self.cut_is_known()
     }
 
     /// Executes the next block where it stands, if it is one of X, Y, Z, I, J and F while nothing else is on.

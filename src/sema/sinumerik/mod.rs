@@ -37,6 +37,7 @@ mod g_groups;
 mod known_words;
 mod lane;
 mod left_out;
+mod lost_change;
 mod machine_place;
 mod macros;
 mod measuring_data;
@@ -302,6 +303,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     fn finish(&mut self) {
         self.report_lost_change();
+        self.report_no_change();
         self.report_open();
     }
 }

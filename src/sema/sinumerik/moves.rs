@@ -20,6 +20,9 @@ impl Channel<'_> {
     /// Sends a move to the named axes of `end`.
     #[inline]
     pub(super) fn send(&mut self, end: &Pos, path: Path) {
+        if !matches!(path, Path::Rapid) {
+            self.cuts_in_between();
+        }
         if self.st.offsets.in_machine() {
             return self.send_in_machine(end, path);
         }

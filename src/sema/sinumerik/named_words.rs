@@ -3,8 +3,9 @@
 //! Source: S 1.3 and 5.6 (docs/sources.md).
 
 use crate::diag::{Answer, codes};
-use crate::parser::sinumerik::ast::{Args, Base, Block, Value, Word};
+use crate::parser::sinumerik::ast::{Args, Base, Block, Formula, Value, Word};
 use crate::parser::symbols::Symbol;
+use crate::text::Span;
 
 use super::axis_names::NamedAxis;
 use super::g_groups::{GCode, Group};
@@ -28,58 +29,7 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome<bool> {
         if let Value::Formula(formula) = word.value {
-            if self.vars.find(name).is_some() {
-                self.assign_word(word, block, text)?;
-                return Ok(true);
-            }
-            match self.meaning(name) {
-                Meaning::Address(Address::Prio) if interrupts(words) => {
-                    let given = self.given(word, block, text)?;
-                    if !(1.0..=128.0).contains(&given.value) {
-                        return self.fail(
-                            codes::S2021.alarm(14660),
-                            word.span,
-                            "the priority of an interrupt is 1 to 128",
-                        );
-                    }
-                }
-                Meaning::Address(Address::Dynamics) => {
-                    let value = self.eval(formula, block, text)?;
-                    if self.symbols.name(name) == "OVR" && value.number() != Some(100.0) {
-                        let message = "OVR= changes every feed by a factor";
-                        return self.fail_help(
-                            codes::S9009,
-                            word.span,
-                            message,
-                            "program the feed itself, and OVR=100",
-                        );
-                    }
-                    match self.symbols.name(name) {
-                        "ADIS" => words.smoothing.distance = value.number(),
-                        "CTOL" => words.smoothing.tolerance = value.number(),
-                        _ => drop(words.dynamics.get_or_insert(word.span)),
-                    }
-                }
-                Meaning::Address(address) => {
-                    let given = self.given(word, block, text)?;
-                    words.set_address(&self.core, address, given)?;
-                }
-                Meaning::Axis(named) => {
-                    let given = self.given(word, block, text)?;
-                    self.axis_word(words, named, given)?;
-                }
-                Meaning::Procedure(Procedure::Refused(Refusal { what, .. })) => {
-                    let message = format!("{} ({what}) is not supported", self.symbols.name(name));
-                    return self.fail_help(codes::S9005, word.span, message, "replace it by plain moves");
-                }
-                _ => {
-                    if self.definitions_known() {
-                        return self.undefined_word(name, word.span);
-                    }
-                    return self.name_word(words, name, word, block, text);
-                }
-            }
-            return Ok(false);
+            return self.name_with_value(words, (name, formula), word, block, text);
         }
         let args = match word.value {
             Value::Call(args) => Some(args),
@@ -89,20 +39,7 @@ impl Run<'_> {
         match (meaning, args) {
             (Meaning::Code(code), None) => words.add_code(&self.core, code, word.span)?,
             (Meaning::Procedure(Procedure::NoEffect), _) if words.calls.word.is_none() => {
-                let own = self.symbols.name(name);
-                if own == "SAVE" || own == "STOPRE" && args.is_some_and(|args| args.count > 0) {
-                    let (what, help) = if own == "SAVE" {
-                        ("SAVE is an attribute of PROC", "write it behind the name in the PROC block")
-                    } else {
-                        ("STOPRE takes no argument", "write STOPRE alone")
-                    };
-                    return self.fail_help(codes::S1001.alarm(12080), word.span, what, help);
-                }
-                self.control_words_are_left_out(word.span);
-                // It ends the look-ahead.
-                if self.st.pair.is_open() && self.symbols.name(name) == "STOPRE" {
-                    self.pending_must_be_done(word.span)?;
-                }
+                self.without_effect(name, args, word.span)?;
             }
             // `SETINT(1) PRIO=1 NAME`
             (Meaning::Unknown, _) if interrupts(words) && words.calls.interrupt.is_none() => {
@@ -119,6 +56,86 @@ impl Run<'_> {
             _ => words.calls.word = Some(CallWord { name, meaning, args, span: word.span }),
         }
         Ok(false)
+    }
+
+    /// `NAME=…`: a variable, an address, or an axis.
+    fn name_with_value(
+        &mut self,
+        words: &mut Words,
+        (name, formula): (Symbol, Formula),
+        word: &Word,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome<bool> {
+        if self.vars.find(name).is_some() {
+            self.assign_word(word, block, text)?;
+            return Ok(true);
+        }
+        match self.meaning(name) {
+            Meaning::Address(Address::Prio) if interrupts(words) => {
+                let given = self.given(word, block, text)?;
+                if !(1.0..=128.0).contains(&given.value) {
+                    let message = "the priority of an interrupt is 1 to 128";
+                    return self.fail(codes::S2021.alarm(14660), word.span, message);
+                }
+            }
+            Meaning::Address(Address::Dynamics) => {
+                let value = self.eval(formula, block, text)?;
+                self.dynamics_word(words, name, value.number(), word.span)?;
+            }
+            Meaning::Address(address) => {
+                let given = self.given(word, block, text)?;
+                words.set_address(&self.core, address, given)?;
+            }
+            Meaning::Axis(named) => {
+                let given = self.given(word, block, text)?;
+                self.axis_word(words, named, given)?;
+            }
+            Meaning::Procedure(Procedure::Refused(Refusal { what, .. })) => {
+                let message = format!("{} ({what}) is not supported", self.symbols.name(name));
+                return self.fail_help(codes::S9005, word.span, message, "replace it by plain moves");
+            }
+            _ => {
+                if self.definitions_known() {
+                    return self.undefined_word(name, word.span);
+                }
+                return self.name_word(words, name, word, block, text);
+            }
+        }
+        Ok(false)
+    }
+
+    /// OVR, ADIS, CTOL and the like.
+    fn dynamics_word(&self, words: &mut Words, name: Symbol, value: Option<f64>, span: Span) -> Outcome {
+        match self.symbols.name(name) {
+            "OVR" if value != Some(100.0) => {
+                let message = "OVR= changes every feed by a factor";
+                return self.fail_help(codes::S9009, span, message, "program the feed itself, and OVR=100");
+            }
+            "ADIS" => words.smoothing.distance = value,
+            "CTOL" => words.smoothing.tolerance = value,
+            _ => drop(words.dynamics.get_or_insert(span)),
+        }
+        Ok(())
+    }
+
+    /// STOPRE and other words that do nothing to the path.
+    fn without_effect(&mut self, name: Symbol, args: Option<Args>, span: Span) -> Outcome {
+        let own = self.symbols.name(name);
+        if own == "SAVE" || own == "STOPRE" && args.is_some_and(|args| args.count > 0) {
+            let (what, help) = if own == "SAVE" {
+                ("SAVE is an attribute of PROC", "write it behind the name in the PROC block")
+            } else {
+                ("STOPRE takes no argument", "write STOPRE alone")
+            };
+            return self.fail_help(codes::S1001.alarm(12080), span, what, help);
+        }
+        self.control_words_are_left_out(span);
+        // It ends the look-ahead.
+        if self.st.pair.is_open() && self.symbols.name(name) == "STOPRE" {
+            self.pending_must_be_done(span)?;
+        }
+        Ok(())
     }
 
     pub(super) fn indexed_word(

@@ -192,42 +192,8 @@ impl Run<'_> {
                 Ok(())
             }
             Procedure::Message => self.message(&formulas, block, text),
-            Procedure::SetAlarm => {
-                let mut shown = String::new();
-                let alarm = formulas.first().and_then(|formula| self.number(*formula, block, text).ok());
-                if let Some(number) = alarm.filter(|number| !(60_000.0..70_000.0).contains(number)) {
-                    self.stop_run();
-                    let message = format!("SETAL({number}) is no alarm of a program");
-                    return self.fail_help(
-                        codes::S2027.alarm(15700),
-                        call.span,
-                        message,
-                        "programs have the alarms 60000 to 69999",
-                    );
-                }
-                for formula in &formulas {
-                    let value = self.eval(*formula, block, text)?;
-                    if let Some(text) = to_text(&value) {
-                        shown = format!("{shown} {}", String::from_utf8_lossy(&text));
-                    }
-                }
-                self.stop_run();
-                let (cause, help) = match alarm.and_then(super::cycles::alarm_meaning) {
-                    Some((cause, help)) => (format!(": {cause}"), help),
-                    None => (String::new(), "it found its own data wrong: look at the conditions in front of SETAL"),
-                };
-                self.fail_help(codes::S2027, call.span, format!("the program raises alarm{shown}{cause}"), help)
-            }
-            Procedure::SetMaster => {
-                let n = match formulas.first() {
-                    Some(formula) => self.number(*formula, block, text)?,
-                    None => 1.0,
-                };
-                match whole(n).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=20).contains(n)) {
-                    Some(n) => self.set_master(n, call.span),
-                    None => self.fail(codes::S2045, call.span, format!("there is no spindle {n}")),
-                }
-            }
+            Procedure::SetAlarm => self.set_alarm(&formulas, call.span, block, text),
+            Procedure::SetMaster => self.set_master_block(&formulas, call.span, block, text),
             Procedure::Channel => {
                 self.note_once(
                     codes::S8015,
@@ -248,7 +214,10 @@ impl Run<'_> {
                 self.call_program(&name, call.span, Some(call), None, block, text)
             }
             Procedure::Transformation(on) => self.transformation(on, &formulas, call.span, block, text),
-            Procedure::TransformationOff if formulas.is_empty() => {
+            Procedure::TransformationOff | Procedure::DiameterChannel if !formulas.is_empty() => {
+                self.fail(codes::S2021.alarm(12090), call.span, format!("{name} takes no argument"))
+            }
+            Procedure::TransformationOff => {
                 if !self.transformation_off(call.span)? {
                     self.control_words_are_left_out(call.span);
                 }
@@ -259,9 +228,6 @@ impl Run<'_> {
                 self.control_words_are_left_out(call.span);
                 Ok(())
             }
-            Procedure::TransformationOff => {
-                self.fail(codes::S2021.alarm(12090), call.span, format!("{name} takes no argument"))
-            }
             Procedure::Swivel => self.swivel(&formulas, call.span, block, text),
             Procedure::GeoAxes => self.geo_axes(&formulas, call.span, block, text),
             Procedure::EndLabel => self.fail_help(
@@ -270,9 +236,6 @@ impl Run<'_> {
                 "ENDLABEL is a label, and its colon is missing",
                 "write `ENDLABEL:` at the start of the block",
             ),
-            Procedure::DiameterChannel if !formulas.is_empty() => {
-                self.fail(codes::S2021.alarm(12090), call.span, format!("{name} takes no argument"))
-            }
             Procedure::DiameterChannel => {
                 self.st.diameter = None;
                 Ok(())
@@ -280,20 +243,59 @@ impl Run<'_> {
             Procedure::Refused(_) if self.own_program(&name) => {
                 self.call_program(&name, call.span, Some(call), None, block, text)
             }
-            Procedure::Refused(Refusal { what, code, .. }) => {
-                self.st.position.lose(AxisSet::ALL);
-                self.lost();
-                let help = super::cycles::instead(&name);
-                let help = if code.id == codes::S9005.id {
-                    let file = format!("{{ file = \"stubs/{name}.SPF\" }}");
-                    let text = format!("{help}; or say what runs instead: `[programs] {name} = {file}`");
-                    Answer::key("programs", &name).one_of(&[file]).help(text)
-                } else {
-                    help.into()
-                };
-                self.fail_help(code, call.span, format!("{name} ({what}) is not supported"), &help)
+            Procedure::Refused(refusal) => self.refused_procedure(&name, refusal, call.span),
+        }
+    }
+
+    /// SETAL
+    fn set_alarm(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
+        let mut shown = String::new();
+        let alarm = formulas.first().and_then(|formula| self.number(*formula, block, text).ok());
+        if let Some(number) = alarm.filter(|number| !(60_000.0..70_000.0).contains(number)) {
+            self.stop_run();
+            let message = format!("SETAL({number}) is no alarm of a program");
+            let help = "programs have the alarms 60000 to 69999";
+            return self.fail_help(codes::S2027.alarm(15700), span, message, help);
+        }
+        for formula in formulas {
+            let value = self.eval(*formula, block, text)?;
+            if let Some(text) = to_text(&value) {
+                shown = format!("{shown} {}", String::from_utf8_lossy(&text));
             }
         }
+        self.stop_run();
+        let (cause, help) = match alarm.and_then(super::cycles::alarm_meaning) {
+            Some((cause, help)) => (format!(": {cause}"), help),
+            None => (String::new(), "it found its own data wrong: look at the conditions in front of SETAL"),
+        };
+        self.fail_help(codes::S2027, span, format!("the program raises alarm{shown}{cause}"), help)
+    }
+
+    /// SETMS
+    fn set_master_block(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
+        let n = match formulas.first() {
+            Some(formula) => self.number(*formula, block, text)?,
+            None => 1.0,
+        };
+        match whole(n).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=20).contains(n)) {
+            Some(n) => self.set_master(n, span),
+            None => self.fail(codes::S2045, span, format!("there is no spindle {n}")),
+        }
+    }
+
+    /// A procedure that cannot be compiled: nobody knows where it leaves the axes.
+    fn refused_procedure(&mut self, name: &str, Refusal { what, code, .. }: Refusal, span: Span) -> Outcome {
+        self.st.position.lose(AxisSet::ALL);
+        self.lost();
+        let help = super::cycles::instead(name);
+        let help = if code.id == codes::S9005.id {
+            let file = format!("{{ file = \"stubs/{name}.SPF\" }}");
+            let text = format!("{help}; or say what runs instead: `[programs] {name} = {file}`");
+            Answer::key("programs", name).one_of(&[file]).help(text)
+        } else {
+            help.into()
+        };
+        self.fail_help(code, span, format!("{name} ({what}) is not supported"), &help)
     }
 
     /// Words beside a procedure that has no effect.

@@ -15,7 +15,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::geo::arc::tangent_at;
 use crate::geo::soft::{Shape, touch};
-use crate::geo::{Point2, SAME_DIRECTION, SAME_POINT, Vec2, cross, direction};
+use crate::geo::{Plane, Point2, SAME_DIRECTION, SAME_POINT, Vec2, cross, direction};
 use crate::ir::compensation::Border;
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::{self, Feed, Function, Origin, Pos, Side};
@@ -414,13 +414,7 @@ impl Channel<'_> {
         }
         let way = if falls { soft.sizes.infeed.or(soft.feed) } else { soft.feed };
         let to = place(Some(at), heights.map(|h| h.contour));
-        let path = match (touch.circle, way) {
-            (Some(center), Some(feed)) => {
-                let shape = ArcShape::Center { center, ccw: s > 0.0, tol: CLOSE };
-                Path::Arc(Arc { plane, shape, turns: 0 }, feed)
-            }
-            _ => Path::straight(way),
-        };
+        let path = way.map_or(Path::straight(None), |feed| path_of(plane, touch.circle, s > 0.0, feed));
         self.soft_move(to, path, printed);
         Ok(())
     }
@@ -434,6 +428,7 @@ impl Channel<'_> {
     }
 
     fn soft_move(&mut self, end: Pos, path: Path, side: Side) {
+        self.cuts_in_between();
         let mv = Move { end, path, side, coords: Coords::Frame };
         self.core.send_move(&mv, &self.st.ctx);
     }
@@ -490,12 +485,7 @@ impl Channel<'_> {
             let axis = if self.st.position.get(first).is_none() { first } else { second };
             return self.unknown_axis(axis, span);
         };
-        let heading = match self.st.heading {
-            Heading::Line(from) => from.in_plane(plane).and_then(|from| direction(at - from, SAME_POINT)),
-            Heading::Arc { plane: other, center, ccw } if other == plane => tangent_at(at, center, ccw),
-            _ => None,
-        };
-        let Some(heading) = heading else {
+        let Some(heading) = self.heading_at(at) else {
             let help = "let a line or an arc of the plane stand in front of the retraction";
             return self.soft_fault(span, 10744, "the direction of the contour is not known here", help);
         };
@@ -505,20 +495,7 @@ impl Channel<'_> {
         let s = self.soft_side(Way { shape: sizes.shape, at, heading, span }, side, named.then_some(far))?;
         let radius = if side == Side::None { 0.0 } else { self.st.path.radius() };
         let touch = touch(sizes.shape, sizes.size, at, heading, s, radius);
-        let contour = self.st.position.get(third);
-        let heights = match (contour, end.get(third).or(contour)) {
-            (Some(contour), Some(top)) => {
-                let safe = sizes.safe.map_or(contour, |height| height.over(contour));
-                let over = sizes.plane.map(|height| height.over(contour));
-                let highest = if end.get(third).is_some() { top } else { over.unwrap_or(safe) };
-                self.check_heights(span, highest, contour, safe, sizes.plane)?;
-                Some((Heights { first: over, safe, contour }, highest))
-            }
-            _ if sizes.safe.is_some() || sizes.plane.is_some() || end.get(third).is_some() => {
-                return self.unknown_axis(third, span);
-            }
-            _ => None,
-        };
+        let heights = self.retract_heights(&sizes, end.get(third), span)?;
         let Some(feed) = self.st.feed.word() else {
             self.st.feed.lose();
             return self.fail_help(codes::S2040.alarm(10860), span, "no feed is programmed", "program F in this block");
@@ -530,35 +507,16 @@ impl Channel<'_> {
         if let Some((heights, _)) = heights.filter(|_| rises) {
             to.set(third, heights.safe);
         }
-        let old = match before {
-            Path::Line(feed) => feed,
-            _ => feed,
-        };
-        let path = match touch.circle {
-            Some(center) => {
-                let shape = ArcShape::Center { center, ccw: s > 0.0, tol: CLOSE };
-                Path::Arc(Arc { plane, shape, turns: 0 }, old)
-            }
-            None => Path::Line(old),
-        };
+        let old = if let Path::Line(feed) = before { feed } else { feed };
+        let path = path_of(plane, touch.circle, s > 0.0, old);
         self.soft_move(to, path, self.st.printed_side(side));
         // From here on the centre of the tool itself is meant.
         let mut last = Pos::UNKNOWN;
         last.set_in_plane(plane, touch.centre);
-        let mut sent = false;
         if let Some((heights, highest)) = heights {
-            let up = sizes.infeed.unwrap_or(feed);
-            let first_stop = if rises { None } else { Some(heights.safe).filter(|z| *z != heights.contour) };
-            for (z, feed) in [(first_stop, up), (heights.first.or(Some(highest)), feed)] {
-                if let Some(z) =
-                    z.filter(|z| last.get(third).unwrap_or(if rises { heights.safe } else { heights.contour }) != *z)
-                {
-                    last.set(third, z);
-                    self.soft_move(last, Path::Line(feed), Side::None);
-                    sent = true;
-                }
-            }
+            self.rise(&mut last, heights, highest, [sizes.infeed.unwrap_or(feed), feed]);
         }
+        let sent = last.get(third).is_some();
         if named {
             last.set_in_plane(plane, far);
         }
@@ -572,6 +530,51 @@ impl Channel<'_> {
         self.st.position.move_to(&last);
         Ok(())
     }
+
+    /// The direction of the contour where it ends.
+    fn heading_at(&self, at: Point2) -> Option<Vec2> {
+        let plane = self.st.plane();
+        match self.st.heading {
+            Heading::Line(from) => from.in_plane(plane).and_then(|from| direction(at - from, SAME_POINT)),
+            Heading::Arc { plane: other, center, ccw } if other == plane => tangent_at(at, center, ccw),
+            _ => None,
+        }
+    }
+
+    /// Heights of a retraction, and the highest of them; `None` where the way stays in its plane. `top`: where the block ends.
+    fn retract_heights(&self, sizes: &Sizes, top: Option<f64>, span: Span) -> Outcome<Option<(Heights, f64)>> {
+        let [_, _, third] = self.st.roles();
+        let needed = sizes.safe.is_some() || sizes.plane.is_some() || top.is_some();
+        let Some(contour) = self.st.position.get(third) else {
+            return if needed { self.unknown_axis(third, span) } else { Ok(None) };
+        };
+        let safe = sizes.safe.map_or(contour, |height| height.over(contour));
+        let over = sizes.plane.map(|height| height.over(contour));
+        let highest = top.or(over).unwrap_or(safe);
+        self.check_heights(span, highest, contour, safe, sizes.plane)?;
+        Ok(Some((Heights { first: over, safe, contour }, highest)))
+    }
+
+    /// From the plane of the contour over the safe height to the next one. `feeds`: of either way.
+    fn rise(&mut self, last: &mut Pos, heights: Heights, highest: f64, feeds: [Feed; 2]) {
+        let [_, _, third] = self.st.roles();
+        let rises = self.st.is(GCode::G340);
+        let first_stop = if rises { None } else { Some(heights.safe).filter(|z| *z != heights.contour) };
+        for (z, feed) in [first_stop, heights.first.or(Some(highest))].into_iter().zip(feeds) {
+            let stands = last.get(third).unwrap_or(if rises { heights.safe } else { heights.contour });
+            if let Some(z) = z.filter(|z| *z != stands) {
+                last.set(third, z);
+                self.soft_move(*last, Path::Line(feed), Side::None);
+            }
+        }
+    }
+}
+
+/// The way at the contour: about a centre, or straight.
+fn path_of(plane: Plane, about: Option<Point2>, ccw: bool, feed: Feed) -> Path {
+    let Some(center) = about else { return Path::Line(feed) };
+    let shape = ArcShape::Center { center, ccw, tol: CLOSE };
+    Path::Arc(Arc { plane, shape, turns: 0 }, feed)
 }
 
 /// Where a way meets the contour, and how it leads there.

@@ -70,14 +70,14 @@ impl Run<'_> {
         Some(match change {
             Some(change) => self.change_by_program(name, &change, span, arguments, passes),
             None => {
-                self.leave_call_out(name, span);
+                self.leave_call_out(name, span, arguments);
                 Ok(())
             }
         })
     }
 
     /// The same of a call behind MCALL.
-    pub(super) fn modal_stand_in(&mut self, name: &str, span: Span) -> Option<Outcome> {
+    pub(super) fn modal_stand_in(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Option<Outcome> {
         let name = without_extension(name);
         let changes = match self.job.settings.programs.get(name)? {
             StandIn::File(_) => return None,
@@ -93,35 +93,16 @@ impl Run<'_> {
             let help = "call it without MCALL; or look at what `[programs]` says of it";
             return Some(self.fail_help(codes::S2043, span, message, help));
         }
-        self.leave_call_out(name, span);
+        self.leave_call_out(name, span, arguments);
         Some(Ok(()))
     }
 }
 
 impl Channel<'_> {
-    /// `name` does nothing. Where T has chosen a tool that is not in yet, it may be what changes it in.
-    fn leave_call_out(&mut self, name: &str, span: Span) {
+    /// `name` does nothing.
+    fn leave_call_out(&mut self, name: &str, span: Span, arguments: &[Argument]) {
         self.says_stand_in(span, format!("{name} is left out, as `[programs]` says"));
-        let Some(number) = self.st.tool.waiting().filter(|_| self.change_left_out.is_none()) else { return };
-        let message = format!(
-            "T chose tool {number} before {name}, which is left out, and nothing changes it in afterwards: the tool before \
-             it goes on cutting"
-        );
-        let help = format!(
-            "if {name} changes the tool, say so: `{name} = {{ change = true }}` under `[programs]`; if T itself does, set \
-             `[control] tool_change = \"t\"`"
-        );
-        let found = Diagnostic::new(codes::S8163, self.loc(span), message).help(help);
-        self.change_left_out = Some(Box::new((number, found.called(self.here.origin.call))));
-    }
-
-    /// The tool that a left-out call may have changed in was never changed in: another one is chosen, or the program ends.
-    pub(super) fn report_lost_change(&mut self) {
-        if let Some(lost) = self.change_left_out.take()
-            && !self.job.diags.is_known(&lost.1)
-        {
-            self.job.diags.push(lost.1);
-        }
+        self.may_have_changed(name, span, arguments);
     }
 
     fn says_stand_in(&mut self, span: Span, what: String) {

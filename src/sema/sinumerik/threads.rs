@@ -155,6 +155,7 @@ impl Channel<'_> {
         if changes {
             (tap.speed_in, tap.speed_out) = (Some(speed_in), Some(speed_out));
         }
+        self.cuts_in_between();
         self.core.send_tap_of(&tap, &ctx, &origin);
         if let Some(now) = now.filter(|_| changes) {
             self.send_spindle(self.st.spindles.master(), Spindle::Speed(now));

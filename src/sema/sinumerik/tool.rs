@@ -151,9 +151,7 @@ impl Channel<'_> {
             let unit = if self.st.feed_unit() == Unit::Inch.mm() { Unit::Inch } else { Unit::Mm };
             self.job.calls_tool_in(unit, self.loc(t.span));
         }
-        if self.change_left_out.as_ref().is_some_and(|left| left.0 != number) {
-            self.report_lost_change();
-        }
+        self.chosen_after_left_out(number);
         self.st.tool.choose(number);
         let settings = &self.job.settings.tools;
         if settings.complete && number != 0 && settings.called(number).is_none() {
@@ -222,7 +220,7 @@ impl Channel<'_> {
         }
         let printed = self.job.settings.tools.printed_number(number);
         self.st.tool.change_to(number);
-        self.change_left_out.take_if(|left| left.0 == number);
+        self.changed_after_left_out();
         self.function(Function::ToolChange { number: printed });
         // A tool of another length.
         let [_, _, third] = self.st.roles();
@@ -325,6 +323,12 @@ impl Channel<'_> {
         Some(tool)
     }
 
+    /// Position of a cutting edge: what the program wrote goes before the table, which knows that of D1.
+    pub(super) fn edge_position(&self, number: u32, edge: u32) -> Option<f64> {
+        let listed = || self.job.settings.tools.called(number).filter(|_| edge == 1)?.orientation.map(f64::from);
+        self.st.system.number(&format!("$TC_DP2[{number},{edge}]")).or_else(listed)
+    }
+
     /// The radius of the active edge with its wear: what the program wrote goes before the table.
     pub(super) fn known_radius(&self) -> Option<f64> {
         let (number, edge) = (self.st.tool.active?, self.st.tool.edge_or_first());
@@ -396,19 +400,25 @@ impl Channel<'_> {
         }
         let edge = self.st.tool.edge_or_first();
         let radius = self.cutter_radius(number, edge, span)?;
-        if self.st.tool.rewritten {
-            let message = format!(
-                "the radius of T{number} D{edge} was written behind its selection, and no D stands behind it: whether it \
-                 counts already is not documented"
-            );
-            return self.fail_help(codes::S9010, span, message, format!("program D{edge} behind the assignment"));
-        }
+        self.edge_is_as_selected(number, edge, span)?;
         if self.resolves() {
             return self.compute_compensation(number, edge, radius, span);
         }
         let number = self.job.settings.tools.printed_number(number);
         self.function(Function::Cutter(CutterData { number, radius, ..CutterData::default() }));
         Ok(())
+    }
+
+    /// What the program wrote for the edge in use counts from its next selection on: whether it does before, is open.
+    pub(super) fn edge_is_as_selected(&self, number: u32, edge: u32, span: Span) -> Outcome {
+        if !self.st.tool.rewritten {
+            return Ok(());
+        }
+        let message = format!(
+            "the radius of T{number} D{edge} was written behind its selection, and no D stands behind it: whether it \
+             counts already is not documented"
+        );
+        self.fail_help(codes::S9010, span, message, format!("program D{edge} behind the assignment"))
     }
 
     /// The same for G41 and G42 themselves, which do not come into force without it.

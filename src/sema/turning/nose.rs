@@ -8,6 +8,7 @@ use crate::geo::{Element, Vec2};
 use crate::ir::cycle::layers::{Layers, Relief};
 use crate::ir::cycle::roughing::Nose;
 use crate::machine::Tool;
+use crate::sema::common::compensation::edge_direction;
 
 use super::{Outcome, Run};
 
@@ -57,15 +58,9 @@ impl Run<'_> {
         Ok(Some(Nose { radius, tip }))
     }
 
-    /// Where the edge of the tool points to.
+    /// The corner that the edge of the tool points to.
     pub(super) fn tip_of_tool(&self) -> Option<Vec2> {
-        match self.known_tool()?.orientation? {
-            1 => Some(Vec2::new(1.0, 1.0)),
-            2 => Some(Vec2::new(-1.0, 1.0)),
-            3 => Some(Vec2::new(-1.0, -1.0)),
-            4 => Some(Vec2::new(1.0, -1.0)),
-            _ => None,
-        }
+        edge_direction(self.known_tool()?.orientation?).filter(|tip| tip.x != 0.0 && tip.y != 0.0)
     }
 
     /// What partc.toml says of the tool in the cutting position.
@@ -96,13 +91,18 @@ impl Run<'_> {
         if known.and_then(|tool| tool.radius).is_some() {
             return Ok(());
         }
-        let tip = known.and_then(|tool| tool.orientation).and_then(tip_of_position);
+        let tip = known.and_then(|tool| tool.orientation).and_then(edge_direction);
         let Some(need) = need(pieces, tip) else {
             let message = "the nose radius of the tool is not known: its programmed point follows the contour, which lies along the axes";
             let found = Diagnostic::new(codes::T2027, self.here.origin.loc, message);
-            self.job.diags.push_once(found.help(
-                "add `radius` and `orientation` of the tool to partc.toml: the nose leaves its radius in inner corners",
-            ));
+            let left = if reach_centre(pieces) {
+                "the nose leaves its radius in inner corners, and a pip of that radius at the centre of the face, unless the face goes past the centre by it"
+            } else {
+                "the nose leaves its radius in inner corners"
+            };
+            self.job
+                .diags
+                .push_once(found.help(format!("add `radius` and `orientation` of the tool to partc.toml: {left}")));
             return Ok(());
         };
         let what = match need {
@@ -130,23 +130,6 @@ impl Run<'_> {
     }
 }
 
-/// Of the nine positions of an edge.
-fn tip_of_position(position: u8) -> Option<Vec2> {
-    let (z, x) = match position {
-        1 => (1.0, 1.0),
-        2 => (-1.0, 1.0),
-        3 => (-1.0, -1.0),
-        4 => (1.0, -1.0),
-        5 => (1.0, 0.0),
-        6 => (0.0, 1.0),
-        7 => (-1.0, 0.0),
-        8 => (0.0, -1.0),
-        9 => (0.0, 0.0),
-        _ => return None,
-    };
-    Some(Vec2::new(z, x))
-}
-
 /// What roughing cuts of a contour: without what falls, leans over or lies in the shadow where that is left standing.
 fn pieces_of(layers: &Layers) -> Vec<Piece> {
     let (into, along) = (layers.into.unit(), layers.side_of_cuts());
@@ -172,6 +155,12 @@ fn pieces_of(layers: &Layers) -> Vec<Piece> {
         }
     };
     layers.contour.iter().filter(kept).map(|e| (*e, aside(e))).collect()
+}
+
+/// Does a face end at the turning centre?
+fn reach_centre(pieces: &[Piece]) -> bool {
+    let is_face = |e: &Element| (e.to().y - e.from().y).abs() > ON_AXIS;
+    pieces.iter().any(|(e, _)| is_face(e) && e.from().y.abs().min(e.to().y.abs()) <= ON_AXIS)
 }
 
 /// What needs the radius of the nose. `tip`: where its programmed point lies from the centre, in radii.

@@ -338,6 +338,14 @@ impl Run<'_> {
         }
     }
 
+    /// A function of the older language that DIN PLUS has not.
+    pub(super) fn not_of_din_plus(&self, word: &str, instead: &str) -> Outcome {
+        if self.sections.family() != Family::DinPlus {
+            return Ok(());
+        }
+        self.fail_help(codes::T9006, self.block_span(), format!("{word} of DIN PLUS is not supported"), instead)
+    }
+
     /// END, RETURN of a macro, M30.
     pub(super) fn end_of_job(&mut self, rewind: bool) -> Outcome {
         if self.levels.len() > 1 {

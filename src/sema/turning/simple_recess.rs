@@ -10,7 +10,6 @@ use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessFeeds, Recess
 use crate::ir::cycle::turning::Towards;
 use crate::machine::RecessSide;
 
-use super::program_parts::Family;
 use super::readings::Question;
 use super::words::{Num, Words};
 use super::{Outcome, Run};
@@ -62,14 +61,7 @@ impl Run<'_> {
     pub(super) fn simple_recess(&mut self, w: &Words) -> Outcome {
         let at = self.stand()?;
         let span = self.block_span();
-        if self.sections.family() == Family::DinPlus {
-            return self.fail_help(
-                codes::T9006,
-                span,
-                "G86 of DIN PLUS is not supported",
-                "describe the recess in the contour and program G869",
-            );
-        }
+        self.not_of_din_plus("G86", "describe the recess in the contour and program G869")?;
         let (tool, radial) = self.recess_tool()?;
         let corner = self.corner_of(w, at)?;
         let (width, oversize) = if radial { (b'K', b'I') } else { (b'I', b'K') };

@@ -4,16 +4,16 @@
 //! Source: T 8.7 and the table of G85 in section 6.3 (docs/sources.md).
 
 use crate::diag::codes;
-use crate::geo::{Element, Plane, Point2};
+use crate::geo::{Element, Plane, Point2, Vec2};
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::undercut::{form_e, form_f};
 use crate::ir::{Pos, Side};
 use crate::machine::Axis;
+use crate::sema::common::compensation::edge_direction;
 use crate::standard::{din76, din509};
 use crate::text::Span;
 
 use super::chain::{AGREES, Coord, Solved};
-use super::program_parts::Family;
 use super::readings::Question;
 use super::undercuts::{self, Undercut};
 use super::words::Words;
@@ -30,14 +30,7 @@ impl Run<'_> {
     pub(super) fn undercut_cycle(&mut self, w: &Words) -> Outcome {
         let at = self.stand()?;
         let span = self.block_span();
-        if self.sections.family() == Family::DinPlus {
-            return self.fail_help(
-                codes::T9006,
-                span,
-                "G85 of DIN PLUS is not supported",
-                "describe the undercut with G25 in the contour",
-            );
-        }
+        self.not_of_din_plus("G85", "describe the undercut with G25 in the contour")?;
         let (Coord::At(x), Coord::At(z)) = (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z)) else {
             return self.fail(codes::T1005, span, "an undercut needs absolute X and Z of its corner");
         };
@@ -118,18 +111,8 @@ impl Run<'_> {
     /// The edge of the tool points to the shoulder and to the cylinder, or not away from them at least.
     fn edge_fits(&self, sense: f64, up: f64) -> Outcome {
         let Some(edge) = self.known_tool().and_then(|tool| tool.orientation) else { return Ok(()) };
-        let (z, x) = match edge {
-            1 => (1.0, 1.0),
-            2 => (-1.0, 1.0),
-            3 => (-1.0, -1.0),
-            4 => (1.0, -1.0),
-            5 => (1.0, 0.0),
-            6 => (0.0, 1.0),
-            7 => (-1.0, 0.0),
-            8 => (0.0, -1.0),
-            _ => (0.0, 0.0),
-        };
-        if z * sense <= 0.0 && x * up <= 0.0 {
+        let points = edge_direction(edge).unwrap_or_else(Vec2::zeros);
+        if points.x * sense <= 0.0 && points.y * up <= 0.0 {
             return Ok(());
         }
         self.fail_help(

@@ -16,6 +16,7 @@ pub mod milling;
 mod paths;
 mod pockets;
 mod region_entries;
+mod region_middle;
 mod regions;
 mod removal;
 mod roughing;

@@ -44,6 +44,8 @@ const STROKES: [f64; 12] = [16.0, 12.0, 10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0,
 const FEW_STROKES: f64 = 6.0;
 /// How much the room of a place may lose against the step of the rings, mm.
 const ROOM: f64 = 5e-3;
+/// Widest step between rings, in radii of the cutter: where rings end on a middle line, one radius would just touch it, and a hair stay.
+const WIDEST: f64 = 0.98;
 /// How often rings are tried.
 const MOST_TRIES: u32 = 6;
 
@@ -134,6 +136,11 @@ impl Paths {
     }
 }
 
+/// How far beside a ring a cutter surely clears the ground.
+fn clears(radius: f64) -> f64 {
+    (WIDEST * radius).min(radius - 2.0 * ROOM).max(radius / 2.0)
+}
+
 impl Region {
     /// The rooms of the area at `least` from the walls, with their rings.
     fn rooms(&self, area: &Area, walls: &Walls, least: f64) -> Result<Vec<Room>, Failure> {
@@ -179,8 +186,8 @@ impl Region {
         most: f64,
         more: usize,
     ) -> Option<(Tree, f64)> {
-        // Every point between two rings is at most a step from the outer one: a step of a radius leaves nothing.
-        let count = parts(most - root.away, self.width.min(self.mill.radius)) + more;
+        // Every point between two rings is at most a step from the outer one: a step of less than a radius leaves nothing.
+        let count = parts(most - root.away, self.width.min(clears(self.mill.radius))) + more;
         let step = (most - root.away) / count as f64;
         let mut tree = Tree::new(root.clone());
         for depth in 1..count {

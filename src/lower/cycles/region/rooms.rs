@@ -8,8 +8,6 @@ use super::walls::Walls;
 
 /// Places whose rooms differ by less have the same room, mm.
 const EQUAL: f64 = 1e-6;
-/// How much less than its radius a cutter clears beside its path, mm.
-const OVERLAP: f64 = 1e-3;
 
 /// What hangs together between the walls.
 #[derive(Debug)]
@@ -156,7 +154,7 @@ impl Tree {
             let (Some(holder), Some(peak)) = (node.holder, node.peak) else { continue };
             let is_inmost = at != deepest && node.inner.iter().all(|inner| !kept[*inner]);
             let around = &mut self.nodes[holder];
-            kept[at] = !is_inmost || peak.room > around.part.away + radius - OVERLAP;
+            kept[at] = !is_inmost || peak.room > around.part.away + super::clears(radius);
             if around.peak.is_none_or(|most| peak.room > most.room) {
                 around.peak = Some(peak);
             }

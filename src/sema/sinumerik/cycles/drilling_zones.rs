@@ -93,7 +93,11 @@ impl CycleCall<'_, '_> {
             self.reading_once(percent, "a feed of 0 percent is taken as 100");
         }
         let part = if given == 0.0 { 1.0 } else { given / 100.0 };
-        let length = self.length_of(args, length).unwrap_or(0.0).abs();
+        let way_in = self.length_of(args, length).unwrap_or(0.0);
+        if way_in < 0.0 {
+            self.reading_once(length, &format!("`{}` below 0 is taken without its sign", length.0));
+        }
+        let length = way_in.abs();
         Ok((length.min(way), feed.with_value(feed.value() * part)))
     }
 

@@ -367,6 +367,7 @@ impl CycleCall<'_, '_> {
             return self.cycle_fault(args.span, 61000, "no tool offset is active", "program D1 before the cycle");
         }
         let edge = self.st.tool.edge_or_first();
+        self.edge_is_as_selected(number, edge, args.span)?;
         let listed = self.job.settings.tools.called(number).filter(|_| edge == 1);
         let missing = |what: &str, help: Help| {
             let message = format!("{}: {what} of tool {number} D{edge} is not known", args.name());
@@ -384,11 +385,10 @@ impl CycleCall<'_, '_> {
             ));
             return missing("the nose radius", help);
         };
-        let written = self.st.system.number(&format!("$TC_DP2[{number},{edge}]"));
-        let position = written.or(listed.and_then(|tool| tool.orientation).map(f64::from));
-        let Some(position) = position.and_then(whole) else {
-            let help = Answer::tool(number, "orientation")
-                .help(format!("add it to partc.toml: `[tools.{number}] orientation = 3`"));
+        let Some(position) = self.edge_position(number, edge).and_then(whole) else {
+            let help = Answer::tool(number, "orientation").help(format!(
+                "add it to partc.toml: `[tools.{number}] orientation = 3`, or write `$TC_DP2[{number},{edge}]=3` before"
+            ));
             return missing("the position of the cutting edge", help);
         };
         // The edge that lies towards minus on the cutting axis, seen from the programmed corner.

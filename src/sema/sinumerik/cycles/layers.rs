@@ -92,6 +92,7 @@ impl CycleCall<'_, '_> {
             return self.cycle_fault(args.span, 61000, "no tool is active", "select the tool before the cycle: T1 D1");
         };
         let edge = self.st.tool.edge_or_first();
+        self.edge_is_as_selected(number, edge, args.span)?;
         let Some(radius) = self.known_radius() else {
             let message = format!("{}: the nose radius of tool {number} D{edge} is not known", args.name());
             let help = Answer::tool(number, "radius").help(format!(
@@ -107,9 +108,7 @@ impl CycleCall<'_, '_> {
         if radius == 0.0 {
             return Ok(Nose::default());
         }
-        let written = self.st.system.number(&format!("$TC_DP2[{number},{edge}]"));
-        let listed = || self.active_tool().and_then(|tool| tool.orientation).filter(|_| edge == 1).map(f64::from);
-        match written.or_else(listed).and_then(nose_of) {
+        match self.edge_position(number, edge).and_then(nose_of) {
             Some(way) => Ok(Nose { radius, tip: self.in_frame(Vec2::zeros() - way)? }),
             None => {
                 let message =

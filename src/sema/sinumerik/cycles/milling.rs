@@ -140,6 +140,7 @@ impl CycleCall<'_, '_> {
         if self.st.tool.is_without_offset() {
             return self.cycle_fault(args.span, 61000, "no tool offset is active", "program D1 before the cycle");
         }
+        self.edge_is_as_selected(number, self.st.tool.edge_or_first(), args.span)?;
         match self.known_radius() {
             Some(radius) if radius > 0.0 => {
                 self.corners_of_cutter(radius);

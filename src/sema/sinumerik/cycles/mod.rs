@@ -308,6 +308,7 @@ impl Channel<'_> {
 
     fn send_cycle(&mut self, cycle: Cycle) {
         self.length_acts_along_z();
+        self.cuts_in_between();
         let end = cycle.leaves(self.st.position.at());
         self.st.heading = super::tangent::Heading::Later;
         self.st.threads.end_chain();

@@ -10,6 +10,7 @@ use crate::machine::MachineKind;
 use crate::standard::din13::proposed_pitch;
 
 use super::super::Outcome;
+use super::super::value::whole;
 use super::arguments::{
     AMODE, Arguments, DIATH, DMODE, EPD, EPL, FAL, FALX, FALZ, FFP, FORM, Key, LAGE, MID, PITI, PTABA, R1, R2, SDIS,
     SPD, SPL, STA, VARI, VRT,
@@ -200,15 +201,22 @@ impl CycleCall<'_, '_> {
         }
     }
 
+    /// The corner to which the active edge points, 1 to 4: what the program wrote goes before the table.
+    fn corner_of_edge(&self) -> Option<u8> {
+        let number = self.st.tool.active().filter(|_| !self.st.tool.edge_in_doubt())?;
+        let position = self.edge_position(number, self.st.tool.edge_or_first()).and_then(whole)?;
+        u8::try_from(position).ok().filter(|position| (1..=4).contains(position))
+    }
+
     fn classic_call(&mut self, diameter: Key) -> Outcome<Classic> {
         let args = self.args;
+        let edge = self.corner_of_edge();
         let position = match args.or_zero(VARI) {
-            0.0 => self.active_tool().and_then(|tool| tool.orientation),
+            0.0 => edge,
             given if (1.0..=4.0).contains(&given) && given.fract() == 0.0 => Some(given as u8),
             _ => Some(0),
         };
         let by_tool = args.or_zero(VARI) == 0.0;
-        let edge = self.active_tool().and_then(|tool| tool.orientation).filter(|edge| (1..=4).contains(edge));
         if let (false, Some(edge), Some(given)) = (by_tool, edge, position.filter(|given| (1..=4).contains(given)))
             && edge != given
         {
@@ -217,12 +225,12 @@ impl CycleCall<'_, '_> {
             let help = "give the position of the tool that cuts the undercut, or leave the argument out";
             return self.cycle_fault(args.span_of(VARI), 61608, &message, help);
         }
-        let Some(position) = position.filter(|position| !by_tool || (1..=4).contains(position)) else {
+        let Some(position) = position else {
             return self.cycle_fault(
                 args.span,
                 61608,
                 "the edge of the tool does not lie in a corner, so the position of the undercut is not known",
-                "give 1 to 4 as the last argument, or `orientation` 1 to 4 of the tool in [tools]",
+                "give 1 to 4 as the last argument, `orientation` 1 to 4 of the tool in [tools], or `$TC_DP2` of the edge before the cycle",
             );
         };
         Ok(Classic {

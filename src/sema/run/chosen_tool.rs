@@ -1,0 +1,69 @@
+//! The tool that a program chooses: does anything change it in before the program cuts?
+//!
+//! Comes in: the functions and moves that go out. Goes out: warning P0206 for a program that chooses tools and never changes one.
+
+use crate::diag::{Answer, Diagnostic, codes};
+use crate::ir::Function;
+use crate::text::Loc;
+
+use super::Language;
+use super::core::Core;
+
+/// What became of the first tool that was chosen.
+#[derive(Debug, Default)]
+pub(super) enum ChosenTool {
+    /// None was.
+    #[default]
+    None,
+    /// It waits for its change.
+    Waits { number: u32, loc: Loc, cut: bool },
+    /// The program changes tools, or it was said that it does not.
+    Settled,
+}
+
+impl ChosenTool {
+    /// A function goes out.
+    pub fn function(&mut self, function: &Function, loc: Loc) {
+        match (function, &self) {
+            (Function::ToolChange { .. }, _) => *self = ChosenTool::Settled,
+            (
+                Function::ToolPrepare { number: number @ 1.. },
+                ChosenTool::None | ChosenTool::Waits { cut: false, .. },
+            ) => {
+                *self = ChosenTool::Waits { number: *number, loc, cut: false };
+            }
+            _ => {}
+        }
+    }
+
+    /// A cut goes out.
+    #[inline]
+    pub fn cuts(&mut self) {
+        if let ChosenTool::Waits { cut, .. } = self {
+            *cut = true;
+        }
+    }
+}
+
+impl<L: Language> Core<'_, L> {
+    /// The loss of a change was reported.
+    pub fn change_was_reported(&mut self) {
+        self.chosen_tool = ChosenTool::Settled;
+    }
+
+    /// Says so where the program chose a tool, cut, and never changed one; unless it is known which word changes tools.
+    pub fn report_no_change(&mut self) {
+        let ChosenTool::Waits { number, loc, cut: true } = core::mem::take(&mut self.chosen_tool) else { return };
+        if self.errors() > 0 || self.in_doubt || self.job.settings.control.says_tool_change() {
+            return;
+        }
+        let message = format!(
+            "T chooses tool {number}, and the program has no M6: it cuts with the tool that is in the spindle at its start"
+        );
+        let help = Answer::key("control", "tool_change").one_of(&["\"t\"", "\"m6\""]).help(
+            "if T alone changes the tool, set `[control] tool_change = \"t\"`; if M6 is missing, program it; `tool_change = \"m6\"` takes \
+             the tool that is there",
+        );
+        self.job.diags.push(Diagnostic::new(codes::P0206, loc, message).help(help));
+    }
+}

@@ -1,0 +1,138 @@
+//! Tool changes that a call which is left out may have made: what was chosen or named, and whether anything else changes it in.
+//!
+//! Comes in: calls that `[programs]` leaves out, T, changes, cuts. Goes out: S8163 where the program goes on to cut with the tool before it.
+
+use crate::diag::{Diagnostic, codes};
+use crate::text::Span;
+
+use super::Channel;
+use super::value::Val;
+use super::vars::Argument;
+
+/// The change that a call which is left out may have made.
+pub(super) struct LeftOut {
+    /// The tool that T chose or the call names; `None` for a name that is no known tool's.
+    number: Option<u32>,
+    /// If nothing else changes it in.
+    found: Diagnostic,
+    /// Something was cut behind the call.
+    cut: bool,
+}
+
+/// What a call that is left out may have changed in.
+enum MayChange {
+    /// The tool that T chose.
+    Chosen(u32),
+    /// The tool of this name.
+    Named(u32, String),
+    /// A tool of this name, which has no number.
+    Unknown(String),
+}
+
+impl Channel<'_> {
+    /// The call of `name` does nothing. Where T has chosen a tool that is not in yet, or the call names one, it may be what changes it in.
+    pub(super) fn may_have_changed(&mut self, name: &str, span: Span, arguments: &[Argument]) {
+        let Some((may, place)) = self.change_of(arguments) else { return };
+        let number = match may {
+            MayChange::Chosen(number) | MayChange::Named(number, _) => Some(number),
+            MayChange::Unknown(_) => None,
+        };
+        if self.change_left_out.as_ref().is_some_and(|left| left.number == number) {
+            return;
+        }
+        self.report_lost_change();
+        let goes_on = "and no M6 changes it in before the next cut: the tool before it goes on cutting";
+        let message = match &may {
+            MayChange::Chosen(number) => format!("T chose tool {number} before {name}, which is left out, {goes_on}"),
+            MayChange::Named(number, tool) => {
+                format!("{name}, which is left out, names tool {number}, \"{tool}\", {goes_on}")
+            }
+            MayChange::Unknown(tool) => {
+                format!(
+                    "{name}, which is left out, may name a tool, \"{tool}\", and the program has changed none: it cuts with whatever is in the spindle"
+                )
+            }
+        };
+        let help = match may {
+            MayChange::Chosen(_) => format!(
+                "if {name} changes the tool, say so: `{name} = {{ change = true }}` under `[programs]`; if T itself does, set \
+                 `[control] tool_change = \"t\"`"
+            ),
+            MayChange::Named(..) | MayChange::Unknown(_) => {
+                format!("if {name} changes the tool, say so: `{name} = {{ tool = {place} }}` under `[programs]`")
+            }
+        };
+        let found = Diagnostic::new(codes::S8163, self.loc(span), message).help(help);
+        let found = found.called(self.here.origin.call);
+        self.change_left_out = Some(Box::new(LeftOut { number, found, cut: false }));
+    }
+
+    /// What a call with these arguments may change in, and the place of the argument that names it.
+    fn change_of(&self, arguments: &[Argument]) -> Option<(MayChange, usize)> {
+        let tool = &self.st.tool;
+        let texts = (1..).zip(arguments).filter_map(|(place, argument)| match &argument.value {
+            Val::Text(text) => Some((place, String::from_utf8_lossy(text).into_owned())),
+            _ => None,
+        });
+        let mut first = None;
+        for (place, text) in texts {
+            match self.number_of_tool_named(&text) {
+                Some(number) if tool.active() == Some(number) => continue,
+                Some(number) => return Some((MayChange::Named(number, text), place)),
+                None => {}
+            }
+            first = first.or((!text.is_empty()).then_some((place, text)));
+        }
+        if let Some(number) = tool.waiting() {
+            return Some((MayChange::Chosen(number), 0));
+        }
+        // Before the first tool of the program a name may well be a tool's.
+        let (place, text) = first.filter(|_| tool.active().is_none())?;
+        Some((MayChange::Unknown(text), place))
+    }
+
+    /// The tool that has this name in the table or by `$TC_TP2`.
+    fn number_of_tool_named(&self, name: &str) -> Option<u32> {
+        let tools = &self.job.settings.tools;
+        let listed = || match tools.key_of_name(name, false)? {
+            crate::machine::tools::ToolKey::Number(own, _) => Some(*own),
+            crate::machine::tools::ToolKey::Name(_) => tools.by_name(name)?.0,
+        };
+        self.st.system.tool_named(name).or_else(listed)
+    }
+
+    /// A move cuts.
+    #[inline]
+    pub(super) fn cuts_in_between(&mut self) {
+        if let Some(left) = &mut self.change_left_out {
+            left.cut = true;
+        }
+    }
+
+    /// Straight blocks may take the lane: nothing has to know that they cut.
+    pub(super) fn cut_is_known(&self) -> bool {
+        self.change_left_out.as_ref().is_none_or(|left| left.cut)
+    }
+
+    /// T chooses a tool: what was cut until here was cut with the one before, and the call may have made the change for it.
+    pub(super) fn chosen_after_left_out(&mut self, number: u32) {
+        let waits = |left: &LeftOut| !left.cut && left.number == Some(number);
+        if !self.change_left_out.as_ref().is_some_and(|left| waits(left)) {
+            self.report_lost_change();
+        }
+    }
+
+    /// A tool is changed in: the one that was chosen, or another one before anything was cut.
+    pub(super) fn changed_after_left_out(&mut self) {
+        self.change_left_out = None;
+    }
+
+    /// The tool that a left-out call may have changed in was not changed in before cuts: another one is chosen, or the program ends.
+    pub(super) fn report_lost_change(&mut self) {
+        let Some(lost) = self.change_left_out.take().filter(|left| left.cut) else { return };
+        self.change_was_reported();
+        if !self.job.diags.is_known(&lost.found) {
+            self.job.diags.push(lost.found);
+        }
+    }
+}
