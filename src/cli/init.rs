@@ -26,6 +26,8 @@ use super::{Exit, Trouble, config};
 
 /// Most times that a program is tried: what is answered lets the run go on to what else is missing.
 const MOST_ROUNDS: usize = 8;
+/// What a program may ask for in all: more of it is one fault, or none that anybody answers, and each round would find as much again.
+const MOST_ASKED: usize = 1000;
 /// Steps of a trial: what runs longer is cut off.
 const STEPS: u64 = 200_000;
 /// Codes of what is left that are listed.
@@ -264,7 +266,7 @@ impl Trial {
                 requests: Vec::new(),
                 lists: BTreeMap::new(),
             };
-            let done = !is_new || now.left.is_empty();
+            let done = !is_new || now.left.is_empty() || all.len() >= MOST_ASKED;
             trial = Some(now);
             if done {
                 break;
