@@ -1,6 +1,6 @@
 //! Files of this computer: reading programs, and opening called ones inside the include roots only.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom};
@@ -14,6 +14,8 @@ use super::stamp::{CHANGED, Stamp};
 
 use super::regular::{is_pipe, metadata, open_regular};
 
+/// After so many names that no file has none is proposed any more: all would be compared with every file of a folder.
+const MOST_MISSED: u32 = 500;
 /// Longest name of a called program.
 const LONGEST_NAME: usize = 255;
 /// Most bytes that are taken from a pipe or from standard input: they are held in memory.
@@ -181,7 +183,14 @@ pub(super) struct IncludeRoots {
     looked: RefCell<BTreeMap<PathBuf, Looked>>,
     /// Files that are read, each as it was when it was opened.
     read: RefCell<BTreeMap<PathBuf, Stamp>>,
+    /// What lies in the folders that were looked in.
+    listed: Listings,
+    /// Names that similar ones were looked for.
+    missed: Cell<u32>,
 }
+
+/// The names in each folder, by how they are written in capitals; none for a folder that cannot be listed.
+type Listings = RefCell<BTreeMap<PathBuf, Option<BTreeMap<String, Vec<String>>>>>;
 
 /// What came of looking for a file.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -193,7 +202,14 @@ pub(super) struct Looked {
 
 impl IncludeRoots {
     pub(super) fn new(base: PathBuf, roots: BTreeMap<String, PathBuf>) -> IncludeRoots {
-        IncludeRoots { base, roots, looked: RefCell::default(), read: RefCell::default() }
+        IncludeRoots {
+            base,
+            roots,
+            looked: RefCell::default(),
+            read: RefCell::default(),
+            listed: RefCell::default(),
+            missed: Cell::new(0),
+        }
     }
 
     /// Every file that was looked for so far: those that were found as they are called, the others as they would be.
@@ -269,7 +285,7 @@ impl IncludeRoots {
     fn of_folder(&self, folder: &Path, parts: &[String], extensions: &[&str]) -> Result<Option<Hit>, FileError> {
         let mut hits: Vec<Hit> = Vec::new();
         for name in with_extensions(parts, extensions) {
-            match find(folder, &name)? {
+            match find(folder, &name, &self.listed)? {
                 Some(path) => {
                     let (opened, stamp) = open_inside(&path, folder)?;
                     if !hits.iter().any(|hit| hit.opened.identity == opened.identity) {
@@ -291,7 +307,7 @@ impl IncludeRoots {
         let tried = vec![name.to_owned()];
         // Where it lies is not what it is.
         self.note(path.to_path_buf(), &[file_name(path)], path.is_file());
-        if !path.is_file() {
+        if ordinary(path)?.is_none() {
             return Err(FileError::NotFound { tried, similar: Vec::new() });
         }
         let folder = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -351,7 +367,12 @@ impl Files for IncludeRoots {
                 // One folder may be known by two names.
                 Some(hit) if hits.iter().any(|known| known.opened.identity == hit.opened.identity) => {}
                 Some(hit) => hits.push(hit),
-                None => similar.extend(like(folder, parts.last().map_or("", String::as_str), request.extensions)),
+                None if self.missed.get() > MOST_MISSED => {}
+                None => {
+                    self.missed.set(self.missed.get() + 1);
+                    let name = parts.last().map_or("", String::as_str);
+                    similar.extend(like(folder, name, request.extensions, &self.listed));
+                }
             }
         }
         if hits.len() > 1 {
@@ -406,28 +427,48 @@ fn with_extensions(parts: &[String], extensions: &[&str]) -> Vec<Vec<String>> {
     candidates
 }
 
-/// Finds the file below `folder`; upper and lower case do not matter where one name fits.
-fn find(folder: &Path, parts: &[String]) -> Result<Option<PathBuf>, FileError> {
+/// Finds the file below `folder`; upper and lower case do not matter where one name fits. Names that differ in nothing else are one
+/// name on a control, so that none of them is the right one.
+fn find(folder: &Path, parts: &[String], listed: &Listings) -> Result<Option<PathBuf>, FileError> {
     let mut path = folder.to_path_buf();
     for part in parts {
-        let exact = path.join(part);
-        if exact.symlink_metadata().is_ok() {
-            path = exact;
-            continue;
-        }
-        let Ok(entries) = fs::read_dir(&path) else { return Ok(None) };
-        let mut fitting: Vec<String> = entries
-            .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
-            .filter(|name| name.eq_ignore_ascii_case(part))
-            .collect();
-        fitting.sort();
-        match fitting.as_slice() {
-            [] => return Ok(None),
+        let mut listed = listed.borrow_mut();
+        let names = listed.entry(path.clone()).or_insert_with(|| names_in(&path)).as_ref();
+        let fitting = names.and_then(|names| names.get(&part.to_ascii_uppercase())).map_or(&[][..], Vec::as_slice);
+        match fitting {
             [one] => path = path.join(one),
-            _ => return Err(FileError::Ambiguous { names: fitting }),
+            // A folder that cannot be listed, or a file that came after.
+            [] if path.join(part).symlink_metadata().is_ok() => path = path.join(part),
+            [] => return Ok(None),
+            _ => return Err(FileError::Ambiguous { names: fitting.to_vec() }),
         }
     }
-    Ok(path.is_file().then_some(path))
+    Ok(ordinary(&path)?.map(|()| path))
+}
+
+fn names_in(folder: &Path) -> Option<BTreeMap<String, Vec<String>>> {
+    let mut names: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for name in fs::read_dir(folder).ok()?.filter_map(|entry| entry.ok()?.file_name().into_string().ok()) {
+        names.entry(name.to_ascii_uppercase()).or_default().push(name);
+    }
+    names.values_mut().for_each(|fitting| fitting.sort());
+    Some(names)
+}
+
+/// Is there an ordinary file? A folder of this name is none.
+///
+/// # Errors
+/// A pipe, a device, a link that leads nowhere: somebody put it there, and it cannot be called.
+fn ordinary(path: &Path) -> Result<Option<()>, FileError> {
+    match metadata(path) {
+        Ok(meta) if meta.is_file() => Ok(Some(())),
+        Ok(meta) if meta.is_dir() => Ok(None),
+        Err(_) if path.symlink_metadata().is_err() => Ok(None),
+        Ok(_) | Err(_) => match open_regular(path) {
+            Ok(_) => Ok(Some(())),
+            Err(error) => Err(FileError::Io { why: error.to_string() }),
+        },
+    }
 }
 
 /// Opens a file after a last look at where it really lies.
@@ -455,7 +496,7 @@ pub(super) fn shown(path: &Path) -> String {
 const SHORTEST_LIKE: usize = 3;
 
 /// A program in the folder with a name near to this one. Of very short names any other would be near.
-fn like(folder: &Path, name: &str, extensions: &[&str]) -> Option<String> {
+fn like(folder: &Path, name: &str, extensions: &[&str], listed: &Listings) -> Option<String> {
     let (stem, extension) = name.rsplit_once('.').map_or((name, None), |(stem, extension)| (stem, Some(extension)));
     if stem.chars().count() < SHORTEST_LIKE {
         return None;
@@ -466,13 +507,13 @@ fn like(folder: &Path, name: &str, extensions: &[&str]) -> Option<String> {
             kind && stem.chars().count() >= SHORTEST_LIKE
         })
     };
-    let mut names: Vec<String> =
-        fs::read_dir(folder).ok()?.filter_map(|entry| entry.ok()?.file_name().into_string().ok()).collect();
-    names.retain(program);
+    let mut listed = listed.borrow_mut();
+    let known = listed.entry(folder.to_path_buf()).or_insert_with(|| names_in(folder)).as_ref()?;
+    let mut names: Vec<&String> = known.values().flatten().filter(|name| program(name)).collect();
     names.sort();
     let stems = names.iter().filter_map(|name| name.rsplit_once('.')).map(|(stem, _)| stem);
     let near = did_you_mean(stem, stems)?;
-    names.iter().find(|name| name.rsplit_once('.').is_some_and(|(stem, _)| stem == near)).cloned()
+    names.iter().find(|name| name.rsplit_once('.').is_some_and(|(stem, _)| stem == near)).map(|name| (*name).clone())
 }
 
 #[cfg(test)]

@@ -3,10 +3,16 @@
 use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+#[cfg(target_os = "linux")]
+use std::thread;
+#[cfg(target_os = "linux")]
+use std::time::{Duration, Instant};
 
 use crate::emit::{Output, is_printed, plot};
 
 use super::pending::{self, Pending, behind_links};
+#[cfg(target_os = "linux")]
+use super::regular::is_pipe;
 use super::regular::open_regular;
 use super::{page, trace};
 
@@ -122,13 +128,45 @@ impl Destination {
     pub(super) fn commit(self) -> io::Result<()> {
         match self {
             Destination::File(pending) => pending.commit(),
-            Destination::Stream { path: Some(path), held } => {
-                held.release(&mut File::options().write(true).open(path)?)
-            }
+            Destination::Stream { path: Some(path), held } => held.release(&mut open_stream(&path)?),
             Destination::Stream { path: None, held } => held.release(&mut io::stdout().lock()),
             Destination::Nowhere => Ok(()),
         }
     }
+}
+
+/// How long somebody has to begin to read a pipe.
+#[cfg(target_os = "linux")]
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// Opens a device or a pipe for writing. A pipe waits for its reader: only so long.
+#[cfg(target_os = "linux")]
+fn open_stream(path: &Path) -> io::Result<File> {
+    use rustix::fs::{Mode, OFlags, fcntl_getfl, fcntl_setfl, open};
+    let start = Instant::now();
+    let waits = || fs::metadata(path).is_ok_and(|meta| is_pipe(&meta));
+    let flags = OFlags::WRONLY | OFlags::NONBLOCK | OFlags::CLOEXEC | OFlags::NOCTTY;
+    let file: File = loop {
+        match open(path, flags, Mode::empty()) {
+            Ok(file) => break file.into(),
+            Err(error) if error != rustix::io::Errno::NXIO || !waits() => return Err(error.into()),
+            Err(_) if start.elapsed() < PATIENCE => thread::sleep(Duration::from_millis(20)),
+            Err(_) => {
+                let seconds = PATIENCE.as_secs();
+                return Err(io::Error::other(format!(
+                    "is a pipe that nobody reads: no reader came within {seconds} seconds"
+                )));
+            }
+        }
+    };
+    // From here on a slow reader is waited for.
+    fcntl_setfl(&file, fcntl_getfl(&file)? - OFlags::NONBLOCK)?;
+    Ok(file)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn open_stream(path: &Path) -> io::Result<File> {
+    File::options().write(true).open(path)
 }
 
 /// Outputs that are complete. They go to the disk together, and get their names then.

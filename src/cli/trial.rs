@@ -20,6 +20,8 @@ use super::{Trouble, config};
 const MOST_ROUNDS: usize = 8;
 /// Most choices of keys that are tried besides the first ones.
 const MOST_CHOICES: usize = 12;
+/// What a program may ask for in all: more of it is one fault, or none that anybody answers, and each round would find as much again.
+const MOST_ASKED: usize = 1000;
 /// Steps of a trial: what runs longer is cut off.
 const STEPS: u64 = 200_000;
 /// What a program asks for once all that it asks for is answered.
@@ -143,7 +145,7 @@ impl Trial {
         let tried = Tried::new(path, folder, common)?;
         let mut trial = tried.answered(Needs::default())?;
         let mut left = MOST_CHOICES;
-        while !trial.left.is_empty() {
+        while !trial.left.is_empty() && trial.requests.len() < MOST_ASKED {
             let mut better = None;
             for needs in trial.needs.alternatives() {
                 if left == 0 {
@@ -191,7 +193,8 @@ impl<'a> Tried<'a> {
             let mut trial = self.once(&needs)?;
             let is_new = needs.take(&name, &trial.requests);
             requests.extend(trial.requests.drain(..).map(|request| needs.by_its_name(request)));
-            if !is_new || trial.left.is_empty() || round + 1 == MOST_ROUNDS {
+            let is_enough = round + 1 == MOST_ROUNDS || requests.len() >= MOST_ASKED;
+            if !is_new || trial.left.is_empty() || is_enough {
                 return Ok(Trial { needs, requests, rounds: round, lists: self.lists.clone(), ..trial });
             }
         }

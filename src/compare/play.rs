@@ -37,6 +37,10 @@ pub fn play(text: &[u8], sink: &mut dyn Sink) -> Result<(), Stop> {
         let before = player.reader.lines();
         let act = player.reader.next(&mut rest, &mut end);
         let stop = |why: String| Stop { line: player.reader.lines().max(before), why };
+        if act.is_err() && player.reader.closed() && !player.reader.ended() {
+            // Behind the `%` that closes the program nothing is read.
+            break;
+        }
         match act.map_err(|fault| stop(fault.why))? {
             Some(act) => player.act(act).map_err(|why| Stop { line: player.reader.lines(), why: why.to_owned() })?,
             None => break,

@@ -89,6 +89,20 @@ pub struct Modes {
     motion: Option<u8>,
 }
 
+/// What stands behind a closing `%`.
+const BEHIND_PERCENT: &str = "something stands behind the `%` that closes the program";
+
+/// Where a program stands between its two lines of `%`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Tape {
+    /// Nothing but blank lines was read.
+    Start,
+    Open,
+    Closed,
+    /// It begins without `%`.
+    Bare,
+}
+
 /// A control that reads.
 #[derive(Debug, Clone)]
 pub struct Reader {
@@ -102,6 +116,7 @@ pub struct Reader {
     plain: bool,
     lines: u64,
     ended: bool,
+    tape: Tape,
     /// The largest speed that was stated for constant cutting speeds.
     speed_limit: Option<i64>,
     dialog: Dialog,
@@ -153,6 +168,7 @@ impl Reader {
             plain: false,
             lines: 0,
             ended: false,
+            tape: Tape::Start,
             speed_limit: None,
             dialog: Dialog::default(),
             tools: [None; 2],
@@ -229,8 +245,17 @@ impl Reader {
         if self.rules.words == Words::Dialog {
             return self.dialog_line(line);
         }
-        if line.is_empty() || line == b"%" {
+        if line.is_empty() {
             return Ok(());
+        }
+        if line == b"%" {
+            return self.percent();
+        }
+        if self.tape == Tape::Closed && !self.ended {
+            return Err(Fault::new(BEHIND_PERCENT));
+        }
+        if self.tape == Tape::Start {
+            self.tape = Tape::Bare;
         }
         if self.rules.named && self.lines <= NAMED && line[0] == b'O' {
             let letters = self.rules.words == Words::Okuma && line.len() <= LONGEST_NAME;
@@ -242,6 +267,25 @@ impl Reader {
             return Err(Fault::new("something stands behind the end of the program"));
         }
         self.run(block)
+    }
+
+    /// A line of a `%` alone: the first one opens the program, the second one ends it, as on a tape (RS274/NGC 3.1; LinuxCNC
+    /// User Manual, "Program structure"). Behind the end of the program it means nothing.
+    #[cold]
+    fn percent(&mut self) -> Result<(), Fault> {
+        self.tape = match self.tape {
+            Tape::Start => Tape::Open,
+            Tape::Open => Tape::Closed,
+            tape if self.ended => tape,
+            Tape::Bare => return Err(Fault::new("`%` stands inside of the program, which does not begin with one")),
+            Tape::Closed => return Err(Fault::new(BEHIND_PERCENT)),
+        };
+        Ok(())
+    }
+
+    /// Has a second `%` ended the program, as the end of a tape does?
+    pub fn closed(&self) -> bool {
+        self.tape == Tape::Closed
     }
 
     /// Lines that were read.

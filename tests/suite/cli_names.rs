@@ -338,3 +338,65 @@ fn a_file_that_is_replaced_while_it_is_read_gives_no_output() {
         assert!(ran.exits(2).says("MAIN.MPF: changed while it was read").out.is_empty());
     });
 }
+
+/// On a control upper and lower case are one, so that two such files are one program, and nobody knows which.
+#[cfg(target_os = "linux")]
+#[test]
+fn names_that_differ_in_case_alone_are_refused() {
+    let main = "N10 G17 G90 G54 G0 X0 Y0 Z10\nN20 DRILL\nN30 M30\n";
+    let folder = Folder::new("names_case").with(&[("MAIN.MPF", main), ("DRILL.SPF", "G0 Z5\nM17\n")]);
+    assert_eq!(moves(&folder), ["G0 Z5"]);
+    folder.write("drill.spf", "G0 Z6\nM17\n");
+    let ran = folder.run(&["compile", "MAIN.MPF", "-o", "-"]).exits(1).says("P0103").says("DRILL.SPF, drill.spf");
+    assert!(ran.out.is_empty());
+    // In a root, too.
+    let folder = Folder::new("names_case_root").with(&[
+        ("MAIN.MPF", main),
+        ("partc.toml", "[include]\nroots.\"/_N_SPF_DIR\" = \"spf\"\n"),
+        ("spf/DRILL.SPF", "G0 Z5\nM17\n"),
+        ("spf/Drill.SPF", "G0 Z6\nM17\n"),
+    ]);
+    folder.run(&["compile", "MAIN.MPF", "-o", "-"]).exits(1).says("P0103");
+    // And for a TNC.
+    let folder = Folder::new("names_case_tnc").with(&[("A.H", &caller("HOLE")), ("HOLE.H", HOLE), ("hole.h", HOLE)]);
+    folder.run(&["check", "A.H"]).exits(1).says("P0103");
+}
+
+/// A file beside the main program lies there, or where its own line says: both readings lead to one program.
+#[test]
+fn a_neighbour_that_lies_elsewhere_by_its_line_has_no_rival() {
+    let own = |dir: &str, z: i32| format!("%_N_DRILL_SPF\n;$PATH=/_N_{dir}_DIR\nG0 Z{z}\nM17\n");
+    let folder = Folder::new("names_line").with(&[
+        ("MAIN.MPF", "N10 G17 G90 G54 G0 X0 Y0 Z10\nN20 DRILL\nN30 M30\n"),
+        ("DRILL.SPF", &own("CUS", 5)),
+        ("partc.toml", "[include]\nroots.\"/_N_SPF_DIR\" = \"spf\"\n"),
+        ("spf/OTHER.SPF", "M17\n"),
+    ]);
+    assert_eq!(moves(&folder), ["G0 Z5"]);
+    folder.write("spf/DRILL.SPF", "G0 Z6\nM17\n");
+    let both = |folder: &Folder| {
+        let ran = folder.run(&["compile", "MAIN.MPF", "-o", "-"]).exits(1).says("S2046").says("spf/DRILL.SPF");
+        assert!(ran.out.is_empty());
+    };
+    both(&folder);
+    // The main program names a folder of its own.
+    folder.write(
+        "MAIN.MPF",
+        "%_N_MAIN_MPF\n;$PATH=/_N_WKS_DIR/_N_A_WPD\nN10 G17 G90 G54 G0 X0 Y0 Z10\nN20 DRILL\nN30 M30\n",
+    );
+    both(&folder);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_no_program_that_is_called() {
+    let folder = Folder::new("names_pipe")
+        .with(&[("MAIN.MPF", "N10 G17 G90 G54 G0 X0 Y0 Z10\nN20 DRILL\nN30 M30\n"), ("A.H", &caller("HOLE"))]);
+    for name in ["DRILL.SPF", "HOLE.H"] {
+        let made = std::process::Command::new("mkfifo").arg(folder.0.join(name)).status();
+        assert!(made.expect("mkfifo runs").success());
+    }
+    for main in ["MAIN.MPF", "A.H"] {
+        folder.run(&["check", main]).exits(1).says("P0105").says("is a pipe");
+    }
+}

@@ -221,3 +221,16 @@ fn a_configuration_that_was_found_opens_nothing_outside_its_folder() {
     config("extend = \"sub/base.toml\"\n");
     folder.run(&["check", "down/PART.H"]).exits(0);
 }
+
+/// A pipe waits for somebody who reads it: not for ever.
+#[cfg(target_os = "linux")]
+#[test]
+fn an_output_that_is_a_pipe_which_nobody_reads_is_given_up() {
+    let folder = Folder::new("pipe_out").with(&[("PART.H", PART)]);
+    let pipe = folder.0.join("out");
+    assert!(Command::new("mkfifo").arg(&pipe).status().expect("mkfifo runs").success());
+    folder.run(&["compile", "PART.H", "-o", "out"]).exits(2).says("nobody reads");
+    let reader = std::thread::spawn(move || fs::read_to_string(pipe));
+    folder.run(&["compile", "PART.H", "-o", "out"]).exits(0);
+    assert!(reader.join().expect("a reader").expect("a pipe").contains("M30"));
+}

@@ -273,3 +273,21 @@ fn mtc200_loops() {
         stops("mtc200", "P.npg", &body, &few());
     }
 }
+
+// Errors in loops.
+
+/// What was reported once costs little more than a block, and no more than the limit allows.
+#[test]
+fn errors_that_come_again_are_paid_for() {
+    let unknown = |call: &dyn Fn(usize) -> String, n: usize| (0..n).map(call).collect::<String>();
+    let labels = unknown(&|n| format!("CALL LBL {}\n", n + 10), 500);
+    let klartext = format!("0 BEGIN PGM A MM\nLBL 1\n{labels}FN 9: IF +0 EQU +0 GOTO LBL 1\nEND PGM A MM\n");
+    let calls = unknown(&|n| format!("CYCLEUNKNOWN{n}(1,{n})\n"), 5000);
+    let sinumerik = format!("G17 G90 G54 G0 X0 Y0\nLOOP\n{calls}ENDLOOP\nM30\n");
+    for (dialect, name, program) in [("klartext", "A.H", klartext), ("sinumerik", "A.MPF", sinumerik)] {
+        let start = Instant::now();
+        let compiled = compile_bytes(name, program.into_bytes(), dialect, &settings(""), &Short(""));
+        let took = start.elapsed();
+        assert!(compiled.has_errors() && took < SOON, "{dialect} took {took:?}");
+    }
+}

@@ -23,7 +23,7 @@ macro_rules! books {
 
 books! {
     errors_gcode = "errors/gcode":
-        P0206 R R4;
+        P0206 R R1004 R4;
     errors_heidenhain_turning = "errors/heidenhain-turning":
         G L T0 T1 T200 T201 T202 T203 T205 T207 T3 T8 T9;
     errors_klartext = "errors/klartext":
@@ -33,7 +33,7 @@ books! {
     errors_sinumerik = "errors/sinumerik":
         G G330 G332 L1 L2 O O4006 P P000 P0107 P0205 P0206 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
     gcode = "gcode":
-        lines path_control rigid_taps speeds;
+        lines path_control percents rigid_taps speeds;
     heidenhain_turning = "heidenhain-turning":
         angles arcs calls compensation contours corners drilling exact_stop finishing flow modal moves noses program recess
         recess_turning roughing shifts threads tools undercut variables;
@@ -81,7 +81,7 @@ books! {
     mtc200 = "mtc200":
         arcs compensation corners flow functions manual offsets path path_control programs text tools units variables;
     mtc200_words = "mtc200/words":
-        refused;
+        entries refused;
     same_part = "same_part":
         lathe mill;
     sinumerik = "sinumerik":
@@ -90,7 +90,7 @@ books! {
     sinumerik_approach = "sinumerik/approach":
         lines;
     sinumerik_calls = "sinumerik/calls":
-        external left_out numbered parameters passes reserved save search_path;
+         external left_out numbered own_cycles parameters passes reserved save search_path;
     sinumerik_circles = "sinumerik/circles":
         cip_and_ct helices;
     sinumerik_compensation = "sinumerik/compensation":

@@ -9,11 +9,15 @@ front of it is certain. Resolve the program first, or name its language with `--
 
 R1002 Warning "gcode-end-missing" "plain G-code ends without M2 or M30"
 "The last line is no end of a program. The file may have been cut off in transfer, or the program that made it leaves the end to the control. Without `[control] open_end = \"allow\"` that is an error (P0007); a file between two lines of % may \
-end so. The output gets M2. Look at the last lines, and add M30."
+end so. The output gets M2. Where the file begins with a line of `%`, the second one ends the program, and this is said there, too. Look at the last lines, and add M30."
 
 R1003 Error "gcode-of-another-receiver" "program was printed for another receiver"
 "The head of this program says for which target partc printed it. Its lines look like those of LinuxCNC, and some mean another thing there: on a Fanuc control G4 P counts \
 thousandths of a second, and on its lathes G90 cuts. Compile the program that it was made of; `partc diff` compares such outputs as they are meant."
+
+R1004 Warning "gcode-behind-percent" "lines behind the closing %"
+"The file begins with a line of a single `%`, so the second one ends the program, as it ended a paper tape: LinuxCNC reads nothing behind it, and neither does partc. There was no M2 or M30 in front of it, \
+so the lines behind it may be part of the program, and a `%` too many may stand in the middle, where files were joined. If they belong to the program, delete the `%` in front of them; otherwise delete them."
 
 R2001 Error "gcode-tool-length" "tool length that the output does not have"
 "G43 H adds the length of a tool, G49 takes it away, and all positions along Z count with it or without it. The output has G43 behind each tool change with the number \

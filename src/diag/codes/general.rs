@@ -38,7 +38,8 @@ P0008 Error "cut-off" "file stops in its last line"
 "The last line has no line end, and there is no end of program behind it or in it: the file was cut off, perhaps inside a number (`G1 X12` \
 of `G1 X123.456`). No key allows it (a piece of Klartext without BEGIN PGM, which another \
 program joins to others, is P0007). Get the file anew from where it was made. If it is complete, write the end of the program as its last \
-block; a last line that holds the end of the program needs no line end."
+block; a last line that holds the end of the program needs no line end, unless the file stops behind `M2`: that may be the beginning of `M20` or `M2=3`, so write \
+`M30`, or a line end behind it."
 
 P0101 Error "program-not-found" "called program is not in the include roots"
 "The program calls another one that partc cannot find. Without it the path is incomplete, so nothing is written.\n\
@@ -48,8 +49,8 @@ Upper and lower case do not matter as long as one file fits."
 P0107 Warning "found-elsewhere" "file is not where the control looks for it"
 "A HEIDENHAIN control looks for a name without a path in the folder of the program that names it, and nowhere else. Here the file lies in another folder \
 that partc knows, in one only, and is taken from there. In a SINUMERIK text, a path names a folder of which nothing is known, and a program without a `;$PATH=` line has that \
-name. Either way the machine may run another program, or none.\n\
-Put the file where the control looks, or write its path; give a program of an archive its `;$PATH=` line."
+name; or a file lies beside the main program, and by its own `;$PATH=` line in a folder in which nothing looks. Either way the machine may run another program, or none.\n\
+Put the file where the control looks, or write its path; give a program of an archive, or the main program, its `;$PATH=` line."
 
 P0102 Error "path-forbidden" "called program lies outside the include roots"
 "A called program may only come from the folders in `[include] roots` (by default the folder of the main program). \
@@ -112,7 +113,8 @@ move, or retract in machine coordinates (M91, G53)."
 P0205 Error "entry-takes-a-move-away" "entry of partc.toml would make a move vanish"
 "An entry says of a word that it does nothing to the path: `[control] machine_words`, or `ignore` under `[programs]`. partc knows the word, and it moves the tool, or says where it goes: a tapping \
 function, a machining cycle, mirror, scale, a transformation. Left out, what follows would be another path: a tap would go into its hole at rapid. Take the entry out. What cannot be compiled has to \
-be programmed another way; for a cycle, a program of your own may stand: `{ file = \"stubs/CYCLE952.SPF\" }`."
+be programmed another way; for a cycle, a program of your own may stand: `{ file = \"stubs/CYCLE952.SPF\" }`. No program can stand for another word of the language, such as TRANS, and no word of the machine may \
+become an M function that partc has to know of, such as M3, M6 or M30."
 
 P0206 Warning "tool-never-changed" "tool is chosen, and the program changes none"
 "T chooses a tool, the program cuts, and no word of it changes a tool. Where M6 changes tools, the tool that is in the spindle at the start cuts, on the control and here. Where T itself changes them, the output would cut with the wrong one: partc takes M6 for the word unless the machine is a lathe. Set `[control] tool_change = \"t\"` for a machine that changes with T, or \"m6\" where the program means the tool that is there."

@@ -18,7 +18,7 @@ use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::read::{self, AXES, Act, Lack, Modes, Reader, Rules, SCALE};
-use crate::text::{Span, SplitRules};
+use crate::text::{Loc, Next, Span, SplitRules};
 
 use super::common::start::Start;
 use super::run::{self, Interpreter, Language, Level, OffsetName, Parsed, Where, runs_on};
@@ -239,7 +239,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
         let loc = self.end_of_text();
         self.here.origin.loc = loc;
         self.stop_run();
-        if self.is_between_percents() || self.may_end_open("M2 or M30", "M30", None) {
+        if self.may_end_open("M2 or M30", "M30", None) {
             self.report(Diagnostic::new(codes::R1002, loc, "the program ends without M2 or M30"));
         }
         self.does(&Function::End { rewind: false });
@@ -304,6 +304,10 @@ impl Run<'_> {
         }
         let before = *self.reader.modes();
         let words = &text[line.from..line.end];
+        if words.trim_ascii_start().first() == Some(&b'%') && (line.skip.is_some() || !line.comments.is_empty()) {
+            let found = Diagnostic::new(codes::R1001, self.here.origin.loc, "`%` has to stand in a line of its own");
+            return self.give_up(found.help("write what stands beside it into another line"));
+        }
         let nested = |comment: &Span| memchr::memchr(b'(', comment.of(text)).is_some();
         let done = if line.comments.iter().any(nested) {
             self.line(&without(line, text), &before)
@@ -311,7 +315,12 @@ impl Run<'_> {
             self.line(words, &before)
         };
         match done {
-            Ok(()) => Ok(()),
+            Ok(()) => {
+                if self.reader.closed() {
+                    self.close();
+                }
+                Ok(())
+            }
             // It may have been said in the line that was refused.
             Err(Refused::Line(fault)) if fault.lacks.is_some() && self.lost => Err(super::Reported),
             Err(Refused::Line(fault)) => {
@@ -329,6 +338,26 @@ impl Run<'_> {
             }
             Err(Refused::Words(found)) => self.give_up(*found),
             Err(Refused::Said) => Err(super::Reported),
+        }
+    }
+
+    /// The second `%` ends the program, as it ended a tape: nothing behind it is read (RS274/NGC 3.1; rs274 does so, too).
+    #[cold]
+    fn close(&mut self) {
+        let loc = self.here.origin.loc;
+        self.stop_run();
+        self.report(Diagnostic::new(codes::R1002, loc, "the program ends at its second `%`, without M2 or M30"));
+        self.does(&Function::End { rewind: false });
+        let (sources, program) = (self.core.job.sources, self.core.program());
+        let (file, cursor) = (program.source.file, &mut program.source.cursor);
+        while let Ok(Next::Block(behind)) = cursor.next(sources) {
+            let Some(start) = behind.text.iter().position(|b| !is_blank(*b)) else { continue };
+            let end = behind.text.iter().rposition(|b| !is_blank(*b)).map_or(start, |last| last + 1);
+            let span = Span { start: behind.at + start as u32, end: behind.at + end as u32 };
+            let what = "this stands behind the `%` that ends the program, and does not run";
+            let help = "delete it; or delete the `%` in front of it, if it belongs to the program";
+            let found = Diagnostic::new(codes::R1004, Loc { file, line: behind.line, span }, what);
+            return self.report(found.help(help).also(loc, "the program ends here"));
         }
     }
 
@@ -462,6 +491,7 @@ impl Run<'_> {
                         self.offset();
                     }
                     if let Function::End { .. } = function {
+                        self.end_is_whole();
                         self.stop_run();
                     }
                 }

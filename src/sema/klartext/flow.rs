@@ -198,6 +198,7 @@ impl Run<'_> {
         }
         self.warn_without_head();
         self.refuse_compensated("the program ends");
+        self.end_is_whole();
         self.function(Function::End { rewind });
         self.stop_run();
         Ok(())

@@ -312,6 +312,7 @@ impl Run<'_> {
         let ended = self.level().program;
         self.is_alone(ended);
         self.warn_open();
+        self.end_is_whole();
         self.function(Function::End { rewind });
         self.stop_run();
         Ok(())

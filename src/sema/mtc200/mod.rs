@@ -218,6 +218,15 @@ impl Run<'_> {
             .collect();
         let help = "take them out of the list: without them the tool would go another way";
         self.refuse_entries("[control] machine_words", &entries, help);
+        let words = self.job.settings.control.mtc200.machine_words.iter();
+        let printed: Vec<(String, &str)> = words
+            .filter_map(|(name, number)| Some((name, (*number)?)))
+            .filter_map(|(name, number)| Some((format!("{name} = M{number}"), reserved::reserved_m(number)?)))
+            .collect();
+        let printed: Vec<(&str, &str)> = printed.iter().map(|(entry, what)| (entry.as_str(), *what)).collect();
+        let help = "take them out: partc has to know of these functions, and would take the word for one that does nothing to the \
+                    path; write the M function itself into the program";
+        self.refuse_entries("[control] machine_words", &printed, help);
     }
 
     fn words_block(&mut self, block: &Block, text: &[u8]) -> Outcome {

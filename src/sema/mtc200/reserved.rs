@@ -23,6 +23,24 @@ pub(super) fn reserved(name: &str) -> Option<&'static str> {
     }
 }
 
+/// What an M function does that no word of the machine may become by an entry of `[control] machine_words`: partc has to know of it,
+/// or a receiver takes it for the flow of the program. Coolant changes nothing that partc keeps.
+pub(super) fn reserved_m(number: u32) -> Option<&'static str> {
+    Some(match number {
+        0 | 1 => "a stop of the program",
+        2 | 30 => "the end of the program",
+        3 | 4 | 13 | 14 => "the start of the spindle",
+        5 => "the stop of the spindle",
+        6 => "the tool change",
+        19 => "the orientation of the spindle",
+        17 | 99 => "the end of a subprogram on many machines",
+        29 => "rigid tapping on many machines",
+        98 | 198 => "the call of a subprogram on many machines",
+        96 | 97 => "a jump or a call on many machines",
+        _ => return None,
+    })
+}
+
 fn g_function(number: u32) -> Option<&'static str> {
     if let Some(what) = g_functions::refused(number) {
         return Some(what);

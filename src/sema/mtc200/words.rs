@@ -393,6 +393,8 @@ impl Run<'_> {
             return false;
         }
         match *printed {
+            // The entry is refused at the top of the program.
+            Some(number) if super::reserved::reserved_m(number).is_some() => {}
             Some(number) => w.aux.push((number, span)),
             None if self.noted.insert(name.to_owned()) => {
                 self.report(Diagnostic::new(codes::M2702, self.loc(span), format!("`{name}` is left out")));

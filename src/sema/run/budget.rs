@@ -22,6 +22,9 @@ const BYTES_OF_TEXT_A_STEP: usize = 16;
 /// Steps that looking for a called program on the disk costs.
 const SEARCH: u64 = 250;
 
+/// Steps that an error costs: its words are found before it shows that they were said.
+const ERROR: u64 = 12;
+
 /// Steps of a run after a called program that is missing.
 const STEPS_IN_DOUBT: u64 = 100_000;
 
@@ -153,6 +156,14 @@ impl Budget {
     pub fn text(&mut self, bytes: usize) {
         if !self.jumps.is_empty() {
             self.take(TEXT + (bytes / BYTES_OF_TEXT_A_STEP) as u64);
+        }
+    }
+
+    /// Takes what `errors` cost.
+    #[cold]
+    pub fn errors(&mut self, errors: u32) {
+        if !self.jumps.is_empty() {
+            self.take(ERROR * u64::from(errors));
         }
     }
 

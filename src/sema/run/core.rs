@@ -47,6 +47,8 @@ pub struct Core<'a, L: Language> {
     pub(super) printed_tools: PrintedTools,
     pub(super) chosen_tool: ChosenTool,
     pub(super) errors: Cell<u32>,
+    /// So many of them have cost their steps.
+    paid: u32,
 }
 
 impl<L: Language> std::fmt::Debug for Core<'_, L> {
@@ -76,6 +78,7 @@ impl<'a, L: Language> Core<'a, L> {
             printed_tools: PrintedTools::default(),
             chosen_tool: ChosenTool::default(),
             errors: Cell::new(0),
+            paid: 0,
         }
     }
 }
@@ -132,6 +135,10 @@ impl<L: Language> Core<'_, L> {
     #[inline]
     pub fn has_steps_at(&mut self, loc: Loc) -> bool {
         self.job.trail.step();
+        if self.errors.get() != self.paid {
+            self.budget.errors(self.errors.get().saturating_sub(self.paid));
+            self.paid = self.errors.get();
+        }
         let goes_on = self.budget.step(&*self.out, self.job.diags);
         if !goes_on {
             self.out_of_steps(loc);

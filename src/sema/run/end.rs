@@ -68,6 +68,29 @@ impl<L: Language> Core<'_, L> {
         false
     }
 
+    /// The program ends in the block in hand. Where `M2` is the last that the file holds, without a line end, it may be the beginning
+    /// of `M20` or `M2=3`: that is said. `M30` and `M17` are words that nothing goes on.
+    pub fn end_is_whole(&self) {
+        let Loc { file, span, .. } = self.here.origin.loc;
+        let size = u32::try_from(self.job.sources.size(file)).unwrap_or(u32::MAX);
+        if size.saturating_sub(span.end) > TAIL {
+            return;
+        }
+        let behind = self.job.sources.bytes(file, Span { start: span.end, end: size });
+        if behind.iter().any(|byte| !matches!(byte, 0 | 0x1a)) {
+            return;
+        }
+        let block = self.job.sources.bytes(file, span);
+        let stem = block.strip_suffix(b"2").unwrap_or_default().trim_ascii_end();
+        if !stem.last().is_some_and(|letter| letter.eq_ignore_ascii_case(&b'M')) {
+            return;
+        }
+        let message =
+            "the file stops in its last line, behind `M2`, which may be the beginning of a longer word: it was cut off";
+        let help = "get the file anew; if `M2` is its end, write a line end behind it";
+        self.report_cause(Diagnostic::new(codes::P0008, self.here.origin.loc, message).help(help));
+    }
+
     /// Does the last line of the file have no line end either? Then the rest of it is missing, in a subprogram, too.
     pub fn is_cut_off(&mut self, end: &str, best: &str) -> bool {
         let loc = self.end_of_text();

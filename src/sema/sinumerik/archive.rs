@@ -55,7 +55,7 @@ impl Run<'_> {
 impl Core<'_> {
     /// Does the `%` of this line have no name, and a block behind it?
     fn blocks_behind_the_end(&self) -> bool {
-        const AHEAD: u32 = 4096;
+        const AHEAD: u32 = 1 << 16;
         let bytes = self.job.sources.bytes(self.here.file, Span::at(self.here.at, AHEAD));
         let mut lines = bytes.split(|b| matches!(b, b'\n' | b'\r')).map(<[u8]>::trim_ascii);
         let bare = lines.next().is_some_and(|line| programs::header_name(line).is_none());

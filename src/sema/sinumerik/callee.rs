@@ -34,16 +34,27 @@ impl Run<'_> {
         let file = self.units.list[self.unit()].file;
         // What cannot be listed was reported when it was opened.
         let _ = self.list_programs(0).and_then(|()| self.list_programs(file));
-        if let Some(&unit) = self.found.get(&(file, name.to_owned())) {
+        let key = (file, name.to_owned());
+        if let Some(&unit) = self.found.get(&key) {
             return Ok(unit);
+        }
+        if self.missing.contains(&key) {
+            let again = Diagnostic::new(codes::S2002, self.loc(span), "");
+            if self.job.diags.knows(&again) {
+                self.report(again);
+                self.go_on_in_doubt();
+                return Err(Missing::Reported);
+            }
         }
         let plain = called_name(name);
         let found = match self.file_in_place_of(without_extension(&plain)) {
             Some(stand_in) => self.open_stand_in(&stand_in, &plain, span),
             None => self.found(name, span),
         };
-        if let Ok(unit) = found {
-            self.found.insert((file, name.to_owned()), unit);
+        match found {
+            Ok(unit) => drop(self.found.insert(key, unit)),
+            Err(Missing::Nowhere(_)) => drop(self.missing.insert(key)),
+            Err(Missing::Reported) => {}
         }
         found
     }
@@ -60,6 +71,16 @@ impl Run<'_> {
                 let help = format!("write the line `;$PATH={folder}` behind its head if it lies there");
                 self.report(Diagnostic::new(codes::P0107, loc, message).help(help));
                 return Ok(unit);
+            }
+            Found::BesideByLine(file, folder) => {
+                let message = format!(
+                    "by its `;$PATH=` line `{}` lies in `{folder}`, where this call looks only if the main program lies there, too; it is taken",
+                    file.shown
+                );
+                let help =
+                    format!("write the line `;$PATH={folder}` behind the head of the main program if both lie there");
+                self.report(Diagnostic::new(codes::P0107, loc, message).help(help));
+                return self.open_file(&file.name, file.within, Some((name, &file)), span);
             }
             Found::Nowhere(nowhere) => return Err(Missing::Nowhere(nowhere)),
             Found::Fails(FileError::NotFound { tried, similar }, _) => {
@@ -242,6 +263,7 @@ impl Run<'_> {
     pub(super) fn extend_search(&mut self, folder: Option<String>, span: Span) {
         self.call_path = folder.map(|folder| super::control_folders::control_path(&folder));
         self.found.clear();
+        self.missing.clear();
         self.units.asked.clear();
         let _ = self.list_programs(0);
         if let Some(folder) = self.call_path.clone().filter(|folder| !self.search_knows(folder)) {

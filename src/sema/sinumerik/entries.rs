@@ -17,6 +17,27 @@ impl Run<'_> {
         let help = "take them out: without them the tool would go another way; a file may run in place of a cycle: \
                     `CYCLE952 = { file = \"stubs/CYCLE952.SPF\" }`";
         self.refuse_entries("[programs]", &entries, help);
+        let fixed: Vec<(&str, &str)> = programs
+            .iter()
+            .filter(|(name, stands)| {
+                !matches!(stands, StandIn::Ignored) && !entries.iter().any(|(entry, _)| entry == name)
+            })
+            .filter(|(name, _)| self.vocabulary.get(name.as_str()).is_some_and(|known| !takes_program(name, *known)))
+            .map(|(name, _)| (name.as_str(), "a word of the language, for which the control calls no program"))
+            .collect();
+        let help =
+            "take them out: they have no effect; what stands under `[programs]` is the name of a program or of a cycle";
+        self.refuse_entries("[programs]", &fixed, help);
+    }
+}
+
+/// Does the control look for a program of this name, so that one may stand for it?
+fn takes_program(name: &str, meaning: Meaning) -> bool {
+    match meaning {
+        Meaning::Code(_) | Meaning::Axis(_) => false,
+        Meaning::Procedure(Procedure::Refused(_) | Procedure::Transformation(_)) => true,
+        Meaning::Procedure(_) => super::cycles::is_program(name),
+        Meaning::Address(_) | Meaning::Indexed(_) | Meaning::Known(_) | Meaning::Unknown => true,
     }
 }
 

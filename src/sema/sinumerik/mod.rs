@@ -196,6 +196,8 @@ struct Run<'a> {
     definitions_read: bool,
     /// Programs by the file that calls them and the name that it calls them by.
     found: FxHashMap<(usize, String), usize>,
+    /// The same of programs that are nowhere.
+    missing: FxHashSet<(usize, String)>,
     /// The folder that CALLPATH adds to the search path.
     call_path: Option<String>,
     warned: Warned,
@@ -224,6 +226,7 @@ impl<'a> Run<'a> {
             units: Units::default(),
             definitions_read: false,
             found: FxHashMap::default(),
+            missing: FxHashSet::default(),
             call_path: None,
             warned: Warned::default(),
             externs: Vec::new(),

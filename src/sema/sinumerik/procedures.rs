@@ -98,11 +98,12 @@ impl Run<'_> {
     /// Is there a program of this name in the file, or beside it?
     pub(super) fn is_here(&mut self, name: &str) -> bool {
         let unit = self.unit();
-        if let Some((_, here)) = self.units.asked.get(name).filter(|(asked, _)| *asked == unit) {
+        let file = self.units.list[unit].file;
+        if let Some(here) = self.units.asked.get(&file).and_then(|names| names.get(name)) {
             return *here;
         }
-        let here = self.stands_beside(name, self.units.list[unit].file);
-        self.units.asked.insert(name.to_owned(), (unit, here));
+        let here = self.stands_beside(name, file);
+        self.units.asked.entry(file).or_default().insert(name.to_owned(), here);
         here
     }
 
@@ -176,6 +177,16 @@ impl Run<'_> {
             return result;
         }
         match procedure {
+            Procedure::Refused(_) | Procedure::Transformation(_) if self.own_program(&name) => {
+                self.call_program(&name, call.span, Some(call), None, block, text)
+            }
+            Procedure::Dynamics | Procedure::Swivel if super::cycles::is_program(&name) && self.own_program(&name) => {
+                if self.has_other_words(w) {
+                    return self.call_not_alone(call.span);
+                }
+                let passes = w.calls.passes.take();
+                self.call_program(&name, call.span, Some(call), passes, block, text)
+            }
             Procedure::NoEffect => {
                 self.control_words_are_left_out(call.span);
                 Ok(())
@@ -210,9 +221,6 @@ impl Run<'_> {
             Procedure::CallPath => self.call_path_block(&formulas, call.span, block, text),
             Procedure::ExecString => self.exec_string(&formulas, call.span, block, text),
             Procedure::Return => self.return_block(&formulas, call.span, block, text),
-            Procedure::Transformation(_) if self.own_program(&name) => {
-                self.call_program(&name, call.span, Some(call), None, block, text)
-            }
             Procedure::Transformation(on) => self.transformation(on, &formulas, call.span, block, text),
             Procedure::TransformationOff | Procedure::DiameterChannel if !formulas.is_empty() => {
                 self.fail(codes::S2021.alarm(12090), call.span, format!("{name} takes no argument"))
@@ -239,9 +247,6 @@ impl Run<'_> {
             Procedure::DiameterChannel => {
                 self.st.diameter = None;
                 Ok(())
-            }
-            Procedure::Refused(_) if self.own_program(&name) => {
-                self.call_program(&name, call.span, Some(call), None, block, text)
             }
             Procedure::Refused(refusal) => self.refused_procedure(&name, refusal, call.span),
         }

@@ -64,8 +64,8 @@ struct Head {
 #[derive(Debug, Default)]
 pub(super) struct Units {
     pub list: Vec<Unit>,
-    /// Names of cycles, each with the program that asked last whether it stands here, and the answer.
-    pub asked: FxHashMap<String, (usize, bool)>,
+    /// Names of cycles, by the file whose program asked whether one of that name stands here, with the answer.
+    pub asked: FxHashMap<usize, FxHashMap<String, bool>>,
 }
 
 impl Units {

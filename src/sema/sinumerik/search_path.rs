@@ -57,6 +57,9 @@ pub(super) enum Found {
     One(At),
     /// The path names a folder that nothing is known of; the program of this name has no folder, and is taken.
     Unplaced(usize, String),
+    /// By its own `;$PATH=` line the file lies in this folder, where nothing looks; it lies beside the main program, which names no
+    /// folder, and is taken.
+    BesideByLine(FileAt, String),
     /// Programs of one rank.
     Several(Vec<At>),
     /// NAME_SPF and NAME_MPF beside each other.
@@ -146,6 +149,8 @@ struct Search<'s, 'r, 'a> {
     main: Option<&'r str>,
     /// Files beside the main program that lie in another folder by their own line.
     strays: Vec<(String, Candidate)>,
+    /// The same beside a main program without such a line.
+    placed: Vec<(String, FileAt)>,
     nowhere: Nowhere,
     failed: Option<(FileError, String)>,
 }
@@ -159,6 +164,7 @@ impl SearchPath<'_, '_> {
             called: Called::of(name),
             main,
             strays: Vec::new(),
+            placed: Vec::new(),
             nowhere: Nowhere::default(),
             failed: None,
         };
@@ -185,6 +191,7 @@ impl SearchPath<'_, '_> {
             Found::Fails(error, _) => matches!(error, FileError::Ambiguous { .. }),
             Found::One(_)
             | Found::Unplaced(..)
+            | Found::BesideByLine(..)
             | Found::Several(_)
             | Found::BothKinds(..)
             | Found::BehindUnknown(_) => true,
@@ -209,14 +216,16 @@ impl Search<'_, '_, '_> {
     fn by_name(&mut self) -> Option<Found> {
         let current = self.current();
         if let Some(found) = self.pick(current) {
-            return Some(self.unless_rivalled(found));
+            let found = self.unless_rivalled(found);
+            let found = self.unless_placed_elsewhere(found);
+            return Some(self.unless_stray(found));
         }
         let mut unknown = None;
         let call_path = self.path.call_path;
         for folder in [SUBPROGRAMS].into_iter().chain(call_path).chain(CYCLES) {
             let candidates = self.of_folder(folder, SUB);
             if let Some(found) = self.pick(candidates) {
-                return Some(unknown.map_or(found, Found::BehindUnknown));
+                return Some(unknown.map_or_else(|| self.unless_stray(found), Found::BehindUnknown));
             }
             if Some(folder) == call_path && !self.path.knows(folder) {
                 unknown = Some(folder.to_owned());
@@ -284,8 +293,14 @@ impl Search<'_, '_, '_> {
             self.ask(ending, &name, Within::Main, None, &mut beside);
         }
         for candidate in beside {
-            match self.own_line(&candidate).filter(|own| main.is_some_and(|main| main != own)) {
-                Some(own) => self.strays.push((own, candidate)),
+            match self.own_line(&candidate) {
+                Some(own) if main.is_some_and(|main| main != own) => self.strays.push((own, candidate)),
+                Some(own) => {
+                    if let (At::File(file), None) = (&candidate.at, main) {
+                        self.placed.push((own, file.clone()));
+                    }
+                    add(candidate, &mut candidates);
+                }
                 None => add(candidate, &mut candidates),
             }
         }
@@ -439,6 +454,42 @@ impl Search<'_, '_, '_> {
         let mut all = vec![At::Unit(unit)];
         all.extend(self.units(is_rival).into_iter().map(|rival| rival.at));
         if all.len() > 1 { Found::Several(all) } else { Found::One(At::Unit(unit)) }
+    }
+
+    /// A file beside a main program without a `;$PATH=` line lies there, or in the folder that its own line names. Both readings have
+    /// to lead to the same program.
+    fn unless_placed_elsewhere(&mut self, found: Found) -> Found {
+        let Found::One(At::File(file)) = found else { return found };
+        let Some((own, _)) = self.placed.iter().find(|(_, placed)| placed.identity == file.identity).cloned() else {
+            return Found::One(At::File(file));
+        };
+        let mut all = vec![Candidate { ending: Ending::None, at: At::File(file.clone()) }];
+        let mut is_searched = own == MAIN_PROGRAMS;
+        for folder in [SUBPROGRAMS].into_iter().chain(self.path.call_path).chain(CYCLES) {
+            let others = self.of_folder(folder, SUB);
+            others.into_iter().for_each(|other| add(other, &mut all));
+            is_searched |= own == folder;
+            if is_searched {
+                break;
+            }
+        }
+        match (all.len(), is_searched) {
+            (1, true) => Found::One(At::File(file)),
+            (1, false) => Found::BesideByLine(file, own),
+            _ => Found::Several(all.into_iter().map(|candidate| candidate.at).collect()),
+        }
+    }
+
+    /// A file beside the main program lies there, too, whatever folder its own line names: it may be no other one than the one that runs.
+    fn unless_stray(&self, found: Found) -> Found {
+        let Found::One(at) = found else { return found };
+        let mut all = vec![Candidate { ending: Ending::None, at: at.clone() }];
+        self.strays.iter().for_each(|(_, stray)| add(stray.clone(), &mut all));
+        if all.len() > 1 {
+            Found::Several(all.into_iter().map(|candidate| candidate.at).collect())
+        } else {
+            Found::One(at)
+        }
     }
 
     /// Programs of this name where nothing looks.

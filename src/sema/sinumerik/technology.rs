@@ -29,6 +29,7 @@ impl Run<'_> {
                     self.function(if m.number == 0 { Function::Stop } else { Function::OptionalStop });
                 }
                 2 | 17 | 30 => {
+                    self.end_is_whole();
                     if self.in_main() {
                         if self.ends_inside_contour() {
                             return Err(super::Reported);

@@ -68,3 +68,24 @@ fn a_called_program_that_stops_in_its_last_line_is_never_taken() {
         hold(called.has_errors(), || format!("a called program that was cut off is taken:\n{}", called.output))
     });
 }
+
+#[test]
+fn an_end_that_may_be_the_beginning_of_a_longer_word_is_not_taken() {
+    row(|column| {
+        // There M2 belongs to the machine.
+        if column.dialect == "heidenhain-turning" {
+            return Ok(());
+        }
+        // `M2` of `M20` or `M2=3`: the rest of the file may be missing.
+        for cut in ["M2", "m2", "M2\0\0"] {
+            let text = open(column, 99) + cut;
+            refuses(&compiled(column, &text, ALLOWED), "P0008", &format!("{text:?}"))?;
+        }
+        // M30 is a whole word, and so is M2 with anything behind it.
+        for whole in ["M30", "M02", "M2\n", "M2 "] {
+            let text = open(column, 99) + whole;
+            hold(!compiled(column, &text, "").has_errors(), || format!("{text:?}"))?;
+        }
+        Ok(())
+    });
+}

@@ -81,7 +81,7 @@ fn the_end_of_the_program_is_the_last_thing_of_its_block() {
     row(|column| {
         let ended = |block: String| {
             let lines: Vec<&str> = column.head.iter().copied().chain(["M8", &block]).collect();
-            column.bytes(lines.join("\n").into_bytes())
+            column.bytes((lines.join("\n") + "\n").into_bytes())
         };
         for end in ["M2", "M30"] {
             // There M2 belongs to the machine.

@@ -99,12 +99,8 @@ impl Run<'_> {
         text: &[u8],
     ) -> Option<Outcome> {
         let cycle = find(name)?;
-        match cycle.work {
-            Work::Nothing => return None,
-            Work::Moves(_) | Work::Contour(_) | Work::Along(_) | Work::Unpublished(_) if self.own_program(name) => {
-                return None;
-            }
-            Work::Hole(_) | Work::Moves(_) | Work::Contour(_) | Work::Along(_) | Work::Unpublished(_) => {}
+        if matches!(cycle.work, Work::Nothing) || self.own_program(name) {
+            return None;
         }
         let result =
             self.cycle_arguments(cycle, call.args, call.span, block, text).and_then(|args| self.run_cycle(&args));
@@ -194,6 +190,7 @@ impl Run<'_> {
     ) -> Option<Outcome> {
         if let Some(cycle) = find(name)
             && let Work::Hole(drilling) = &cycle.work
+            && !self.own_program(name)
         {
             let result = self.cycle_arguments(cycle, Some(args), block.span, block, text).and_then(|args| {
                 self.st.modal_call.end();
@@ -518,6 +515,12 @@ impl CycleCall<'_, '_> {
 /// Is this the name of a cycle that is not refused where it stands? The next one takes what some of them say.
 pub(super) fn is_taken(name: &str) -> bool {
     find(name).is_some_and(|cycle| cycle.is_built() || matches!(cycle.work, Work::Contour(_)))
+}
+
+/// Is this the name of a cycle of the control? Those are programs, the last ones of its search path: one of the user or of the machine
+/// builder goes before.
+pub(super) fn is_program(name: &str) -> bool {
+    find(name).is_some() || name.starts_with("CYCLE")
 }
 
 /// Is this the name of a cycle that is compiled?
