@@ -67,6 +67,8 @@ pub struct Stroke {
     /// On the way out.
     pub back: Option<f64>,
     pub dwell: f64,
+    /// Of the spindle at the start, in degrees, where it was said.
+    pub angle: Option<f64>,
 }
 
 impl Travel {
@@ -257,10 +259,7 @@ impl Sink for Steps {
     }
 
     fn tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) {
-        // A tap starts the spindle by itself, at its speed: what was said of it just before has no effect.
-        while self.list.last().is_some_and(|step| is_of_spindle(&step.does)) {
-            self.list.pop();
-        }
+        let angle = tap.orient.or(self.spindle_before_tap());
         let (speed, tool) = (tap.speed_in.or(self.speed), self.tool);
         let back = tap.speed_out.or(speed);
         for (at, stroke) in tap.strokes.iter().enumerate() {
@@ -275,6 +274,7 @@ impl Sink for Steps {
                 speed,
                 back,
                 dwell: stroke.dwell,
+                angle: angle.filter(|_| at == 0),
             };
             let start = self.at;
             self.at.update(&place.at);
@@ -356,6 +356,22 @@ impl Steps {
         }
     }
 
+    /// A tap starts the spindle by itself, at its speed: what was said of it just before has no effect but for the angle at which it
+    /// was stopped, which is returned.
+    fn spindle_before_tap(&mut self) -> Option<f64> {
+        let (mut angle, mut turned) = (None, false);
+        while let Some(Step { does: Does::Function(word, [_, value]), .. }) =
+            self.list.pop_if(|step| is_of_spindle(&step.does))
+        {
+            match word.as_str() {
+                "M3" | "M4" => turned = true,
+                "M19" if !turned && angle.is_none() => angle = Some(value),
+                _ => {}
+            }
+        }
+        angle
+    }
+
     /// Waits that follow each other are one.
     fn dwell(&mut self, seconds: f64, origin: &Origin) {
         match self.list.last_mut() {
@@ -435,10 +451,10 @@ impl Travel {
                     text += &format!(" P{turns}");
                 }
             }
-            Kind::Thread(lead) => text += &format!(" K{}", shown(lead)),
-            Kind::Tap(Stroke { axis, depth, lead, turn, speed, back, dwell }) => {
+            Kind::Thread(lead) => text += &format!(" K{}", pitch(lead)),
+            Kind::Tap(Stroke { axis, depth, lead, turn, speed, back, dwell, angle }) => {
                 let hand = if turn == Turn::Clockwise { "right" } else { "left" };
-                text += &format!(" to {}{}, {hand}-hand, pitch {}", axis.letter(), shown(depth), shown(lead));
+                text += &format!(" to {}{}, {hand}-hand, pitch {}", axis.letter(), shown(depth), pitch(lead));
                 if let Some(speed) = speed {
                     text += &format!(", S{}", shown(speed));
                 }
@@ -447,6 +463,9 @@ impl Travel {
                 }
                 if dwell > 0.0 {
                     text += &format!(", dwell {}", shown(dwell));
+                }
+                if let Some(angle) = angle {
+                    text += &format!(", from {} degrees", shown(angle));
                 }
             }
             Kind::Rapid | Kind::Line => {}
@@ -475,6 +494,11 @@ fn is_of_spindle(does: &Does) -> bool {
             _ => false,
         },
     }
+}
+
+/// A pitch as it is shown: many turns make much of its last places.
+fn pitch(value: f64) -> f64 {
+    libm::round(value * 1e6) / 1e6
 }
 
 /// A number as it is shown: four places, no `-0`.

@@ -34,11 +34,7 @@ const FAULTS: &[(&str, Fault)] = &[
     ("another sense of the spindle", |l, i| swap_line(l, i, &["M3", "M4"])),
     ("a spindle that does not stop", |l, i| swap_line(l, i, &["M5", "M3"])),
     ("no order for the spindle", |l, i| drop_line(l, i, &["M3", "M4", "M5"])),
-    // In front of a tap the angle is part of that, which the validator compares.
-    ("another orientation", |l, i| {
-        let taps = l[i..].iter().take(4).any(|line| line.starts_with("G33.1"));
-        (l[i].starts_with("M19") && !taps).then(|| number(&mut l[i], 'R', |r| r + 1.0))?
-    }),
+    ("another orientation", |l, i| l[i].starts_with("M19").then(|| number(&mut l[i], 'R', |r| r + 1.0))?),
     ("other coolant", |l, i| swap_line(l, i, &["M7", "M8"])),
     ("coolant off instead of on", |l, i| swap_line(l, i, &["M8", "M9"])),
     ("no order for the coolant", |l, i| drop_line(l, i, &["M7", "M8", "M9"])),

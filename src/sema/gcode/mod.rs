@@ -18,7 +18,7 @@ use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::read::{self, AXES, Act, Lack, Modes, Reader, Rules, SCALE};
-use crate::text::{Span, SplitRules};
+use crate::text::{Loc, Span, SplitRules};
 
 use super::common::start::Start;
 use super::run::{self, Interpreter, Language, Level, OffsetName, Parsed, Where, runs_on};
@@ -34,6 +34,9 @@ const OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "
 const MOST_TURNS: u32 = 100_000;
 /// Most acts of one line.
 const ACTS: usize = 16;
+/// Begins the head of an output; so far it is looked for behind the number of the program, in bytes.
+const HEAD: &[u8] = b"(partc ";
+const NEXT: u32 = 100;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
@@ -230,6 +233,9 @@ impl<'a> Interpreter<'a> for Run<'a> {
                 self.does(&comment);
             }
         }
+        if self.names_an_output(line.span.of(text)) {
+            return;
+        }
         if self.words(line, text).is_err() {
             self.lose_all();
         }
@@ -275,6 +281,17 @@ impl Run<'_> {
         self.lost = true;
         self.reader.forget();
         self.core.send_lost(&self.ctx);
+    }
+
+    /// The number of a program that partc printed: the next line says for which receiver.
+    fn names_an_output(&self, line: &[u8]) -> bool {
+        let [b'O' | b'o', number @ ..] = line else { return false };
+        if number.is_empty() || !number.iter().all(u8::is_ascii_digit) {
+            return false;
+        }
+        let Loc { file, span, .. } = self.here.origin.loc;
+        let next = self.job.sources.bytes(file, Span { start: span.end, end: span.end.saturating_add(NEXT) });
+        next.trim_ascii_start().get(..HEAD.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(HEAD))
     }
 
     /// The head of an output names the receiver that it is for.
