@@ -121,6 +121,10 @@ pub struct Steps {
     offset: Option<u8>,
     /// Of the spindle, in turns a minute.
     speed: Option<f64>,
+    /// The speeds among the steps, the last one at the end.
+    said: Vec<f64>,
+    /// A tap was made at its own speed: the one after it is a step where the spindle starts or cuts with it.
+    speed_waits: bool,
     corners: Option<PathControl>,
     /// What a stream says of corners is what is printed for it, on a lathe or a mill.
     output: Option<(OutputSettings, bool)>,
@@ -132,7 +136,8 @@ impl Steps {
         let (list, at) = (Vec::new(), Pos::UNKNOWN);
         let nothing = tolerance / 2.0;
         let (cutter, corners, output) = (CutterData::default(), None, None);
-        Steps { list, nothing, at, tool: None, cutter, offset: None, speed: None, corners, output }
+        let (tool, offset, speed, said, speed_waits) = (None, None, None, Vec::new(), false);
+        Steps { list, nothing, at, tool, cutter, offset, speed, said, speed_waits, corners, output }
     }
 
     /// The same for a stream that is printed with these settings: the output says how corners are taken where the program
@@ -167,9 +172,19 @@ impl Steps {
     fn spindle(&mut self, spindle: Spindle, number: u8, origin: &Origin) {
         if number == 0 {
             match spindle {
-                Spindle::Speed(speed) => self.speed = Some(speed),
-                Spindle::CuttingSpeed { .. } => self.speed = None,
-                Spindle::Start(_) | Spindle::Stop | Spindle::Orient(_) => {}
+                Spindle::Speed(speed) => {
+                    self.speed = Some(speed);
+                    if self.speed_waits {
+                        return;
+                    }
+                    self.said.push(speed);
+                }
+                Spindle::CuttingSpeed { .. } => {
+                    (self.speed, self.speed_waits) = (None, false);
+                    self.said.push(f64::NAN);
+                }
+                Spindle::Start(_) => self.speed_counts(origin),
+                Spindle::Stop | Spindle::Orient(_) => {}
             }
         }
         let number = f64::from(number);
@@ -185,6 +200,17 @@ impl Steps {
                 self.function("cutting speed", [number, speed], origin);
             }
             Spindle::Orient(angle) => self.function("M19", [number, angle], origin),
+        }
+    }
+
+    /// The speed after a tap is one from here on.
+    fn speed_counts(&mut self, origin: &Origin) {
+        if std::mem::take(&mut self.speed_waits)
+            && let Some(speed) = self.speed
+            && self.said.last() != Some(&speed)
+        {
+            self.said.push(speed);
+            self.function("S", [0.0, speed], origin);
         }
     }
 
@@ -233,6 +259,9 @@ impl Sink for Steps {
             Path::Thread { lead } => Kind::Thread(*lead),
             Path::Arc(arc, _) => Kind::Arc { plane: arc.plane, center: arc.center, sweep: arc.sweep },
         };
+        if self.speed_waits && !matches!(kind, Kind::Rapid) {
+            self.speed_counts(origin);
+        }
         let start = self.at;
         let mut end = if mv.machine { Pos::UNKNOWN } else { start };
         for axis in mv.axes.iter() {
@@ -259,7 +288,9 @@ impl Sink for Steps {
     }
 
     fn tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) {
-        let angle = tap.orient.or(self.spindle_before_tap());
+        let before = self.spindle_before_tap();
+        let angle = tap.orient.or(before);
+        self.speed_waits = true;
         let (speed, tool) = (tap.speed_in.or(self.speed), self.tool);
         let back = tap.speed_out.or(speed);
         for (at, stroke) in tap.strokes.iter().enumerate() {
@@ -366,6 +397,7 @@ impl Steps {
             match word.as_str() {
                 "M3" | "M4" => turned = true,
                 "M19" if !turned && angle.is_none() => angle = Some(value),
+                "S" => drop(self.said.pop()),
                 _ => {}
             }
         }

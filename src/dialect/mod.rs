@@ -94,6 +94,13 @@ pub fn guess(file_name: &str, head: &[u8]) -> Option<&'static Dialect> {
     }
 }
 
+/// Does the program begin as those of Fanuc controls and their like do: `%`, and `O1000` or `:1000` behind it?
+pub fn has_program_number(head: &[u8]) -> bool {
+    let mut lines = head.split(|b| matches!(b, b'\n' | b'\r')).map(<[u8]>::trim_ascii).filter(|line| !line.is_empty());
+    let numbered = |line: &[u8]| matches!(line, [b'O' | b'o' | b':', digit, ..] if digit.is_ascii_digit());
+    lines.next() == Some(b"%") && lines.next().is_some_and(numbered)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -107,7 +114,10 @@ mod tests {
     fn a_file_nc_with_words_of_a_mill_is_no_turning_program() {
         assert_eq!(guessed("PART.nc", "N1 G0 X50 Z2\nN2 M30\n"), Some("heidenhain-turning"));
         assert_eq!(guessed("PART.nc", "%PART.nc\n[title]\nN1 T1 M6\n"), Some("heidenhain-turning"));
-        assert_eq!(guessed("PART.nc", "N7 G40 G1 X60 Z-38\nN8 G20 X60 Z100\nN9 G21 X10\nN10 G80\n"), Some("heidenhain-turning"));
+        assert_eq!(
+            guessed("PART.nc", "N7 G40 G1 X60 Z-38\nN8 G20 X60 Z100\nN9 G21 X10\nN10 G80\n"),
+            Some("heidenhain-turning")
+        );
         for head in [
             "%\nO1000\nN1 G0 X50\n",
             "%\n:1000 (PART)\n",

@@ -45,9 +45,10 @@ fn recognizes(head: &[u8]) -> bool {
 /// Words of other controls: `%` and a program number behind it, a tool change by M6, a length by G43 H, or a safety block such as
 /// `G90 G21 G94`.
 fn disowns(head: &[u8]) -> bool {
-    const SAFETY: [&[u8]; 10] =
-        [b"G17", b"G20", b"G21", b"G40", b"G49", b"G54", b"G80", b"G90", b"G94", b"G64"];
-    let mut percent = false;
+    const SAFETY: [&[u8]; 10] = [b"G17", b"G20", b"G21", b"G40", b"G49", b"G54", b"G80", b"G90", b"G94", b"G64"];
+    if super::has_program_number(head) {
+        return true;
+    }
     for line in head.split(|b| matches!(b, b'\n' | b'\r')) {
         let line = line.trim_ascii().to_ascii_uppercase();
         let Some(first) = line.first() else { continue };
@@ -55,11 +56,6 @@ fn disowns(head: &[u8]) -> bool {
         if matches!(first, b'[' | b'(') {
             continue;
         }
-        let numbered = matches!(first, b'O' | b':') && line.get(1).is_some_and(u8::is_ascii_digit);
-        if percent && numbered {
-            return true;
-        }
-        percent = line == b"%";
         let words: Vec<&[u8]> = line.split(|b| matches!(b, b' ' | b'\t')).collect();
         let safe = words.iter().filter(|word| SAFETY.contains(*word)).count();
         let changes = words.iter().any(|word| matches!(*word, b"M6" | b"M06"));

@@ -80,7 +80,7 @@ pub(super) const TARGET: Target = Target {
 };
 
 // In steps (Q) it taps by parameters that nobody knows here: partc prints each step as a tap of its own. In one mode the axis stays in
-// step with the spindle, and parameter 5202 (bit 0) stops the spindle at its mark where the mode begins; neither is confirmed for each step.
+// step with the spindle, and parameter 5202 (bit 0) stops the spindle at its mark where the mode begins; that holds for the first step.
 pub(super) const TAP: TapCycle = TapCycle {
     ready: Some("M29"),
     right: "G84",
@@ -93,8 +93,8 @@ pub(super) const TAP: TapCycle = TapCycle {
     dwell: Some(b'P'),
     factor: None,
     stays: true,
-    meets: "rigid tapping stays on between them, and the control has to keep the angle in it; parameter 5202 has the spindle \
-            stop at its mark where the mode begins",
+    meets: "rigid tapping stays on between them, and the control has to keep the angle meanwhile or to begin each at the mark \
+            of the spindle (parameter 5202)",
 };
 
 pub(super) const OWN: &[(u32, &str)] = &[

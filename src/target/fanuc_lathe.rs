@@ -25,7 +25,14 @@ pub(super) const A: Target = Target {
         machine: None,
         thread: Some(Thread { word: "G32", lead: Lead::OneAxis(b'F'), stops: false }),
         // G74 is another cycle here, and R counts from where the tool stands.
-        rigid_tap: Some(RigidTap::Cycle(TapCycle { left: None, level: None, from_start: true, stays: false, meets: MEETS, ..TAP })),
+        rigid_tap: Some(RigidTap::Cycle(TapCycle {
+            left: None,
+            level: None,
+            from_start: true,
+            stays: false,
+            meets: MEETS,
+            ..TAP
+        })),
         ..FANUC.motion
     },
     feed: FeedWords { per_minute: "G98", per_revolution: Some("G99"), ..FANUC.feed },

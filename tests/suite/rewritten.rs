@@ -216,7 +216,8 @@ impl Taps {
             return Some(Some(String::new()));
         }
         // While it is on, a depth alone taps the same hole again.
-        if self.on && words.len() == 1
+        if self.on
+            && words.len() == 1
             && let Some(depth) = number('Z')
         {
             return Some(announced.then(|| format!("G33.1 Z{depth} K{}\n", self.lead)));

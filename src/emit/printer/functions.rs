@@ -469,7 +469,8 @@ impl Printer<'_> {
     /// The same of a stop at an angle.
     fn orient(&mut self, angle: f64, origin: &Origin) -> bool {
         let Some((word, address)) = self.target.spindle.orient else {
-            let help = "leave the stop at an angle (M19, SPOS=) out where nothing depends on it, or take another target";
+            let help =
+                "leave the stop at an angle (M19, SPOS=) out where nothing depends on it, or take another target";
             self.lacks(codes::O9303, origin, "a spindle stop at an angle", help);
             return false;
         };

@@ -295,8 +295,7 @@ impl Channel<'_> {
         let master = |m: &&MWord| self.st.spindles.is_master(m.spindle);
         if let Some(m) = w.m.iter().filter(master).find(|m| matches!(m.number, 3..=5 | 19 | 70)) {
             let message = format!("M{} stands in a block that taps", m.number);
-            let help =
-                "leave it out: the sign of the lead turns the spindle, which stands before and after the tap";
+            let help = "leave it out: the sign of the lead turns the spindle, which stands before and after the tap";
             return self.fail_help(codes::S2045, m.span, message, help);
         }
         if let Some(given) = w.get(Address::Spos).or(w.get(Address::Sposa)) {
