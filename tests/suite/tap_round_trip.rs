@@ -46,9 +46,8 @@ const TARGETS: [&str; 6] = ["linuxcnc", "fanuc", "haas", "mazak", "sinumerik", "
 
 fn print(source: &Source, text: &str, name: &str) -> Compiled {
     // The angle at the start is said by some of them only.
-    let more = "[output]\ntool_length = \"off\"\ntapping = \"as-target\"\n";
-    let keeps = if matches!(name, "sinumerik" | "heidenhain") { "[output]\ntapping = \"as-target\"\n" } else { more };
-    let mut settings = settings(&format!("{}{keeps}", source.settings));
+    let tapping = "[output]\ntool_length = \"off\"\ntapping = \"as-target\"\n";
+    let mut settings = settings(&format!("{}{tapping}", source.settings));
     settings.output.target = target::find(name).expect("a target");
     compile_bytes(source.file, text.as_bytes().to_vec(), source.dialect, &settings, &NoFiles)
 }
