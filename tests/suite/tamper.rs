@@ -25,8 +25,10 @@ const FAULTS: &[(&str, Fault)] = &[
     ("no new kind of feed", |l, i| drop_line(l, i, &["G94", "G95"])),
     ("another speed", |l, i| number(&mut l[i], 'S', |s| s + 1.0)),
     ("no speed", |l, i| l[i].starts_with('S').then(|| drop(l.remove(i)))),
+    // Under the G96 of a line before, S alone is a cutting speed as well.
     ("cutting speed as speed", |l, i| {
-        let end = l[i].rfind(" S").filter(|_| l[i].starts_with("G96"))?;
+        let first = !l[..i].iter().any(|line| line.starts_with("G96"));
+        let end = l[i].rfind(" S").filter(|_| first && l[i].starts_with("G96"))?;
         l[i] = l[i][end + 1..].to_owned();
         Some(())
     }),
