@@ -68,7 +68,10 @@ pub(super) fn load_with(path: &Path, common: &Common, settings: Settings) -> Res
         dialect
     } else {
         let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
-        dialect::guess(&name, &head).ok_or_else(|| format!("{shown}: {}", which_language(path, common, &settings)))?
+        dialect::guess(&name, &head).ok_or_else(|| {
+            let fanuc = if dialect::has_program_number(&head) { FANUC } else { "" };
+            format!("{shown}: {}{fanuc}", which_language(path, common, &settings))
+        })?
     };
     let file = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
     let base = match file.parent() {
@@ -91,6 +94,10 @@ pub(super) fn said_dialect(identity: &str, settings: &Settings) -> Result<Option
     // The configuration was refused otherwise.
     Ok(dialect::find(first))
 }
+
+/// What is said of a program in a language that partc does not know.
+const FANUC: &str = ". `%` and a program number begin programs for Fanuc controls and their like, which partc does not read; those that \
+                     LinuxCNC runs as well are read with `--dialect gcode`";
 
 fn names_of_dialects() -> String {
     dialect::ALL.iter().map(|dialect| dialect.id).collect::<Vec<_>>().join("|")

@@ -246,8 +246,15 @@ fn same(a: &Step, b: &Step, tolerance: f64) -> bool {
 fn same_travel(a: &Travel, b: &Travel, tolerance: f64) -> bool {
     let same_kind = match (a.kind, b.kind) {
         (Kind::Rapid, Kind::Rapid) | (Kind::Line, Kind::Line) => true,
-        (Kind::Thread(a), Kind::Thread(b)) => (a - b).abs() <= tolerance,
-        (Kind::Tap(a), Kind::Tap(b)) => same_stroke(&a, &b, tolerance),
+        (Kind::Thread(one), Kind::Thread(other)) => same_pitch(one, other, a.length().max(b.length()), tolerance),
+        (Kind::Tap(one), Kind::Tap(other)) => {
+            let deep = |travel: &Travel, stroke: &Stroke| {
+                let ways = [&travel.start, &travel.end].map(|pos| pos.get(stroke.axis).unwrap_or(stroke.depth));
+                ways.into_iter().map(|at| (at - stroke.depth).abs()).fold(0.0, f64::max)
+            };
+            same_stroke(&one, &other, tolerance)
+                && same_pitch(one.lead, other.lead, deep(a, &one).max(deep(b, &other)), tolerance)
+        }
         (
             Kind::Arc { plane, center, sweep },
             Kind::Arc { plane: other_plane, center: other_center, sweep: other_sweep },
@@ -273,6 +280,18 @@ fn same_travel(a: &Travel, b: &Travel, tolerance: f64) -> bool {
 /// What the places of a factor may change a speed by, as a part of it.
 const OF_FACTOR: f64 = 1e-4;
 
+/// Do two pitches lead to the same place at the end of so long a way?
+fn same_pitch(a: f64, b: f64, way: f64, tolerance: f64) -> bool {
+    let turns = way / a.min(b).max(f64::MIN_POSITIVE);
+    (a - b).abs() * turns.max(1.0) <= tolerance
+}
+
+/// An angle within half a turn, without its sign.
+fn turned_by(angle: f64) -> f64 {
+    let part = angle - 360.0 * libm::floor(angle / 360.0);
+    part.min(360.0 - part)
+}
+
 fn same_stroke(a: &Stroke, b: &Stroke, tolerance: f64) -> bool {
     let near = |a: f64, b: f64| (a - b).abs() <= tolerance;
     // What nobody said is not another speed.
@@ -280,8 +299,8 @@ fn same_stroke(a: &Stroke, b: &Stroke, tolerance: f64) -> bool {
     a.axis == b.axis
         && a.turn == b.turn
         && near(a.depth, b.depth)
-        && near(a.lead, b.lead)
         && near(a.dwell, b.dwell)
+        && a.angle.zip(b.angle).is_none_or(|(a, b)| turned_by(a - b) <= tolerance)
         && same(a.speed, b.speed)
         // It may be printed as a factor on the speed of the way in, with four places.
         && a.back.zip(b.back).is_none_or(|(a, b)| (a - b).abs() <= tolerance.max(a.abs() * OF_FACTOR))

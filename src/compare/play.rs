@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use crate::geo::{Plane, Point2};
-use crate::ir::function::Turn;
+use crate::ir::function::{Spindle, Turn};
 use crate::ir::motion::{Arc, Move, Path, Place, Sink};
 use crate::ir::tap::Stroke;
 use crate::ir::{Function, Origin, Pos, Side, Tap};
@@ -164,6 +164,9 @@ impl Player<'_> {
         let plane = self.reader.modes().plane.map_or(Plane::Xy, plane);
         let origin = self.origin();
         self.sink.tap(tap, &Place { at, plane }, &origin);
+        if let Some(speed) = self.reader.tapped_speed() {
+            self.does(Function::Spindle(Spindle::Speed(real(speed))));
+        }
     }
 
     fn movement(&mut self, mv: &read::Move) -> Result<(), &'static str> {

@@ -67,6 +67,8 @@ pub struct Stroke {
     /// On the way out.
     pub back: Option<f64>,
     pub dwell: f64,
+    /// Of the spindle at the start, in degrees, where it was said.
+    pub angle: Option<f64>,
 }
 
 impl Travel {
@@ -119,6 +121,10 @@ pub struct Steps {
     offset: Option<u8>,
     /// Of the spindle, in turns a minute.
     speed: Option<f64>,
+    /// The speeds among the steps, the last one at the end.
+    said: Vec<f64>,
+    /// A tap was made at its own speed: the one after it is a step where the spindle starts or cuts with it.
+    speed_waits: bool,
     corners: Option<PathControl>,
     /// What a stream says of corners is what is printed for it, on a lathe or a mill.
     output: Option<(OutputSettings, bool)>,
@@ -130,7 +136,8 @@ impl Steps {
         let (list, at) = (Vec::new(), Pos::UNKNOWN);
         let nothing = tolerance / 2.0;
         let (cutter, corners, output) = (CutterData::default(), None, None);
-        Steps { list, nothing, at, tool: None, cutter, offset: None, speed: None, corners, output }
+        let (tool, offset, speed, said, speed_waits) = (None, None, None, Vec::new(), false);
+        Steps { list, nothing, at, tool, cutter, offset, speed, said, speed_waits, corners, output }
     }
 
     /// The same for a stream that is printed with these settings: the output says how corners are taken where the program
@@ -165,9 +172,19 @@ impl Steps {
     fn spindle(&mut self, spindle: Spindle, number: u8, origin: &Origin) {
         if number == 0 {
             match spindle {
-                Spindle::Speed(speed) => self.speed = Some(speed),
-                Spindle::CuttingSpeed { .. } => self.speed = None,
-                Spindle::Start(_) | Spindle::Stop | Spindle::Orient(_) => {}
+                Spindle::Speed(speed) => {
+                    self.speed = Some(speed);
+                    if self.speed_waits {
+                        return;
+                    }
+                    self.said.push(speed);
+                }
+                Spindle::CuttingSpeed { .. } => {
+                    (self.speed, self.speed_waits) = (None, false);
+                    self.said.push(f64::NAN);
+                }
+                Spindle::Start(_) => self.speed_counts(origin),
+                Spindle::Stop | Spindle::Orient(_) => {}
             }
         }
         let number = f64::from(number);
@@ -183,6 +200,17 @@ impl Steps {
                 self.function("cutting speed", [number, speed], origin);
             }
             Spindle::Orient(angle) => self.function("M19", [number, angle], origin),
+        }
+    }
+
+    /// The speed after a tap is one from here on.
+    fn speed_counts(&mut self, origin: &Origin) {
+        if std::mem::take(&mut self.speed_waits)
+            && let Some(speed) = self.speed
+            && self.said.last() != Some(&speed)
+        {
+            self.said.push(speed);
+            self.function("S", [0.0, speed], origin);
         }
     }
 
@@ -231,6 +259,9 @@ impl Sink for Steps {
             Path::Thread { lead } => Kind::Thread(*lead),
             Path::Arc(arc, _) => Kind::Arc { plane: arc.plane, center: arc.center, sweep: arc.sweep },
         };
+        if self.speed_waits && !matches!(kind, Kind::Rapid) {
+            self.speed_counts(origin);
+        }
         let start = self.at;
         let mut end = if mv.machine { Pos::UNKNOWN } else { start };
         for axis in mv.axes.iter() {
@@ -257,10 +288,9 @@ impl Sink for Steps {
     }
 
     fn tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) {
-        // A tap starts the spindle by itself, at its speed: what was said of it just before has no effect.
-        while self.list.last().is_some_and(|step| is_of_spindle(&step.does)) {
-            self.list.pop();
-        }
+        let before = self.spindle_before_tap();
+        let angle = tap.orient.or(before);
+        self.speed_waits = true;
         let (speed, tool) = (tap.speed_in.or(self.speed), self.tool);
         let back = tap.speed_out.or(speed);
         for (at, stroke) in tap.strokes.iter().enumerate() {
@@ -275,6 +305,7 @@ impl Sink for Steps {
                 speed,
                 back,
                 dwell: stroke.dwell,
+                angle: angle.filter(|_| at == 0),
             };
             let start = self.at;
             self.at.update(&place.at);
@@ -356,6 +387,23 @@ impl Steps {
         }
     }
 
+    /// A tap starts the spindle by itself, at its speed: what was said of it just before has no effect but for the angle at which it
+    /// was stopped, which is returned.
+    fn spindle_before_tap(&mut self) -> Option<f64> {
+        let (mut angle, mut turned) = (None, false);
+        while let Some(Step { does: Does::Function(word, [_, value]), .. }) =
+            self.list.pop_if(|step| is_of_spindle(&step.does))
+        {
+            match word.as_str() {
+                "M3" | "M4" => turned = true,
+                "M19" if !turned && angle.is_none() => angle = Some(value),
+                "S" => drop(self.said.pop()),
+                _ => {}
+            }
+        }
+        angle
+    }
+
     /// Waits that follow each other are one.
     fn dwell(&mut self, seconds: f64, origin: &Origin) {
         match self.list.last_mut() {
@@ -435,10 +483,10 @@ impl Travel {
                     text += &format!(" P{turns}");
                 }
             }
-            Kind::Thread(lead) => text += &format!(" K{}", shown(lead)),
-            Kind::Tap(Stroke { axis, depth, lead, turn, speed, back, dwell }) => {
+            Kind::Thread(lead) => text += &format!(" K{}", pitch(lead)),
+            Kind::Tap(Stroke { axis, depth, lead, turn, speed, back, dwell, angle }) => {
                 let hand = if turn == Turn::Clockwise { "right" } else { "left" };
-                text += &format!(" to {}{}, {hand}-hand, pitch {}", axis.letter(), shown(depth), shown(lead));
+                text += &format!(" to {}{}, {hand}-hand, pitch {}", axis.letter(), shown(depth), pitch(lead));
                 if let Some(speed) = speed {
                     text += &format!(", S{}", shown(speed));
                 }
@@ -447,6 +495,9 @@ impl Travel {
                 }
                 if dwell > 0.0 {
                     text += &format!(", dwell {}", shown(dwell));
+                }
+                if let Some(angle) = angle {
+                    text += &format!(", from {} degrees", shown(angle));
                 }
             }
             Kind::Rapid | Kind::Line => {}
@@ -475,6 +526,11 @@ fn is_of_spindle(does: &Does) -> bool {
             _ => false,
         },
     }
+}
+
+/// A pitch as it is shown: many turns make much of its last places.
+fn pitch(value: f64) -> f64 {
+    libm::round(value * 1e6) / 1e6
 }
 
 /// A number as it is shown: four places, no `-0`.

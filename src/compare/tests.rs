@@ -139,3 +139,42 @@ fn a_tap_is_no_pair_of_threads_and_its_hand_and_depth_count() {
         assert!(!found.is_same(), "{other}");
     }
 }
+
+/// 20 mm of 1.25 are 16 turns: 0.0009 more a turn lead 0.0144 mm astray; 0.00005 more 0.0008.
+#[test]
+fn pitches_are_compared_by_where_they_lead() {
+    for tap in ["S500 M3\nG0 Z0\nG33.1 Z-20 K1.25\nM5\n", "S500 M3\nG0 Z0\nG33 Z-20 K1.25\nG0 Z5\nM5\n"] {
+        let (found, text) = between(tap, &tap.replace("K1.25", "K1.2509"));
+        assert!(!found.is_same() && text.contains("1.2509"), "{text}");
+        let (found, text) = between(tap, &tap.replace("K1.25", "K1.25005"));
+        assert!(found.is_same(), "{text}");
+    }
+}
+
+/// The angle of the spindle belongs to a tap, as far as it is said.
+#[test]
+fn taps_from_other_angles_differ() {
+    let head = |angle: &str| {
+        format!(
+            "; partc 0, target sinumerik\nG710 G90 G17 G40 G94 G60\nT1 M6\nD1\nG0 X0 Y0 Z2\n{angle}G331 Z-10 K1.25 S500\nG332 Z2 K1.25\nM5\nM30\n"
+        )
+    };
+    let list = |text: &str| steps_of_text(text.as_bytes(), 0.001).unwrap_or_else(|stop| panic!("{stop}\n{text}"));
+    let same = |a: &str, b: &str| Difference::between(&list(&head(a)), &list(&head(b)), 0.001).is_same();
+    assert!(same("SPOS=0\n", "SPOS=360\n"));
+    assert!(!same("SPOS=0\n", "SPOS=90\n"));
+}
+
+/// What was said of the speed between two taps has no effect, and after them it counts where something cuts with it.
+#[test]
+fn the_speed_after_a_tap_counts_where_the_spindle_starts() {
+    let taps = |between: &str, after: &str| {
+        format!(
+            "S500 M3\nG0 X0 Y0 Z2\nS300\nG33.1 Z-10 K1.25\n{between}G0 X10\nS300\nG33.1 Z-10 K1.25\nM5\n{after}G0 Z5\nM3\nG1 X20 F100\n"
+        )
+    };
+    let (found, text) = between(&taps("", "S500\n"), &taps("S400\n", "S500\n"));
+    assert!(found.is_same(), "{text}");
+    let (found, text) = between(&taps("", "S500\n"), &taps("", ""));
+    assert!(!found.is_same(), "{text}");
+}

@@ -9,6 +9,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     name: "plain G-code (LinuxCNC)",
     extensions: &["ngc", "gcode"],
     recognizes,
+    disowns: |_| false,
     turns: false,
     run: gcode::run,
     check_form: gcode::check_form,
@@ -19,7 +20,12 @@ pub(super) const DIALECT: Dialect = Dialect {
     cycles: Vec::new,
 };
 
-/// partc printed it.
+/// Lines in which the head of an output says what printed it: behind `%`, the number of the program, and modes.
+const HEAD: usize = 8;
+
+/// partc printed it, for whichever receiver: who runs it says which programs are no plain G-code.
 fn recognizes(head: &[u8]) -> bool {
-    head.split(|b| *b == b'\n').take(2).any(|line| line.starts_with(b"(partc "))
+    const NAMED: &[u8] = b"(partc ";
+    let named = |line: &[u8]| line.get(..NAMED.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(NAMED));
+    head.split(|b| *b == b'\n').take(HEAD).any(|line| named(line.trim_ascii()))
 }

@@ -9,6 +9,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     name: "HEIDENHAIN Klartext",
     extensions: &["h", "klartext"],
     recognizes,
+    disowns: |_| false,
     turns: false,
     run: klartext::run,
     check_form: klartext::check_form,

@@ -23,6 +23,8 @@ pub struct Dialect {
     pub extensions: &'static [&'static str],
     /// Do these first bytes of a file show the language beyond doubt?
     pub recognizes: fn(&[u8]) -> bool,
+    /// Do these first bytes show that it is another language, whatever the file is called?
+    pub disowns: fn(&[u8]) -> bool,
     /// A language of lathes: whatever `[machine] kind` says, the output is one for a lathe.
     pub turns: bool,
     /// Runs the main program; returns the hash of its text.
@@ -84,9 +86,63 @@ pub fn guess(file_name: &str, head: &[u8]) -> Option<&'static Dialect> {
         return Some(dialect);
     }
     let extension = file_name.rsplit_once('.')?.1.to_ascii_lowercase();
-    let mut by_extension = ALL.iter().copied().filter(|dialect| dialect.extensions.contains(&extension.as_str()));
+    let named = |dialect: &&Dialect| dialect.extensions.contains(&extension.as_str()) && !(dialect.disowns)(head);
+    let mut by_extension = ALL.iter().copied().filter(named);
     match (by_extension.next(), by_extension.next()) {
         (Some(dialect), None) => Some(dialect),
         _ => None,
+    }
+}
+
+/// Does the program begin as those of Fanuc controls and their like do: `%`, and `O1000` or `:1000` behind it?
+pub fn has_program_number(head: &[u8]) -> bool {
+    let mut lines = head.split(|b| matches!(b, b'\n' | b'\r')).map(<[u8]>::trim_ascii).filter(|line| !line.is_empty());
+    let numbered = |line: &[u8]| matches!(line, [b'O' | b'o' | b':', digit, ..] if digit.is_ascii_digit());
+    lines.next() == Some(b"%") && lines.next().is_some_and(numbered)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn guessed(name: &str, head: &str) -> Option<&'static str> {
+        guess(name, head.as_bytes()).map(|dialect| dialect.id)
+    }
+
+    /// `.nc` is the name of programs of many controls: that of a turning control only where nothing speaks against it.
+    #[test]
+    fn a_file_nc_with_words_of_a_mill_is_no_turning_program() {
+        assert_eq!(guessed("PART.nc", "N1 G0 X50 Z2\nN2 M30\n"), Some("heidenhain-turning"));
+        assert_eq!(guessed("PART.nc", "%PART.nc\n[title]\nN1 T1 M6\n"), Some("heidenhain-turning"));
+        assert_eq!(
+            guessed("PART.nc", "N7 G40 G1 X60 Z-38\nN8 G20 X60 Z100\nN9 G21 X10\nN10 G80\n"),
+            Some("heidenhain-turning")
+        );
+        for head in [
+            "%\nO1000\nN1 G0 X50\n",
+            "%\n:1000 (PART)\n",
+            "G21 G90 G17\nG0 X1\n",
+            "N10 G54 G90\n",
+            "T1 M6\nG0 X1\n",
+            "N5 T1 M06\n",
+            "G0 G43 Z5. H1\n",
+        ] {
+            assert_eq!(guessed("PART.nc", head), None, "{head}");
+        }
+    }
+
+    /// What partc printed says for whom. A language of ours reads some of it; of the others the front end for plain G-code says
+    /// what they are.
+    #[test]
+    fn the_head_of_an_output_names_its_language() {
+        for (head, language) in [
+            ("%\n(partc 0.1.0, target linuxcnc)\n", "gcode"),
+            ("%\nO0001\n(PARTC 0.1.0, TARGET FANUC)\nG90 G21 G94\n", "gcode"),
+            ("O0001\n(PARTC 0.1.0, TARGET MAZAK)\n", "gcode"),
+            ("; partc 0.1.0, target sinumerik\n; source A.H\nG90 G710\n", "sinumerik"),
+            ("0 BEGIN PGM A MM\n1 ; partc 0.1.0, target heidenhain\n", "klartext"),
+        ] {
+            assert_eq!(guessed("PART.nc", head), Some(language), "{head}");
+        }
     }
 }

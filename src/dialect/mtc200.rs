@@ -9,6 +9,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     name: "Bosch Rexroth MTC200",
     extensions: &["npg"],
     recognizes,
+    disowns: |_| false,
     turns: false,
     run: mtc200::run,
     check_form: mtc200::check_form,

@@ -12,7 +12,7 @@ use super::function::{Function, Spindle, Turn};
 
 /// A rigid tap. The tool stands at `start` of `axis`, over the hole, and no other axis moves.
 ///
-/// The tap starts the spindle by itself, and behind it the spindle stands, or turns as the target leaves it: the producer sends
+/// The tap starts the spindle by itself, and after it the spindle stands, or turns as the target leaves it: the producer sends
 /// the state of the spindle, and its speed where `speed_in` or `speed_out` is given, before the next move.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tap {

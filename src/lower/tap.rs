@@ -57,7 +57,7 @@ impl Lower<'_> {
         if !leaves_alone(frame, tap.axis) {
             let message =
                 format!("the frame turns, mirrors or scales {}, along which the hole is tapped", tap.axis.letter());
-            let help = "end the frame in front of the tap, or turn and mirror the other axes only".to_owned();
+            let help = "end the frame before the tap, or turn and mirror the other axes only".to_owned();
             return Err((codes::G3050, message, help));
         }
         let mut stands = self.at;

@@ -115,6 +115,8 @@ pub struct Turning {
     pub is_axis: bool,
     /// The next cycle taps in step with it.
     pub is_ready: bool,
+    /// Nothing was said of it since a tap.
+    pub tapped: bool,
 }
 
 /// An arc in the axes of its plane.

@@ -325,6 +325,11 @@ impl Reader {
         &self.tap
     }
 
+    /// The speed of the tap after which nothing was said of the spindle.
+    pub fn tapped_speed(&self) -> Option<i64> {
+        self.spindle.speed.filter(|_| self.spindle.tapped)
+    }
+
     /// Has the program ended?
     pub fn ended(&self) -> bool {
         self.ended

@@ -25,6 +25,7 @@ pub(super) fn is_tap(motion: Option<u8>) -> bool {
 impl Reader {
     /// What the acts of a line make of the spindle.
     pub(super) fn spindle_hears(&mut self, act: &Act) {
+        self.spindle.tapped &= !matches!(act, Act::Speed(_) | Act::M { .. });
         match *act {
             Act::Speed(speed) if speed.spindle == 0 => {
                 self.spindle.speed = speed.constant_cut.is_none().then_some(speed.value);
@@ -109,10 +110,12 @@ impl Reader {
     /// G84 and its like: down from R and back to it.
     fn tap_cycle(&mut self, block: &mut Block, left: bool) -> Result<(), Fault> {
         if !self.modes.cycles_are_off {
-            return Err(Fault::new("a tapping cycle while another one is on"));
+            return if block.motion.is_none() && self.rules.taps == Taps::Announced {
+                self.tap_goes_on(block)
+            } else {
+                Err(Fault::new("a tapping cycle while another one is on"))
+            };
         }
-        let kind = self.modes.feed_kind;
-        let speed = self.spindle.speed.filter(|speed| *speed > 0);
         if self.rules.taps == Taps::Announced && !std::mem::take(&mut self.spindle.is_ready) {
             return Err(Fault::new("a tapping cycle without M29 needs a compensating chuck"));
         }
@@ -129,15 +132,7 @@ impl Reader {
         if axis != 2 || (if from_start { level != 0 } else { level != from }) || to > from {
             return Err(Fault::new("a tapping cycle that does not begin where the tool stands"));
         }
-        let speed = speed.ok_or_else(|| Fault::new("a tapping cycle without a speed"))?;
-        let feed = self.feed.filter(|feed| *feed > 0).ok_or_else(|| Fault::new("a tapping cycle without F"))?;
-        let lead = match (self.rules.taps, kind) {
-            (Taps::Announced | Taps::Plain, Some(FeedKind::PerMinute)) => {
-                (i128::from(feed) * i128::from(SCALE) / i128::from(speed)) as i64
-            }
-            (Taps::Announced | Taps::ByPitch, Some(FeedKind::PerRevolution)) => feed,
-            _ => return Err(Fault::new("what F of this tapping cycle is, nobody knows")),
-        };
+        let lead = self.lead_of_cycle()?;
         let by_letter = self.rules.taps == Taps::Announced;
         let dwell = if by_letter { block.take(b'P').unwrap_or(0) } else { 0 };
         let factor = if self.rules.taps == Taps::Plain { block.take(b'J').unwrap_or(SCALE) } else { SCALE };
@@ -158,6 +153,31 @@ impl Reader {
         // The control stops the spindle.
         self.spindle.turn = None;
         Ok(())
+    }
+
+    /// A depth alone while the cycle is on: the same hole, from where it began.
+    fn tap_goes_on(&mut self, block: &mut Block) -> Result<(), Fault> {
+        let (axis, from, to) = self.tap_axis(block)?;
+        let last = self.tap;
+        if axis != last.axis || from != last.back || to > from || block.has(b'R') || block.has(b'P') {
+            return Err(Fault::new("a tapping cycle goes on elsewhere"));
+        }
+        let lead = self.lead_of_cycle()?;
+        self.push_tap(Tap { from, to, lead, speed: self.spindle.speed, ..last })
+    }
+
+    /// What F and S make the pitch of a cycle.
+    fn lead_of_cycle(&self) -> Result<i64, Fault> {
+        let speed = self.spindle.speed.filter(|speed| *speed > 0);
+        let speed = speed.ok_or_else(|| Fault::new("a tapping cycle without a speed"))?;
+        let feed = self.feed.filter(|feed| *feed > 0).ok_or_else(|| Fault::new("a tapping cycle without F"))?;
+        match (self.rules.taps, self.modes.feed_kind) {
+            (Taps::Announced | Taps::Plain, Some(FeedKind::PerMinute)) => {
+                Ok((i128::from(feed) * i128::from(SCALE) / i128::from(speed)) as i64)
+            }
+            (Taps::Announced | Taps::ByPitch, Some(FeedKind::PerRevolution)) => Ok(feed),
+            _ => Err(Fault::new("what F of this tapping cycle is, nobody knows")),
+        }
     }
 
     /// G331 in and G332 out, the spindle an axis.
@@ -181,6 +201,7 @@ impl Reader {
         debug_assert!(tap.axis < AXES);
         self.stand(tap.axis, tap.back);
         self.tap = tap;
+        self.spindle.tapped = true;
         self.push(Act::Tap)
     }
 }

@@ -79,7 +79,8 @@ pub(super) const TARGET: Target = Target {
     ..BASE
 };
 
-// In steps (Q) it taps by parameters that nobody knows here: partc prints each step as a cycle of its own.
+// In steps (Q) it taps by parameters that nobody knows here: partc prints each step as a tap of its own. In one mode the axis stays in
+// step with the spindle, and parameter 5202 (bit 0) stops the spindle at its mark where the mode begins; that holds for the first step.
 pub(super) const TAP: TapCycle = TapCycle {
     ready: Some("M29"),
     right: "G84",
@@ -91,6 +92,9 @@ pub(super) const TAP: TapCycle = TapCycle {
     pitch: TapPitch::Either,
     dwell: Some(b'P'),
     factor: None,
+    stays: true,
+    meets: "rigid tapping stays on between them, and the control has to keep the angle meanwhile or to begin each at the mark \
+            of the spindle (parameter 5202)",
 };
 
 pub(super) const OWN: &[(u32, &str)] = &[

@@ -25,7 +25,14 @@ pub(super) const A: Target = Target {
         machine: None,
         thread: Some(Thread { word: "G32", lead: Lead::OneAxis(b'F'), stops: false }),
         // G74 is another cycle here, and R counts from where the tool stands.
-        rigid_tap: Some(RigidTap::Cycle(TapCycle { left: None, level: None, from_start: true, ..TAP })),
+        rigid_tap: Some(RigidTap::Cycle(TapCycle {
+            left: None,
+            level: None,
+            from_start: true,
+            stays: false,
+            meets: MEETS,
+            ..TAP
+        })),
         ..FANUC.motion
     },
     feed: FeedWords { per_minute: "G98", per_revolution: Some("G99"), ..FANUC.feed },
@@ -74,3 +81,5 @@ pub(super) const C: Target = Target {
     frame: Frame { head: &["G90 G71 G40 G94"], inch_head: Some(&["G90 G70 G40 G94"]), ..A.frame },
     ..B
 };
+
+const MEETS: &str = "parameter 5202 has to stop the spindle at its mark where rigid tapping begins";

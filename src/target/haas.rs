@@ -15,6 +15,8 @@ pub(super) const TARGET: Target = Target {
             pitch: TapPitch::PerMinute,
             dwell: None,
             factor: Some(b'J'),
+            stays: false,
+            meets: "setting 133 (REPT RIGID TAP) has to be on",
             ..TAP
         })),
         ..FANUC.motion

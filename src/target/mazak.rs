@@ -14,6 +14,8 @@ pub(super) const TARGET: Target = Target {
             left: Some("G84.3"),
             pitch: TapPitch::PerRevolution,
             dwell: None,
+            stays: false,
+            meets: "the machine has to be set up so that each tap begins at the mark of the spindle",
             ..TAP
         })),
         ..FANUC.motion

@@ -34,6 +34,10 @@ pub struct TapCycle {
     pub dwell: Option<u8>,
     /// Address of a whole factor on the speed of the way back.
     pub factor: Option<u8>,
+    /// While it is on, a depth alone taps on in the same hole.
+    pub stays: bool,
+    /// What lets the steps of one hole begin at the same angle of the spindle.
+    pub meets: &'static str,
 }
 
 /// What F of a tapping cycle is.

@@ -150,6 +150,8 @@ impl Validator {
             Spindle::Start(Turn::CounterClockwise) => turns(4),
             Spindle::Stop => turns(5),
             Spindle::Speed(meant) => match acts {
+                // A tap said it.
+                [] => own == 0 && self.reader.tapped_speed().is_some_and(|said| self.is_speed(said, meant)),
                 [Act::Speed(Speed { spindle, value, constant_cut: None })] => {
                     let ended = own != 0
                         || match self.reader.modes().constant_cut {

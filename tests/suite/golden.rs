@@ -48,7 +48,7 @@ books! {
     heidenhain_turning_words = "heidenhain-turning/words":
         refused;
     klartext = "klartext":
-        approach arcs corners cycles drilling flow frames functions manual output parameters path path_control planes polar
+        approach arcs call_functions corners cycles drilling flow frames functions manual output parameters path path_control planes polar
         text tools units;
     klartext_arcs = "klartext/arcs":
         centres radius tangential;
@@ -132,7 +132,7 @@ books! {
     targets_klartext = "targets/klartext":
         compensation feeds rigid_taps;
     targets_sinumerik = "targets/sinumerik":
-        compensation path_control rigid_taps spindle;
+        compensation path_control rigid_taps spindle tap_blocks tap_steps;
 }
 
 fn check(book: &str) {

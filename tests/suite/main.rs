@@ -94,6 +94,7 @@ mod straight_lane;
 mod supply;
 mod sweep;
 mod tamper;
+mod tap_round_trip;
 #[path = "../../fuzz/src/targets.rs"]
 mod targets;
 mod tool_numbers;

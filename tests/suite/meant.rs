@@ -181,6 +181,8 @@ pub struct Recorder {
     scale_of_x: f64,
     ended: bool,
     speed: f64,
+    /// A tap said that speed, and nothing was said of the spindle since.
+    tapped: bool,
     corners: Option<f64>,
     output: OutputSettings,
     lathe: bool,
@@ -203,6 +205,7 @@ impl Recorder {
             scale_of_x: if diameters { 2.0 * scale } else { scale },
             ended: false,
             speed: 0.0,
+            tapped: false,
             corners: settings.output.path_control(None, lathe).map(corners),
             output: settings.output.clone(),
             lathe,
@@ -245,6 +248,9 @@ impl Recorder {
 
     fn spindle(&mut self, spindle: Spindle, number: Option<u8>) {
         let own = number.unwrap_or(1).saturating_sub(1);
+        if number.is_none() && std::mem::take(&mut self.tapped) && spindle == Spindle::Speed(self.speed) {
+            return;
+        }
         match spindle {
             Spindle::Start(Turn::Clockwise) => self.does(Does::Turns(own, 1)),
             Spindle::Start(Turn::CounterClockwise) => self.does(Does::Turns(own, -1)),
@@ -298,6 +304,7 @@ impl Sink for Recorder {
         if let Some(speed) = tap.speed_in {
             self.speed = speed;
         }
+        self.tapped = true;
         let (axis, turn) = (tap.axis.index(), if tap.turn == Turn::Clockwise { 1 } else { -1 });
         for (at, stroke) in tap.strokes.iter().enumerate() {
             if at > 0 && tap.pause > 0.0 {

@@ -190,8 +190,9 @@ struct Taps {
     per_turn: bool,
     /// M29 was said.
     ready: bool,
-    /// A cycle is on.
+    /// A cycle is on, of this pitch.
     on: bool,
+    lead: f64,
 }
 
 impl Taps {
@@ -214,6 +215,13 @@ impl Taps {
         if has("G80") && words.len() == 1 && std::mem::take(&mut self.on) {
             return Some(Some(String::new()));
         }
+        // While it is on, a depth alone taps the same hole again.
+        if self.on
+            && words.len() == 1
+            && let Some(depth) = number('Z')
+        {
+            return Some(announced.then(|| format!("G33.1 Z{depth} K{}\n", self.lead)));
+        }
         let (right, left) = if by_pitch { ("G84.2", "G84.3") } else { ("G84", "G74") };
         if !has(right) && !has(left) {
             return None;
@@ -228,6 +236,7 @@ impl Taps {
         let turn = if has(right) { "M3" } else { "M4" };
         let depth = number('Z')?;
         let lead = (lead * 1e4).round() / 1e4;
+        self.lead = lead;
         Some((fits && !(lathe && has(left))).then(|| format!("{turn}\nG33.1 Z{depth} K{lead}\n")))
     }
 }

@@ -25,8 +25,10 @@ const FAULTS: &[(&str, Fault)] = &[
     ("no new kind of feed", |l, i| drop_line(l, i, &["G94", "G95"])),
     ("another speed", |l, i| number(&mut l[i], 'S', |s| s + 1.0)),
     ("no speed", |l, i| l[i].starts_with('S').then(|| drop(l.remove(i)))),
+    // Under the G96 of a line before, S alone is a cutting speed as well.
     ("cutting speed as speed", |l, i| {
-        let end = l[i].rfind(" S").filter(|_| l[i].starts_with("G96"))?;
+        let first = !l[..i].iter().any(|line| line.starts_with("G96"));
+        let end = l[i].rfind(" S").filter(|_| first && l[i].starts_with("G96"))?;
         l[i] = l[i][end + 1..].to_owned();
         Some(())
     }),
@@ -34,11 +36,7 @@ const FAULTS: &[(&str, Fault)] = &[
     ("another sense of the spindle", |l, i| swap_line(l, i, &["M3", "M4"])),
     ("a spindle that does not stop", |l, i| swap_line(l, i, &["M5", "M3"])),
     ("no order for the spindle", |l, i| drop_line(l, i, &["M3", "M4", "M5"])),
-    // In front of a tap the angle is part of that, which the validator compares.
-    ("another orientation", |l, i| {
-        let taps = l[i..].iter().take(4).any(|line| line.starts_with("G33.1"));
-        (l[i].starts_with("M19") && !taps).then(|| number(&mut l[i], 'R', |r| r + 1.0))?
-    }),
+    ("another orientation", |l, i| l[i].starts_with("M19").then(|| number(&mut l[i], 'R', |r| r + 1.0))?),
     ("other coolant", |l, i| swap_line(l, i, &["M7", "M8"])),
     ("coolant off instead of on", |l, i| swap_line(l, i, &["M8", "M9"])),
     ("no order for the coolant", |l, i| drop_line(l, i, &["M7", "M8", "M9"])),

@@ -66,10 +66,13 @@ for one goes at rapid traverse to a place beside the contour that may lie farthe
 G41, G42, RL or RR), or have partc compute the path: `compensation = \"resolve\"`."
 
 O4007 Warning "chip-removed-for-broken" "the tap leaves the hole to break the chip"
-"The program breaks the chip of a tapped hole by a short way back within the hole. The tapping word of the selected target always goes back to where it began, so the hole is tapped in several strokes, each deeper than the one before and each out of the hole again. The thread is the same; the chip is removed where it would have been broken, and it takes longer. State that you want it so: `[output] tapping = \"as-target\"`."
+"The program breaks the chip of a tapped hole by a short way back within the hole. The tapping word of the selected target always goes back to where it began, so the hole is tapped in several strokes, each deeper than the one before and each out of the hole again. The chip is removed where it would have been broken, and it takes longer. Where the strokes meet in one thread only if the spindle is set up for it, O4009 says so. State that you want it so: `[output] tapping = \"as-target\"`."
 
 O4008 Warning "tap-without-detail" "the tap is printed without a detail"
 "The tapping word of the selected target has no place for a detail that the program gives: the dwell at the bottom, another speed for the way out, the speed of the way down to the last depth, or the angle of the spindle at which the thread begins. Depth, pitch and hand of the thread are exact. Take the detail out of the program, or see that nothing depends on it; `[output] tapping = \"as-target\"` says that it may be left out."
+
+O4009 Warning "tap-steps-have-to-meet" "the steps of a tap meet only where the spindle begins at one angle"
+"The program taps a hole in several steps (chip breaking or chip removal: CYCLE84, cycle 209, G331 and G332). The tapping cycle of the selected target always goes back to where it began, so each step is a tap of its own. All of them cut one thread only if the spindle begins each at the same angle, and that is a setting of the machine: on a Haas setting 133 (REPT RIGID TAP), on a Fanuc what rigid tapping keeps while it stays on, and parameter 5202. Check it in the air or in scrap, or tap in one step. `[output] tapping = \"as-target\"` says that the machine is set up for it."
 
 O9001 Error "word-unknown-to-target" "the target has no word for this"
 "The program asks for something that the selected target cannot express. Choose another target or change the program."
@@ -95,7 +98,7 @@ O9302 Error "cutting-speed-unknown-to-target" "the target keeps no constant cutt
 "Under constant cutting speed (G96) the spindle turns faster on a smaller diameter. The selected target knows speeds in rev/min alone. Program a speed in rev/min."
 
 O9303 Error "spindle-angle-unknown-to-target" "the target does not stop its spindle at an angle"
-"M19 and SPOS stop the spindle at an angle, for a boring bar or a tool change. The selected target starts and stops its spindle and knows nothing of its angle. \
+"M19 and SPOS stop the spindle at an angle, for a boring bar or a tool change (directly before G331, SPOS is the angle of the tap, and O4008 tells where it is left out). The selected target starts and stops its spindle and knows nothing of its angle. \
 Leave the function out if nothing depends on the angle; a boring bar that lifts off needs another machine."
 
 O9304 Error "spindle-unknown-to-target" "the target has one spindle"
@@ -230,7 +233,7 @@ O9337 Error "tool-offset-too-large" "the target may not count tool offsets that 
 O9338 Warning "corners-without-a-bound" "the target does not bound how far it rounds corners off"
 "A control that keeps its speed up leaves the path at corners. How far is a matter of the mode it is in: some have a word for the largest deviation (LinuxCNC `G64 P`, SINUMERIK \
 `G642 CTOL=`, cycle 32 of a TNC), and the output states it. The selected target has no such word, or none that stops in a corner, so the part may differ there from the program. \
-Told once, in front of the first move. `[output] path_control = \"exact\"` stops in every corner where the target can; \"none\" says that the machine is set up for the part."
+Told once, before the first move. `[output] path_control = \"exact\"` stops in every corner where the target can; \"none\" says that the machine is set up for the part."
 
 O9339 Error "path-control-unknown-to-target" "the target has no word for how corners shall be taken"
 "`[output] path_control` asks for a stop in every corner, or for a bound on how far corners are rounded off, and the selected target cannot say that. Choose what it can say, or \"none\": then \

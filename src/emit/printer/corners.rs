@@ -33,7 +33,7 @@ enum Doubt {
 }
 
 impl Corners {
-    /// Has something to be told in front of a move?
+    /// Has something to be told before a move?
     #[inline(always)]
     pub fn in_doubt(&self) -> bool {
         self.doubt.is_some()
@@ -96,7 +96,7 @@ impl Printer<'_> {
             "how corners are taken changes while radius compensation is on, and the target {name} does not change it there"
         );
         let help =
-            resolve("let it change in front of the contour or behind it, or set `[output] compensation = \"resolve\"`");
+            resolve("let it change before the contour or after it, or set `[output] compensation = \"resolve\"`");
         self.diags.push(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call));
     }
 
@@ -127,7 +127,7 @@ impl Printer<'_> {
         if self.measures.inches { places.of_inches() } else { places }
     }
 
-    /// Keeps what has to be told in front of the next move.
+    /// Keeps what has to be told before the next move.
     fn look_at_corners(&mut self, said: Option<PathControl>, mode: Option<PathControl>, origin: Option<&Origin>) {
         let choice = self.settings.path_control;
         let doubt = match (mode, said) {

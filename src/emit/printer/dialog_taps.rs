@@ -7,7 +7,7 @@ use crate::target::TapDialog;
 
 use super::super::number::Places;
 use super::Printer;
-use super::taps::{Hole, Told, Unfit, unfit};
+use super::taps::{Hole, Unfit, unfit};
 
 /// Two lengths of a program are one.
 const SAME: f64 = 1e-6;
@@ -48,16 +48,17 @@ impl Printer<'_> {
             hole.strokes.clone()
         };
         if self.tap_speed(tap, true, origin)?.is_none() {
-            return Err(unfit("a tap at a speed that is not known", "program S in front of the hole"));
+            return Err(unfit("a tap at a speed that is not known", "program S before the hole"));
         }
         let factor = if taken { factor } else { 1.0 };
+        let alone = strokes.len() == 1;
         for (at, (to, _)) in strokes.into_iter().enumerate() {
             if at > 0 && tap.pause > 0.0 {
                 self.print_function(&Function::Dwell(tap.pause), origin);
             }
-            self.dialog_tap(hole, to, steps, factor, words, origin)?;
+            self.dialog_tap(hole, to, (steps, alone), factor, words, origin)?;
         }
-        self.told = Told { turn: None, ..self.told };
+        self.told.turn = None;
         Ok(())
     }
 
@@ -76,12 +77,12 @@ impl Printer<'_> {
         exact(steps.way) && goes_deeper && steps.back.is_none_or(|back| exact(back) && back > 0.0)
     }
 
-    /// One cycle down to `to`.
+    /// One cycle down to `to`. Where it is not `alone` it begins at an angle that is said, so that all cut one thread.
     fn dialog_tap(
         &mut self,
         hole: &Hole<'_>,
         to: i64,
-        steps: Option<Steps>,
+        (steps, alone): (Option<Steps>, bool),
         factor: f64,
         words: &TapDialog,
         origin: &Origin,
@@ -90,7 +91,7 @@ impl Printer<'_> {
         let lead = self.tap_lead(tap, origin)?;
         let lead = if tap.turn == Turn::Clockwise { lead } else { -lead };
         let (places, factors) = (self.places_of(tap.axis), Places::new(words.places));
-        let plain = steps.is_none() && tap.orient.is_none() && factor == 1.0;
+        let plain = alone && steps.is_none() && tap.orient.is_none() && factor == 1.0;
         let numbers = (
             places.units(tap.surface),
             steps.map_or(Some(0), |steps| places.units(steps.way)),

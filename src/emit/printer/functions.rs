@@ -339,94 +339,31 @@ impl Printer<'_> {
             if words.speed_with_start && !self.with_start(spindle, origin) {
                 return;
             }
-            match spindle {
-                Spindle::Start(turn) => {
-                    self.spindle = HandChange::Turns;
-                    self.told.turn = Some(turn);
-                }
-                Spindle::Stop | Spindle::Orient(_) => {
-                    self.spindle = HandChange::Stands;
-                    self.told.turn = None;
-                }
-                Spindle::Speed(_) | Spindle::CuttingSpeed { .. } => self.told.speed = None,
+            if self.said_by_tap(spindle) {
+                return;
             }
+            self.spindle_hears(spindle);
         }
-        match spindle {
+        let said = match spindle {
             Spindle::Start(turn) => {
                 let text = &mut self.page.text;
                 text.word(if turn == Turn::Clockwise { words.clockwise } else { words.counter_clockwise });
-                match self.running.speed {
-                    Some(speed) => text.number(words.speed, speed, self.measures.speed),
-                    None => text,
+                if let Some(speed) = self.running.speed {
+                    text.number(words.speed, speed, self.measures.speed);
                 }
+                true
             }
-            Spindle::Stop => self.page.text.word(words.stop),
-            Spindle::Speed(speed) => {
-                let Some(units) = self.speed_units(speed, origin) else { return };
-                if number.is_none() {
-                    self.told.speed = Some(units);
-                }
-                let text = &mut self.page.text;
-                if let Some(cutting) = &words.cutting_speed
-                    && is_first(number)
-                    && std::mem::take(&mut self.modal.cutting_speed)
-                {
-                    text.word(cutting.off);
-                    self.modal.cuts_at_speed = false;
-                }
-                if let Form::Dialog(dialog) = self.target.form {
-                    self.modal.dialog.speed = Some(units);
-                    self.dialog_tool(dialog, None, origin);
-                    &mut self.page.text
-                } else {
-                    text.number(words.speed, units, self.measures.speed)
-                }
+            Spindle::Stop => {
+                self.page.text.word(words.stop);
+                true
             }
-            Spindle::CuttingSpeed { speed, limit } => {
-                let Some(cutting) = &words.cutting_speed else {
-                    let help = "program a constant speed with G97 in the source, or take another target";
-                    return self.lacks(codes::O9302, origin, "constant cutting speed", help);
-                };
-                if self.measures.inches || limit.is_none() && self.length.limited {
-                    return self.lacks_cutting_speed(origin);
-                }
-                if is_first(number) {
-                    (self.modal.cutting_speed, self.modal.cuts_at_speed) = (true, true);
-                }
-                let places = self.measures.speed;
-                let Some(units) = self.speed_units(speed, origin) else { return };
-                let limit = match limit {
-                    Some(limit) => match self.speed_units(limit, origin) {
-                        Some(limit) => Some(limit),
-                        None => return,
-                    },
-                    None => None,
-                };
-                let text = &mut self.page.text;
-                match (cutting.limit, limit) {
-                    (Limit::Word(word), Some(limit)) => {
-                        text.word(cutting.on).valued(word, limit, places);
-                    }
-                    (Limit::Block(word), Some(limit)) => {
-                        text.word(word).number(words.speed, limit, places);
-                        self.page.end_line(origin);
-                        self.length.limited = true;
-                        self.page.text.word(cutting.on);
-                    }
-                    (_, None) => drop(text.word(cutting.on)),
-                }
-                self.page.text.number(words.speed, units, places)
-            }
-            Spindle::Orient(angle) => {
-                let Some((word, address)) = words.orient else {
-                    let help = "leave M19 out where nothing depends on the angle, or take another target";
-                    return self.lacks(codes::O9303, origin, "a spindle stop at an angle", help);
-                };
-                let places = self.measures.angle;
-                let Some(units) = places.units(angle) else { return self.unprintable(origin) };
-                self.page.text.word(word).number(address, units, places)
-            }
+            Spindle::Speed(speed) => self.speed(speed, number, origin),
+            Spindle::CuttingSpeed { speed, limit } => self.cutting_speed(speed, limit, number, origin),
+            Spindle::Orient(angle) => self.orient(angle, origin),
         };
+        if !said {
+            return;
+        }
         if let Some(number) = number {
             let Some(address) = words.other else {
                 let help = "program the first spindle, or take another target";
@@ -435,6 +372,118 @@ impl Printer<'_> {
             self.page.text.whole(address, u64::from(number.saturating_sub(1)));
         }
         self.page.end_line(origin);
+    }
+
+    /// Is this the speed that the tap before said already?
+    fn said_by_tap(&mut self, spindle: Spindle) -> bool {
+        let by_tap = std::mem::take(&mut self.told.by_tap);
+        match spindle {
+            Spindle::Speed(speed) if by_tap && !self.states_turns() => {
+                self.told.speed.is_some() && self.told.speed == self.measures.speed.units(speed)
+            }
+            _ => false,
+        }
+    }
+
+    /// The next speed has to say that it counts turns.
+    pub(super) fn states_turns(&self) -> bool {
+        self.modal.cutting_speed && self.target.spindle.cutting_speed.is_some()
+    }
+
+    /// What the first spindle is told.
+    fn spindle_hears(&mut self, spindle: Spindle) {
+        match spindle {
+            Spindle::Start(turn) => {
+                self.spindle = HandChange::Turns;
+                self.told.turn = Some(turn);
+            }
+            Spindle::Stop | Spindle::Orient(_) => {
+                self.spindle = HandChange::Stands;
+                self.told.turn = None;
+            }
+            Spindle::Speed(_) | Spindle::CuttingSpeed { .. } => self.told.speed = None,
+        }
+    }
+
+    /// The words of a speed; false where there are none, and that was said.
+    fn speed(&mut self, speed: f64, number: Option<u8>, origin: &Origin) -> bool {
+        let words = &self.target.spindle;
+        let Some(units) = self.speed_units(speed, origin) else { return false };
+        if number.is_none() {
+            self.told.speed = Some(units);
+        }
+        if let Some(cutting) = &words.cutting_speed
+            && is_first(number)
+            && std::mem::take(&mut self.modal.cutting_speed)
+        {
+            self.page.text.word(cutting.off);
+            self.modal.cuts_at_speed = false;
+        }
+        if let Form::Dialog(dialog) = self.target.form {
+            self.modal.dialog.speed = Some(units);
+            self.dialog_tool(dialog, None, origin);
+        } else {
+            self.page.text.number(words.speed, units, self.measures.speed);
+        }
+        true
+    }
+
+    /// The same of a constant cutting speed.
+    fn cutting_speed(&mut self, speed: f64, limit: Option<f64>, number: Option<u8>, origin: &Origin) -> bool {
+        let words = &self.target.spindle;
+        let Some(cutting) = &words.cutting_speed else {
+            let help = "program a constant speed with G97 in the source, or take another target";
+            self.lacks(codes::O9302, origin, "constant cutting speed", help);
+            return false;
+        };
+        if self.measures.inches || limit.is_none() && self.length.limited {
+            self.lacks_cutting_speed(origin);
+            return false;
+        }
+        if is_first(number) {
+            (self.modal.cutting_speed, self.modal.cuts_at_speed) = (true, true);
+        }
+        let places = self.measures.speed;
+        let Some(units) = self.speed_units(speed, origin) else { return false };
+        let limit = match limit {
+            Some(limit) => match self.speed_units(limit, origin) {
+                Some(limit) => Some(limit),
+                None => return false,
+            },
+            None => None,
+        };
+        let text = &mut self.page.text;
+        match (cutting.limit, limit) {
+            (Limit::Word(word), Some(limit)) => {
+                text.word(cutting.on).valued(word, limit, places);
+            }
+            (Limit::Block(word), Some(limit)) => {
+                text.word(word).number(words.speed, limit, places);
+                self.page.end_line(origin);
+                self.length.limited = true;
+                self.page.text.word(cutting.on);
+            }
+            (_, None) => drop(text.word(cutting.on)),
+        }
+        self.page.text.number(words.speed, units, places);
+        true
+    }
+
+    /// The same of a stop at an angle.
+    fn orient(&mut self, angle: f64, origin: &Origin) -> bool {
+        let Some((word, address)) = self.target.spindle.orient else {
+            let help =
+                "leave the stop at an angle (M19, SPOS=) out where nothing depends on it, or take another target";
+            self.lacks(codes::O9303, origin, "a spindle stop at an angle", help);
+            return false;
+        };
+        let places = self.measures.angle;
+        let Some(units) = places.units(angle) else {
+            self.unprintable(origin);
+            return false;
+        };
+        self.page.text.word(word).number(address, units, places);
+        true
     }
 
     /// A speed in printed units; reported where there is none. One that prints as zero would let the spindle stand.

@@ -18,6 +18,8 @@ const MOST_OFF: f64 = 0.005;
 const FACTORS: std::ops::RangeInclusive<f64> = 1.0..=9.0;
 /// Two factors are one.
 const SAME: f64 = 1e-9;
+/// A detail for which many targets have no word.
+const ANGLE: &str = "the angle of the spindle at which it begins";
 
 /// Why the target cannot tap a hole: what it would need, and the way out. `None` where something was said already.
 pub(super) type Unfit = Option<(String, &'static str)>;
@@ -36,6 +38,8 @@ pub(super) struct Told {
     /// In units of the last place.
     pub speed: Option<i64>,
     pub turn: Option<Turn>,
+    /// A tap said that speed, and nothing of the spindle was said since.
+    pub by_tap: bool,
 }
 
 impl Printer<'_> {
@@ -45,6 +49,7 @@ impl Printer<'_> {
             Ok(()) => {
                 // The control starts and stops the spindle by itself.
                 self.spindle = HandChange::Stands;
+                self.told.by_tap = true;
                 self.modal.forget_feed();
             }
             Err(unfit) => {
@@ -63,13 +68,13 @@ impl Printer<'_> {
             return Err(Some(("tapping without a compensating chuck".to_owned(), help)));
         };
         if self.compensation.side != Side::None {
-            return Err(unfit("a tap inside radius compensation", "end the compensation in front of the hole"));
+            return Err(unfit("a tap inside radius compensation", "end the compensation before the hole"));
         }
         if !self.axes.contains(tap.axis) || self.length.waits && tap.axis == Axis::Z {
-            return Err(unfit("a tap along an axis that was not moved", "move to the hole in front of the tap"));
+            return Err(unfit("a tap along an axis that was not moved", "move to the hole before the tap"));
         }
         if self.modal.cuts_at_speed {
-            let help = "program a constant speed (G97 S) in front of the hole";
+            let help = "program a constant speed (G97 S) before the hole";
             return Err(unfit("a tap under a constant cutting speed", help));
         }
         if let (true, Some(speed)) = (self.modal.cutting_speed, tap.speed_in) {
@@ -118,7 +123,7 @@ impl Printer<'_> {
     pub(super) fn returns(&self, hole: &Hole<'_>, origin: &Origin) -> Result<(), Unfit> {
         let Some(((_, last), others)) = hole.strokes.split_last() else { return Err(None) };
         if *last != hole.start {
-            let help = "let the tap come back to where it began: G332 to the height in front of G331";
+            let help = "let the tap come back to where it began: G332 to the height where G331 began";
             return Err(unfit("a tap that ends at another height than it began", help));
         }
         if others.iter().any(|(_, back)| *back != hole.start) {
@@ -162,7 +167,8 @@ impl Printer<'_> {
     pub(super) fn tap_speed(&mut self, tap: &Tap, said: bool, origin: &Origin) -> Result<Option<i64>, Unfit> {
         let Some(speed) = tap.speed_in else { return Ok(self.told.speed) };
         let units = self.speed_units(speed, origin).ok_or(None)?;
-        if said && self.told.speed != Some(units) {
+        // On a lathe the first speed says that none is a cutting speed.
+        if self.states_turns() || said && self.told.speed != Some(units) {
             self.print_function(&Function::Spindle(Spindle::Speed(speed)), origin);
         }
         Ok(Some(units))
@@ -187,10 +193,10 @@ impl Printer<'_> {
         let tap = hole.tap;
         self.returns(hole, origin)?;
         let lead = self.tap_lead(tap, origin)?;
-        self.leaves_out(&self.lost_details(tap, true, false), origin);
-        if let Some(angle) = tap.orient {
-            self.print_function(&Function::Spindle(Spindle::Orient(angle)), origin);
-        }
+        let mut lost = self.lost_details(tap, true, false);
+        // It begins at the mark of the spindle, each stroke anew.
+        lost.extend(tap.orient.filter(|angle| angle % 360.0 != 0.0).map(|_| ANGLE));
+        self.leaves_out(&lost, origin);
         self.tap_speed(tap, true, origin)?;
         if self.told.turn != Some(tap.turn) {
             self.print_function(&Function::Spindle(Spindle::Start(tap.turn)), origin);
@@ -216,62 +222,87 @@ impl Printer<'_> {
     /// A cycle for each stroke.
     fn tapping_cycles(&mut self, hole: &Hole<'_>, words: &TapCycle, origin: &Origin) -> Result<(), Unfit> {
         let tap = hole.tap;
-        if tap.axis != Axis::Z || tap.outward() < 0.0 {
-            return Err(unfit(
-                "a tap in another direction than down Z",
-                "set the part up so that Z goes into the hole",
-            ));
-        }
-        let word = match tap.turn {
-            Turn::Clockwise => Some(words.right),
-            Turn::CounterClockwise => words.left,
-        };
-        let Some(word) = word else {
-            return Err(unfit("a left-hand tap", "cut the thread another way, or take another target"));
-        };
+        let word = cycle_word(tap, words)?;
         self.returns(hole, origin)?;
-        let factor = tap.factor();
-        let whole = libm::round(factor);
-        let fits = words.factor.filter(|_| (factor - whole).abs() <= SAME && FACTORS.contains(&whole));
+        let whole = libm::round(tap.factor());
+        let fits = words.factor.filter(|_| (tap.factor() - whole).abs() <= SAME && FACTORS.contains(&whole));
         let mut lost = self.lost_details(tap, words.dwell.is_none(), fits.is_none());
-        lost.extend(tap.orient.map(|_| "the angle of the spindle at which it begins"));
+        lost.extend(tap.orient.map(|_| ANGLE));
         self.leaves_out(&lost, origin);
+        if hole.strokes.len() > 1 {
+            self.steps_have_to_meet(hole.strokes.len(), words, origin);
+        }
         let Some(speed) = self.tap_speed(tap, words.ready.is_none(), origin)? else {
-            return Err(unfit("a tap at a speed that is not known", "program S in front of the hole"));
+            return Err(unfit("a tap at a speed that is not known", "program S before the hole"));
         };
         if !words.from_start {
             self.select_plane(Plane::Xy, origin);
         }
-        let (kind, feed) = self.tap_feed(tap, words.pitch, speed)?;
-        for (at, ((to, _), stroke)) in hole.strokes.iter().zip(&tap.strokes).enumerate() {
-            if at > 0 && tap.pause > 0.0 {
-                self.print_function(&Function::Dwell(tap.pause), origin);
+        let feed = self.tap_feed(tap, words.pitch, speed)?;
+        let factor = fits.filter(|_| whole > 1.0).map(|address| (address, whole as u64));
+        let cycle = Cycle { word, speed, feed, factor };
+        // The dwell of the cycle that is on.
+        let mut on: Option<f64> = None;
+        for ((to, _), stroke) in hole.strokes.iter().zip(&tap.strokes) {
+            if let Some(dwell) = on {
+                if words.stays && tap.pause == 0.0 && dwell == stroke.dwell {
+                    self.page.text.number(tap.axis.letter() as u8, *to, self.places_of(tap.axis));
+                    self.page.end_line(origin);
+                    continue;
+                }
+                self.page.words(words.off, origin);
+                if tap.pause > 0.0 {
+                    self.print_function(&Function::Dwell(tap.pause), origin);
+                }
             }
-            if self.modal.feed_kind_changes(kind)
-                && let Some(word) = kind.word(&self.target.feed)
-            {
-                self.page.by_time = false;
-                self.page.words(word, origin);
-            }
-            if let Some(ready) = words.ready {
-                self.page.text.word(ready).number(self.target.spindle.speed, speed, self.measures.speed);
-                self.page.end_line(origin);
-                self.told.speed = Some(speed);
-            }
-            self.tapping_cycle(hole, words, word, (*to, stroke.dwell));
-            if let (Some(address), true) = (fits, whole > 1.0) {
-                self.page.text.whole(address, whole as u64);
-            }
-            self.page.text.number(self.target.feed.address, feed, self.feed_places(kind));
-            self.page.end_line(origin);
-            self.page.words(words.off, origin);
+            self.tapping_cycle(hole, words, &cycle, (*to, stroke.dwell), origin);
+            on = Some(stroke.dwell);
         }
+        self.page.words(words.off, origin);
         self.told.turn = None;
         Ok(())
     }
 
+    /// Strokes of one hole cut one thread where all of them begin at the same angle of the spindle.
+    fn steps_have_to_meet(&self, count: usize, words: &TapCycle, origin: &Origin) {
+        let message = format!(
+            "the hole is tapped in {count} steps out of the hole, and they cut one thread only where the spindle begins each of them at the same angle: {}",
+            words.meets
+        );
+        self.told_of_tap(codes::O4009, message, origin);
+    }
+
+    /// The lines that begin a cycle.
+    fn tapping_cycle(
+        &mut self,
+        hole: &Hole<'_>,
+        words: &TapCycle,
+        cycle: &Cycle<'_>,
+        (to, dwell): (i64, f64),
+        origin: &Origin,
+    ) {
+        let (kind, feed) = cycle.feed;
+        if self.modal.feed_kind_changes(kind)
+            && let Some(word) = kind.word(&self.target.feed)
+        {
+            self.page.by_time = false;
+            self.page.words(word, origin);
+        }
+        if let Some(ready) = words.ready {
+            self.page.text.word(ready).number(self.target.spindle.speed, cycle.speed, self.measures.speed);
+            self.page.end_line(origin);
+            self.told.speed = Some(cycle.speed);
+        }
+        self.cycle_words(hole, words, cycle.word, (to, dwell));
+        if let Some((address, factor)) = cycle.factor {
+            self.page.text.whole(address, factor);
+        }
+        self.page.text.number(self.target.feed.address, feed, self.feed_places(kind));
+        self.page.end_line(origin);
+    }
+
     /// The words of a cycle but for those of its speeds.
-    fn tapping_cycle(&mut self, hole: &Hole<'_>, words: &TapCycle, word: &str, (to, dwell): (i64, f64)) {
+    fn cycle_words(&mut self, hole: &Hole<'_>, words: &TapCycle, word: &str, (to, dwell): (i64, f64)) {
         let axis = hole.tap.axis;
         let places = self.places_of(axis);
         if let Some(level) = words.level {
@@ -332,7 +363,7 @@ impl Printer<'_> {
         let lead = self.tap_lead(tap, origin)?;
         let lead = if tap.turn == Turn::Clockwise { lead } else { -lead };
         let Some(speed_in) = self.tap_speed(tap, false, origin)? else {
-            return Err(unfit("a tap at a speed that is not known", "program S in front of the hole"));
+            return Err(unfit("a tap at a speed that is not known", "program S before the hole"));
         };
         let speed_out = match tap.speed_out {
             Some(speed) => self.speed_units(speed, origin).ok_or(None)?,
@@ -386,6 +417,26 @@ impl Printer<'_> {
         }
         self.page.end_line(origin);
     }
+}
+
+/// What is the same in all strokes of a hole that a cycle taps.
+struct Cycle<'w> {
+    word: &'w str,
+    speed: i64,
+    feed: (FeedKind, i64),
+    factor: Option<(u8, u64)>,
+}
+
+/// The word of a cycle for the hand of a tap down Z.
+fn cycle_word(tap: &Tap, words: &TapCycle) -> Result<&'static str, Unfit> {
+    if tap.axis != Axis::Z || tap.outward() < 0.0 {
+        return Err(unfit("a tap in another direction than down Z", "set the part up so that Z goes into the hole"));
+    }
+    let word = match tap.turn {
+        Turn::Clockwise => Some(words.right),
+        Turn::CounterClockwise => words.left,
+    };
+    word.ok_or_else(|| unfit("a left-hand tap", "cut the thread another way, or take another target"))
 }
 
 /// What the target would need, and the way out.

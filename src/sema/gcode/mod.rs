@@ -4,6 +4,7 @@
 //! line is refused. Source: LinuxCNC User Manual, G-Code Overview and G-Codes (docs/sources.md).
 
 pub mod function;
+mod line;
 mod survey;
 
 use std::rc::Rc;
@@ -20,6 +21,8 @@ use crate::parser::symbols::Symbols;
 use crate::read::{self, AXES, Act, Lack, Modes, Reader, Rules, SCALE};
 use crate::text::{Loc, Next, Span, SplitRules};
 
+use line::{Line, is_blank, without};
+
 use super::common::start::Start;
 use super::run::{self, Interpreter, Language, Level, OffsetName, Parsed, Where, runs_on};
 use super::{Job, Outcome};
@@ -34,6 +37,9 @@ const OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "
 const MOST_TURNS: u32 = 100_000;
 /// Most acts of one line.
 const ACTS: usize = 16;
+/// Begins the head of an output; so far it is looked for behind the number of the program, in bytes.
+const HEAD: &[u8] = b"(partc ";
+const NEXT: u32 = 100;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
@@ -49,25 +55,6 @@ pub fn check_form(job: &Job<'_>) {
 /// How the text of a program is read.
 #[derive(Debug, Default)]
 struct Gcode;
-
-/// A line.
-#[derive(Debug, Clone, Default)]
-struct Line {
-    span: Span,
-    /// Mark of a line that the control may skip, and where the words behind it begin.
-    skip: Option<u8>,
-    from: usize,
-    /// Where words and comments end.
-    end: usize,
-    /// A line break stands inside.
-    is_broken: bool,
-    comments: Vec<Span>,
-}
-
-/// Blanks, and what pads a file.
-fn is_blank(byte: u8) -> bool {
-    byte.is_ascii_whitespace() || matches!(byte, 0 | 0x0b | 0x1a)
-}
 
 impl Language for Gcode {
     type Block = Line;
@@ -91,50 +78,6 @@ impl Language for Gcode {
     #[inline]
     fn operations(_: &Line) -> usize {
         0
-    }
-}
-
-impl Line {
-    fn read(&mut self, text: &[u8]) {
-        self.comments.clear();
-        let start = text.iter().position(|b| !is_blank(*b)).unwrap_or(text.len());
-        let end = text.iter().rposition(|b| !is_blank(*b)).map_or(start, |last| last + 1);
-        let text = &text[..end];
-        self.span = Span { start: start as u32, end: end as u32 };
-        self.is_broken = memchr::memchr2(b'\r', b'\n', &text[start..]).is_some();
-        (self.skip, self.from) = (None, start);
-        if let [b'/', rest @ ..] = &text[start..] {
-            let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
-            let level = rest[..digits].iter().fold(0u8, |n, b| n.saturating_mul(10).saturating_add(b - b'0'));
-            (self.skip, self.from) = (Some(level), start + 1 + digits);
-        }
-        let mut at = self.from;
-        while let Some(mark) = memchr::memchr2(b'(', b';', &text[at..]) {
-            let open = at + mark;
-            let rest = &text[open + 1..];
-            let close = if text[open] == b'(' { memchr::memchr(b')', rest) } else { None };
-            let end = open + 1 + close.unwrap_or(rest.len());
-            self.comments.push(Span { start: (open + 1) as u32, end: end as u32 });
-            match close {
-                Some(_) => at = end + 1,
-                None => break,
-            }
-        }
-        self.span.end = self.end_of_words(text, start) as u32;
-        self.end = end;
-    }
-
-    /// Where the words end behind which only comments stand.
-    fn end_of_words(&self, text: &[u8], start: usize) -> usize {
-        let mut end = text.len();
-        for comment in self.comments.iter().rev() {
-            if (comment.end as usize + 1).min(text.len()) < end {
-                break;
-            }
-            let before = &text[start..comment.start as usize - 1];
-            end = start + before.iter().rposition(|b| !is_blank(*b)).map_or(0, |last| last + 1);
-        }
-        if end > start { end } else { (start + 1).min(text.len()) }
     }
 }
 
@@ -230,6 +173,9 @@ impl<'a> Interpreter<'a> for Run<'a> {
                 self.does(&comment);
             }
         }
+        if self.names_an_output(line.span.of(text)) {
+            return;
+        }
         if self.words(line, text).is_err() {
             self.lose_all();
         }
@@ -279,6 +225,17 @@ impl Run<'_> {
         self.lost = true;
         self.reader.forget();
         self.core.send_lost(&self.ctx);
+    }
+
+    /// The number of a program that partc printed: the next line says for which receiver.
+    fn names_an_output(&self, line: &[u8]) -> bool {
+        let [b'O' | b'o', number @ ..] = line else { return false };
+        if number.is_empty() || !number.iter().all(u8::is_ascii_digit) {
+            return false;
+        }
+        let Loc { file, span, .. } = self.here.origin.loc;
+        let next = self.job.sources.bytes(file, Span { start: span.end, end: span.end.saturating_add(NEXT) });
+        next.trim_ascii_start().get(..HEAD.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(HEAD))
     }
 
     /// The head of an output names the receiver that it is for.
@@ -575,17 +532,6 @@ impl Run<'_> {
         self.start.touch(mv.end.known());
         Ok(())
     }
-}
-
-/// The words of a line, blanks in place of comments.
-#[cold]
-fn without(line: &Line, text: &[u8]) -> Vec<u8> {
-    let mut words = text[..line.end].to_vec();
-    for comment in &line.comments {
-        let (from, to) = (comment.start as usize - 1, (comment.end as usize + 1).min(words.len()));
-        words[from..to].fill(b' ');
-    }
-    words.split_off(line.from)
 }
 
 /// M functions that mean the same on every machine.

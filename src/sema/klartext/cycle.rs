@@ -20,7 +20,8 @@ use super::cycles::DefinedCycle;
 use super::cycles::call::{By, Call, Retract};
 use super::cycles::contours::ROUGH_OUT;
 use super::cycles::{Nature, find};
-use super::words::Admits;
+use super::m_table::{When, entry};
+use super::words::{Admits, MWord};
 use super::{Outcome, Reported, Run};
 
 /// What is known of cycles: the definition under way and the one that calls run.
@@ -335,12 +336,11 @@ impl Run<'_> {
                     );
                 }
                 self.m_at_start(&w, false)?;
-                self.m_at_end(&w)?;
                 // Newer controls end M89 by M99, CYCL CALL POS or a new definition only.
                 if self.job.settings.control.klartext == Generation::Tnc426 {
                     self.cycles.modal = false;
                 }
-                self.call_cycle("CYCL CALL")
+                self.call_cycle_then("CYCL CALL", w.m())
             }
             CallKind::At => self.call_cycle_at(block),
             CallKind::Pattern => {
@@ -403,6 +403,16 @@ impl Run<'_> {
             self.lose_all();
         }
         result
+    }
+
+    /// Runs the cycle defined last, and after it what acts at the end of the block.
+    pub(super) fn call_cycle_then(&mut self, by: &str, functions: &[MWord]) -> Outcome {
+        let wait = functions.iter().any(|m| matches!(entry(m.number), Some((_, When::End))));
+        match self.program_of_cycle_12() {
+            Some(name) if wait => self.run_whole(&name)?,
+            _ => self.call_cycle(by)?,
+        }
+        self.these_at_end(functions)
     }
 
     /// Runs the cycle defined last.

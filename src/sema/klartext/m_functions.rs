@@ -142,9 +142,14 @@ impl Run<'_> {
     }
 
     pub(super) fn m_at_end(&mut self, w: &Words) -> Outcome {
+        self.these_at_end(w.m())
+    }
+
+    /// Those that act at the end of the block, in their order.
+    pub(super) fn these_at_end(&mut self, functions: &[MWord]) -> Outcome {
         // The end of the program comes last, wherever it stands in the block.
         for last in [false, true] {
-            for m in w.m() {
+            for m in functions {
                 if let Some((act, When::End)) = entry(m.number)
                     && matches!(act, Act::ProgramEnd { .. }) == last
                 {

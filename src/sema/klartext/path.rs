@@ -152,7 +152,7 @@ impl Run<'_> {
         }
     }
 
-    /// M functions at the end of the block, then the cycle call of M99 and M89.
+    /// M functions at the end of the block, among them the cycle call of M99 and M89: in the order of the block.
     pub(super) fn after_motion(&mut self, w: &Words, moves: bool) -> Outcome {
         let once = w.has_m(99);
         let modal = self.cycles.modal() && moves && !once;
@@ -172,9 +172,16 @@ impl Run<'_> {
                 "write the end of the program into a block of its own",
             );
         }
-        self.m_at_end(w)?;
+        let call = w.m().iter().position(|m| matches!(m.number, 89 | 99));
+        let (before, after) = match call {
+            _ if !calls => (w.m(), &w.m()[..0]),
+            Some(at) => w.m().split_at(at),
+            // A block under M89 is complete with its cycle.
+            None => w.m().split_at(0),
+        };
+        self.these_at_end(before)?;
         if calls && !self.has_ended() {
-            return self.call_cycle(if once { "M99" } else { "M89" });
+            return self.call_cycle_then(if once { "M99" } else { "M89" }, after);
         }
         Ok(())
     }

@@ -109,15 +109,9 @@ impl Run<'_> {
         self.set_transformation(base)
     }
 
-    /// The whole program, before the block in hand goes on.
     fn run_program(&mut self, name: &str) -> Outcome {
-        let (here, below) = (self.here, self.levels.len());
-        self.call_program_named(name)?;
-        while self.levels.len() > below && !self.has_ended() {
-            step(self);
-        }
-        self.here = here;
-        if !self.has_ended() && self.st.compensation.is_on() {
+        self.run_whole(name)?;
+        if self.st.compensation.is_on() {
             let message = format!(
                 "the program `{name}` of cycle 12 ends with radius compensation on, and the pattern goes on to its next place"
             );
@@ -128,6 +122,17 @@ impl Run<'_> {
                 "end the compensation in the program: `L R0`",
             );
         }
+        Ok(())
+    }
+
+    /// The whole program, before the block in hand goes on.
+    pub(super) fn run_whole(&mut self, name: &str) -> Outcome {
+        let (here, below) = (self.here, self.levels.len());
+        self.call_program_named(name)?;
+        while self.levels.len() > below && !self.has_ended() {
+            step(self);
+        }
+        self.here = here;
         if self.has_ended() || self.levels.len() != below { Err(Reported) } else { Ok(()) }
     }
 }

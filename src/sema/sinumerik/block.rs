@@ -50,6 +50,7 @@ impl Run<'_> {
 
     /// After an error nobody knows where the axes of the block are.
     fn lose_block(&mut self, words: &Words, block: &Block) {
+        self.st.taps.begin_no_more();
         let mut axes = words.axes;
         for word in &block.words {
             match word.target {
@@ -86,6 +87,9 @@ impl Run<'_> {
 
     /// The words of a block that holds no call.
     pub(super) fn run_words_of(&mut self, w: &mut Words, block: &Block) -> Outcome {
+        if self.st.taps.are_open() {
+            self.beside_taps(w);
+        }
         if self.st.threads.are_open() {
             self.beside_threads(w);
         }
@@ -111,6 +115,7 @@ impl Run<'_> {
         }
         if self.st.codes.of(Group::Motion).is_tapping() && !w.axes.is_empty() {
             self.only_tapping(w)?;
+            self.tap_begins();
         }
         self.technology(w)?;
         self.early_functions(w)?;

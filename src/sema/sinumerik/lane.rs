@@ -67,6 +67,7 @@ impl Channel<'_> {
             && !self.st.pair.is_open()
             && !self.st.modal_call.is_on()
             && !self.st.threads.are_open()
+            && !self.st.taps.are_open()
             && !self.st.spindles.waits_for_cut_speed()
             && !self.st.compensation.waits()
             && !self.st.corners.open.is_open()

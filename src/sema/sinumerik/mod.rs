@@ -64,6 +64,7 @@ mod swivel;
 mod system;
 mod system_variables;
 mod tangent;
+mod tapping;
 mod technology;
 mod threads;
 mod tool;

@@ -9,6 +9,7 @@ use crate::parser::sinumerik::ast::{Block, Formula, Op};
 use crate::text::Span;
 
 use super::g_groups::{ActiveCodes, GCode, Group};
+use super::vocabulary::Address;
 use super::words::Words;
 use super::{Channel, Outcome, Run};
 
@@ -72,7 +73,7 @@ impl Channel<'_> {
         if let Some(tolerance) = w.smoothing.tolerance {
             smoothing.tolerance = tolerance * unit;
         }
-        smoothing.block = w.code_of(Group::ExactStopBlock).is_some();
+        smoothing.block = w.code_of(Group::ExactStopBlock).is_some() && may_move(w);
         if let Some((code, span)) = code
             && matches!(code.index, 4..)
             && self.st.smoothing.mode(&self.st.codes).is_none()
@@ -102,6 +103,24 @@ impl Channel<'_> {
             self.function(Function::PathControl(mode));
         }
     }
+}
+
+/// Words for which a block may move.
+const MOVING: [Address; 9] = [
+    Address::Ap,
+    Address::Rp,
+    Address::Ang,
+    Address::I,
+    Address::J,
+    Address::K,
+    Address::Cr,
+    Address::Ar,
+    Address::Turn,
+];
+
+/// In a block that moves no axis, G9 stops nothing.
+fn may_move(w: &Words) -> bool {
+    !w.axes.is_empty() || !w.beside.positioning.is_empty() || MOVING.iter().any(|word| w.get(*word).is_some())
 }
 
 impl Run<'_> {

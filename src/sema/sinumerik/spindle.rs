@@ -148,7 +148,9 @@ impl Channel<'_> {
             _ => {
                 let limited = self.limited(s.value, self.st.limit_of_turns(), s.span);
                 self.st.spindles.set_turns(s.value, limited);
-                self.send_spindle(self.st.spindles.master(), Spindle::Speed(limited));
+                if !self.st.taps.take_speed() {
+                    self.send_spindle(self.st.spindles.master(), Spindle::Speed(limited));
+                }
             }
         }
         Ok(())
@@ -246,7 +248,7 @@ impl Channel<'_> {
         let angle = from + given.value;
         let angle = angle - 360.0 * libm::floor(angle / 360.0);
         self.st.spindles.stop_at(angle);
-        self.send_spindle(master, Spindle::Orient(angle));
+        self.stops_at_angle(angle, w, 0);
         Ok(())
     }
 

@@ -26,6 +26,7 @@ use super::polar::Polar;
 use super::spindle_state::Spindles;
 use super::system_variables::SystemVariables;
 use super::tangent::Heading;
+use super::tapping::Taps;
 use super::threads::Threads;
 use super::tool::{CompensationState, ToolInUse};
 use super::transformation::Transformed;
@@ -54,6 +55,7 @@ pub(super) struct State {
     pub corners: Corners,
     pub pair: Pair,
     pub threads: Threads,
+    pub taps: Taps,
     /// The program sees other axes than the machine has.
     pub transformation: Option<Transformed>,
     pub modal_call: ModalCall,
@@ -107,6 +109,7 @@ impl State {
             corners: Corners::default(),
             pair: Pair::default(),
             threads: Threads::default(),
+            taps: Taps::default(),
             transformation: None,
             modal_call: ModalCall::default(),
             stored: None,

@@ -157,12 +157,12 @@ impl Channel<'_> {
             return self.fail_help(codes::S2007.alarm(12010), fourth.span, message, "divide the block");
         }
         for m in &w.m {
-            self.early_function(*m)?;
+            self.early_function(*m, w)?;
         }
         Ok(())
     }
 
-    fn early_function(&mut self, m: MWord) -> Outcome {
+    fn early_function(&mut self, m: MWord, w: &Words) -> Outcome {
         if let Some(n) = m.spindle
             && !matches!(m.number, 3..=5 | 19 | 40..=45 | 70)
         {
@@ -196,7 +196,12 @@ impl Channel<'_> {
             }
             _ => {
                 self.st.spindles.set_turn(turn);
-                self.send_spindle(self.st.spindles.master(), spindle);
+                match spindle {
+                    Spindle::Orient(angle) => self.stops_at_angle(angle, w, 1),
+                    Spindle::Start(_) | Spindle::Stop | Spindle::Speed(_) | Spindle::CuttingSpeed { .. } => {
+                        self.send_spindle(self.st.spindles.master(), spindle);
+                    }
+                }
             }
         }
         Ok(())

@@ -230,6 +230,7 @@ pub(super) const BUILT: &[Built] = &[
         silent: || on("linuxcnc", "F100\nCYCLE840(5,0,2,-10,,0,4,3,0,,1.5)", ""),
     },
     Built { code: "O4007", fires: || on("fanuc", STEPPED, TAPPED), silent: || on("sinumerik", STEPPED, TAPPED) },
+    Built { code: "O4009", fires: || on("fanuc", STEPPED, TAPPED), silent: || on("heidenhain", STEPPED, TAPPED) },
     Built { code: "O4008", fires: || on("haas", WAITING, TAPPED), silent: || on("sinumerik", WAITING, TAPPED) },
     Built {
         code: "O9340",

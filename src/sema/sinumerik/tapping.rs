@@ -1,0 +1,362 @@
+//! Rigid tapping: the blocks of G331 and G332 that belong to one hole are one tap.
+//!
+//! Source: S 0, 2.1 and 7.3 (docs/sources.md).
+
+use std::rc::Rc;
+
+use crate::diag::{Diagnostic, codes};
+use crate::geo::Plane;
+use crate::ir::contour::{CtxRef, Path, Thread};
+use crate::ir::cycle::drilling::MOST_PECKS;
+use crate::ir::function::{Spindle, Turn};
+use crate::ir::tap::Stroke;
+use crate::ir::{Origin, Pos, Tap};
+use crate::machine::{Axis, AxisSet};
+use crate::text::Span;
+
+use super::g_groups::{GCode, Group};
+use super::spindle_state::MAIN_SPINDLE;
+use super::vocabulary::Address;
+use super::words::{MWord, Words};
+use super::{Channel, Outcome};
+
+/// Farthest that an axis may stand off its programmed place and still not move, in mm.
+const STILL: f64 = 1e-9;
+
+/// Taps that later blocks go on with.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Taps {
+    /// Lead of the last tap with its sign, and the axis along which it counts.
+    lead: Option<(Axis, f64)>,
+    /// A hole that blocks tap, which waits for their end.
+    open: Option<Box<OpenTap>>,
+    /// A block stopped the spindle at this angle: that of the tap, if one follows.
+    angle: Option<(f64, Origin)>,
+    /// The block in hand begins a hole; the speed of the spindle before it.
+    begins: Option<Option<f64>>,
+}
+
+impl Taps {
+    /// A block is to be asked whether it ends the tap.
+    #[inline]
+    pub fn are_open(&self) -> bool {
+        self.open.is_some() || self.angle.is_some()
+    }
+
+    /// An S word is the speed of a tap, which says it itself.
+    pub fn take_speed(&self) -> bool {
+        self.open.is_some() || self.begins.is_some()
+    }
+
+    /// The block in hand is refused.
+    pub fn begin_no_more(&mut self) {
+        self.begins = None;
+    }
+}
+
+/// A hole between the first G331 and the block after the last G332.
+#[derive(Debug, Clone)]
+struct OpenTap {
+    /// With the strokes that are complete.
+    tap: Tap,
+    /// The block of the first G331, and what held there.
+    origin: Origin,
+    ctx: CtxRef,
+    /// The depth of the stroke that did not come back yet, and the seconds that it waits there.
+    inside: Option<(f64, f64)>,
+    /// Speeds of the way in and out.
+    speeds: [f64; 2],
+    /// The one before.
+    before: Option<f64>,
+}
+
+impl OpenTap {
+    /// Where it stands along its axis.
+    fn at(&self) -> f64 {
+        self.inside.map_or_else(|| self.tap.end(), |(depth, _)| depth)
+    }
+}
+
+impl Channel<'_> {
+    /// Rigid tapping: in, or out again.
+    fn goes_on_tapping(&self, w: &Words) -> bool {
+        let code = w.code_of(Group::Motion).map_or(self.st.codes.of(Group::Motion), |(code, _)| code);
+        let shaped = [Group::Nonmodal, Group::Frame, Group::Buffer, Group::Suppression];
+        code.is_tapping()
+            && !w.axes.is_empty()
+            && shaped.iter().all(|group| w.code_of(*group).is_none())
+            && !self.acts_in_tap(w)
+    }
+
+    /// A function that would act inside the tap, which is one move: that of its first block acts before it, stops and ends of
+    /// programs after it.
+    fn acts_in_tap(&self, w: &Words) -> bool {
+        let acts = w.m.iter().any(|m| !matches!(m.number, 0..=5 | 17 | 30)) || w.get(Address::T).is_some();
+        acts && self.st.taps.open.is_some()
+    }
+
+    /// A block that may stand inside a tap, or between SPOS= and G331: one without a move or a function, and of G functions those
+    /// that tap alone; and a dwell at the depth.
+    fn rests_in_tap(&self, w: &Words) -> bool {
+        let inside = self.st.taps.open.as_ref().is_some_and(|open| open.inside.is_some());
+        let dwells = w.code_of(Group::Nonmodal).is_some_and(|(code, _)| code == GCode::G4);
+        let idle = w.axes.is_empty() && w.m.is_empty() && w.get(Address::T).is_none();
+        let positions = w.get(Address::Spos).or(w.get(Address::Sposa)).is_some();
+        let taps = w.codes.iter().all(|(code, _)| code.group == Group::Motion && code.is_tapping());
+        idle && !positions && (taps || inside && dwells)
+    }
+
+    /// A block that does not go on with a tap ends it.
+    #[cold]
+    pub(super) fn beside_taps(&mut self, w: &Words) {
+        if !self.goes_on_tapping(w) && !self.rests_in_tap(w) {
+            self.tapping_ends();
+        }
+    }
+
+    /// The spindle stops at an angle: that of a tap, where the next block begins one.
+    pub(super) fn stops_at_angle(&mut self, angle: f64, w: &Words, functions: usize) {
+        let master = self.st.spindles.master();
+        let alone = w.axes.is_empty() && w.m.len() == functions && w.codes.is_empty() && w.get(Address::T).is_none();
+        if alone && master == MAIN_SPINDLE && w.beside.positioning.is_empty() && !self.is_capturing() {
+            self.st.taps.angle = Some((angle, self.here.origin));
+        } else {
+            self.send_spindle(master, Spindle::Orient(angle));
+        }
+    }
+
+    /// No tap took the angle at which the spindle was stopped.
+    fn angle_is_of_no_tap(&mut self) {
+        if let Some((angle, origin)) = self.st.taps.angle.take() {
+            let here = std::mem::replace(&mut self.here.origin, origin);
+            self.send_spindle(self.st.spindles.master(), Spindle::Orient(angle));
+            self.here.origin = here;
+        }
+    }
+
+    /// In front of the words of a block that taps.
+    pub(super) fn tap_begins(&mut self) {
+        if !self.is_capturing() && self.st.taps.open.is_none() {
+            self.st.taps.begins = Some(self.st.spindles.fixed_turns(None));
+        }
+    }
+
+    /// The tap waits at its depth; false where none is there.
+    pub(super) fn waits_in_tap(&mut self, seconds: f64) -> bool {
+        let inside = self.st.taps.open.as_mut().and_then(|open| open.inside.as_mut());
+        if let Some((_, waits)) = inside {
+            *waits += seconds;
+            return true;
+        }
+        false
+    }
+
+    /// The hole is complete; the spindle stands while no block taps.
+    pub(super) fn tapping_ends(&mut self) {
+        self.angle_is_of_no_tap();
+        let Some(open) = self.st.taps.open.take() else { return };
+        if open.inside.is_some() {
+            let found = Diagnostic::new(codes::S2081, open.origin.loc, "G331 taps down, and no G332 comes back");
+            let help = "program G332 to the height where G331 began after it, with nothing but G4 in between";
+            self.report(found.help(help));
+            self.st.position.lose(AxisSet::of(open.tap.axis));
+            return self.lost();
+        }
+        let OpenTap { mut tap, origin, ctx, speeds: [speed_in, speed_out], before, .. } = *open;
+        let now = self.st.spindles.fixed_turns(None);
+        let changes = speed_in != speed_out || [before, now].iter().any(|speed| *speed != Some(speed_in));
+        if changes {
+            (tap.speed_in, tap.speed_out) = (Some(speed_in), Some(speed_out));
+        }
+        self.cuts_in_between();
+        self.core.send_tap_of(&tap, &ctx, &origin);
+        if let Some(now) = now.filter(|_| changes) {
+            self.send_spindle(self.st.spindles.master(), Spindle::Speed(now));
+        }
+        self.send_spindle(self.st.spindles.master(), Spindle::Stop);
+    }
+
+    /// G331 and G332: along one axis, the spindle turning with it.
+    pub(super) fn tap_block(&mut self, w: &mut Words, code: GCode, span: Span) -> Outcome {
+        self.master_is_main(span, "rigid tapping")?;
+        self.tapping_speed(span)?;
+        let end = self.targets(w)?;
+        if let Some(given) = self.lead_words(w)? {
+            self.st.taps.lead = Some((given.axis, given.lead));
+        }
+        let Some((axis, lead)) = self.st.taps.lead else {
+            let help = "program K along Z: positive for a right-hand thread, negative for a left-hand one";
+            return self.fail_help(codes::S2081.alarm(16720), span, "the tapped thread has no lead", help);
+        };
+        self.starts_are_known(w, span)?;
+        self.taps_along(axis, &end, w, span)?;
+        let to = end.get(axis).unwrap_or_default();
+        if self.is_capturing() {
+            self.send(&end, Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }));
+            return Ok(());
+        }
+        if self.st.offsets.in_machine() {
+            let help = "select a work offset (G54) before the hole";
+            return self.fail_help(codes::S2081, span, "a hole is tapped in coordinates of the machine", help);
+        }
+        if code == GCode::G331 {
+            self.taps_in((axis, lead), to, span)?
+        } else {
+            self.taps_out((axis, lead), to, span)?
+        }
+        self.stands_after_tap(code, span);
+        self.note_outer();
+        if self.st.plane() != Plane::Xy {
+            self.length_acts_along_z();
+        }
+        self.note_heading(&end, &Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }));
+        self.st.position.move_to(&end);
+        Ok(())
+    }
+
+    /// G331: the tap goes down, or farther down.
+    fn taps_in(&mut self, (axis, lead): (Axis, f64), to: f64, span: Span) -> Outcome {
+        let start = self.st.position.get(axis).unwrap_or_default();
+        let before = self.st.taps.begins.take().flatten();
+        let speed = self.st.spindles.fixed_turns(None).unwrap_or_default();
+        let turn = if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise };
+        let Some(open) = &mut self.st.taps.open else {
+            let orient = self.st.taps.angle.take().map(|(angle, _)| angle);
+            let tap = Tap {
+                axis,
+                start,
+                surface: start,
+                strokes: Vec::new(),
+                lead: lead.abs(),
+                turn,
+                speed_in: None,
+                speed_out: None,
+                orient,
+                pause: 0.0,
+                again: None,
+            };
+            let (origin, ctx) = (self.here.origin, Rc::clone(&self.st.ctx));
+            let open = OpenTap { tap, origin, ctx, inside: Some((to, 0.0)), speeds: [speed; 2], before };
+            self.st.taps.open = Some(Box::new(open));
+            return Ok(());
+        };
+        let same = open.tap.axis == axis && open.tap.turn == turn && (open.tap.lead - lead.abs()).abs() <= STILL;
+        let down = to - open.at();
+        let deeper = down * (open.tap.strokes.first().map_or(open.at(), |stroke| stroke.to) - open.tap.start) > 0.0;
+        let waits = open.inside.is_some_and(|(_, waits)| waits > 0.0);
+        if !same || !deeper || waits || open.speeds[0] != speed {
+            let message = "G331 goes on with another pitch, at another speed or in another direction";
+            let help = "program the steps of one hole alike, or retract by G0 between two holes";
+            self.st.taps.open = None;
+            return self.fail_help(codes::S2081, span, message, help);
+        }
+        if open.tap.strokes.len() >= MOST_PECKS {
+            return self.fail(codes::S2081, span, "the tap makes too many steps");
+        }
+        open.inside = Some((to, 0.0));
+        Ok(())
+    }
+
+    /// G332: the tap comes back.
+    fn taps_out(&mut self, (axis, lead): (Axis, f64), to: f64, span: Span) -> Outcome {
+        let speed = self.st.spindles.fixed_turns(None).unwrap_or_default();
+        let turn = if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise };
+        let Some((open, (depth, dwell))) =
+            self.st.taps.open.as_mut().and_then(|open| open.inside.map(|inside| (open, inside)))
+        else {
+            let help = "program G331 down to the depth before it, and one G332 back";
+            return self.fail_help(codes::S2081, span, "G332 comes back, and no G331 went down", help);
+        };
+        let from = open.tap.strokes.last().map_or(open.tap.start, |stroke| stroke.back);
+        let same = open.tap.axis == axis && open.tap.turn == turn && (open.tap.lead - lead.abs()).abs() <= STILL;
+        let alike = open.tap.strokes.is_empty() || open.speeds[1] == speed;
+        if !same || !alike || (to - depth) * (from - depth) <= 0.0 {
+            let message = "G332 comes back with another pitch, at another speed than before, or not back";
+            let help = "program the lead of G331 and a height towards its start";
+            self.st.taps.open = None;
+            return self.fail_help(codes::S2081, span, message, help);
+        }
+        open.tap.strokes.push(Stroke { to: depth, back: to, dwell });
+        (open.inside, open.speeds[1]) = (None, speed);
+        Ok(())
+    }
+
+    fn stands_after_tap(&mut self, code: GCode, span: Span) {
+        if let Some(before) = self.st.spindles.turn() {
+            self.st.spindles.set_turn(None);
+            let (m, word) = (if before == Turn::Clockwise { "M3" } else { "M4" }, code.word());
+            let message = format!("the spindle stands after {word}: the {m} before it does not count any more");
+            self.note_once(codes::S8041, span, message);
+        }
+        self.st.spindles.forget_angle();
+    }
+
+    /// Words that cannot stand in a block that taps.
+    pub(super) fn only_tapping(&self, w: &Words) -> Outcome {
+        let master = |m: &&MWord| self.st.spindles.is_master(m.spindle);
+        if let Some(m) = w.m.iter().filter(master).find(|m| matches!(m.number, 3..=5 | 19 | 70)) {
+            let message = format!("M{} stands in a block that taps", m.number);
+            let help = "leave it out: the sign of the lead turns the spindle, which stands before and after the tap";
+            return self.fail_help(codes::S2045, m.span, message, help);
+        }
+        if let Some(given) = w.get(Address::Spos).or(w.get(Address::Sposa)) {
+            let help = "give SPOS= a block of its own before G331";
+            return self.fail_help(codes::S2045, given.span, "SPOS= stands in a block that taps", help);
+        }
+        if let Some(s) = w.s.iter().find(|s| s.value < 0.0) {
+            let help = "the sign of the lead turns the spindle; program S without a sign";
+            return self.fail_help(
+                codes::S2045.alarm(16763),
+                s.span,
+                format!("the speed S{} is negative", s.value),
+                help,
+            );
+        }
+        match [Address::Rnd, Address::Chf, Address::Chr, Address::Frc].iter().find_map(|address| w.get(*address)) {
+            Some(given) => self.does_not_fit(given.span),
+            None => Ok(()),
+        }
+    }
+
+    fn tapping_speed(&self, span: Span) -> Outcome {
+        if self.st.codes.of(Group::FeedType).holds_cutting_speed() || self.st.spindles.is_cutting() {
+            return self.fail_help(
+                codes::S2045,
+                span,
+                "rigid tapping under a constant cutting speed (G96): the speed of the spindle is not fixed",
+                "program G97 with S in turns per minute before it",
+            );
+        }
+        let help = "program S in this block or before";
+        match self.st.spindles.speed() {
+            Some(speed) if speed > 0.0 => Ok(()),
+            Some(_) => self.fail_help(codes::S2045.alarm(16763), span, "the speed of rigid tapping is 0", help),
+            None => self.fail_help(codes::S2045.alarm(16760), span, "rigid tapping has no speed S", help),
+        }
+    }
+
+    /// The tap follows one axis, which the frame leaves as it is.
+    fn taps_along(&self, axis: Axis, end: &Pos, w: &Words, span: Span) -> Outcome {
+        let moves = |other: &Axis| match (end.get(*other), self.st.position.get(*other)) {
+            (Some(to), Some(from)) => (to - from).abs() > STILL,
+            (to, _) => to.is_some(),
+        };
+        if let Some(other) = w.axes.iter().filter(|other| *other != axis).find(moves) {
+            let given = w.axis(other).map(|given| given.span).unwrap_or_default();
+            let message = format!("{} moves beside the tapping axis {}", other.letter(), axis.letter());
+            let help = "position the tool over the hole in a block before G331";
+            return self.fail_help(codes::S2081, given, message, help);
+        }
+        if !moves(&axis) {
+            let message = format!("{} does not move, so nothing is tapped", axis.letter());
+            return self.fail_help(codes::S2081.alarm(16740), span, message, "program the depth of the hole");
+        }
+        let column = self.st.ctx.frame.linear().column(axis.index());
+        if (0..3).any(|row| column[row] != f64::from(u8::from(row == axis.index()))) {
+            let message = format!("the frame turns, mirrors or scales {}, along which the block taps", axis.letter());
+            let help = "end the frame before G331, and program the hole in plain coordinates";
+            return self.fail_help(codes::S9002, span, message, help);
+        }
+        Ok(())
+    }
+}
