@@ -170,7 +170,9 @@ impl Needs {
 
     /// Is this word one that a program was tried with?
     pub fn is_tried_offset(&self, word: &str) -> bool {
-        let datums = |need: &&Need| need.answer.section == "datums" && need.choices().is_empty();
+        let datums = |need: &&Need| {
+            need.answer.section == "datums" && need.answer.values != Values::Coordinates && need.choices().is_empty()
+        };
         let tried = self.map.values().filter(datums).count();
         TRIED_OFFSETS.iter().take(tried).any(|given| *given == word)
     }
@@ -216,7 +218,8 @@ impl Needs {
             let _ = writeln!(text, "{}[{}]", if text.is_empty() { "" } else { "\n" }, section.name);
             let mut offsets = TRIED_OFFSETS.iter().chain(std::iter::repeat(&"G54"));
             for need in needs {
-                if form == Form::Tried && section.name == "datums" && need.choices().is_empty() {
+                let word = need.answer.values != Values::Coordinates && need.choices().is_empty();
+                if form == Form::Tried && section.name == "datums" && word {
                     let word = offsets.next().unwrap_or(&"G54");
                     let _ = writeln!(text, "{} = \"{word}\"", need.answer.place().1);
                     continue;
@@ -302,6 +305,12 @@ impl Need {
     fn wanted(&self) -> String {
         match (self.answer.section, self.key()) {
             ("include", _) => "a folder; ".to_owned(),
+            ("datums", None) if self.answer.values == Values::Coordinates => {
+                "machine coordinates of its zero, as { X = …, Y = …, Z = … }; ".to_owned()
+            }
+            ("machine", _) if self.answer.path[0] == "after_tool_change" => {
+                "number, what the control shows for the new tool when the change is over; ".to_owned()
+            }
             (_, Some(key)) => format!("{}; ", kind(key)),
             ("datums", None) => "a work offset of the target, as \"G55\"; ".to_owned(),
             ("start", None) => "number, where the axis stands before the first block; ".to_owned(),
@@ -371,6 +380,7 @@ fn kind(key: &Key) -> String {
 fn tried(answer: &Answer) -> &'static str {
     let key = answer.path.last().map_or("", String::as_str);
     match (answer.section, key) {
+        ("datums", _) => "{ X = 0.0, Y = 0.0, Z = 0.0 }",
         ("tools", "length") => "100.0",
         ("tools", "tip_angle") => "118.0",
         ("tools", "orientation") => "3",

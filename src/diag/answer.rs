@@ -24,6 +24,8 @@ pub enum Values {
     OneOf(Vec<String>),
     /// The folder that holds one of these files.
     FolderOf(Vec<String>),
+    /// Machine coordinates: `{ X = 0.0, Y = 0.0, Z = 0.0 }`.
+    Coordinates,
 }
 
 impl Answer {
@@ -43,6 +45,11 @@ impl Answer {
             [name, key] if self.section == "tools" => (format!("tools.{}", toml_key(name)), toml_key(key)),
             path => (self.section.to_owned(), path.iter().map(|key| toml_key(key)).collect::<Vec<_>>().join(".")),
         }
+    }
+
+    /// Where a datum lies, in machine coordinates.
+    pub fn datum(name: impl Display) -> Answer {
+        Answer { values: Values::Coordinates, ..Answer::key("datums", name) }
     }
 
     /// A field of a tool.

@@ -432,6 +432,17 @@ impl Sink for Lower<'_> {
         self.out.begins_at(at);
     }
 
+    fn stands_at(&mut self, at: &Pos, ctx: &CtxRef, origin: &Origin) {
+        self.follow_ctx(ctx, origin);
+        // What a transformation moves has other axes than the program sees.
+        if self.carrier.transformer.is_some() || self.recording.is_some() {
+            return;
+        }
+        self.flush();
+        self.at.update(at);
+        self.out.begins_at(&self.ctx.frame.apply(&self.at));
+    }
+
     fn load(&self) -> Load {
         let parts = self.carrier.transformer.as_ref().map_or(0, |transformer| transformer.parts);
         Load { moves: self.moves + parts, full: self.out.full() }

@@ -109,10 +109,22 @@ pub struct Machine {
     pub modulo: AxisSet,
     /// The axis that turns the workpiece about Z under a transformation.
     pub rotary_axis: Axis,
+    /// Where a tool change leaves axes.
+    pub after_tool_change: AfterToolChange,
     /// Where CYCLE800 retracts to, in machine coordinates.
     pub swivel_retract: BTreeMap<Axis, f64>,
     /// The same of its retraction as far as possible along the tool.
     pub swivel_retract_most: BTreeMap<Axis, f64>,
+}
+
+/// `[machine] after_tool_change`: what the control shows for the new tool behind a change.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct AfterToolChange {
+    /// By axis, as the program would write it: mm (X of a lathe that begins under diameter programming: the diameter) and
+    /// degrees. In the work offset in force, without what the program shifts, turns, mirrors or scales.
+    pub at: BTreeMap<Axis, f64>,
+    /// They are machine coordinates.
+    pub machine: bool,
 }
 
 impl Machine {
@@ -135,6 +147,7 @@ impl Default for Machine {
             reference_point: BTreeMap::new(),
             fixed_point: Default::default(),
             modulo: AxisSet::EMPTY,
+            after_tool_change: AfterToolChange::default(),
             rotary_axis: Axis::C,
             swivel_retract: BTreeMap::new(),
             swivel_retract_most: BTreeMap::new(),

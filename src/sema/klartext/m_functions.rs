@@ -281,6 +281,7 @@ impl Run<'_> {
             self.coolant(false);
         }
         self.function(Function::Stop);
+        self.st.position.stops();
     }
 
     /// STOP with its M functions. STOP itself does not stop the spindle.
@@ -295,6 +296,7 @@ impl Run<'_> {
         self.m_at_end(&w)?;
         if !self.has_ended() {
             self.function(Function::Stop);
+            self.st.position.stops();
         }
         Ok(())
     }

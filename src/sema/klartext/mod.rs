@@ -44,6 +44,7 @@ mod old_pockets;
 mod path;
 mod pattern_def;
 mod patterns;
+mod place;
 mod plane;
 mod plane_normal;
 mod pockets;

@@ -246,7 +246,7 @@ impl Run<'_> {
         self.forbid_open_approach()?;
         self.leave_open_end(end.known(), feed.is_none());
         self.movement(&Move { end, path, side: self.st.compensation.side(), coords });
-        self.st.moved_by_machine(end.known());
+        self.moved_by_machine(&end);
         self.st.feed.last_rapid = feed.is_none();
         Ok(())
     }
@@ -280,7 +280,7 @@ impl Run<'_> {
             let coords = Coords::Machine;
             self.forbid_open_approach()?;
             self.movement(&Move { end, path, side: self.st.compensation.side(), coords });
-            self.st.moved_by_machine(end.known());
+            self.moved_by_machine(&end);
             return Ok(());
         }
         let way = value.unwrap_or(0.0);

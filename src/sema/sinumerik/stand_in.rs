@@ -2,6 +2,7 @@
 
 use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::machine::{AxisSet, ChangeCall, StandIn};
+use crate::sema::common::hidden::By;
 use crate::text::Span;
 
 use super::callee::{Missing, called_name};
@@ -166,8 +167,11 @@ impl Channel<'_> {
                 }
             },
         }
-        // Where it leaves the axes is not known.
+        // Where it leaves the axes only the configuration knows.
         self.st.position.clear();
+        let loc = self.loc(span);
+        self.st.position.hide(AxisSet::MAIN, By::ToolChange, loc);
+        self.stand_after_change();
         let left = left_out(change, arguments);
         self.says_stand_in(span, format!("{name} changes the tool, as `[programs]` says; {left} left out"));
         Ok(())
