@@ -303,6 +303,9 @@ impl Need {
 
     /// What kind of value the user has to find.
     fn wanted(&self) -> String {
+        if let Values::Meaning(meaning) = &self.answer.values {
+            return format!("number: {meaning}; ");
+        }
         match (self.answer.section, self.key()) {
             ("include", _) => "a folder; ".to_owned(),
             ("datums", None) if self.answer.values == Values::Coordinates => {

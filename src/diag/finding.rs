@@ -65,7 +65,7 @@ impl Asked {
     fn new(answer: &Answer) -> Option<Asked> {
         let (table, key) = answer.place();
         let values = match &answer.values {
-            Values::Open | Values::Coordinates => Vec::new(),
+            Values::Open | Values::Meaning(_) | Values::Coordinates => Vec::new(),
             Values::Item(item) => vec![format!("[{item}]")],
             Values::OneOf(values) => values.clone(),
             Values::FolderOf(_) => return None,

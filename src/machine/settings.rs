@@ -32,6 +32,8 @@ pub struct Settings {
     pub cycles: Cycles,
     /// What stands for programs of the machine builder that are found nowhere, by upper-case name.
     pub programs: BTreeMap<String, StandIn>,
+    /// What such a program leaves behind, where the configuration says it, by upper-case name.
+    pub leaves: BTreeMap<String, Leaves>,
     /// Where the axes stand before the first block, as the program would write it: mm (X of a lathe whose program begins
     /// under diameter programming: the diameter) and degrees.
     pub start: BTreeMap<Axis, f64>,
@@ -64,6 +66,22 @@ pub enum StandIn {
     Ignored,
     /// Another program.
     File(String),
+}
+
+/// What a program that is left out, or changes the tool, leaves behind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Leaves {
+    /// G0 is active (true) or G1 (false).
+    pub rapid: Option<bool>,
+    /// Axes that stand at a place that nothing says.
+    pub lost: AxisSet,
+}
+
+impl Settings {
+    /// What the program of this name, in capitals, leaves behind.
+    pub fn left_by(&self, name: &str) -> Leaves {
+        self.leaves.get(name).copied().unwrap_or_default()
+    }
 }
 
 /// The call of a program that changes the tool.

@@ -11,6 +11,8 @@ pub enum By {
     ToolChange,
     /// The tip of another edge of the tool stands elsewhere.
     Edge,
+    /// A call that is left out moved the axis.
+    Call,
     /// The axis went to this machine coordinate, or with an axis that did, and where the work offset lies is not known.
     Machine(Option<f64>),
 }
@@ -61,6 +63,7 @@ pub fn because(hidden: Option<(By, Loc)>, here: Loc) -> String {
     let what = match by {
         By::ToolChange => "the tool change",
         By::Edge => "the change of the cutting edge",
+        By::Call => "the call",
         By::Machine(_) => "the move in machine coordinates",
     };
     if loc.file == here.file { format!(" after {what} in line {}", loc.line) } else { format!(" after {what}") }

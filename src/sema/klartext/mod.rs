@@ -38,6 +38,7 @@ mod lane;
 mod m_functions;
 mod m_table;
 mod machining;
+mod meanings;
 mod milling;
 mod numbered_functions;
 mod old_pockets;

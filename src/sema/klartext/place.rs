@@ -4,7 +4,7 @@
 //! lies. Machine coordinates are those of the spindle nose: the length of the tool does not count in them. Source: K 1.5
 //! and 4.2 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::ir::Pos;
 use crate::machine::{Axis, AxisSet};
 use crate::sema::common::hidden::By;
@@ -12,7 +12,11 @@ use crate::sema::run::Where;
 use crate::sema::run::place::{ACTIVE, Lack, Unknown, out_of_machine, zero};
 
 use super::active_tool::ActiveTool;
+use super::words::Words;
 use super::{Outcome, Run};
+
+/// The name under `[datums]` of the place that M92 counts from.
+const BUILDERS: &str = "M92";
 
 impl ActiveTool {
     /// Length with all oversizes.
@@ -104,6 +108,33 @@ impl Run<'_> {
         self.st.position.forget_tip(axes, By::ToolChange, loc);
         self.st.position.not_lost(axes);
         self.st.polar.forget_last_of(axes);
+    }
+
+    /// M92: machine coordinates of an end point that counts from a place of the machine builder.
+    pub(super) fn from_builders_datum(&self, w: &Words) -> Outcome<Pos> {
+        let span = w.any_m(&[92]).map_or(w.axes_span, |m| m.span);
+        if w.has_m(91) {
+            let message = "M91 and M92 count from two places";
+            return self.fail_help(codes::K9008, span, message, "write one of the two");
+        }
+        let mut end = Pos::UNKNOWN;
+        for (axis, value) in w.axes.iter() {
+            match zero(&self.job.settings.datums, &[BUILDERS], axis) {
+                Ok(zero) => end.set(axis, zero + value),
+                Err(name) => {
+                    let message = format!(
+                        "M92 counts from a position that the machine builder sets, and where it lies along {} is not known",
+                        axis.letter()
+                    );
+                    let help = Answer::datum(name).help(format!(
+                        "say it in machine coordinates: `[datums] {name} = {{ X = …, Y = …, Z = … }}`; or program workpiece \
+                         coordinates, or M91"
+                    ));
+                    return self.fail_help(codes::K9008, span, message, help);
+                }
+            }
+        }
+        Ok(end)
     }
 
     /// An error where the position of an axis is needed and not known; `message` ends in front of why.

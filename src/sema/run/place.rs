@@ -75,7 +75,7 @@ impl<L: Language> Core<'_, L> {
         let counts = match hidden {
             Some((By::Machine(_), _)) => true,
             Some((By::ToolChange, _)) => position.after_change().1 && position.after_change().0.get(axis).is_some(),
-            Some((By::Edge, _)) | None => false,
+            Some((By::Edge | By::Call, _)) | None => false,
         };
         let help = if counts { lack().help(axis, usual) } else { position.help(axis, usual) };
         let mut found = Diagnostic::new(code, loc, format!("{message}{why}")).help(help);
@@ -101,6 +101,7 @@ fn label(by: By) -> &'static str {
     match by {
         By::ToolChange => "the tool changes here, and its tip stands elsewhere",
         By::Edge => "another cutting edge is selected here, and its tip stands elsewhere",
+        By::Call => "the call is left out, and moves the axis",
         By::Machine(_) => "the axis goes to a machine coordinate here",
     }
 }
