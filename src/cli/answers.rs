@@ -135,7 +135,8 @@ impl Needs {
                     codes: BTreeSet::new(),
                 }
             });
-            is_new |= need.values.insert(values) && matches!(need.answer.values, Values::Item(_));
+            let more = matches!(need.answer.values, Values::Item(_)) || need.answer.section == "programs";
+            is_new |= need.values.insert(values) && more;
             need.programs.insert(program.to_owned());
             need.codes.insert(request.code.id);
         }
@@ -346,7 +347,11 @@ fn line(text: &mut String, form: Form, need: &Need, listed: &dyn Fn(&str) -> Vec
             (format!("[{}]", items.join(", ")), String::new())
         }
         (_, [only]) => (only.clone(), String::new()),
-        (_, [first, ..]) if form == Form::Tried => (first.clone(), String::new()),
+        (_, [first, ..]) if form == Form::Tried => {
+            // What a block behind the call asks for comes on top of what the call asked for.
+            let further = choices.iter().find(|choice| choice.contains("motion = "));
+            (further.unwrap_or(first).clone(), String::new())
+        }
         // What the program calls is no choice of keys: the first is what it looks like.
         (Values::OneOf(_), [first, others @ ..]) if need.answer.section == "programs" => {
             (first.clone(), format!("or {}; ", others.join(" or ")))

@@ -27,7 +27,7 @@ use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Coords, Corner, CtxRef, Load, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos, Side, Tap, Transformation, motion, verify};
-use crate::machine::{Axis, Machine};
+use crate::machine::{Axis, AxisSet, Machine};
 
 use arcs::{Adjusted, Extra, LastDirection};
 use capture::{Recording, SavedPasses};
@@ -64,6 +64,8 @@ pub struct Lower<'a> {
     recording: Option<Box<Recording>>,
     /// Where axes stand that did not move yet, as the configuration says; in the work offset in force.
     start: Pos,
+    /// Axes that stand where the configuration says, and have not moved since.
+    claimed: AxisSet,
     /// Moves taken so far.
     moves: u64,
     /// The last cycle that made no path, which was reported: a modal one comes again at each place.
@@ -94,6 +96,7 @@ impl<'a> Lower<'a> {
             carrier: Carrier::default(),
             recording: None,
             start: Pos::UNKNOWN,
+            claimed: AxisSet::EMPTY,
             moves: 0,
             refused: None,
             no_path: None,
@@ -254,6 +257,7 @@ impl<'a> Lower<'a> {
             };
             self.last.forget();
         } else if let Function::ToolChange { .. } = function {
+            self.claimed = AxisSet::EMPTY;
             // A tool of another length.
             let (_, _, third) = self.ctx.plane.axes();
             self.at.forget(Axis::ALL[third]);
@@ -350,6 +354,35 @@ impl<'a> Lower<'a> {
         }
     }
 
+    /// A cycle begins where axes stand as the configuration says: the output states the place, for the machine that it runs on may
+    /// have left them elsewhere.
+    fn state_claimed(&mut self, origin: &Origin) {
+        let axes = std::mem::take(&mut self.claimed);
+        let mut end = Pos::UNKNOWN;
+        for axis in axes.iter() {
+            if let Some(at) = self.at.get(axis) {
+                end.set(axis, at);
+            }
+        }
+        if !end.known().is_empty() && self.recording.is_none() {
+            let path = contour::Path::Rapid;
+            axes.iter().for_each(|axis| self.at.forget(axis));
+            self.path_element(&contour::Move { end, path, side: Side::None, coords: contour::Coords::Frame }, origin);
+        }
+    }
+
+    /// A straight move to where axes stand as the configuration says is a move all the same: the program names the place.
+    #[cold]
+    fn state_end(&mut self, mv: &contour::Move) {
+        let named = self.claimed.common(mv.end.known());
+        self.claimed = self.claimed.without(named);
+        if matches!(mv.path, contour::Path::Rapid | contour::Path::Line(_)) {
+            for axis in named.iter().filter(|axis| self.at.get(*axis) == mv.end.get(*axis)) {
+                self.at.forget(axis);
+            }
+        }
+    }
+
     #[inline]
     fn follow_ctx(&mut self, ctx: &CtxRef, origin: &Origin) {
         if !Rc::ptr_eq(&self.ctx, ctx) {
@@ -365,6 +398,9 @@ impl Sink for Lower<'_> {
             contour::Path::Arc(arc, _) => ARC + TURN * arc.whole_turns(),
             contour::Path::Rapid | contour::Path::Line(_) | contour::Path::Thread(_) => 1,
         };
+        if !self.claimed.is_empty() {
+            self.state_end(mv);
+        }
         self.path_element(mv, origin);
     }
 
@@ -407,6 +443,7 @@ impl Sink for Lower<'_> {
                 return self.refuse(compensation::cycle_beside(origin), &cycle.leaves(&self.at), origin);
             }
         }
+        self.state_claimed(origin);
         let start = self.at;
         let modal = cycle.repeats();
         let known = modal && self.refused.as_deref() == Some(cycle);
@@ -440,6 +477,7 @@ impl Sink for Lower<'_> {
         }
         self.flush();
         self.at.update(at);
+        self.claimed = self.claimed.union(at.known());
         self.out.begins_at(&self.ctx.frame.apply(&self.at));
     }
 

@@ -163,7 +163,7 @@ fn only_the_listed_axes_are_known() {
 
 #[test]
 fn x_of_a_lathe_is_a_diameter() {
-    let cases = [(2, "G18 G54 G90\nT2\nG94 G1 Z=IC(-5) X=IC(-10) F100"), (3, "G94 F100\nT2\nG1 Zi-5 Xi-5")];
+    let cases = [(2, "G18 G54 G90\nT2\nG94 G1 Z=IC(-5) X=IC(-10) F100"), (3, "G94 F100\nT2\nG1 Zi-5 Xi-10")];
     for (form, body) in cases {
         let form = &FORMS[form];
         let line = first_move(&run(form, body, "after_tool_change = { X = 100.0, Z = 250.0 }\n"));

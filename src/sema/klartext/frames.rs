@@ -33,11 +33,6 @@ impl FrameState {
         FrameState { transform, system: 0, preset_selected: false, row: None }
     }
 
-    /// The row of the preset that is in force; nothing where the program selects none.
-    pub fn row(&self) -> Option<u32> {
-        self.row
-    }
-
     pub fn transform(&self) -> &Transformation {
         &self.transform
     }

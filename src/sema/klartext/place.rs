@@ -28,7 +28,7 @@ impl ActiveTool {
 impl Run<'_> {
     /// The name under `[datums]` of the datum in force: the work offset that its preset is printed as.
     fn datum_name(&self) -> String {
-        let Some(row) = self.st.frames.row() else { return ACTIVE.to_owned() };
+        let Some(row) = self.st.frames.preset_row() else { return ACTIVE.to_owned() };
         match self.job.settings.datums.presets.get(&row).map_or(row, |offset| u32::from(*offset)) {
             number @ 1..=6 => format!("G{}", 53 + number),
             number @ 7..=9 => format!("G59.{}", number - 6),

@@ -101,7 +101,7 @@ fn label(by: By) -> &'static str {
     match by {
         By::ToolChange => "the tool changes here, and its tip stands elsewhere",
         By::Edge => "another cutting edge is selected here, and its tip stands elsewhere",
-        By::Call => "the call is left out, and moves the axis",
+        By::Call => "what is called here moves the axis, as `[programs]` says",
         By::Machine(_) => "the axis goes to a machine coordinate here",
     }
 }
