@@ -377,8 +377,10 @@ impl<'a> Lower<'a> {
         let named = self.claimed.common(mv.end.known());
         self.claimed = self.claimed.without(named);
         if matches!(mv.path, contour::Path::Rapid | contour::Path::Line(_)) {
-            for axis in named.iter().filter(|axis| self.at.get(*axis) == mv.end.get(*axis)) {
-                self.at.forget(axis);
+            for axis in named.iter() {
+                if self.at.get(axis) == mv.end.get(axis) {
+                    self.at.forget(axis);
+                }
             }
         }
     }
@@ -398,7 +400,7 @@ impl Sink for Lower<'_> {
             contour::Path::Arc(arc, _) => ARC + TURN * arc.whole_turns(),
             contour::Path::Rapid | contour::Path::Line(_) | contour::Path::Thread(_) => 1,
         };
-        if !self.claimed.is_empty() {
+        if !self.claimed.is_empty() && self.recording.is_none() {
             self.state_end(mv);
         }
         self.path_element(mv, origin);
