@@ -9,6 +9,7 @@
 pub mod arcs;
 pub mod capture;
 pub mod carrier;
+mod claimed;
 pub mod compensation;
 pub mod corner;
 pub mod cycles;
@@ -354,37 +355,6 @@ impl<'a> Lower<'a> {
         }
     }
 
-    /// A cycle begins where axes stand as the configuration says: the output states the place, for the machine that it runs on may
-    /// have left them elsewhere.
-    fn state_claimed(&mut self, origin: &Origin) {
-        let axes = std::mem::take(&mut self.claimed);
-        let mut end = Pos::UNKNOWN;
-        for axis in axes.iter() {
-            if let Some(at) = self.at.get(axis) {
-                end.set(axis, at);
-            }
-        }
-        if !end.known().is_empty() && self.recording.is_none() {
-            let path = contour::Path::Rapid;
-            axes.iter().for_each(|axis| self.at.forget(axis));
-            self.path_element(&contour::Move { end, path, side: Side::None, coords: contour::Coords::Frame }, origin);
-        }
-    }
-
-    /// A straight move to where axes stand as the configuration says is a move all the same: the program names the place.
-    #[cold]
-    fn state_end(&mut self, mv: &contour::Move) {
-        let named = self.claimed.common(mv.end.known());
-        self.claimed = self.claimed.without(named);
-        if matches!(mv.path, contour::Path::Rapid | contour::Path::Line(_)) {
-            for axis in named.iter() {
-                if self.at.get(axis) == mv.end.get(axis) {
-                    self.at.forget(axis);
-                }
-            }
-        }
-    }
-
     #[inline]
     fn follow_ctx(&mut self, ctx: &CtxRef, origin: &Origin) {
         if !Rc::ptr_eq(&self.ctx, ctx) {
@@ -473,14 +443,7 @@ impl Sink for Lower<'_> {
 
     fn stands_at(&mut self, at: &Pos, ctx: &CtxRef, origin: &Origin) {
         self.follow_ctx(ctx, origin);
-        // What a transformation moves has other axes than the program sees.
-        if self.carrier.transformer.is_some() || self.recording.is_some() {
-            return;
-        }
-        self.flush();
-        self.at.update(at);
-        self.claimed = self.claimed.union(at.known());
-        self.out.begins_at(&self.ctx.frame.apply(&self.at));
+        self.claim(at);
     }
 
     fn load(&self) -> Load {

@@ -4,6 +4,7 @@
 //! line is refused. Source: LinuxCNC User Manual, G-Code Overview and G-Codes (docs/sources.md).
 
 pub mod function;
+mod place;
 mod survey;
 
 use std::rc::Rc;
@@ -17,9 +18,10 @@ use crate::ir::{Function, Pos, Tap};
 use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
-use crate::read::{self, AXES, Act, Lack, Modes, Reader, Rules, SCALE};
+use crate::read::{self, AXES, Act, Lack, Modes, Reader, Rules};
 use crate::text::{Loc, Span, SplitRules};
 
+use self::place::stand;
 use super::common::hidden::{By, because};
 use super::common::start::Start;
 use super::run::{self, Interpreter, Language, Level, OffsetName, Parsed, Where, runs_on};
@@ -176,21 +178,6 @@ fn reader(settings: &Settings, start: &Start) -> Reader {
     }
     stand(&mut reader, start);
     reader
-}
-
-/// The axes that have not moved stand where the configuration says.
-fn stand(reader: &mut Reader, start: &Start) {
-    for (axis, place) in start.position().iter() {
-        place_at(reader, axis, place);
-    }
-}
-
-/// An axis stands there, in mm or degrees, although no line says so.
-fn place_at(reader: &mut Reader, axis: Axis, place: f64) {
-    let units = libm::rint(place * SCALE as f64);
-    if units.abs() < 9e18 {
-        reader.stand(axis.index(), units as i64);
-    }
 }
 
 impl<'a> Run<'a> {
@@ -416,19 +403,6 @@ impl Run<'_> {
             );
         }
         Ok(())
-    }
-
-    /// The change is over: axes stand where the configuration says. The length of the tool is the receiver's, so machine
-    /// coordinates say nothing of its tip.
-    fn stand_after_change(&mut self) -> Pos {
-        let (after, in_machine) = self.start.after_change();
-        if in_machine {
-            return Pos::UNKNOWN;
-        }
-        for (axis, place) in after.iter() {
-            place_at(&mut self.reader, axis, place);
-        }
-        after
     }
 
     #[cold]
