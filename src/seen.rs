@@ -238,6 +238,11 @@ impl Sink for Looks<'_> {
         self.next.begins_at(at);
     }
 
+    fn stands_at(&mut self, at: &Pos, ctx: &CtxRef, origin: &Origin) {
+        self.seen.at.update(at);
+        self.next.stands_at(at, ctx, origin);
+    }
+
     fn load(&self) -> Load {
         let load = self.next.load();
         Load { full: load.full || !(self.goes_on)(), ..load }

@@ -106,6 +106,10 @@ impl Sink for Watch<'_> {
         self.next.begins_at(at);
     }
 
+    fn stands_at(&mut self, at: &Pos, ctx: &CtxRef, origin: &Origin) {
+        self.next.stands_at(at, ctx, origin);
+    }
+
     fn load(&self) -> Load {
         self.next.load()
     }

@@ -231,7 +231,8 @@ impl Needs {
                     codes: BTreeSet::new(),
                 }
             });
-            is_new |= need.values.insert(values) && matches!(need.answer.values, Values::Item(_));
+            let more = matches!(need.answer.values, Values::Item(_)) || need.answer.section == "programs";
+            is_new |= need.values.insert(values) && more;
             need.programs.insert(program.to_owned());
             need.codes.extend(request.code.map(|code| code.id));
         }
@@ -266,7 +267,9 @@ impl Needs {
 
     /// Is this word one that a program was tried with?
     pub fn is_tried_offset(&self, word: &str) -> bool {
-        let datums = |need: &&Need| need.answer.section == "datums" && need.choices().is_empty();
+        let datums = |need: &&Need| {
+            need.answer.section == "datums" && need.answer.values != Values::Coordinates && need.choices().is_empty()
+        };
         let tried = self.map.values().filter(datums).count();
         TRIED_OFFSETS.iter().take(tried).any(|given| *given == word)
     }
@@ -313,7 +316,8 @@ impl Needs {
             let mut offsets = TRIED_OFFSETS.iter().chain(std::iter::repeat(&"G54"));
             for need in needs {
                 let is_given = self.given.contains_key(&(at, need.answer.path.clone()));
-                if form == Form::Tried && section.name == "datums" && need.choices().is_empty() && !is_given {
+                let word = need.answer.values != Values::Coordinates && need.choices().is_empty() && !is_given;
+                if form == Form::Tried && section.name == "datums" && word {
                     let word = offsets.next().unwrap_or(&"G54");
                     let _ = writeln!(text, "{} = \"{word}\"", need.answer.place().1);
                     continue;
@@ -401,8 +405,17 @@ impl Need {
 
     /// What kind of value the user has to find.
     pub fn wanted(&self) -> String {
+        if let Values::Meaning(meaning) = &self.answer.values {
+            return format!("number: {meaning}; ");
+        }
         match (self.answer.section, self.key()) {
             ("include", _) => "a folder; ".to_owned(),
+            ("datums", None) if self.answer.values == Values::Coordinates => {
+                "machine coordinates of its zero, as { X = …, Y = …, Z = … }; ".to_owned()
+            }
+            ("machine", _) if self.answer.path[0] == "after_tool_change" => {
+                "number, what the control shows for the new tool when the change is over; ".to_owned()
+            }
             (_, Some(key)) => format!("{}; ", kind(key)),
             ("datums", None) => "a work offset of the target, as \"G55\"; ".to_owned(),
             ("start", None) => "number, where the axis stands before the first block; ".to_owned(),
@@ -442,7 +455,11 @@ fn line(
             (format!("[{}]", items.join(", ")), String::new())
         }
         (_, [only]) => (only.clone(), String::new()),
-        (_, [first, ..]) if form == Form::Tried => (choices.get(choice).unwrap_or(first).clone(), String::new()),
+        (_, [first, ..]) if form == Form::Tried => {
+            // What a block behind the call asks for comes on top of what the call asked for.
+            let further = choices.iter().find(|choice| choice.contains("motion = ")).filter(|_| choice == 0);
+            (further.or(choices.get(choice)).unwrap_or(first).clone(), String::new())
+        }
         (_, [_, ..]) => (String::new(), format!("{}; ", choices.join(" or "))),
         (_, []) if form == Form::Tried => (tried(&need.answer).to_owned(), String::new()),
         (_, []) => (String::new(), need.wanted()),
@@ -475,6 +492,7 @@ fn kind(key: &Key) -> String {
 fn tried(answer: &Answer) -> &'static str {
     let key = answer.path.last().map_or("", String::as_str);
     match (answer.section, key) {
+        ("datums", _) => "{ X = 0.0, Y = 0.0, Z = 0.0 }",
         ("tools", "length") => "100.0",
         ("tools", "tip_angle") => "118.0",
         ("tools", "orientation") => "3",

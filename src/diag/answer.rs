@@ -18,12 +18,16 @@ pub struct Answer {
 pub enum Values {
     /// Only the user knows; what kind of value it is, the key says.
     Open,
+    /// Only the user knows; what the number means.
+    Meaning(String),
     /// One more item of a list, as TOML.
     Item(String),
     /// One of these, as TOML; a single one is what the program itself says.
     OneOf(Vec<String>),
     /// The folder that holds one of these files.
     FolderOf(Vec<String>),
+    /// Machine coordinates: `{ X = 0.0, Y = 0.0, Z = 0.0 }`.
+    Coordinates,
 }
 
 impl Answer {
@@ -43,6 +47,18 @@ impl Answer {
             [name, key] if self.section == "tools" => (format!("tools.{}", toml_key(name)), toml_key(key)),
             path => (self.section.to_owned(), path.iter().map(|key| toml_key(key)).collect::<Vec<_>>().join(".")),
         }
+    }
+
+    /// The value of a variable, and what it means on the control.
+    pub fn variable(name: impl Display, meaning: impl Into<String>) -> Answer {
+        let meaning = meaning.into();
+        let values = if meaning.is_empty() { Values::Open } else { Values::Meaning(meaning) };
+        Answer { values, ..Answer::key("variables", name) }
+    }
+
+    /// Where a datum lies, in machine coordinates.
+    pub fn datum(name: impl Display) -> Answer {
+        Answer { values: Values::Coordinates, ..Answer::key("datums", name) }
     }
 
     /// A field of a tool.

@@ -69,6 +69,7 @@ impl Asked {
         let (table, key) = answer.place();
         let values = match &answer.values {
             Values::Open => choices(answer),
+            Values::Meaning(_) | Values::Coordinates => Vec::new(),
             Values::Item(item) => vec![format!("[{item}]")],
             Values::OneOf(values) => values.clone(),
             Values::FolderOf(_) => return None,

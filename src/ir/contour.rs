@@ -255,6 +255,9 @@ pub trait Sink {
     fn lost(&mut self, ctx: &CtxRef, origin: &Origin);
     /// Before everything else: the tool stands here, although no move says so; in the programmed frame.
     fn begins_at(&mut self, at: &Pos);
+    /// Behind a tool change or a move in machine coordinates: these axes stand here, in the frame of `ctx`, although no move
+    /// says so. Nothing is compensated, and no corner waits.
+    fn stands_at(&mut self, at: &Pos, ctx: &CtxRef, origin: &Origin);
     /// What was taken so far. Looked at once per block, and between the places of a pattern.
     fn load(&self) -> Load;
     /// From here on the moves describe a contour of at most `limit` elements and are not carried out. The position is

@@ -385,7 +385,7 @@ impl motion::Sink for OnMotion<'_, '_> {
     }
 
     fn begins_at(&mut self, at: &Pos) {
-        self.watch.borrow_mut().machine.at = *at;
+        self.watch.borrow_mut().machine.at.update(at);
         self.next.begins_at(at);
     }
 
@@ -438,6 +438,10 @@ impl contour::Sink for OnContour<'_, '_> {
 
     fn begins_at(&mut self, at: &Pos) {
         self.next.begins_at(at);
+    }
+
+    fn stands_at(&mut self, at: &Pos, ctx: &CtxRef, origin: &Origin) {
+        self.next.stands_at(at, ctx, origin);
     }
 
     fn load(&self) -> Load {

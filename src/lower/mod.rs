@@ -9,6 +9,7 @@
 pub mod arcs;
 pub mod capture;
 pub mod carrier;
+mod claimed;
 pub mod compensation;
 pub mod corner;
 pub mod cycles;
@@ -27,7 +28,7 @@ use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Coords, Corner, CtxRef, Load, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos, Side, Tap, Transformation, motion, verify};
-use crate::machine::{Axis, Machine};
+use crate::machine::{Axis, AxisSet, Machine};
 
 use arcs::{Adjusted, Extra, LastDirection};
 use capture::{Recording, SavedPasses};
@@ -64,6 +65,8 @@ pub struct Lower<'a> {
     recording: Option<Box<Recording>>,
     /// Where axes stand that did not move yet, as the configuration says; in the work offset in force.
     start: Pos,
+    /// Axes that stand where the configuration says, and have not moved since.
+    claimed: AxisSet,
     /// Moves taken so far.
     moves: u64,
     /// The last cycle that made no path, which was reported: a modal one comes again at each place.
@@ -94,6 +97,7 @@ impl<'a> Lower<'a> {
             carrier: Carrier::default(),
             recording: None,
             start: Pos::UNKNOWN,
+            claimed: AxisSet::EMPTY,
             moves: 0,
             refused: None,
             no_path: None,
@@ -254,6 +258,7 @@ impl<'a> Lower<'a> {
             };
             self.last.forget();
         } else if let Function::ToolChange { .. } = function {
+            self.claimed = AxisSet::EMPTY;
             // A tool of another length.
             let (_, _, third) = self.ctx.plane.axes();
             self.at.forget(Axis::ALL[third]);
@@ -365,6 +370,9 @@ impl Sink for Lower<'_> {
             contour::Path::Arc(arc, _) => ARC + TURN * arc.whole_turns(),
             contour::Path::Rapid | contour::Path::Line(_) | contour::Path::Thread(_) => 1,
         };
+        if !self.claimed.is_empty() && self.recording.is_none() {
+            self.state_end(mv);
+        }
         self.path_element(mv, origin);
     }
 
@@ -407,6 +415,7 @@ impl Sink for Lower<'_> {
                 return self.refuse(compensation::cycle_beside(origin), &cycle.leaves(&self.at), origin);
             }
         }
+        self.state_claimed(origin);
         let start = self.at;
         let modal = cycle.repeats();
         let known = modal && self.refused.as_deref() == Some(cycle);
@@ -430,6 +439,11 @@ impl Sink for Lower<'_> {
         self.start = *at;
         self.at.update(at);
         self.out.begins_at(at);
+    }
+
+    fn stands_at(&mut self, at: &Pos, ctx: &CtxRef, origin: &Origin) {
+        self.follow_ctx(ctx, origin);
+        self.claim(at);
     }
 
     fn load(&self) -> Load {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::keys::{PROGRAM_KEYS, SECTIONS, Section, TOOL_KEYS};
-use super::settings::{ChangeCall, Datums, Settings, StandIn};
+use super::settings::{ChangeCall, Datums, Leaves, Settings, StandIn};
 use super::tools::{Corner, Tool};
 use super::tree::{ConfigError, Node, Table, Value, did_you_mean, parse};
 use super::values::*;
@@ -103,6 +103,13 @@ impl Reader {
             },
             "programs" => {
                 let stand_in = self.stand_in(table_of(node), node)?;
+                let leaves = leaves(table_of(node))?;
+                if leaves != Leaves::default() {
+                    if matches!(stand_in, StandIn::File(_)) {
+                        return Err(node.fail("a program that runs leaves what it leaves: `motion` and `lost` have no place beside `file`"));
+                    }
+                    self.settings.leaves.insert(name.to_ascii_uppercase(), leaves);
+                }
                 self.settings.programs.insert(name.to_ascii_uppercase(), stand_in);
             }
             "start" => {
@@ -135,7 +142,7 @@ impl Reader {
             _ => Err(node.fail("arguments are counted from 1")),
         };
         let edge = table.get("d").map(argument).transpose()?;
-        let mut others = table.iter().filter(|(name, _)| *name != "d");
+        let mut others = table.iter().filter(|(name, _)| !matches!(name.as_str(), "d" | "motion" | "lost"));
         match (others.next(), others.next(), edge) {
             (Some((name, node)), None, edge) if name == "tool" => {
                 Ok(StandIn::Change(ChangeCall { tool: Some(argument(node)?), edge }))
@@ -209,6 +216,17 @@ impl Reader {
         }
         Ok(tool)
     }
+}
+
+/// `motion = "G0"`, `lost = ["X"]`
+fn leaves(table: &Table) -> Result<Leaves, ConfigError> {
+    let mut leaves = Leaves { rapid: table.get("motion").map(|node| is(node, "G0")), ..Leaves::default() };
+    if let Some(node) = table.get("lost") {
+        for name in texts(node) {
+            leaves.lost.insert(axis(name, node)?);
+        }
+    }
+    Ok(leaves)
 }
 
 fn set_datum(datums: &mut Datums, name: &str, node: &Node) -> Result<(), ConfigError> {

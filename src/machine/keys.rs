@@ -162,6 +162,8 @@ pub(super) const PROGRAM_KEYS: &[Key] = &[
     part("change", Kind::Flag, "the call changes to the tool that T has chosen, as M6 does"),
     part("d", Kind::Whole, "argument that is the D number, from 1; D1 if not given"),
     part("ignore", Kind::Flag, "the call is left out, with a note"),
+    part("motion", Kind::Choice(&["G0", "G1"]), "what the call leaves active: G0 or G1"),
+    part("lost", Kind::Texts, "axes that the call leaves at a place that nothing says"),
     part("file", Kind::Text, "program that runs instead, beside the program or in an include root"),
 ];
 
@@ -195,7 +197,7 @@ pub const SECTIONS: &[Section] = &[
     Section { name: "include", doc: "where called programs may come from", entry: &[], keys: &[output::INCLUDE] },
     Section {
         name: "programs",
-        doc: "SINUMERIK: programs of the machine builder that are called and found nowhere: TC = { tool = 1 }",
+        doc: "programs and cycles of the machine builder that are found nowhere: TC = { tool = 1, motion = \"G0\" }; Klartext: \"CYCL DEF 392\" = { ignore = true }",
         entry: PROGRAM_KEYS,
         keys: &[],
     },

@@ -32,6 +32,8 @@ pub struct Settings {
     pub cycles: Cycles,
     /// What stands for programs of the machine builder that are found nowhere, by upper-case name.
     pub programs: BTreeMap<String, StandIn>,
+    /// What such a program leaves behind, where the configuration says it, by upper-case name.
+    pub leaves: BTreeMap<String, Leaves>,
     /// Where the axes stand before the first block, as the program would write it: mm (X of a lathe whose program begins
     /// under diameter programming: the diameter) and degrees.
     pub start: BTreeMap<Axis, f64>,
@@ -64,6 +66,22 @@ pub enum StandIn {
     Ignored,
     /// Another program.
     File(String),
+}
+
+/// What a program that is left out, or changes the tool, leaves behind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Leaves {
+    /// G0 is active (true) or G1 (false).
+    pub rapid: Option<bool>,
+    /// Axes that stand at a place that nothing says.
+    pub lost: AxisSet,
+}
+
+impl Settings {
+    /// What the program of this name, in capitals, leaves behind.
+    pub fn left_by(&self, name: &str) -> Leaves {
+        self.leaves.get(name).copied().unwrap_or_default()
+    }
 }
 
 /// The call of a program that changes the tool.
@@ -109,10 +127,22 @@ pub struct Machine {
     pub modulo: AxisSet,
     /// The axis that turns the workpiece about Z under a transformation.
     pub rotary_axis: Axis,
+    /// Where a tool change leaves axes.
+    pub after_tool_change: AfterToolChange,
     /// Where CYCLE800 retracts to, in machine coordinates.
     pub swivel_retract: BTreeMap<Axis, f64>,
     /// The same of its retraction as far as possible along the tool.
     pub swivel_retract_most: BTreeMap<Axis, f64>,
+}
+
+/// `[machine] after_tool_change`: what the control shows for the new tool behind a change.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct AfterToolChange {
+    /// By axis, as the program would write it: mm (X of a lathe that begins under diameter programming: the diameter) and
+    /// degrees. In the work offset in force, without what the program shifts, turns, mirrors or scales.
+    pub at: BTreeMap<Axis, f64>,
+    /// They are machine coordinates.
+    pub machine: bool,
 }
 
 impl Machine {
@@ -135,6 +165,7 @@ impl Default for Machine {
             reference_point: BTreeMap::new(),
             fixed_point: Default::default(),
             modulo: AxisSet::EMPTY,
+            after_tool_change: AfterToolChange::default(),
             rotary_axis: Axis::C,
             swivel_retract: BTreeMap::new(),
             swivel_retract_most: BTreeMap::new(),

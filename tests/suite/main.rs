@@ -2,6 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "tests need not give the same bits on every platform")]
 
+mod after_tool_change;
 mod answers;
 mod book;
 mod boundaries;

@@ -33,6 +33,7 @@ const NOTES: &[(&str, Proof)] = &[
     ("K2409", Free(CYCLES, "tap")),
     ("K2410", Free(CYCLES, "PAT")),
     ("K2412", Same(&[("2 CYCL DEF 258 POLYGON STUD ~\n    Q573=+0\n", "")])),
+    ("K2413", Same(&[("2 CYCL DEF 392 ATC\n", "")])),
     ("K2504", Worked),
     ("K2512", Same(&[("1 PLANE RESET TURN FMAX\n", "")])),
     ("K2513", Same(&[("TABLE TABLINE5", "AXIS X+50 Y+40 Z+0"), ("1 SEL TABLE \"NULLTAB.D\"\n", "")])),

@@ -301,6 +301,10 @@ K2412 Note "cycle-never-called" "cycle that is not supported is defined and neve
 "The definition of a cycle that partc does not compile is no fault as long as nothing calls it: it moves nothing. The same holds for definitions that only give data to such cycles (271, 285, \
 1271). Is a call missing? Otherwise remove the definition."
 
+K2413 Note "cycle-left-out" "cycle of the machine builder that `[programs]` leaves out"
+"No manual of the control has the cycle: it belongs to the machine builder. `[programs] \"CYCL DEF 392\" = { ignore = true }` says that it moves nothing and changes nothing that the \
+program relies on, so its definition is left out, and the machining cycle that was defined before stays defined. Where it moves axes, name them: `{ ignore = true, lost = [\"Z\"] }`."
+
 K2501 Warning "shift-while-turned" "datum shift while mirrored, rotated or scaled"
 "Manuals do not say whether a datum shift programmed under an active mirror, rotation or scaling is measured along the original axes. \
 partc measures it along the original axes; `[control] shift_axes = \"transformed\"` along the transformed ones. \

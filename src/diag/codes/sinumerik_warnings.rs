@@ -238,7 +238,7 @@ through such moves and is taken off in the next G0 or G1 with an axis of the pla
 
 S8135 Note "siemens-stand-in" "program that `[programs]` stands for"
 "The program belongs to the machine builder and is not here. `[programs]` says that its call changes the tool, or is left out; whatever else the program does on \
-the machine (coolant, retraction, speed) is not in the output, and the axes stand where the call found them, or behind a tool change nowhere that is known. Give a program of your own for it (`TC = { file = \"stubs/TC.SPF\" }`) where more of it is needed."
+the machine (coolant, retraction, speed) is not in the output, and the axes stand where the call found them, or behind a tool change where `[machine] after_tool_change` says. G0 or G1 that it leaves active is `motion = \"G0\"`, axes that it moves away `lost = [\"X\"]`. Give a program of your own for it (`TC = { file = \"stubs/TC.SPF\" }`) where more of it is needed."
 
 S8163 Warning "siemens-change-left-out" "tool is chosen and never changed in"
 "T chose a tool, a call that `[programs]` leaves out follows, and no M6 changes the tool in. If the program behind that call is the tool change of the machine, the \

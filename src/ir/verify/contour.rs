@@ -128,6 +128,12 @@ impl Check {
         ensure(!self.moved, Fault::Late)
     }
 
+    pub(super) fn stands_at(&mut self, at: &Pos, ctx: &CtxRef) -> Result<(), Fault> {
+        self.enter(ctx);
+        self.at.update(at);
+        finite_pos(at)
+    }
+
     pub(super) fn contour_begins(&mut self, ctx: &CtxRef) -> Result<(), Fault> {
         self.enter(ctx);
         let before = std::mem::take(&mut self.at);
@@ -207,6 +213,11 @@ impl Sink for Contour<'_> {
     fn begins_at(&mut self, at: &Pos) {
         hold(self.check.begins_at(at), at);
         self.out.begins_at(at);
+    }
+
+    fn stands_at(&mut self, at: &Pos, ctx: &CtxRef, origin: &Origin) {
+        hold(self.check.stands_at(at, ctx), at);
+        self.out.stands_at(at, ctx, origin);
     }
 
     fn load(&self) -> Load {

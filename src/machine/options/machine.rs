@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::machine::axis::Axis;
 use crate::machine::keys::{Key, Kind, key};
 use crate::machine::settings::{MachineKind, Settings};
-use crate::machine::tree::{ConfigError, Node};
+use crate::machine::tree::{ConfigError, Node, Value};
 use crate::machine::values::{
     axis, axis_names, flag, geometry_axes, is, named_axis, number, put, range, rotary_axes, table_of, text,
 };
@@ -49,6 +49,12 @@ pub const KEYS: &[Key] = &[
     key("reference_point", Kind::Free, "machine coordinates of the reference point (G74): X = 0.0", |s, v| {
         coordinates(&mut s.machine.reference_point, v)
     }),
+    key(
+        "after_tool_change",
+        Kind::Free,
+        "where a tool change leaves axes: the coordinate of the new tool in the work offset: Z = 250.0; machine = true: in machine coordinates",
+        after_tool_change,
+    ),
     key("swivel_retract", Kind::Free, "machine coordinates that CYCLE800 retracts to: Z = 0.0", |s, v| {
         coordinates(&mut s.machine.swivel_retract, v)
     }),
@@ -89,6 +95,23 @@ fn diameter_axis(settings: &mut Settings, node: &Node) -> Result<(), ConfigError
     let name = text(node);
     let known = &settings.machine.axes;
     settings.machine.diameter_axis = if name.is_empty() { None } else { Some(named_axis(name, node, known)?) };
+    Ok(())
+}
+
+/// `{ Z = 250.0, machine = true }`
+fn after_tool_change(settings: &mut Settings, node: &Node) -> Result<(), ConfigError> {
+    let after = &mut settings.machine.after_tool_change;
+    for (name, node) in table_of(node) {
+        if name == "machine" {
+            if !matches!(node.value, Value::Flag(_)) {
+                return Err(node.fail("`machine` is true or false"));
+            }
+            after.machine = flag(node);
+            continue;
+        }
+        let value = number(node).filter(|v| v.is_finite()).ok_or_else(|| node.fail("a position is a number"))?;
+        after.at.insert(axis(name, node)?, value);
+    }
     Ok(())
 }
 

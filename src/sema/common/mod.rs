@@ -5,6 +5,7 @@
 pub mod compensation;
 pub mod corner;
 pub mod feed;
+pub mod hidden;
 pub mod plane;
 pub mod position;
 pub mod start;

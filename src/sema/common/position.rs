@@ -1,14 +1,17 @@
 //! Where the tool stands, as far as the program says.
 //!
 //! An axis is *known*; or *lost*, because a reported error hides where it stands, which is worth no second report; or
-//! *unknown*, until the program says it. Before its first move it may stand where `[start]` says.
+//! *unknown*, until the program says it. Before its first move it may stand where `[start]` says, behind a tool change where
+//! `[machine] after_tool_change` says. What hid the place of an axis is remembered until it moves.
 
 use crate::diag::Help;
 use crate::geo::{Plane, Point2};
 use crate::ir::{Frame, Pos};
 use crate::machine::{Axis, AxisSet};
 
+use super::hidden::{By, Hidden};
 use super::start::Start;
+use crate::text::Loc;
 
 /// The position that one block leaves to the next: mm (X: radius) and degrees in the programmed system.
 #[derive(Debug, Clone)]
@@ -22,6 +25,7 @@ pub struct Position {
     /// A cycle moved last.
     by_cycle: bool,
     lost: AxisSet,
+    hidden: Hidden,
     start: Start,
 }
 
@@ -43,6 +47,7 @@ impl Position {
             from: Pos::UNKNOWN,
             by_cycle: false,
             lost: AxisSet::EMPTY,
+            hidden: Hidden::default(),
             start,
         }
     }
@@ -109,7 +114,18 @@ impl Position {
 
     /// What to do where an axis is not known: `usual`, and the key where it would say it.
     pub fn help(&self, axis: Axis, usual: &str) -> Help {
-        self.start.help(axis, usual)
+        let changed = matches!(self.hidden.of(axis), Some((By::ToolChange, _)));
+        self.start.help(axis, usual, changed)
+    }
+
+    /// What hid where the axis stands, and the block that did.
+    pub fn hidden(&self, axis: Axis) -> Option<(By, Loc)> {
+        self.hidden.of(axis)
+    }
+
+    /// Somebody may have moved the axis by hand since it moved by a block.
+    pub fn may_be_moved(&self, axis: Axis) -> bool {
+        self.hidden.is_doubtful(axis)
     }
 
     // Moves.
@@ -153,6 +169,7 @@ impl Position {
             }
         }
         self.lost = self.lost.without(axes);
+        self.hidden.show(axes);
         self.start.touch(axes);
     }
 
@@ -171,6 +188,7 @@ impl Position {
             self.at.forget(axis);
             self.programmed.forget(axis);
         }
+        self.hidden.show(axes);
         self.lost = self.lost.union(axes);
     }
 
@@ -181,14 +199,50 @@ impl Position {
             self.at.forget(axis);
             self.programmed.forget(axis);
         }
+        self.hidden.show(axes);
         self.start.touch(axes);
     }
 
-    /// The tool changes: where its tip is along this axis is not known.
-    pub fn forget_tip(&mut self, axis: Axis) {
-        self.start.change_tip(axis);
-        self.forget(AxisSet::of(axis));
-        self.not_lost(AxisSet::of(axis));
+    /// The block at `loc` brings another tip: where it is along these axes is not known.
+    pub fn forget_tip(&mut self, axes: AxisSet, by: By, loc: Loc) {
+        for axis in axes.iter() {
+            self.start.change_tip(axis);
+        }
+        self.forget(axes);
+        self.not_lost(axes);
+        self.hidden.hide(axes, by, loc);
+    }
+
+    /// Somebody may move the axes by hand before the next block.
+    pub fn stops(&mut self) {
+        self.hidden.doubt();
+    }
+
+    /// Where `[machine] after_tool_change` says that axes stand, and whether it counts from the machine zero.
+    pub fn after_change(&self) -> (Pos, bool) {
+        self.start.after_change()
+    }
+
+    /// These axes stand at places of the work offset in force, as the configuration says: what of them and of the axes they turn
+    /// into is known in `frame`.
+    pub fn stand_in_offset(&mut self, places: &Pos, frame: &Frame) -> Pos {
+        let axes = places.known();
+        if axes.is_empty() {
+            return Pos::UNKNOWN;
+        }
+        self.forget_way();
+        let mut at = frame.apply(&self.at);
+        at.update(places);
+        self.at = frame.unapply(&at);
+        let said = if frame.is_shift() { axes } else { self.at.known() };
+        self.arrived(said);
+        let mut known = Pos::UNKNOWN;
+        for axis in said.iter() {
+            if let Some(value) = self.at.get(axis) {
+                known.set(axis, value);
+            }
+        }
+        known
     }
 
     /// Forgets where these axes are, but not the numbers that the program wrote last.
@@ -198,6 +252,12 @@ impl Position {
         for axis in axes.iter() {
             self.at.forget(axis);
         }
+        self.hidden.show(axes);
+    }
+
+    /// The block at `loc` is why the place of these axes is not known.
+    pub fn hide(&mut self, axes: AxisSet, by: By, loc: Loc) {
+        self.hidden.hide(axes, by, loc);
     }
 
     /// Forgets everything but what was lost; `[start]` still says where axes stand that never moved.
@@ -205,6 +265,7 @@ impl Position {
         self.forget_way();
         self.at.clear();
         self.programmed.clear();
+        self.hidden.show(AxisSet::ALL);
     }
 
     /// These axes are unknown for another reason than a reported error: that they are is worth a report.
@@ -242,9 +303,11 @@ impl Position {
         self.programmed.clear();
     }
 
-    /// These axes went to machine coordinates: what of `frame` depends on them is unknown.
-    pub fn moved_by_machine(&mut self, axes: AxisSet, frame: &Frame) {
+    /// The block at `loc` took these axes to machine coordinates: what of `frame` depends on them is unknown.
+    pub fn moved_by_machine(&mut self, end: &Pos, frame: &Frame, loc: Loc) {
+        let axes = end.known();
         self.forget_way();
+        let before = self.at.known();
         let mut at = frame.apply(&self.at);
         for axis in axes.iter() {
             at.forget(axis);
@@ -253,6 +316,11 @@ impl Position {
         self.at = frame.unapply(&at);
         self.lost = self.lost.without(axes);
         self.start.touch(axes);
+        self.hidden.show(axes);
+        self.hidden.hide(before.without(self.at.known()).without(axes), By::Machine(None), loc);
+        for (axis, value) in end.iter().filter(|(axis, _)| self.at.get(*axis).is_none()) {
+            self.hidden.hide(AxisSet::of(axis), By::Machine(Some(value)), loc);
+        }
     }
 
     // The start.
@@ -284,6 +352,7 @@ impl Position {
         self.at = self.start.position();
         self.programmed.clear();
         self.lost = AxisSet::EMPTY;
+        self.hidden.show(AxisSet::ALL);
     }
 }
 
@@ -315,6 +384,10 @@ mod tests {
     /// A quarter turn about Z.
     fn turned() -> Frame {
         Frame::new(Matrix3::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0), [0.0; 9]).expect("a turn is a frame")
+    }
+
+    fn here() -> Loc {
+        Loc { file: crate::text::FileId(0), line: 3, span: crate::text::Span::default() }
     }
 
     fn with_start(axis: Axis, value: f64) -> Position {
@@ -400,7 +473,8 @@ mod tests {
     fn machine_coordinates_hide_what_depends_on_them() {
         let mut position = nowhere();
         position.move_to(&at(&[(Axis::X, 5.0), (Axis::Y, 6.0), (Axis::Z, 7.0)]));
-        position.moved_by_machine(AxisSet::of(Axis::X), &turned());
+        position.moved_by_machine(&at(&[(Axis::X, 9.0)]), &turned(), here());
+        assert!(matches!(position.hidden(Axis::Y), Some((By::Machine(None), _))), "the Y of the program");
         // Under the quarter turn the X of the machine is the Y of the program.
         assert_eq!(position.at().known(), [Axis::X, Axis::Z].into_iter().collect());
     }

@@ -13,6 +13,9 @@ pub struct Start {
     at: Pos,
     /// Axes that moved, or whose tool tip changed.
     touched: AxisSet,
+    /// Where a tool change leaves axes, and whether in machine coordinates.
+    after: Pos,
+    after_in_machine: bool,
     /// Axes whose place the configuration says, but for another tool than the one in the spindle.
     changed: AxisSet,
 }
@@ -20,11 +23,17 @@ pub struct Start {
 impl Start {
     /// The positions of `[start]`; under `diameter` X is one.
     pub fn new(settings: &Settings, diameter: bool) -> Start {
+        let radius = |axis, value| if diameter && axis == Axis::X { value / 2.0 } else { value };
         let mut at = Pos::UNKNOWN;
         for (&axis, &value) in &settings.start {
-            at.set(axis, if diameter && axis == Axis::X { value / 2.0 } else { value });
+            at.set(axis, radius(axis, value));
         }
-        Start { at, ..Start::default() }
+        let mut after = Pos::UNKNOWN;
+        let change = &settings.machine.after_tool_change;
+        for (&axis, &value) in &change.at {
+            after.set(axis, radius(axis, value));
+        }
+        Start { at, after, after_in_machine: change.machine, ..Start::default() }
     }
 
     /// Takes over positions for axes that have none.
@@ -37,6 +46,11 @@ impl Start {
     /// Where the axes stand that were not touched, in mm (X: radius) and degrees.
     pub fn position(&self) -> Pos {
         self.at
+    }
+
+    /// Where a tool change leaves axes, in mm (X: radius) and degrees, and whether in machine coordinates.
+    pub fn after_change(&self) -> (Pos, bool) {
+        (self.after, self.after_in_machine)
     }
 
     /// These axes do not stand at the start any more.
@@ -63,22 +77,29 @@ impl Start {
         self.touch(self.at.known());
     }
 
-    /// What to do where the position of an axis is not known: `usual`, and the key where it would say it.
-    pub fn help(&self, axis: Axis, usual: &str) -> Help {
-        if self.changed.contains(axis) {
-            let letter = axis.letter();
-            return format!(
-                "{usual}: `[start]` says {letter} of the tool before the first tool call, and the tip of another one stands elsewhere"
-            )
-            .into();
-        }
-        if self.touched.contains(axis) {
-            return usual.into();
-        }
+    /// What to do where the position of an axis is not known: `usual`, and the key where it would say it; `changed`: because the
+    /// tool was changed.
+    pub fn help(&self, axis: Axis, usual: &str, changed: bool) -> Help {
         let letter = axis.letter();
-        let text = format!(
-            "{usual}, or say in partc.toml where {letter} stands before the program: `[start]` with `{letter} = …`"
-        );
+        let mut text = usual.to_owned();
+        if self.changed.contains(axis) {
+            text = format!(
+                "{usual}: `[start]` says {letter} of the tool before the first tool call, and the tip of another one stands elsewhere"
+            );
+        }
+        if changed && self.after.get(axis).is_none() {
+            text.push_str(&format!(
+                "; or say in partc.toml which {letter} the control shows for the new tool when the change is over: `[machine] \
+                 after_tool_change = {{ {letter} = … }}`"
+            ));
+            return Answer::entry("machine", "after_tool_change", letter).help(text);
+        }
+        if changed || self.touched.contains(axis) {
+            return text.into();
+        }
+        text.push_str(&format!(
+            ", or say in partc.toml where {letter} stands before the program: `[start]` with `{letter} = …`"
+        ));
         Answer::key("start", letter).help(text)
     }
 }

@@ -5,6 +5,7 @@
 
 pub mod function;
 mod line;
+mod place;
 mod survey;
 
 use std::rc::Rc;
@@ -18,11 +19,13 @@ use crate::ir::{Function, Pos, Tap};
 use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
-use crate::read::{self, AXES, Act, Lack, Modes, Reader, Rules, SCALE};
+use crate::read::{self, AXES, Act, Lack, Modes, Reader, Rules};
 use crate::text::{Loc, Next, Span, SplitRules};
 
 use line::{Line, is_blank, without};
 
+use self::place::stand;
+use super::common::hidden::{By, because};
 use super::common::start::Start;
 use super::run::{self, Interpreter, Language, Level, OffsetName, Parsed, Where, runs_on};
 use super::{Job, Outcome};
@@ -95,6 +98,8 @@ struct Run<'a> {
     cutter: Option<read::Cutter>,
     /// What the configuration says of the place at the start.
     start: Start,
+    /// The line that changed the tool, until Z moves.
+    changed: Option<Loc>,
     /// A work offset was selected.
     offset_said: bool,
     /// The sense in which the spindle turns behind a tap, where no line said it yet.
@@ -118,16 +123,6 @@ fn reader(settings: &Settings, start: &Start) -> Reader {
     reader
 }
 
-/// The axes that have not moved stand where the configuration says.
-fn stand(reader: &mut Reader, start: &Start) {
-    for (axis, place) in start.position().iter() {
-        let units = libm::rint(place * SCALE as f64);
-        if units.abs() < 9e18 {
-            reader.stand(axis.index(), units as i64);
-        }
-    }
-}
-
 impl<'a> Run<'a> {
     fn new(job: &Job<'a>, out: &'a mut dyn Sink) -> Run<'a> {
         let start = Start::new(job.settings, false);
@@ -141,6 +136,7 @@ impl<'a> Run<'a> {
             tool: None,
             cutter: None,
             start,
+            changed: None,
             offset_said: false,
             turns_on: None,
             lost: false,
@@ -281,11 +277,18 @@ impl Run<'_> {
             // It may have been said in the line that was refused.
             Err(Refused::Line(fault)) if fault.lacks.is_some() && self.lost => Err(super::Reported),
             Err(Refused::Line(fault)) => {
-                let message = format!("this line cannot be read: {}", fault.why);
+                let at_change = match fault.lacks {
+                    Some(Lack::Place(axis)) if axis == Axis::Z.index() => self.changed.map(|loc| (By::ToolChange, loc)),
+                    _ => None,
+                };
+                let why = because(at_change, self.here.origin.loc);
+                let message = format!("this line cannot be read: {}{why}", fault.why);
                 let usual = "partc reads plain G-code, without variables, calls and cycles: resolve them first, or name the \
                              language of the program with --dialect";
                 let help = match fault.lacks {
-                    Some(Lack::Place(axis)) => self.start.help(Axis::ALL[axis], "program an absolute position first"),
+                    Some(Lack::Place(axis)) => {
+                        self.start.help(Axis::ALL[axis], "program an absolute position first", at_change.is_some())
+                    }
                     Some(Lack::Unit) => {
                         Answer::key("control", "unit").help("write G21 or G20 first, or set `[control] unit`")
                     }
@@ -374,6 +377,10 @@ impl Run<'_> {
     /// The length of a tool counts from here on.
     fn length(&mut self, number: u32) -> Result<(), Refused> {
         self.reader.lose(Axis::Z.index());
+        if self.changed.is_some() {
+            // What the configuration says is said of the tool with its length.
+            self.stand_after_change();
+        }
         if !self.job.settings.output.prints_tool_length() {
             let message = format!("G43 H{number} adds a tool length, and the output has none");
             let with_length = Answer::key("output", "tool_length").one_of(&["\"G43\""]);
@@ -425,6 +432,9 @@ impl Run<'_> {
                 // The tip of another tool stands elsewhere.
                 self.reader.lose(Axis::Z.index());
                 self.start.change_tip(Axis::Z);
+                self.changed = Some(self.core.here.origin.loc);
+                let places = self.stand_after_change();
+                self.core.stands_at(&places, &self.ctx);
             }
             Act::M { number, .. } if !is_known(number) && !self.job.settings.output.pass_m.contains(&number) => {
                 let message = format!("M{number} means what the builder of a machine wants");
@@ -530,6 +540,9 @@ impl Run<'_> {
         let mv = Move { end, path, side: function::side(cutter), coords };
         self.core.send_move(&mv, &self.ctx);
         self.start.touch(mv.end.known());
+        if mv.end.get(Axis::Z).is_some() {
+            self.changed = None;
+        }
         Ok(())
     }
 }

@@ -25,7 +25,7 @@ pub(super) use arrival::{Approach, Held, MOST_HELD};
 /// How far a computed arc end may lie beside its circle, in mm.
 const CLOSE: f64 = 1e-6;
 /// M functions that have no place in an approach or departure.
-const FORBIDDEN: [u32; 8] = [6, 89, 91, 97, 98, 99, 140, 197];
+const FORBIDDEN: [u32; 9] = [6, 89, 91, 92, 97, 98, 99, 140, 197];
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Shape {

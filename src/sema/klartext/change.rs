@@ -7,7 +7,7 @@
 use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos};
-use crate::machine::{Axis, AxisSet};
+use crate::machine::Axis;
 use crate::parser::klartext::ast::{Addr, Stmt};
 use crate::parser::symbols::Symbols;
 use crate::sema::common::plane::plane_axes;
@@ -21,15 +21,6 @@ use super::{Klartext, Outcome, Reported, Run};
 
 /// The number of the M function that changes the tool.
 const M6: u32 = 6;
-
-impl State {
-    /// Takes the tool that was called for the one in the spindle, whose tip lies somewhere else along the tool axis.
-    pub(super) fn forget_tip(&mut self) {
-        let axis = self.axis();
-        self.position.forget_tip(axis);
-        self.polar.forget_last_of(AxisSet::of(axis));
-    }
-}
 
 impl State {
     /// TOOL CALL of the tool that was called last: nothing is to change that is not under way already.
@@ -80,7 +71,7 @@ impl Run<'_> {
         };
         self.replaced_change(number);
         // The length of the tool that is called counts from here on.
-        self.st.forget_tip();
+        self.forget_tip();
         if waits {
             let from = self.here.origin.loc;
             self.st.tool.change = Change::Called { number, from, height, at_end: false, moved: false };
@@ -94,9 +85,10 @@ impl Run<'_> {
     fn print_change(&mut self, number: u32) {
         // The change stops the spindle.
         self.st.spindle.stop();
-        self.st.forget_tip();
+        self.forget_tip();
         self.st.tool.in_spindle = Some(number);
         self.function(Function::ToolChange { number });
+        self.stand_after_change();
     }
 
     /// M6: changes to the tool that was called, or announces the next TOOL CALL.

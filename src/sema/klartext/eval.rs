@@ -11,6 +11,7 @@ use crate::sema::value::{At, Fault, Formulas, Machine, Modulo, Never, Rules, Sto
 use crate::text::{Span, decode::readable};
 
 use super::flow::{FrameKind, innermost_locals};
+use super::meanings;
 use super::text_functions;
 use super::vars::{Slot, Val, exists};
 use super::{Outcome, Reported, Run};
@@ -175,11 +176,14 @@ impl Run<'_> {
 
     fn undefined(&mut self, q: QRef, span: Span) -> Outcome<Val> {
         if q.kind == QKind::Q && (100..200).contains(&q.number) {
+            let meaning = meanings::of_parameter(q.number);
+            let what = if meaning.is_empty() { String::new() } else { format!(": {meaning}") };
             return self.fail_help(
                 codes::K2304,
                 span,
-                format!("{q} is set by the control at the machine"),
-                Answer::key("variables", q).help(format!("give its value in partc.toml: `[variables]` with `{q} = …`")),
+                format!("{q} is set by the control at the machine{what}"),
+                Answer::variable(q, meaning)
+                    .help(format!("give its value in partc.toml: `[variables]` with `{q} = …`")),
             );
         }
         if q.is_text() {
@@ -252,7 +256,10 @@ impl Run<'_> {
                 )),
             ),
             None => {
-                self.fail_help(code, span, format!("no tool is called, so it has no {what}"), "program TOOL CALL first")
+                let message = format!("no tool is called, so {q} has no value: the {what} of the tool in the spindle");
+                let help =
+                    format!("program TOOL CALL first, or give the value in partc.toml: `[variables]` with `{q} = …`");
+                self.fail_help(code, span, message, Answer::variable(q, meanings::of_parameter(q.number)).help(help))
             }
         }
     }

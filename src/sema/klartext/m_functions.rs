@@ -245,7 +245,7 @@ impl Run<'_> {
         }
         self.noted.push(m.number);
         let what = match m.number {
-            91 => "stands in a block without coordinates, and has",
+            91 | 92 => "stands in a block without coordinates, and has",
             94 => "finds no rotary axis beyond a turn, and has",
             103 | 111 | 117 | 127 | 129 | 137 => "switches off what is not on, and has",
             _ => "has",
@@ -286,13 +286,14 @@ impl Run<'_> {
             self.coolant(false);
         }
         self.function(Function::Stop);
+        self.st.position.stops();
     }
 
     /// STOP with its M functions. STOP itself does not stop the spindle.
     pub(super) fn stop_block(&mut self, block: &crate::parser::klartext::ast::Block) -> Outcome {
         let w = self.gather(block, "STOP", super::words::Admits::M)?;
         self.check_m(&w)?;
-        self.forbid_m(&w, "STOP", &[89, 91, 99])?;
+        self.forbid_m(&w, "STOP", &[89, 91, 92, 99])?;
         self.m_at_start(&w, false)?;
         if w.has_m(0) {
             return self.m_at_end(&w);
@@ -300,6 +301,7 @@ impl Run<'_> {
         self.m_at_end(&w)?;
         if !self.has_ended() {
             self.function(Function::Stop);
+            self.st.position.stops();
         }
         Ok(())
     }
@@ -313,7 +315,6 @@ fn acts(m: &MWord) -> bool {
 /// Why an M function is refused, and what to do.
 fn refusal(number: u32) -> (&'static str, &'static str) {
     match number {
-        92 => ("counts from a position that the machine builder sets", "program workpiece coordinates, or M91"),
         93 | 95 | 96 => ("is an approach function of old controls", "program the approach as blocks"),
         104 => ("sets the workpiece datum back", "select the datum with cycle 247"),
         114 | 144 => {

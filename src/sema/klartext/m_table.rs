@@ -53,7 +53,7 @@ pub(super) enum Act {
     },
     ToolChange,
     Orient,
-    /// Handled where the block moves: M89, M91, M99.
+    /// Handled where the block moves: M89, M91, M92, M99.
     Block,
     /// Smoothing, supervision: no influence on the programmed path.
     Note,
@@ -92,7 +92,7 @@ pub(super) fn entry(number: u32) -> Option<(Act, When)> {
         13 => (SpindleAndCoolant(Turn::Clockwise), Start),
         14 => (SpindleAndCoolant(Turn::CounterClockwise), Start),
         19 => (Orient, End),
-        89 | 91 | 99 => (Block, Start),
+        89 | 91 | 92 | 99 => (Block, Start),
         // Constant path speed, replacement tools, kv factors, oversize errors, rounding of transitions, handwheel,
         // untilted blocks, exact stop, tilt axes, probe supervision, basic rotation of the setup, lift-off, limit
         // switch messages.
@@ -116,7 +116,7 @@ pub(super) fn entry(number: u32) -> Option<(Act, When)> {
         115 | 145 => (Note, Start),
         128 => (FollowTip(true), Start),
         129 => (FollowTip(false), End),
-        92 | 93 | 95 | 96 | 104 | 114 | 142 | 144 => (Refused, Start),
+        93 | 95 | 96 | 104 | 114 | 142 | 144 => (Refused, Start),
         _ => return None,
     })
 }

@@ -76,7 +76,7 @@ impl Run<'_> {
     fn run_words(&mut self, motion: Motion, w: &Words) -> Outcome {
         let is_line = motion == Motion::Programmed(PathFn::Line);
         self.check_m(w)?;
-        let machine = w.has_m(91);
+        let machine = w.has_m(91) || w.has_m(92);
         if machine && matches!(w.comp, Some(Comp::Paraxial(_))) {
             return self.fail_help(
                 codes::K2604,
@@ -126,7 +126,7 @@ impl Run<'_> {
         if machine && moves {
             self.machine_move(w)?;
         } else if machine {
-            w.any_m(&[91]).into_iter().for_each(|m| self.note_m(m));
+            w.any_m(&[91, 92]).into_iter().for_each(|m| self.note_m(m));
         } else if moves {
             self.go(motion, w)?;
         }
@@ -243,7 +243,7 @@ impl Run<'_> {
     /// A move in machine coordinates: afterwards the workpiece position of its axes is not known.
     pub(super) fn machine_move(&mut self, w: &Words) -> Outcome {
         let feed = self.move_feed(w)?;
-        let end = w.axes;
+        let end = if w.has_m(92) { self.from_builders_datum(w)? } else { w.axes };
         self.no_rotary_move_under_turn(end.known(), w.axes_span)?;
         for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
             self.check_tip(w, axis, None)?;
@@ -253,7 +253,7 @@ impl Run<'_> {
         self.forbid_open_approach()?;
         self.leave_open_end(end.known(), feed.is_none());
         self.movement(&Move { end, path, side: self.st.compensation.side(), coords });
-        self.st.moved_by_machine(end.known());
+        self.moved_by_machine(&end);
         self.st.feed.last_rapid = feed.is_none();
         Ok(())
     }
@@ -287,7 +287,7 @@ impl Run<'_> {
             let coords = Coords::Machine;
             self.forbid_open_approach()?;
             self.movement(&Move { end, path, side: self.st.compensation.side(), coords });
-            self.st.moved_by_machine(end.known());
+            self.moved_by_machine(&end);
             return Ok(());
         }
         let way = value.unwrap_or(0.0);

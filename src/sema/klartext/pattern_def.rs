@@ -302,7 +302,7 @@ impl Run<'_> {
         rest.words.drain(..1);
         let w = self.gather(&rest, "CYCL CALL PAT", Admits::FEED.and(Admits::M))?;
         self.check_m(&w)?;
-        self.forbid_m(&w, "CYCL CALL PAT", &[2, 30, 89, 91, 99])?;
+        self.forbid_m(&w, "CYCL CALL PAT", &[2, 30, 89, 91, 92, 99])?;
         let Some(places) = self.places.take() else {
             if self.places_lost {
                 return Err(Reported);

@@ -265,7 +265,7 @@ impl Run<'_> {
         rest.words.drain(..1);
         let w = self.gather(&rest, "CYCL CALL POS", Admits::AXES.and(Admits::FEED).and(Admits::M))?;
         self.check_m(&w)?;
-        self.forbid_m(&w, "CYCL CALL POS", &[2, 30, 89, 91, 99])?;
+        self.forbid_m(&w, "CYCL CALL POS", &[2, 30, 89, 91, 92, 99])?;
         let axis = self.st.axis();
         let plane = plane_axes(self.st.plane());
         let named = w.axes.known();

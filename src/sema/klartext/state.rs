@@ -3,8 +3,8 @@
 use std::rc::Rc;
 
 use crate::geo::{Plane, Vec2};
-use crate::ir::Side;
 use crate::ir::contour::{Ctx, CtxRef, Path};
+use crate::ir::{Pos, Side};
 use crate::machine::{Axis, AxisSet, Settings};
 use crate::sema::common::compensation::Compensation;
 use crate::sema::common::position::Position;
@@ -130,9 +130,9 @@ impl State {
     }
 
     /// These axes were moved in machine coordinates: forgets every programmed coordinate that depends on them.
-    pub fn moved_by_machine(&mut self, axes: AxisSet) {
-        self.position.moved_by_machine(axes, &self.ctx.frame);
-        self.rotary.forget_turns(axes);
+    pub fn moved_by_machine(&mut self, end: &Pos, loc: Loc) {
+        self.position.moved_by_machine(end, &self.ctx.frame, loc);
+        self.rotary.forget_turns(end.known());
         self.polar.forget_last();
     }
 

@@ -8,6 +8,7 @@ use crate::lexer::klartext::QRef;
 use crate::machine::{Axis, Generation, ToolKey, Unit};
 use crate::parser::klartext::ast::{Addr, Block};
 
+use super::meanings;
 use super::vars::Slot;
 use super::{Outcome, Reported, Run};
 
@@ -33,7 +34,7 @@ impl Request {
         let rotary = self.idx.is_some_and(|n| (4.0..=6.0).contains(&n));
         match (self.id, self.nr) {
             (50, 1..=6) | (200, 1..=3) => true,
-            (220, 2) | (270, 1) => !rotary,
+            (220, 2) | (240, 1) | (270, 1) => !rotary,
             _ => false,
         }
     }
@@ -142,13 +143,20 @@ impl Run<'_> {
                 let shift = t.shift[axis.index()];
                 if axis.is_rotary() { shift } else { shift / mm }
             }),
+            (240, 1) => axis.filter(|axis| !self.st.position.may_be_moved(*axis)).and_then(|axis| {
+                let value = self.machine_coordinate(axis)?;
+                Some(if axis.is_rotary() { value } else { value / mm })
+            }),
             (270, 1) => match axis {
-                Some(axis) => {
-                    let value = self.position_of(axis, block.span, "SYSREAD")?;
-                    self.unit_is_said(r, value, block)?;
-                    return Ok(if axis.is_rotary() { self.st.shown(axis, value) } else { value / mm });
-                }
-                None => None,
+                Some(axis) if !self.st.position.may_be_moved(axis) => match self.st.position.get(axis) {
+                    None if self.answered(r).is_some() => None,
+                    _ => {
+                        let value = self.position_of(axis, block.span, "SYSREAD")?;
+                        self.unit_is_said(r, value, block)?;
+                        return Ok(if axis.is_rotary() { self.st.shown(axis, value) } else { value / mm });
+                    }
+                },
+                _ => None,
             },
             _ => None,
         };
@@ -169,17 +177,30 @@ impl Run<'_> {
             }
             None => match self.answered(r) {
                 Some(value) => Ok(value),
-                None => self.fail_help(
-                    codes::K9016,
-                    block.span,
-                    format!("system data ID {} NR {} is known only at the machine", r.id, r.nr),
-                    Answer::key("variables", r.name()).help(format!(
-                        "assign the value with FN 0 if it is always the same, or say it in partc.toml: `[variables]` with `\"{}\" = …`",
-                        r.name()
-                    )),
-                ),
+                None => self.only_at_machine(r, axis, block),
             },
         }
+    }
+
+    fn only_at_machine(&self, r: Request, axis: Option<Axis>, block: &Block) -> Outcome<f64> {
+        let meaning = meanings::of_system_data(r.id, r.nr, r.idx);
+        let what = if meaning.is_empty() { String::new() } else { format!(", {meaning},") };
+        let place = matches!((r.id, r.nr), (240 | 270, 1));
+        let why = match axis {
+            Some(axis) if place && self.st.position.may_be_moved(axis) => {
+                ": somebody may have moved the axis by hand since the program stopped"
+            }
+            _ => "",
+        };
+        self.fail_help(
+            codes::K9016,
+            block.span,
+            format!("system data ID {} NR {}{what} is known only at the machine{why}", r.id, r.nr),
+            Answer::variable(r.name(), meaning).help(format!(
+                "assign the value with FN 0 if it is always the same, or say it in partc.toml: `[variables]` with `\"{}\" = …`",
+                r.name()
+            )),
+        )
     }
 
     /// What `[variables]` says, in the unit of the program.

@@ -511,12 +511,7 @@ impl Run<'_> {
         if self.st.position.is_lost(axis) {
             return Err(super::Reported);
         }
-        self.fail_help(
-            codes::K2001,
-            span,
-            format!("{what} needs the position of {}, which is not known here", axis.letter()),
-            self.st.position.help(axis, &format!("program an absolute position of {} first", axis.letter())),
-        )
+        self.unknown_position(axis, span, format!("{what} needs the position of {}, which is not known", axis.letter()))
     }
 }
 

@@ -238,6 +238,7 @@ impl Run<'_> {
         self.function(Function::ToolChange { number });
         self.function(Function::Cutter(CutterData { number, ..CutterData::default() }));
         self.forget_tip();
+        self.stand_after_change();
         Ok(())
     }
 

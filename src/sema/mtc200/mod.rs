@@ -547,6 +547,8 @@ impl Sink for Nowhere {
 
     fn begins_at(&mut self, _: &Pos) {}
 
+    fn stands_at(&mut self, _: &Pos, _: &CtxRef, _: &Origin) {}
+
     fn load(&self) -> Load {
         Load::default()
     }

@@ -12,6 +12,7 @@ use crate::ir::{Frame, Function, Pos};
 use crate::machine::axis::AXES;
 use crate::machine::options::mtc200::{G52, Reading, ShiftedIncrement};
 use crate::machine::{Axis, AxisSet};
+use crate::sema::common::hidden::By;
 use crate::sema::run::OffsetName;
 use crate::text::Span;
 
@@ -244,6 +245,21 @@ impl Run<'_> {
     pub(super) fn forget_tip(&mut self) {
         self.st.forget(AxisSet::MAIN);
         self.st.position.leave_start(AxisSet::MAIN);
+        let loc = self.here.origin.loc;
+        self.st.position.hide(AxisSet::MAIN, By::ToolChange, loc);
+    }
+
+    /// The change is over: axes stand where the configuration says. How machine coordinates take the length of a tool is not
+    /// documented.
+    pub(super) fn stand_after_change(&mut self) {
+        let (after, in_machine) = self.st.position.after_change();
+        if in_machine {
+            return;
+        }
+        let ctx = Rc::clone(&self.st.ctx);
+        let known = self.st.position.stand_in_offset(&after, &ctx.frame);
+        self.st.offsets.arrive(known.known());
+        self.core.stands_at(&known, &ctx);
     }
 }
 

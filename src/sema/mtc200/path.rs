@@ -11,7 +11,9 @@ use crate::ir::{Feed, Pos, Side};
 use crate::machine::options::mtc200::{Reading, ShiftedIncrement};
 use crate::machine::{Axis, AxisSet, Compensation};
 use crate::sema::common::corner::OpenCorner;
+use crate::sema::common::hidden::By;
 use crate::sema::common::position::Missing;
+use crate::sema::run::place::{Lack, Unknown};
 use crate::text::Span;
 
 use super::g_functions::{Motion, Offset};
@@ -168,12 +170,10 @@ impl Run<'_> {
             Err(Missing::Unknown) => {}
         }
         let letter = axis.letter();
-        self.fail_help(
-            codes::M2001,
-            span,
-            format!("the position of {letter} is not known here"),
-            self.st.position.help(axis, &format!("program an absolute position of {letter} first")),
-        )
+        let usual = format!("program an absolute position of {letter} first");
+        let unknown = Unknown { position: &self.st.position, axis, lack: &|| Lack::Nothing, otherwise: " here" };
+        let message = format!("the position of {letter} is not known");
+        self.position_unknown(codes::M2001, span, message, &usual, unknown)
     }
 
     /// Where a rotary axis goes in unbroken degrees: the short way.
@@ -321,6 +321,7 @@ impl Run<'_> {
         self.movement(&Move { end, path, side: Side::None, coords });
         self.st.position.leave_start(end.known());
         self.st.forget(end.known());
+        self.st.position.hide(end.known(), By::Machine(None), self.core.here.origin.loc);
         self.st.corners.cannot_follow();
     }
 

@@ -263,6 +263,14 @@ impl<L: Language> Core<'_, L> {
         self.out.begins_at(position);
     }
 
+    /// Behind a tool change or a move in machine coordinates these axes stand where the configuration says.
+    pub fn stands_at(&mut self, position: &Pos, ctx: &CtxRef) {
+        if !position.known().is_empty() {
+            let origin = self.here.origin;
+            self.out.stands_at(position, ctx, &origin);
+        }
+    }
+
     #[inline]
     pub fn send_move(&mut self, mv: &Move, ctx: &CtxRef) {
         let origin = self.here.origin;

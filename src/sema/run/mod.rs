@@ -10,6 +10,7 @@ mod end;
 mod entries;
 mod files;
 mod level;
+pub mod place;
 mod printed;
 mod report;
 mod site;

@@ -8,6 +8,7 @@ use crate::ir::contour::Sink;
 use crate::machine::Proposed;
 use crate::sema::Job;
 use crate::sema::run::runs_on;
+use crate::text::Loc;
 
 use super::Core;
 use super::axis_names::AxisNames;
@@ -34,6 +35,8 @@ pub(super) struct Channel<'a> {
     pub lane: Lane,
     /// What a call that is left out may have changed in.
     pub change_left_out: Option<Box<LeftOut>>,
+    /// A call that stands for a program of the machine, until a G code of the path follows: its name and place.
+    pub motion_left: Option<Box<(String, Loc)>>,
 }
 
 impl<'a> Channel<'a> {
@@ -48,6 +51,7 @@ impl<'a> Channel<'a> {
             iso: false,
             lane: Lane::Closed,
             change_left_out: None,
+            motion_left: None,
         }
     }
 }

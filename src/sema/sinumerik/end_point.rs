@@ -116,12 +116,7 @@ impl Channel<'_> {
         if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
-        self.fail_help(
-            codes::S2042,
-            place,
-            format!("where {} stands is not known", axis.letter()),
-            self.st.position.help(axis, "program the axis once in absolute coordinates in front of this block"),
-        )
+        self.no_position(axis, place, "program the axis once in absolute coordinates in front of this block")
     }
 }
 

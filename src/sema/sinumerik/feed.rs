@@ -139,13 +139,12 @@ impl Channel<'_> {
         if self.st.feed.is_lost() {
             return Err(Reported);
         }
-        if self.st.spindles.close_cut_speed() {
-            return self.fail_help(
-                codes::S2045.alarm(10900),
-                Where::Block,
-                "G96 has no cutting speed",
-                "program S in m/min with G96; the S of before is a speed in turns",
-            );
+        let rotary_only = !w.axes.is_empty() && w.axes.iter().all(Axis::is_rotary);
+        // The alarm waits for a feed move of the geometry axes; a feed in degrees per minute needs no spindle.
+        let waits = rotary_only && !matches!(self.st.feed.word(), Some(Feed::PerRevolution(_)));
+        if !waits && self.st.spindles.close_cut_speed() {
+            let help = self.or_left_at_rapid("program S in m/min with G96; the S of before is a speed in turns".into());
+            return self.fail_help(codes::S2045.alarm(10900), Where::Block, "G96 has no cutting speed", help);
         }
         if self.st.spindles.is_cutting() {
             self.says_shifted_diameter();
@@ -157,7 +156,6 @@ impl Channel<'_> {
                     self.master_feeds(Where::Block);
                     self.spindle_feeds();
                 }
-                let rotary_only = !w.axes.is_empty() && w.axes.iter().all(Axis::is_rotary);
                 if rotary_only && let Feed::PerMinute(f) = feed {
                     // Degrees have no unit of length.
                     return Ok(Feed::PerMinute(f / self.st.feed_unit()));
@@ -167,12 +165,11 @@ impl Channel<'_> {
             None => {
                 // Once is enough.
                 self.st.feed.lose();
-                self.fail_help(
-                    codes::S2040.alarm(10860),
-                    Where::Block,
-                    "no feed is programmed",
-                    Answer::key("control", "feed").help("program F in this block or before, again after G94, G95 and G96; a contour by itself takes `[control] feed`"),
-                )
+                let help = Answer::key("control", "feed").help(
+                    "program F in this block or before, again after G94, G95 and G96; a contour by itself takes `[control] feed`",
+                );
+                let help = self.or_left_at_rapid(help);
+                self.fail_help(codes::S2040.alarm(10860), Where::Block, "no feed is programmed", help)
             }
         }
     }

@@ -34,6 +34,7 @@ impl Channel<'_> {
             Group::Motion => {
                 self.check_interpolation(code, span)?;
                 self.st.codes.activate(code);
+                self.motion_left = None;
             }
             Group::Nonmodal | Group::Frame | Group::Suppression => {}
             Group::ExactStopBlock => {}

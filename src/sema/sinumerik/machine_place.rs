@@ -14,7 +14,7 @@ use super::{Channel, Core, Outcome};
 
 /// Length of the tool in the axis along which it counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum ToolLength {
+pub(super) enum ToolLength {
     /// No tool, or D0.
     Off,
     Known(f64),
@@ -23,7 +23,7 @@ enum ToolLength {
 
 impl State {
     /// Axes in which the length of a tool counts.
-    fn tool_axes(&self) -> AxisSet {
+    pub(super) fn tool_axes(&self) -> AxisSet {
         let [_, _, third] = self.roles();
         let mut axes = AxisSet::of(third);
         if self.machine.lathe {
@@ -36,7 +36,7 @@ impl State {
 
 impl Channel<'_> {
     /// The tool in use as the control counts it: length, wear and base length of the edge.
-    fn active_length(&self) -> ToolLength {
+    pub(super) fn active_length(&self) -> ToolLength {
         let tool = &self.st.tool;
         if tool.edge() == Some(0) || tool.active() == Some(0) {
             return ToolLength::Off;

@@ -48,6 +48,7 @@ mod nonmodal;
 mod offsets;
 mod parameters;
 mod path_control;
+mod place;
 mod polar;
 mod procedures;
 mod programs;

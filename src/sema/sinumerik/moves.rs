@@ -89,7 +89,8 @@ impl Channel<'_> {
             return self.fail(codes::S2080, span, "a block in machine coordinates under radius compensation");
         }
         let feed = self.path_feed(w, code == GCode::G0)?;
-        let mut end = Pos::UNKNOWN;
+        // Where the tip goes; nothing where the spindle nose does.
+        let (mut end, mut tip) = (Pos::UNKNOWN, Pos::UNKNOWN);
         for axis in w.axes.iter() {
             let Some(given) = w.axis(axis) else { continue };
             let incremental = match given.mode {
@@ -113,6 +114,7 @@ impl Channel<'_> {
             }
             let mut value = if axis.is_rotary() { given.value } else { self.length(axis, given, false)? };
             if !self.job.settings.control.sinumerik.machine_moves_without_tool {
+                tip.set(axis, value);
                 value = self.machine_place(axis, value, given.span)?;
             }
             end.set(axis, value);
@@ -124,7 +126,7 @@ impl Channel<'_> {
         if self.resolves() {
             self.st.compensation.is_over();
         }
-        self.st.position.forget(w.axes.iter().collect());
+        self.moved_by_machine(&end, &tip);
         Ok(())
     }
 

@@ -5,7 +5,7 @@
 use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos, Side};
-use crate::machine::{Axis, AxisSet};
+use crate::machine::Axis;
 use crate::text::Span;
 
 use super::g_groups::{GCode, Group};
@@ -126,9 +126,7 @@ impl Channel<'_> {
         if self.resolves() {
             self.st.compensation.is_over();
         }
-        for axis in end.known().iter() {
-            self.st.position.forget(AxisSet::of(axis));
-        }
+        self.moved_by_machine(&end, &Pos::UNKNOWN);
     }
 
     /// G74 and G75: points that are machine data.

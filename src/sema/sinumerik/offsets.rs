@@ -70,6 +70,11 @@ impl OffsetUse {
         }
     }
 
+    /// Do positions count from the basic system because the program says so?
+    pub fn is_basic_said(&self) -> bool {
+        self.under_g500 || self.resolved
+    }
+
     /// A move in machine coordinates is printed.
     pub fn moves_in_machine(&mut self) {
         self.machine_moved = true;

@@ -2,10 +2,12 @@
 
 use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::machine::{AxisSet, ChangeCall, StandIn};
+use crate::sema::common::hidden::By;
 use crate::text::Span;
 
 use super::callee::{Missing, called_name};
 use super::entries::reserved;
+use super::g_groups::GCode;
 use super::programs::without_extension;
 use super::value::Val;
 use super::vars::Argument;
@@ -103,6 +105,49 @@ impl Channel<'_> {
     fn leave_call_out(&mut self, name: &str, span: Span, arguments: &[Argument]) {
         self.says_stand_in(span, format!("{name} is left out, as `[programs]` says"));
         self.may_have_changed(name, span, arguments);
+        self.leave_behind(name, span);
+        self.motion_left = Some(Box::new((name.to_owned(), self.loc(span))));
+    }
+
+    /// What `[programs]` says that the call leaves behind.
+    fn leave_behind(&mut self, name: &str, span: Span) {
+        let left = self.job.settings.left_by(name);
+        if let Some(rapid) = left.rapid {
+            self.st.codes.activate(if rapid { GCode::G0 } else { GCode::G1 });
+        }
+        if !left.lost.is_empty() {
+            let loc = self.loc(span);
+            self.st.position.forget(left.lost);
+            self.st.position.hide(left.lost, By::Call, loc);
+        }
+    }
+
+    /// What a feed move lacks: `usual`, and where no G code of the path stands between it and a call that stands for a program of
+    /// the machine, that the call may leave G0 active.
+    pub(super) fn or_left_at_rapid(&self, usual: Help) -> Help {
+        let Some((name, loc)) = self.motion_left.as_deref() else { return usual };
+        let settings = &self.job.settings;
+        if settings.left_by(name).rapid.is_some() {
+            return usual;
+        }
+        let change = |tool: String, edge: Option<usize>| {
+            let edge = edge.map(|edge| format!(", d = {edge}")).unwrap_or_default();
+            format!("{{ {tool}{edge}, motion = \"G0\" }}")
+        };
+        let entry = match settings.programs.get(name.as_str()) {
+            Some(StandIn::Change(ChangeCall { tool: Some(tool), edge })) => change(format!("tool = {tool}"), *edge),
+            Some(StandIn::Change(ChangeCall { tool: None, edge })) => change("change = true".to_owned(), *edge),
+            Some(StandIn::Ignored) => change("ignore = true".to_owned(), None),
+            Some(StandIn::File(_)) | None => return usual,
+        };
+        let text = format!(
+            "{}; or if {name} in line {} leaves G0 active, say so: `[programs] {name} = {entry}`",
+            usual.text, loc.line
+        );
+        let answer = Answer::key("programs", name).one_of(&[entry]);
+        let mut help = Help { text, answers: usual.answers };
+        help.answers.insert(0, answer);
+        help
     }
 
     fn says_stand_in(&mut self, span: Span, what: String) {
@@ -147,8 +192,13 @@ impl Channel<'_> {
                 }
             },
         }
-        // Where it leaves the axes is not known.
+        // Where it leaves the axes only the configuration knows.
         self.st.position.clear();
+        let loc = self.loc(span);
+        self.st.position.hide(AxisSet::MAIN, By::ToolChange, loc);
+        self.stand_after_change();
+        self.leave_behind(name, span);
+        self.motion_left = Some(Box::new((name.to_owned(), self.loc(span))));
         let left = left_out(change, arguments);
         self.says_stand_in(span, format!("{name} changes the tool, as `[programs]` says; {left} left out"));
         Ok(())

@@ -288,14 +288,10 @@ impl Channel<'_> {
             return Err(Reported);
         }
         let Some(value) = self.st.position.get(axis) else {
-            let message = format!("where {} stands was not programmed yet", axis.letter());
-            return self.fail_help(
-                codes::S2042,
+            return self.no_position(
+                axis,
                 span,
-                message,
-                self.st
-                    .position
-                    .help(axis, "program the axis once in absolute coordinates before reading its position"),
+                "program the axis once in absolute coordinates before reading its position",
             );
         };
         if axis.is_rotary() {

@@ -6,8 +6,9 @@ use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::function::CutterData;
 use crate::ir::{Function, Side};
 use crate::machine::tools::ToolKey;
-use crate::machine::{Axis, AxisSet, ChangeCall, StandIn, Tool, Unit};
+use crate::machine::{ChangeCall, StandIn, Tool, Unit};
 use crate::sema::Reported;
+use crate::sema::common::hidden::By;
 use crate::sema::run::Where;
 use crate::text::Span;
 
@@ -223,12 +224,8 @@ impl Channel<'_> {
         self.changed_after_left_out();
         self.function(Function::ToolChange { number: printed });
         // A tool of another length.
-        let [_, _, third] = self.st.roles();
-        if self.st.machine.lathe {
-            self.st.position.forget([Axis::X, Axis::Z].into_iter().collect());
-        } else {
-            self.st.position.forget(AxisSet::of(third));
-        }
+        self.forget_tip(By::ToolChange);
+        self.stand_after_change();
         Ok(())
     }
 
@@ -261,11 +258,7 @@ impl Channel<'_> {
         }
         let edge = d as u32;
         if self.st.tool.edge.is_some_and(|old| old != edge) {
-            let [_, _, third] = self.st.roles();
-            let axes = if self.st.machine.lathe { vec![Axis::X, Axis::Z] } else { vec![third] };
-            for axis in axes {
-                self.st.position.forget(AxisSet::of(axis));
-            }
+            self.forget_tip(By::Edge);
         }
         let changes = self.st.tool.edge != Some(edge) || self.st.tool.rewritten;
         if self.st.side() != Side::None && !self.st.compensation.starts && changes {

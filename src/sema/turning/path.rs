@@ -10,7 +10,9 @@ use crate::ir::contour::{
 };
 use crate::ir::{Feed, Origin, Pos, Side};
 use crate::machine::Axis;
+use crate::sema::common::hidden::By;
 use crate::sema::common::position::Missing;
+use crate::sema::run::place::{Lack, Unknown};
 use crate::text::Span;
 
 use super::chain::{AGREES, Choice, Coord, Data, Fault, RULES, Solved, by_distance, in_words};
@@ -98,14 +100,12 @@ impl Run<'_> {
         match self.st.position.require(axis) {
             Ok(v) => Ok(v),
             Err(Missing::Lost) => Err(Reported),
-            Err(Missing::Unknown) => self.fail_help(
-                codes::T2002,
-                span,
-                format!("it is not known where the tool stands in {}", axis.letter()),
-                self.st
-                    .position
-                    .help(axis, &format!("program {} once as an absolute value after the tool change", axis.letter())),
-            ),
+            Err(Missing::Unknown) => {
+                let usual = format!("program {} once as an absolute value after the tool change", axis.letter());
+                let unknown = Unknown { position: &self.st.position, axis, lack: &|| Lack::Nothing, otherwise: "" };
+                let message = format!("it is not known where the tool stands in {}", axis.letter());
+                self.position_unknown(codes::T2002, span, message, &usual, unknown)
+            }
         }
     }
 
@@ -330,6 +330,7 @@ impl Run<'_> {
         let (side, coords) = (self.st.compensation.side(), Coords::Machine);
         self.movement(&Move { end, path: Path::Rapid, side, coords });
         self.st.position.forget(end.known());
+        self.st.position.hide(end.known(), By::Machine(None), self.core.here.origin.loc);
         self.st.last = None;
         self.st.moved = true;
     }

@@ -1,13 +1,16 @@
 //! Feeds, spindle, tools, oversizes: what holds until it is changed.
 
+use std::rc::Rc;
+
 use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::Vec2;
 use crate::ir::function::{CutterData, Spindle, Turn};
 use crate::ir::{self, Feed, Function, Side};
 use crate::machine::tools::ToolKey;
-use crate::machine::{Compensation, Unit};
+use crate::machine::{AxisSet, Compensation, Unit};
 use crate::sema::common::compensation::edge_direction;
 use crate::sema::common::feed::FeedKind;
+use crate::sema::common::hidden::By;
 use crate::text::{Span, decode::readable};
 
 use super::readings::Question;
@@ -327,7 +330,21 @@ impl Run<'_> {
         self.function(Function::Cutter(CutterData { number: printed, ..CutterData::default() }));
         self.st.tool = Some(ActiveTool { number, edge, name });
         self.st.forget();
+        self.st.position.hide(AxisSet::MAIN, By::ToolChange, self.core.here.origin.loc);
+        self.stand_after_change();
         Ok(())
+    }
+
+    /// The change is over: axes stand where the configuration says. The lengths of a turning tool, which machine coordinates
+    /// count without, are not in its table.
+    fn stand_after_change(&mut self) {
+        let (after, in_machine) = self.st.position.after_change();
+        if in_machine {
+            return;
+        }
+        let ctx = Rc::clone(&self.st.ctx);
+        let known = self.st.position.stand_in_offset(&after, &ctx.frame);
+        self.core.stands_at(&known, &ctx);
     }
 
     fn tool_number(&self, num: Num, written: &[u8]) -> Outcome<(u32, u8)> {

@@ -276,12 +276,9 @@ impl Run<'_> {
             );
         }
         let Some(from) = from else {
-            return self.fail_help(
-                codes::K2001,
-                a.span,
-                format!("{} moves the tool axis together with the plane, and where it starts is not known", a.name),
-                "program an absolute position of the tool axis first",
-            );
+            let message =
+                format!("{} moves the tool axis together with the plane, and where it starts is not known", a.name);
+            return self.unknown_position(self.st.axis(), a.span, message);
         };
         if settings.klartext_choices.approach_depth.is_none() {
             self.report(

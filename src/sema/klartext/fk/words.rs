@@ -159,7 +159,7 @@ impl Run<'_> {
         let admits = Admits::PATH.and(Admits::POLAR);
         let admits = if is_line { admits } else { admits.and(Admits::RADIUS).and(Admits::TURN) };
         let w = self.gather(&rest, name(head), admits)?;
-        self.forbid_m(&w, name(head), &[91])?;
+        self.forbid_m(&w, name(head), &[91, 92])?;
         let item = self.item(free, head, &w, &said)?;
         Ok((item, w))
     }
