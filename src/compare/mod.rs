@@ -280,10 +280,14 @@ fn same_travel(a: &Travel, b: &Travel, tolerance: f64) -> bool {
 /// What the places of a factor may change a speed by, as a part of it.
 const OF_FACTOR: f64 = 1e-4;
 
-/// Do two pitches lead to the same place at the end of so long a way?
+/// Half of the last of four places, and what a conversion adds: so much of a pitch no output says.
+const OF_PITCH: f64 = 0.51e-4;
+
+/// Do two pitches lead to the same place at the end of so long a way, as far as they can be printed?
 fn same_pitch(a: f64, b: f64, way: f64, tolerance: f64) -> bool {
     let turns = way / a.min(b).max(f64::MIN_POSITIVE);
-    (a - b).abs() * turns.max(1.0) <= tolerance
+    let off = (a - b).abs();
+    off <= OF_PITCH || off * turns.max(1.0) <= tolerance
 }
 
 /// An angle within half a turn, without its sign.

@@ -127,7 +127,7 @@ fn nobody_waits_for_a_pipe() {
     folder.write("partc.toml", "[tools.5]\nradius = 5.0\n");
     folder.run(&["check", "deep"]).exits(0);
     folder.write("C.H", "0 BEGIN PGM C MM\n1 CALL PGM deep/B.H\n2 END PGM C MM\n");
-    folder.run(&["check", "C.H"]).exits(1).says("P0101");
+    folder.run(&["check", "C.H"]).exits(1).says("P0105").says("is a pipe");
 }
 
 // Outputs.

@@ -94,7 +94,7 @@ fn one_round_answers_everything() {
 #[test]
 fn an_existing_configuration_is_kept() {
     let folder = Folder::new("init_kept").with(&[("A.H", NEEDS), ("partc.toml", "[output]\npass_m = [5]\n")]);
-    folder.run(&["init", "."]).exits(2).says("use --force");
+    folder.run(&["init", "."]).exits(2).says("use --update").says("--force");
     let printed = folder.run(&["init", ".", "-o", "-"]).exits(0).out;
     assert!(printed.contains("pass_m = [5, 77]"), "{printed}");
     assert_eq!(folder.read("partc.toml"), "[output]\npass_m = [5]\n");
@@ -131,9 +131,12 @@ fn programs_of_the_machine_builder_and_folders_are_named() {
     assert_eq!(found.codes().iter().filter(|code| **code == "S2044").count(), 1, "{}", found.err);
     folder.run(&["init", "."]).exits(0);
     let config = folder.read("partc.toml");
-    for wanted in
-        ["#TC = ", "# { tool = 1 } or { ignore = true }; ", "#roots.\"/_N_SPF_DIR\" = \"LIB\"", "#name = \"MILL_D10\""]
-    {
+    for wanted in [
+        "#TC = ",
+        "# { tool = 1 } or { ignore = true }; ",
+        "#roots.\"/_N_SPF_DIR\" = \"LIB\"",
+        "#1 = { name = \"MILL_D10\" }",
+    ] {
         assert!(config.contains(wanted), "{wanted} is missing in:\n{config}");
     }
     folder.write("partc.toml", &filled(&config));

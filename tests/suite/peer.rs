@@ -34,7 +34,7 @@ for text in json.load(sys.stdin):
 /// Words that it passes over, or takes for something else.
 const NOT_KNOWN: &[&str] = &[
     "G41", "G42", "ANG=", "RND", "CHR=", "CHF=", "CYCLE", "POCKET", "SLOT", "LONGHOLE", "HOLES", "MCALL", "G70", "G25",
-    "G26", "G53", "G58", "G59", "G11", "G[", "DEFINE",
+    "G26", "G53", "G58", "G59", "G11", "G[", "DEFINE", "G147", "G148", "G247", "G248", "G347", "G348",
 ];
 /// Programs in which it is wrong by the manuals.
 const WRONG: &[(&str, &str)] = &[

@@ -2,7 +2,7 @@
 //!
 //! Comes in: calls that `[programs]` leaves out, T, changes, cuts. Goes out: S8163 where the program goes on to cut with the tool before it.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::text::Span;
 
 use super::Channel;
@@ -53,13 +53,19 @@ impl Channel<'_> {
                 )
             }
         };
+        let entry = Answer::key("programs", name);
         let help = match may {
-            MayChange::Chosen(_) => format!(
-                "if {name} changes the tool, say so: `{name} = {{ change = true }}` under `[programs]`; if T itself does, set \
-                 `[control] tool_change = \"t\"`"
-            ),
+            MayChange::Chosen(_) => {
+                let text = format!(
+                    "if {name} changes the tool, say so: `{name} = {{ change = true }}` under `[programs]`; if T itself does, \
+                     set `[control] tool_change = \"t\"`"
+                );
+                entry.one_of(&["{ change = true }"]).help(text).and(Answer::key("control", "tool_change"))
+            }
             MayChange::Named(..) | MayChange::Unknown(_) => {
-                format!("if {name} changes the tool, say so: `{name} = {{ tool = {place} }}` under `[programs]`")
+                let change = format!("{{ tool = {place} }}");
+                let text = format!("if {name} changes the tool, say so: `{name} = {change}` under `[programs]`");
+                entry.one_of(&[change]).help(text)
             }
         };
         let found = Diagnostic::new(codes::S8163, self.loc(span), message).help(help);

@@ -34,7 +34,7 @@ impl Run<'_> {
                     name: without_extension(&plain),
                     text: text.map(|at| at + 1),
                     arguments: !arguments.is_empty(),
-                    tool_waits: self.st.tool.waiting().is_some(),
+                    tool_waits: self.st.tool.waiting().is_some() || self.st.tool.waits_unnamed,
                 };
                 let by_file = self.vocabulary.get(call.name).is_some_and(|known| reserved(*known).is_some());
                 let help = if by_file { call.help_by_file() } else { call.help() };

@@ -23,6 +23,8 @@ pub(super) struct ToolInUse {
     active: Option<u32>,
     /// Chosen by T, not yet changed.
     next: Option<u32>,
+    /// T was refused: which tool waits is not known.
+    pub waits_unnamed: bool,
     /// Edge (D number).
     edge: Option<u32>,
     /// D that was programmed between T and M6, and the doubt after M6 whether it counts (MD 20270).
@@ -68,6 +70,7 @@ impl ToolInUse {
     /// T
     pub fn choose(&mut self, number: u32) {
         (self.next, self.edge_before_change) = (Some(number), None);
+        self.waits_unnamed = false;
     }
 
     /// The chosen tool comes into use, by its first edge.
@@ -202,6 +205,7 @@ impl Channel<'_> {
             }
             _ => {
                 let help = self.proposed.help(name, tools);
+                self.st.tool.waits_unnamed = true;
                 self.fail_help(codes::S2043.alarm(17191), span, format!("the tool `{name}` has no number"), &help)
             }
         }
