@@ -94,7 +94,7 @@ pub mod results {
 #[cfg(feature = "arrow")]
 pub mod table {
     pub use crate::columns::{COLUMNS, Column, Kind, Options, Take, Until, VERSION, VERSION_KEY, schema};
-    #[cfg(feature = "columns")]
+    #[cfg(feature = "cli")]
     pub use crate::columns::{Form, Table};
     pub use crate::emit::stats::Model;
 }

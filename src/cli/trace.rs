@@ -24,6 +24,10 @@ use super::{Exit, Trouble, say};
 /// How traces begin: moves as objects, as values behind their names, Arrow and Parquet.
 pub(super) const MARKS: &[&[u8]] = &[b"{\"kind\":\"", b"kind,start_x,", b"ARROW1", b"PAR1"];
 
+/// What a build without the feature says of Arrow and Parquet.
+const NOT_BUILT: &str = "this partc was built without the files of Arrow and Parquet, which take long to build; take csv or jsonl, or build it with \
+                         them: `cargo install --path . --profile dist --features columns`";
+
 /// Forms that others write, too: their tables say that they are of partc.
 const OF_MANY: &[&[u8]] = &[b"ARROW1", b"PAR1"];
 /// What such a table says: the key of the version of the columns.
@@ -59,6 +63,9 @@ pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
     let shown = if to_stdout { "stdout".to_owned() } else { target.display().to_string() };
     let trouble = |error: io::Error| format!("{shown}: {error}");
     let form = form(args.common.report.format, &target)?;
+    if cfg!(not(feature = "columns")) && matches!(form, Format::Arrow | Format::Parquet) {
+        return Err(NOT_BUILT.to_owned());
+    }
     if to_stdout && io::stdout().is_terminal() && matches!(form, Format::Arrow | Format::Parquet) {
         return Err(
             "what a terminal shows of this form is no use to anybody; name a file with -o, or a pipe".to_owned()
@@ -149,7 +156,7 @@ impl Run<'_> {
         out.into_inner().map_err(io::IntoInnerError::into_error)
     }
 
-    #[cfg(feature = "columns")]
+    #[cfg(feature = "arrow")]
     fn table(&self, form: Format, is_stream: bool, out: Destination) -> io::Result<Destination> {
         use crate::columns::{Form, Options, Table};
         let form = match form {
@@ -174,8 +181,8 @@ impl Run<'_> {
         out.into_inner().map_err(io::IntoInnerError::into_error)
     }
 
-    #[cfg(not(feature = "columns"))]
+    #[cfg(not(feature = "arrow"))]
     fn table(&self, _: Format, _: bool, _: Destination) -> io::Result<Destination> {
-        Err(io::Error::other("this partc was built without the feature `columns`; take jsonl"))
+        Err(io::Error::other("this partc was built without tables; take jsonl"))
     }
 }

@@ -63,7 +63,10 @@ impl File {
         let is_longer = !self.lines[own].starts_with('#') && (list_of(line) || !fields_of(line).is_empty());
         if is_longer {
             self.lines.insert(own + 1, format!("{line}; in place of the line above"));
-        } else if self.lines[own].starts_with('#') && (list_of(line) || !line.starts_with('#')) {
+        } else if self.lines[own].starts_with('#')
+            && !self.lines[own].starts_with(line)
+            && (list_of(line) || !line.starts_with('#'))
+        {
             line.clone_into(&mut self.lines[own]);
         }
     }

@@ -14,8 +14,8 @@ use arrow_ipc::{Block, FooterBuilder};
 use arrow_schema::ArrowError;
 use flatbuffers::FlatBufferBuilder;
 
+use super::binary::of_arrow;
 use super::schema::schema;
-use super::table::of_arrow;
 
 /// How the file begins and ends.
 const MAGIC: &[u8] = b"ARROW1";

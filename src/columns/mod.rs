@@ -7,14 +7,16 @@
 mod arrays;
 #[cfg(feature = "columns")]
 mod arrow_file;
-mod chunk;
 #[cfg(feature = "columns")]
+mod binary;
+mod chunk;
+#[cfg(feature = "cli")]
 mod csv;
 mod front;
 mod row;
 pub mod schema;
 mod spare;
-#[cfg(feature = "columns")]
+#[cfg(feature = "cli")]
 mod table;
 
 use std::collections::VecDeque;
@@ -32,7 +34,7 @@ pub(crate) use front::Known;
 use row::{Rows, TIME};
 pub use schema::{COLUMNS, Column, Kind, VERSION, VERSION_KEY, schema};
 use spare::Spare;
-#[cfg(feature = "columns")]
+#[cfg(feature = "cli")]
 pub use table::{Form, Table};
 
 /// How the moves become batches.

@@ -2,22 +2,10 @@
 
 use std::io::{self, Write};
 
-use arrow_array::RecordBatch;
-use arrow_ipc::writer::StreamWriter;
-use arrow_schema::ArrowError;
-use parquet::arrow::ArrowWriter;
-use parquet::basic::{Compression, Encoding};
-use parquet::errors::ParquetError;
-use parquet::file::metadata::KeyValue;
-use parquet::file::properties::{EnabledStatistics, WriterProperties};
-use parquet::schema::types::ColumnPath;
-
-use super::arrow_file::ArrowFile;
+#[cfg(feature = "columns")]
+use super::binary::{self, Binary};
 use super::csv::Csv;
-use super::schema::{VERSION, VERSION_KEY, schema};
-
-/// Rows of a group of a Parquet file: what its writer holds in memory.
-const GROUP: usize = 262_144;
+use arrow_array::RecordBatch;
 
 /// Forms of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,9 +23,8 @@ pub enum Form {
 /// A table that is being written.
 pub enum Table<W: Write + Send> {
     Csv(Csv<W>),
-    ArrowStream(Box<StreamWriter<W>>),
-    ArrowFile(Box<ArrowFile<W>>),
-    Parquet(Box<ArrowWriter<W>>),
+    #[cfg(feature = "columns")]
+    Binary(Binary<W>),
 }
 
 impl<W: Write + Send> std::fmt::Debug for Table<W> {
@@ -48,18 +35,15 @@ impl<W: Write + Send> std::fmt::Debug for Table<W> {
 
 impl<W: Write + Send> Table<W> {
     /// # Errors
-    /// What `out` reports.
+    /// What `out` reports, and a form that this build does not have.
     pub fn open(form: Form, out: W) -> io::Result<Table<W>> {
-        let schema = schema();
-        Ok(match form {
-            Form::Csv => Table::Csv(Csv::open(out)?),
-            Form::ArrowStream => Table::ArrowStream(Box::new(StreamWriter::try_new(out, &schema).map_err(of_arrow)?)),
-            Form::ArrowFile => Table::ArrowFile(Box::new(ArrowFile::open(out)?)),
-            Form::Parquet => {
-                let file = ArrowWriter::try_new(out, schema, Some(properties())).map_err(of_parquet)?;
-                Table::Parquet(Box::new(file))
-            }
-        })
+        match form {
+            Form::Csv => Ok(Table::Csv(Csv::open(out)?)),
+            #[cfg(feature = "columns")]
+            _ => Ok(Table::Binary(binary::open(form, out)?)),
+            #[cfg(not(feature = "columns"))]
+            _ => Err(io::Error::other("this partc was built without the feature `columns`")),
+        }
     }
 
     /// # Errors
@@ -67,9 +51,8 @@ impl<W: Write + Send> Table<W> {
     pub fn write(&mut self, batch: &RecordBatch) -> io::Result<()> {
         match self {
             Table::Csv(csv) => csv.write(batch),
-            Table::ArrowStream(stream) => stream.write(batch).map_err(of_arrow),
-            Table::ArrowFile(file) => file.write(batch),
-            Table::Parquet(file) => file.write(batch).map_err(of_parquet),
+            #[cfg(feature = "columns")]
+            Table::Binary(file) => file.write(batch),
         }
     }
 
@@ -80,44 +63,8 @@ impl<W: Write + Send> Table<W> {
     pub fn finish(self) -> io::Result<W> {
         match self {
             Table::Csv(csv) => Ok(csv.finish()),
-            Table::ArrowStream(stream) => stream.into_inner().map_err(of_arrow),
-            Table::ArrowFile(file) => file.finish(),
-            Table::Parquet(file) => file.into_inner().map_err(of_parquet),
+            #[cfg(feature = "columns")]
+            Table::Binary(file) => file.finish(),
         }
-    }
-}
-
-fn properties() -> WriterProperties {
-    let about = KeyValue::new(VERSION_KEY.to_owned(), VERSION.to_owned());
-    let line = || ColumnPath::from("line");
-    let block = || ColumnPath::from("block");
-    WriterProperties::builder()
-        .set_created_by(concat!("partc ", env!("CARGO_PKG_VERSION")).to_owned())
-        .set_key_value_metadata(Some(vec![about]))
-        .set_compression(Compression::SNAPPY)
-        .set_max_row_group_row_count(Some(GROUP))
-        .set_statistics_enabled(EnabledStatistics::Chunk)
-        // They count up: differences are small.
-        .set_column_dictionary_enabled(line(), false)
-        .set_column_encoding(line(), Encoding::DELTA_BINARY_PACKED)
-        .set_column_dictionary_enabled(block(), false)
-        .set_column_encoding(block(), Encoding::DELTA_BYTE_ARRAY)
-        .build()
-}
-
-pub(super) fn of_arrow(error: ArrowError) -> io::Error {
-    match error {
-        ArrowError::IoError(_, error) => error,
-        other => io::Error::other(other.to_string()),
-    }
-}
-
-fn of_parquet(error: ParquetError) -> io::Error {
-    match error {
-        ParquetError::External(error) => match error.downcast::<io::Error>() {
-            Ok(error) => *error,
-            Err(error) => io::Error::other(error.to_string()),
-        },
-        other => io::Error::other(other.to_string()),
     }
 }

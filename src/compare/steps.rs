@@ -361,7 +361,12 @@ impl Sink for Steps {
     }
 
     fn begins_at(&mut self, at: &Pos) {
-        self.at.update(at);
+        // Later on it is what the configuration says of a change, on which no output relies.
+        if self.list.is_empty() {
+            self.at.update(at);
+        } else {
+            at.known().iter().for_each(|axis| self.at.forget(axis));
+        }
     }
 }
 
