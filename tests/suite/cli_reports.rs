@@ -72,7 +72,11 @@ fn each_format_ends_with_what_to_do_and_how_much_there_is() {
         for more in [&[][..], &["-o", "out.txt"]] {
             let ran = folder.run(&[&["check", ".", "--format", format][..], more].concat()).exits(1);
             assert!(ran.err.contains("[tools]\n") || ran.err.contains("[tools.5]"), "{format}: {}", ran.err);
-            assert!(ran.err.contains("radius") && ran.err.ends_with("\n2 programs, 1 error, 0 warnings\n"), "{}", ran.err);
+            assert!(
+                ran.err.contains("radius") && ran.err.ends_with("\n2 programs, 1 error, 0 warnings\n"),
+                "{}",
+                ran.err
+            );
             assert!(!ran.out.contains("Paste") && !ran.out.contains("2 programs"), "{format}: {}", ran.out);
         }
     }

@@ -1,6 +1,6 @@
 // The page: a program, its findings, its path and its G-code, each leading to the others.
 
-import { AXES, Path, lower, shade, unpack } from "./data.js";
+import { AXES, BEGINS, BROKEN, Path, lower, shade, unpack } from "./data.js";
 import { code, program } from "./editor.js";
 import { EXAMPLE } from "./example.js";
 import { bytesOf, decode, read, save } from "./files.js";
@@ -196,10 +196,11 @@ function legend() {
 /** Why there is no G-code, and what of the path is shown. */
 function refused({ incomplete, kinds }) {
   if (!incomplete) return "The findings let no output pass (--fail-on): there is no G-code.";
-  const { code, file, own, line, from } = incomplete;
+  const { code, file, own, line } = incomplete;
   const where = `line ${line}${own ? "" : ` of ${file}`} (${code})`;
   if (!kinds.length) return `Incomplete: the program is refused at ${where}, and no move is known.`;
-  return `Incomplete: the path stops at ${where}. ${from === null ? "" : "What is pale comes after it. "}There is no G-code.`;
+  const after = kinds.some((kind) => kind !== BEGINS && kind & BROKEN && !(kind & 112));
+  return `Incomplete: the path stops at ${where}. ${after ? "What is pale comes after it. " : ""}There is no G-code.`;
 }
 
 /** What a compilation made. */
