@@ -410,7 +410,8 @@ impl Scene<'_> {
         let sizes = self.sizes().iter().map(|size| letters(size)).fold(0.0, f64::max);
         let entries = self.legend(layout).iter().map(|(.., name)| 2.4 + 0.8 * letters(name)).fold(0.0, f64::max);
         let bar = (self.bar_end(layout) - layout.low.x) / layout.font;
-        let notice = self.stop.map_or(0.0, |stop| letters(&stop.text()));
+        // Bold letters are broader.
+        let notice = self.stop.map_or(0.0, |stop| 0.6 + 1.1 * letters(&stop.text()));
         sizes.max(entries).max(bar).max(notice)
     }
 
