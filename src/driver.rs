@@ -5,14 +5,14 @@ use std::io;
 use std::rc::Rc;
 
 #[cfg(feature = "arrow")]
-#[cfg(feature = "arrow")]
 use crate::columns::{self, Known, Take};
-use crate::diag::{Diags, Judge, Trail};
+use crate::diag::{Diags, Finding, Judge, Trail};
 use crate::dialect::Dialect;
-use crate::emit::plot::{self, Plot};
+use crate::emit::plot::{self, Plot, Stop};
 use crate::emit::stats::{Counter, Model, Stats};
 use crate::emit::trace::Trace;
 use crate::emit::{LineMap, Output, Printer};
+use crate::ir::refused::Remarks;
 use crate::ir::{Function, Origin, Pos, Tap, contour, motion, verify};
 use crate::lint::Checks;
 use crate::lint::fix::Fix;
@@ -106,9 +106,22 @@ impl Session {
             None => (dialect.run)(&job, sink),
         };
         let run = |sink: &mut dyn contour::Sink| match seen {
-            Some((seen, goes_on)) => watched(&mut Looks { seen, trail: &self.trail, next: sink, goes_on }),
+            Some((seen, goes_on)) => {
+                let mut looks = Looks { seen, trail: &self.trail, next: sink, goes_on };
+                watched(&mut Remarks::new(&self.diags, &mut looks))
+            }
             None => watched(sink),
         };
+        self.lowered(settings, out, run)
+    }
+
+    /// Runs a program into `lower`, and what comes of it to `out`.
+    fn lowered(
+        &self,
+        settings: &Settings,
+        out: &mut dyn motion::Sink,
+        run: impl FnOnce(&mut dyn contour::Sink) -> u64,
+    ) -> u64 {
         if cfg!(debug_assertions) {
             let mut motion = verify::Motion::new(out);
             let mut lower = Lower::new(&self.diags, &settings.machine, &mut motion);
@@ -120,6 +133,20 @@ impl Session {
         let hash = run(&mut lower);
         lower.finish();
         hash
+    }
+
+    /// Runs the program for somebody who shows it also where it is refused: the stream says where the first error lies.
+    fn run_shown(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files, out: &mut dyn motion::Sink) -> u64 {
+        let settings = dialect.settings(settings);
+        let settings = settings.as_ref();
+        let job = self.job(settings, files);
+        self.lowered(settings, out, |sink| (dialect.run)(&job, &mut Remarks::new(&self.diags, sink)))
+    }
+
+    /// The first error of the run, behind which nothing is whole.
+    pub fn first_error(&self) -> Option<Finding> {
+        let found = self.diags.first_error().filter(|_| self.diags.has_failed())?;
+        Some(Finding::new(&found, &self.sources, &self.trail, |_| Vec::new()))
     }
 
     /// Runs the program and gives its moves to `out`.
@@ -179,7 +206,7 @@ impl Session {
         let map = map.map(|map| -> &mut dyn LineMap { map });
         let mut printer = Printer::new(settings, &name, &self.diags, out, map);
         let run = |printer: &mut dyn motion::Sink| match beside {
-            Some(beside) => self.run(dialect, settings, files, &mut Beside { printer, beside }),
+            Some(beside) => self.run_shown(dialect, settings, files, &mut Beside { printer, beside }),
             None => self.run(dialect, settings, files, printer),
         };
         if !settings.output.validate {
@@ -281,7 +308,8 @@ impl Session {
         imprint.number()
     }
 
-    /// Draws the resolved path. With an error among the findings the picture must not be used.
+    /// Draws the resolved path. That of a program with errors ends at the first one, says so, and shows pale what is known
+    /// behind it.
     ///
     /// # Errors
     /// What `out` reports.
@@ -294,9 +322,21 @@ impl Session {
         out: &mut dyn Output,
     ) -> io::Result<Option<plot::Thinned>> {
         self.judge(dialect, settings);
+        let settings = dialect.settings(settings);
+        let settings = settings.as_ref();
         let mut plot = Plot::new(settings, &self.sources.name(FileId(0)), options);
-        self.run(dialect, settings, files, &mut plot);
+        self.run_shown(dialect, settings, files, &mut plot);
+        if let Some(error) = self.first_error() {
+            plot.incomplete(self.stop(&error));
+        }
         plot.finish(Some(&self.sources), out)
+    }
+
+    /// An error as a picture tells it.
+    fn stop(&self, error: &Finding) -> Stop {
+        let called = error.file != self.sources.name(FileId(0));
+        let file = error.file.rsplit(['/', '\\']).next().unwrap_or(&error.file).to_owned();
+        Stop { code: error.code, file, called, line: error.line }
     }
 
     /// Counts ways, times, tools and extents. With an error among the findings the figures must not be used.
@@ -307,7 +347,7 @@ impl Session {
         counter.finish()
     }
 
-    /// Writes the resolved moves as JSON Lines.
+    /// Writes the resolved moves as JSON Lines. Those of a program with errors end at the first one, with a line that says so.
     ///
     /// # Errors
     /// What `out` reports.
@@ -321,8 +361,8 @@ impl Session {
     ) -> io::Result<()> {
         self.judge(dialect, settings);
         let mut trace = Trace::new(&self.sources, &self.trail, model, out);
-        self.run(dialect, settings, files, &mut trace);
-        trace.finish()
+        self.run_shown(dialect, settings, files, &mut trace);
+        trace.finish(self.first_error().as_ref())
     }
 
     /// Gives the resolved moves as record batches to `take`, which says whether it wants more. With an error among the

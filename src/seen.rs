@@ -6,7 +6,7 @@ use crate::diag::Trail;
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{Coords, Corner, CtxRef, Load, Move, Path, Sink};
 use crate::ir::cycle::Cycle;
-use crate::ir::{Feed, Function, Origin, Pos, Side, Tap};
+use crate::ir::{Feed, Function, Origin, Pos, Remark, Side, Tap};
 use crate::machine::Axis;
 use crate::text::{FileId, Span};
 
@@ -24,6 +24,7 @@ pub struct Seen {
     by_block: FxHashMap<(FileId, u32), usize>,
     at: Pos,
     tool: Option<u32>,
+    broken: bool,
     /// The step in which a block moved last, and its place in `stops`.
     last: (u64, usize),
     /// Where the tool stands while a contour is described.
@@ -46,6 +47,8 @@ pub struct Stop {
     pub tool: Option<u32>,
     /// It moves in machine coordinates.
     pub machine: bool,
+    /// A block in front of it was refused: this place is known again, and what lies between is not.
+    pub broken: bool,
     /// How often the block ran, and the number of its first run.
     pub passes: u32,
     pub step: u64,
@@ -89,6 +92,9 @@ impl Stop {
         }
         if self.path == Way::Corner {
             text.push_str(" corner");
+        }
+        if self.broken {
+            text.push_str(" after an error");
         }
         if self.passes > 1 {
             let least = if cut_off { "\u{2265}" } else { "" };
@@ -178,8 +184,9 @@ impl Seen {
         }
         self.last = (step, self.stops.len());
         self.by_block.insert(key, self.stops.len());
-        let (file, line, span, tool) = (origin.loc.file, origin.loc.line, origin.loc.span, self.tool);
-        self.stops.push(Stop { file, line, span, end: *end, path, feed, side, tool, machine, passes: 1, step });
+        let (file, line, span) = (origin.loc.file, origin.loc.line, origin.loc.span);
+        let (tool, broken) = (self.tool, self.broken);
+        self.stops.push(Stop { file, line, span, end: *end, path, feed, side, tool, machine, broken, passes: 1, step });
     }
 }
 
@@ -204,6 +211,9 @@ impl Sink for Looks<'_> {
     }
 
     fn function(&mut self, function: &Function, ctx: &CtxRef, origin: &Origin) {
+        if let Function::Remark(Remark::Refused) = function {
+            self.seen.broken = true;
+        }
         if let Function::ToolChange { number } = function {
             self.seen.tool = Some(*number);
             if self.seen.tools.len() < MOST {

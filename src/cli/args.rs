@@ -41,7 +41,8 @@ pub(super) enum Command {
     /// Write one page with the path, the findings, the G-code, tools and figures
     ///
     /// The page is a file that needs nothing else: it can be sent, kept with an order, and opened without a network. Of a program
-    /// with errors it shows them, and neither path nor G-code; the exit code is that of `compile`.
+    /// with errors it shows them, the path up to the first one and lines for partc.toml, and no G-code; the exit code is that of
+    /// `compile`.
     Report(Page),
     /// Compile the programs of a folder and compare with the golden outputs beside them
     ///

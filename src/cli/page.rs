@@ -9,6 +9,7 @@ use crate::driver::{Failure, Session};
 use crate::exhibit;
 use crate::text::{FileId, Memory, Opened, Span};
 
+use super::answers::{Form, Needs, requests};
 use super::args::Page;
 use super::closure::Targets;
 use super::disk::file_name;
@@ -16,7 +17,8 @@ use super::inputs::Input;
 use super::output::{Destination, Made, Replaces, ignore_closed_pipe, is_foreign};
 use super::progress::Ticker;
 use super::report::{Reporter, Stdout};
-use super::run::{Loaded, load, real, same_file};
+use super::run::{LARGEST_TRIED, Loaded, load, real, same_file};
+use super::trial::requests_of;
 use super::{Exit, Trouble};
 
 /// The page that `web/build.mjs` makes, with a place for the result.
@@ -25,8 +27,8 @@ const RESULT: &str = "@@RESULT@@";
 /// How every report begins.
 pub(super) const MARK: &str = "<!doctype html>\n<!-- (partc report) -->\n";
 
-/// Writes the page of one program. That of a program with errors, or what `--fail-on` makes of findings, shows them, and neither path
-/// nor code.
+/// Writes the page of one program. That of a program with errors shows the path up to the first one; neither it nor one with
+/// findings that `--fail-on` does not let pass has code.
 pub(super) fn report(args: &Page) -> Result<Exit, Trouble> {
     let target = target(args);
     let shown = target.display().to_string();
@@ -56,13 +58,16 @@ pub(super) fn report(args: &Page) -> Result<Exit, Trouble> {
     let (name, identity) = (session.sources.name(FileId(0)), session.sources.identity(FileId(0)));
     let again = Session::new(Opened { name, identity, text: Box::new(Memory::new(source.as_slice())) });
     let checked = exhibit::checked(&again, dialect, &settings, &files);
+    let paste = to_paste(&again, args);
     drop(ticker);
     targets.spare(&args.input, &args.common, &files)?;
     match made {
-        Ok(made) => write(&mut out, &[("source", &source), ("made", &made), ("checked", &checked)])
-            .and_then(|()| out.commit())
-            .or_else(ignore_closed_pipe)
-            .map_err(trouble)?,
+        Ok(made) => {
+            write(&mut out, &[("source", &source), ("made", &made), ("checked", &checked), ("paste", paste.as_bytes())])
+                .and_then(|()| out.commit())
+                .or_else(ignore_closed_pipe)
+                .map_err(trouble)?
+        }
         Err(Failure::Output(error)) => return Err(trouble(error)),
         Err(failure @ Failure::Mismatch(_)) => {
             reporter.say(&format!("partc: internal error: {}: {failure}", args.input.display()));
@@ -73,6 +78,30 @@ pub(super) fn report(args: &Page) -> Result<Exit, Trouble> {
     reporter.session(session);
     let exit = reporter.finish()?;
     args.deps.write(rule.into_iter().collect(), exit)
+}
+
+/// Lines of `partc.toml` that would answer errors.
+fn to_paste(session: &Session, args: &Page) -> String {
+    let mut asked = requests(session, &|_| None);
+    // A program goes on as far as it can, so that all keys show that it needs; standard input is read once.
+    if !asked.is_empty()
+        && args.input != Path::new("-")
+        && session.sources.size(FileId(0)) <= LARGEST_TRIED
+        && let Ok(all) = requests_of(&args.input, &args.common)
+    {
+        asked = all;
+    }
+    // The folder a program lies in is of no interest to who gets the page.
+    for request in &mut asked {
+        let file = &mut request.place.file;
+        *file = file.rsplit(['/', '\\']).next().unwrap_or(file).to_owned();
+    }
+    let mut needs = Needs::default();
+    needs.take("", &asked);
+    if needs.is_empty() {
+        return String::new();
+    }
+    needs.toml(Form::Lines, &BTreeSet::new(), &|_, _| Vec::new())
 }
 
 fn target(args: &Page) -> PathBuf {

@@ -10,13 +10,13 @@ use super::args::{PictureForm, Plot, View};
 use super::closure::Targets;
 use super::disk::file_name;
 use super::inputs::Input;
-use super::output::{Destination, Made, Replaces, ignore_closed_pipe, is_foreign, set_aside};
+use super::output::{Destination, Made, Replaces, ignore_closed_pipe, is_foreign};
 use super::progress::Ticker;
 use super::report::{Reporter, Stdout};
 use super::run::{Loaded, load, real, same_file};
 use super::{Exit, Trouble, say};
 
-/// Draws the path of one program. A program with errors gets no picture.
+/// Draws the path of one program. That of a program with errors says that it is not whole.
 pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
     let target = target(args);
     let shown = target.display().to_string();
@@ -45,21 +45,20 @@ pub(super) fn plot(args: &Plot) -> Result<Exit, Trouble> {
     let result = session.plot(dialect, &settings, &files, options, &mut out);
     drop(ticker);
     targets.spare(&args.input, &args.common, &files)?;
-    if reporter.look().fails(&session) {
-        drop(out);
-        if let Some(stale) = set_aside(&target, Made::Picture).map_err(trouble)? {
-            say(&format!("partc: the older {shown} was renamed to {}", stale.display()));
-        }
-    } else {
-        let thinned = result.map_err(trouble)?;
-        out.commit().or_else(ignore_closed_pipe).map_err(trouble)?;
-        if let Some(Thinned { moves, strokes, error }) = thinned.filter(|_| !args.common.report.quiet) {
-            let error = rounded_up(error);
-            say(&format!("partc: {moves} moves are drawn with {strokes} strokes, at most {error} mm away from them"));
-        }
+    let thinned = result.map_err(trouble)?;
+    out.commit().or_else(ignore_closed_pipe).map_err(trouble)?;
+    if let Some(Thinned { moves, strokes, error }) = thinned.filter(|_| !args.common.report.quiet) {
+        let error = rounded_up(error);
+        say(&format!("partc: {moves} moves are drawn with {strokes} strokes, at most {error} mm away from them"));
     }
+    let is_told = target != Path::new("-") && !args.common.report.quiet;
+    let error = session.first_error().filter(|_| is_told);
     reporter.session(session);
-    reporter.finish()
+    let exit = reporter.finish()?;
+    if let Some(error) = error {
+        say(&format!("partc: {shown} is incomplete: it stops at the first error ({})", error.code));
+    }
+    Ok(exit)
 }
 
 /// The form that the name of a picture asks for.

@@ -70,7 +70,7 @@ impl Look {
 
     /// Looks everything up in the session, which ends here.
     pub(super) fn present(&self, session: Session) -> Presented {
-        let asked = if self.text.is_some() { requests(&session, &|_| None) } else { Vec::new() };
+        let asked = if self.quiet { Vec::new() } else { requests(&session, &|_| None) };
         let Session { sources, diags, trail } = session;
         let counts = Counts::of(&diags);
         let file = sources.name(FileId(0));
@@ -180,6 +180,8 @@ pub(super) struct Reporter {
     bytes: u64,
     statistics: bool,
     exit_zero: bool,
+    /// A clean program is worth a word to somebody at a terminal.
+    tells_clean: bool,
     /// What is no finding in a program, such as a file that cannot be read.
     troubles: Vec<Trouble>,
     /// partc itself was at fault.
@@ -257,6 +259,7 @@ impl Reporter {
             bytes: 0,
             statistics: findings.statistics,
             exit_zero: findings.exit_zero,
+            tells_clean: false,
             troubles: Vec::new(),
             internal: false,
             started: Instant::now(),
@@ -268,6 +271,11 @@ impl Reporter {
     pub(super) fn look_at(&mut self, programs: usize, common: &Common) -> Look {
         self.look.list = programs > 1 && common.report.format.is_none() && self.look.text.is_some();
         self.look
+    }
+
+    /// The findings are all that the command gives.
+    pub(super) fn only_checks(&mut self) {
+        self.tells_clean = true;
     }
 
     /// A program was written.
@@ -396,7 +404,6 @@ impl Reporter {
             (true, false) => Exit::Clean,
         };
         let exit = if self.internal { Exit::Internal } else { exit };
-        let for_people = matches!(self.main, Main::Terminal | Main::Text(_));
         let statistics = if self.statistics { self.table() } else { String::new() };
         let summary = self.summary();
         match self.main {
@@ -414,7 +421,7 @@ impl Reporter {
         if !statistics.is_empty() {
             say(statistics.trim_end());
         }
-        if for_people && !self.look.quiet && self.counts.errors > 0 && self.look.text == Some(Format::Human) {
+        if !self.look.quiet && self.counts.errors > 0 {
             let table = if self.look.list { self.summary.table() } else { String::new() };
             let text = table + &self.summary.to_paste(self.look.list);
             if !text.is_empty() {
@@ -422,7 +429,7 @@ impl Reporter {
                 say("");
             }
         }
-        if let Some(summary) = summary.filter(|_| for_people && !self.look.quiet) {
+        if let Some(summary) = summary.filter(|_| !self.look.quiet) {
             say(&summary);
         }
         Ok(exit)
@@ -432,7 +439,10 @@ impl Reporter {
     fn summary(&self) -> Option<String> {
         let Counts { errors, warnings, .. } = self.counts;
         if self.programs < 2 && errors + warnings == 0 {
-            return None;
+            // Off a terminal no news is good news.
+            let is_seen = self.tells_clean && self.programs == 1 && io::stderr().is_terminal();
+            let told = if self.counts.notes == 0 { "no findings" } else { "no errors, no warnings" };
+            return is_seen.then(|| format!("1 program, {told}"));
         }
         let counts = format!("{}, {}", counted(errors, "error", "errors"), counted(warnings, "warning", "warnings"));
         let time = self.started.elapsed();

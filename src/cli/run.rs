@@ -43,7 +43,7 @@ pub(super) struct Loaded {
 }
 
 /// Bytes of a program that is tried several times for what it needs.
-const LARGEST_TRIED: u64 = 4 << 20;
+pub(super) const LARGEST_TRIED: u64 = 4 << 20;
 /// Bytes looked at to tell the dialect.
 const HEAD: u32 = 64 * 1024;
 
@@ -429,6 +429,7 @@ pub(super) fn same_file(a: &Path, b: &Path) -> bool {
 /// `partc check`
 pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
     let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Free, args.output.as_deref());
+    reporter.only_checks();
     let found = inputs(&args.paths, &args.many, &|path| is_program(path, &args.common))?;
     reporter.spares(&found.list, &BTreeSet::new())?;
     args.deps.spares(&paths_of(&found.list), &args.output.as_deref().map(real).into_iter().collect(), &reporter)?;

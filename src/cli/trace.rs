@@ -39,6 +39,9 @@ const ABOUT: u64 = 1 << 18;
 pub(super) fn is_ours(path: &Path, head: &[u8]) -> bool {
     if head.starts_with(b"{") {
         let kind = head.strip_prefix(b"{\"kind\":\"").and_then(|rest| rest.split(|byte| *byte == b'"').next());
+        if kind == Some(b"incomplete") {
+            return head.starts_with(b"{\"kind\":\"incomplete\",\"code\":\"");
+        }
         let known = [&b"rapid"[..], b"line", b"arc", b"thread"];
         return kind.is_some_and(|kind| known.contains(&kind) && head[9 + kind.len()..].starts_with(b"\",\"start\":{"));
     }
@@ -56,7 +59,12 @@ pub(super) fn is_ours(path: &Path, head: &[u8]) -> bool {
     says().unwrap_or(false)
 }
 
-/// Writes the moves of one program. A program with errors gets none: they end where nobody knows.
+/// What is said of a table that cannot be written.
+const WHOLE: &str = "partc: no table was written: it could not say that its moves stop at the first error. Take \
+                     `--format jsonl`, whose last line does";
+
+/// Writes the moves of one program. Those of a program with errors end at the first one: as JSON Lines, with a line that says
+/// so. A table has no place for that.
 pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
     let target = args.output.clone().unwrap_or_else(|| PathBuf::from("-"));
     let to_stdout = target == Path::new("-");
@@ -91,6 +99,7 @@ pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
     let ticker = Ticker::start(!to_stdout, &place);
     let run = Run { session: &session, dialect, settings: &settings, files: &files, model };
     let written = match form {
+        // What comes of a program with errors is thrown away.
         Format::Csv | Format::Arrow | Format::Parquet => run.table(form, to_stdout, out),
         Format::Human
         | Format::Concise
@@ -104,8 +113,9 @@ pub(super) fn trace(args: &Trace) -> Result<Exit, Trouble> {
     };
     drop(ticker);
     targets.spare(&args.input, &common, &files)?;
-    if reporter.look().fails(&session) {
+    if form != Format::Jsonl && session.first_error().is_some() {
         drop(written);
+        say(WHOLE);
         if !to_stdout && let Some(stale) = set_aside(&target, Made::Trace).map_err(trouble)? {
             say(&format!("partc: the older {shown} was renamed to {}", stale.display()));
         }

@@ -150,7 +150,7 @@ impl Sink for Front<'_, '_, '_, '_> {
     }
 
     fn function(&mut self, function: &Function, _: &Origin) {
-        if !matches!(function, Function::Comment(_)) && !self.is_silent() {
+        if !matches!(function, Function::Comment(_) | Function::Remark(_)) && !self.is_silent() {
             self.item(Item::Function(function.clone()));
         }
     }

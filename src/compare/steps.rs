@@ -352,7 +352,11 @@ impl Sink for Steps {
             }
             Function::End { rewind } => self.function("end", [f64::from(u8::from(*rewind)), 0.0], origin),
             Function::PathControl(said) => self.path_control(*said, origin),
-            Function::FeedSpindle(_) | Function::Transformation(_) | Function::Plane(_) | Function::Comment(_) => {}
+            Function::FeedSpindle(_)
+            | Function::Transformation(_)
+            | Function::Plane(_)
+            | Function::Comment(_)
+            | Function::Remark(_) => {}
         }
     }
 

@@ -271,6 +271,12 @@ impl Diags {
         self.inner.borrow().failed
     }
 
+    /// The first error that the run has met.
+    pub fn first_error(&self) -> Option<Diagnostic> {
+        let inner = self.inner.borrow();
+        inner.list.iter().find(|found| found.code.severity == Severity::Error).cloned()
+    }
+
     /// Shows all findings that are kept.
     pub fn each(&self, show: impl FnMut(&Diagnostic)) {
         self.inner.borrow().list.iter().for_each(show);

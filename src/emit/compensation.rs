@@ -257,6 +257,7 @@ impl Compensation {
             | Function::Aux(_)
             | Function::PathControl(_)
             | Function::Comment(_)
+            | Function::Remark(_)
             | Function::End { .. } => false,
         };
         let ends = ends && self.side != Side::None;

@@ -60,6 +60,7 @@ impl Told {
             | Function::Plane(_)
             | Function::PathControl(_)
             | Function::Comment(_)
+            | Function::Remark(_)
             | Function::End { .. } => {}
         }
     }

@@ -5,10 +5,10 @@ use std::io::Write;
 
 use serde_json::{Map, Value, json};
 
-use crate::diag::Trail;
+use crate::diag::{Finding, Trail};
 use crate::geo::{Plane, Point2, distance};
 use crate::ir::motion::{Move, Path, Sink};
-use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::ir::{Feed, Function, Origin, Pos, Remark, Side};
 use crate::machine::axis::Axis;
 use crate::text::decode::escaped_json;
 use crate::text::{BlockNumbers, Sources};
@@ -28,6 +28,8 @@ pub struct Trace<'a> {
     moves: u64,
     /// Lines from the first on whose time is still open.
     waiting: VecDeque<Map<String, Value>>,
+    /// A block was refused: what follows is not whole, and in no line.
+    refused: bool,
     error: Option<std::io::Error>,
 }
 
@@ -48,16 +50,22 @@ impl<'a> Trace<'a> {
             numbers: BlockNumbers::default(),
             moves: 0,
             waiting: VecDeque::new(),
+            refused: false,
             error: None,
         }
     }
 
+    /// Ends the list; one that ends at an error of the program with a line about it.
+    ///
     /// # Errors
     /// The first error of the output.
-    pub fn finish(mut self) -> std::io::Result<()> {
+    pub fn finish(mut self, refused: Option<&Finding>) -> std::io::Result<()> {
         let ended = self.clock.stop();
         self.settle(ended);
         self.release(None);
+        if let Some(found) = refused {
+            self.write(&incomplete(found));
+        }
         match self.error {
             Some(error) => Err(error),
             None => self.out.flush(),
@@ -138,6 +146,21 @@ impl<'a> Trace<'a> {
     }
 }
 
+/// The last line of a list that is not whole.
+fn incomplete(found: &Finding) -> Value {
+    let mut line = json!({
+        "kind": "incomplete",
+        "code": found.code,
+        "message": found.message,
+        "file": found.file,
+        "line": found.line,
+    });
+    if let Some(block) = &found.block {
+        line["block"] = json!(block);
+    }
+    line
+}
+
 fn kind(path: &Path) -> &'static str {
     match path {
         Path::Rapid => "rapid",
@@ -215,10 +238,17 @@ fn plane_name(plane: Plane) -> &'static str {
 
 impl Sink for Trace<'_> {
     fn movement(&mut self, mv: &Move, origin: &Origin) {
-        self.move_line(mv, origin);
+        if !self.refused {
+            self.move_line(mv, origin);
+        }
     }
 
     fn function(&mut self, function: &Function, _: &Origin) {
+        if let Function::Remark(Remark::Refused) = function {
+            let ended = self.clock.stop();
+            self.settle(ended);
+            self.refused = true;
+        }
         let ended = self.clock.function(function);
         self.settle(ended);
         self.told.function(function);

@@ -19,7 +19,7 @@ use crate::driver::{Failure, Session};
 use crate::emit::LineMap;
 use crate::emit::stats::{Counter, Model, SMOOTH_DEG};
 use crate::ir::motion::{Move, Sink};
-use crate::ir::{Function, Origin, Pos};
+use crate::ir::{Blank, Function, Origin, Pos};
 use crate::machine::keys::choices;
 use crate::machine::tools::{Tool, ToolKey};
 use crate::machine::{MachineKind, Settings};
@@ -32,7 +32,7 @@ use path::Recorder;
 
 /// Compiles the main program of a session: `about`, code, path, and the block of each line.
 ///
-/// With an error among the findings there is neither code nor path.
+/// With an error among the findings there is no code, and the path says from which move on it is not whole.
 ///
 /// # Errors
 /// As [`Session::compile`].
@@ -40,7 +40,7 @@ pub fn made(session: &Session, dialect: &Dialect, settings: &Settings, files: &d
     made_unless(session, dialect, settings, files, &|session| session.diags.has_errors())
 }
 
-/// The same; with findings that `fails` does not let pass there is neither code nor path.
+/// The same; with findings that `fails` does not let pass there is no code.
 ///
 /// # Errors
 /// As [`Session::compile`].
@@ -65,7 +65,10 @@ pub fn made_unless(
         code.clear();
         lines.lines.clear();
     }
-    let path = if failed { path::Path::default() } else { recorder.finish() };
+    let mut path = recorder.finish();
+    if failed {
+        path.without_code();
+    }
     let settings = dialect.settings(settings);
     let target = settings.output.target;
     let lathe = settings.machine.kind == MachineKind::Lathe;
@@ -86,6 +89,8 @@ pub fn made_unless(
         "left_out": path.left_out,
         "origin": path.origin,
         "known": path.known,
+        "incomplete": incomplete(session, &path),
+        "blank": path.blank.as_ref().map(blank),
         "model": { "rapid": model.rapid, "acceleration": model.acceleration, "smooth": SMOOTH_DEG },
     });
     about["stats"] = if failed { Value::Null } else { counter.finish().object() };
@@ -94,6 +99,23 @@ pub fn made_unless(
     packed.words("lines", &lines.lines);
     path.pack(&mut packed);
     Ok(packed.bytes(about))
+}
+
+/// The first error, and the first move behind it: none where no move follows.
+fn incomplete(session: &Session, path: &path::Path) -> Option<Value> {
+    let found = session.first_error()?;
+    let own = found.file == session.sources.name(FileId(0));
+    let file = found.file.rsplit(['/', '\\']).next().unwrap_or(&found.file);
+    Some(json!({ "code": found.code, "file": file, "own": own, "line": found.line, "from": path.broken_from }))
+}
+
+fn blank(blank: &Blank) -> Value {
+    match blank {
+        Blank::Cuboid { low, high } => json!({ "low": low, "high": high }),
+        Blank::Round { axis, radius, bore, low, high } => {
+            json!({ "axis": axis.index(), "radius": radius, "bore": bore, "low": low, "high": high })
+        }
+    }
 }
 
 /// Checks the main program of a session: findings, and the place behind each block as lines of text with the number of the

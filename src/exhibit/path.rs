@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use crate::geo::{Point2, distance, turned};
 use crate::ir::motion::{Arc, Move, Path as Way};
-use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::ir::{Blank, Feed, Function, Origin, Pos, Remark, Side};
 use crate::machine::Axis;
 
 use super::Blocks;
@@ -19,6 +19,8 @@ const LEAST_CHORDS: f64 = 24.0;
 const MOST_CHORDS: f64 = 180.0;
 /// In the byte of a point: nothing leads to it.
 const BEGINS: u8 = 0xff;
+/// It lies behind an error.
+const BROKEN: u8 = 0x80;
 
 /// What is drawn of a program. Lengths in mm, in the coordinates of the workpiece, X of a lathe as radius.
 #[derive(Debug, Default)]
@@ -29,7 +31,8 @@ pub struct Path {
     pub known: [bool; 3],
     /// X, Y, Z of each point, seen from `origin`.
     points: Vec<f32>,
-    /// What leads to each point: 0 rapid, 1 line, 2 arc, 3 thread; 16, 32, 64 where X, Y, Z of it are not known.
+    /// What leads to each point: 0 rapid, 1 line, 2 arc, 3 thread; 16, 32, 64 where X, Y, Z of it are not known, 128 behind an
+    /// error.
     kinds: Vec<u8>,
     /// The move that leads to each point.
     owners: Vec<u32>,
@@ -46,9 +49,17 @@ pub struct Path {
     /// In the order of their changes.
     pub tools: Vec<Option<u32>>,
     pub left_out: u64,
+    /// The first move behind an error, from which on the path is not whole.
+    pub broken_from: Option<usize>,
+    pub blank: Option<Blank>,
 }
 
 impl Path {
+    /// There is no code that the moves could stand in.
+    pub fn without_code(&mut self) {
+        self.printed.fill(0);
+    }
+
     /// The arrays, by name.
     pub fn pack(&self, packed: &mut Packed) {
         packed.numbers("points", &self.points);
@@ -185,7 +196,8 @@ impl<'a> Recorder<'a> {
             let before = path.points[path.points.len() - 3];
             path.points.push(value.map_or(before, |value| (value - path.origin[index]) as f32));
         }
-        path.kinds.push(kind | unknown);
+        let broken = if path.broken_from.is_some() { BROKEN } else { 0 };
+        path.kinds.push(kind | unknown | broken);
         path.owners.push(owner);
     }
 
@@ -199,6 +211,11 @@ impl<'a> Recorder<'a> {
             self.tool = u16::try_from(place).unwrap_or(u16::MAX);
         } else if let Function::WorkOffset(_) = function {
             self.at.clear();
+        } else if let Function::Remark(remark) = function {
+            match remark {
+                Remark::Refused => self.path.broken_from = Some(self.path.blocks.len()),
+                Remark::Blank(blank) => self.path.blank = Some(*blank),
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! Everything a program does besides moving. The same items pass through both languages.
 
 use crate::geo::Plane;
+use crate::machine::Axis;
 
 use super::Transformation;
 
@@ -57,6 +58,23 @@ pub struct CutterData {
     pub known: Option<f64>,
 }
 
+/// The material that a program begins with, in coordinates of the workpiece, mm. Each side is longer than nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Blank {
+    /// X, Y and Z of two corners.
+    Cuboid { low: [f64; 3], high: [f64; 3] },
+    /// Round about the line through zero along an axis, on which it lies between two places. Without a bore that is 0.
+    Round { axis: Axis, radius: f64, bore: f64, low: f64, high: f64 },
+}
+
+/// What only those who show a program want to know: no machine hears of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Remark {
+    /// A block was refused: from here on the program is known in parts.
+    Refused,
+    Blank(Blank),
+}
+
 /// Something other than a move.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Function {
@@ -95,6 +113,7 @@ pub enum Function {
     PathControl(Option<PathControl>),
     /// Text of the source, any bytes.
     Comment(Vec<u8>),
+    Remark(Remark),
     /// End of the program.
     End {
         rewind: bool,

@@ -12,6 +12,7 @@ pub mod frame;
 pub mod function;
 pub mod motion;
 pub mod pos;
+pub mod refused;
 pub mod tap;
 pub mod transformation;
 pub mod undercut;
@@ -22,7 +23,7 @@ use crate::text::Loc;
 
 pub use compensation::Compensation;
 pub use frame::Frame;
-pub use function::Function;
+pub use function::{Blank, Function, Remark};
 pub use pos::Pos;
 pub use tap::Tap;
 pub use transformation::Transformation;

@@ -43,7 +43,7 @@ impl Sink for Imprint {
     }
 
     fn function(&mut self, function: &Function, _: &Origin) {
-        if !matches!(function, Function::Comment(_)) {
+        if !matches!(function, Function::Comment(_) | Function::Remark(_)) {
             self.take(function);
         }
     }

@@ -120,6 +120,7 @@ impl Carrier {
             | Function::Plane(_)
             | Function::PathControl(_)
             | Function::Comment(_)
+            | Function::Remark(_)
             | Function::End { .. } => {}
         }
         true

@@ -214,7 +214,7 @@ impl Corners {
             loc != element(before)
                 && loc != element(after)
                 && loc != origin.loc
-                && !matches!(function, Function::Comment(_) | Function::PathControl(_))
+                && !matches!(function, Function::Comment(_) | Function::Remark(_) | Function::PathControl(_))
         };
         let found: Vec<_> = self.behind.iter().chain(&self.between).filter(of_its_own).collect();
         let plain = |(function, _): &&&(Function, Origin)| {

@@ -70,7 +70,9 @@ impl Validator {
                 self.corners = self.output.path_control(*said, self.lathe).or(self.corners);
                 acts.iter().all(|act| matches!(act, Act::Corners(_))) && acts.len() < 2 && self.takes_corners()
             }
-            Function::Comment(_) | Function::FeedSpindle(_) | Function::Transformation(_) => acts.is_empty(),
+            Function::Comment(_) | Function::Remark(_) | Function::FeedSpindle(_) | Function::Transformation(_) => {
+                acts.is_empty()
+            }
             Function::Dwell(_) | Function::End { .. } => false,
         }
     }

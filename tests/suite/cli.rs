@@ -153,7 +153,8 @@ fn an_error_prints_nothing_to_standard_output() {
     let folder = Folder::new("stdout_on_error").with(&[("WRONG.H", WRONG)]);
     assert_eq!(folder.run(&["compile", "WRONG.H", "-o", "-"]).exits(1).out, "");
     assert_eq!(folder.run_with(&["compile", "-"], WRONG).exits(1).out, "");
-    assert_eq!(folder.run(&["trace", "WRONG.H"]).exits(1).out, "");
+    let trace = folder.run(&["trace", "WRONG.H"]).exits(1).out;
+    assert!(trace.starts_with("{\"kind\":\"incomplete\",\"code\":\"K1005\"") && trace.lines().count() == 1, "{trace}");
 }
 
 #[test]
@@ -329,7 +330,7 @@ fn plot_draws_beside_the_program_and_replaces_nothing_foreign() {
     assert!(other.err.contains(".svg or .png") && !folder.0.join("t.pdf").exists(), "{}", other.err);
     folder.run(&["plot", "T.H", "-o", "t.xml", "--as", "svg"]).exits(0);
     folder.run(&["plot", "BAD.H", "-o", "bad.svg"]).exits(1);
-    folder.run(&["plot", "bad.svg", "-o", "-"]).exits(2);
+    folder.run(&["plot", "none.H", "-o", "-"]).exits(2);
 }
 
 #[test]
@@ -355,12 +356,12 @@ fn plot_takes_a_side_sizes_and_a_form() {
         folder.run(&["plot", "T.H", "-o", "t.PNG", "--force"]).exits(0);
         folder.run(&["plot", "T.H", "--as", "png"]).exits(0);
         assert!(is_png("t.png") && is_png("T.png"));
-        // It is known again, and set aside when the program has errors; a picture of somebody else stays.
+        // It is known again, and replaced where the program has errors; a picture of somebody else stays.
         folder.run(&["plot", "T.H", "-o", "t.png"]).exits(0);
         std::fs::write(folder.0.join("photo.png"), b"\x89PNG\r\n\x1a\nphoto").expect("a file");
         folder.run(&["plot", "T.H", "-o", "photo.png"]).exits(2);
-        folder.run(&["plot", "BAD.H", "-o", "t.png"]).exits(1);
-        assert!(folder.has("t.png.stale") && !folder.has("t.png"));
+        folder.run(&["plot", "BAD.H", "-o", "t.png"]).exits(1).says("t.png is incomplete");
+        assert!(is_png("t.png") && !folder.has("t.png.stale"));
         folder.run(&["diff", "T.H", "T.H", "--plot", "both.png"]).exits(0);
         assert!(is_png("both.png"));
     }
@@ -493,13 +494,13 @@ fn a_report_shows_results_or_errors_and_replaces_nothing_foreign() {
     folder.run(&["report", "T.H"]).exits(0);
     let page = folder.run(&["report", "T.H", "-o", "-"]).exits(0).out;
     assert!(page.starts_with("<!doctype html>\n<!-- (partc report) -->\n") && page.ends_with("</html>\n"));
-    assert_eq!(page.matches("<script type=\"text/plain\" id=").count(), 3);
+    assert_eq!(page.matches("<script type=\"text/plain\" id=").count(), 4);
     let broken = folder.run(&["report", "BAD.H", "-o", "-"]).exits(1).out;
     assert!(broken.ends_with("</html>\n"), "a page with the findings");
     // The folder of a program goes nowhere with its page.
     let named = folder.run(&["report", &folder.0.join("BAD.H").display().to_string(), "-o", "-"]).exits(1).out;
     assert_eq!(named, broken);
-    // What fails the run lets no output pass: the page shows the finding, and neither path nor code.
+    // What fails the run lets no output pass: the page shows the finding and the path, and no code.
     std::fs::write(folder.0.join("W.H"), text.replace("L X+50", "L X\u{2212}50")).expect("a program");
     let lenient = folder.run(&["report", "W.H", "-o", "-"]).exits(0).out;
     let strict = folder.run(&["report", "W.H", "-o", "-", "--fail-on", "warning"]).exits(1).out;

@@ -13,7 +13,8 @@ fn json_findings() {
     let text = "0 BEGIN PGM J MM\n1 L X+10 Y+0 R0 F300\n2 CC X+0\n3 C X+0 Y+10 DR+\n4 CALL LBL 1\n5 M30\n6 LBL 1\n\
                 N7 L X+10 ; Ø78\n8 L Y+5 R5\n9 LBL 0\n10 END PGM J MM\n";
     let folder = Folder::new("json").with(&[("J.H", text)]);
-    let ran = folder.run(&["check", "J.H", "--format", "json"]).exits(1).quietly();
+    let ran = folder.run(&["check", "J.H", "--format", "json"]).exits(1);
+    assert_eq!(ran.err, "1 error, 1 warning\n");
     let report = ran.json();
     let keys: Vec<&String> = report.as_object().expect("an object").keys().collect();
     assert_eq!(keys, ["version", "diagnostics", "files", "errors", "warnings"]);

@@ -5,7 +5,7 @@ use std::process::Command;
 use serde_json::Value;
 use serde_sarif::sarif;
 
-use super::cli_run::{Folder, HOLE, PART, WARNED, WRONG, caller, set};
+use super::cli_run::{Folder, HOLE, PART, RADIUS, WARNED, WRONG, caller, set};
 
 fn folder(test: &str) -> Folder {
     Folder::new(test).with(&[("a/PART.H", PART), ("a/deep/WARNED.H", WARNED), ("b/WRONG.H", WRONG)])
@@ -64,6 +64,27 @@ fn each_format_names_file_line_and_code() {
     assert_eq!(lines.len(), 2);
 }
 
+/// No job is red with an empty log: standard error has the lines to paste and the count, whatever the format, and for a file, too.
+#[test]
+fn each_format_ends_with_what_to_do_and_how_much_there_is() {
+    let folder = Folder::new("ends").with(&[("RADIUS.H", RADIUS), ("PART.H", PART)]);
+    for format in ["json", "jsonl", "github", "gitlab", "sarif", "junit", "checkstyle", "concise", "human"] {
+        for more in [&[][..], &["-o", "out.txt"]] {
+            let ran = folder.run(&[&["check", ".", "--format", format][..], more].concat()).exits(1);
+            assert!(ran.err.contains("[tools]\n") || ran.err.contains("[tools.5]"), "{format}: {}", ran.err);
+            assert!(
+                ran.err.contains("radius") && ran.err.ends_with("\n2 programs, 1 error, 0 warnings\n"),
+                "{}",
+                ran.err
+            );
+            assert!(!ran.out.contains("Paste") && !ran.out.contains("2 programs"), "{format}: {}", ran.out);
+        }
+    }
+    // Whoever wants quiet has it, and one clean program is told on a terminal only.
+    folder.run(&["check", ".", "--format", "gitlab", "--quiet"]).exits(1).quietly();
+    folder.run(&["check", "PART.H"]).exits(0).quietly();
+}
+
 #[test]
 fn further_reports_go_to_files() {
     let folder = folder("further");
@@ -77,7 +98,7 @@ fn further_reports_go_to_files() {
     // Those for people are as they are on a terminal, without its colours.
     let more = ["--report", "human=out.txt", "--report", "concise=out.log", "--color", "always"];
     let ran = folder.run(&[&["check", ".", "--format", "sarif"][..], &more].concat()).exits(1);
-    assert!(ran.out.starts_with('{') && ran.err.is_empty(), "{}", ran.err);
+    assert!(ran.out.starts_with('{') && ran.err == "3 programs, 1 error, 1 warning\n", "{}", ran.err);
     let plain = |format: &str| {
         let err = folder.run(&["check", ".", "--format", format, "--color", "never"]).exits(1).err;
         err.rsplit_once("3 programs").expect("a summary").0.trim_end().to_owned()

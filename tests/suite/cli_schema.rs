@@ -86,9 +86,13 @@ fn moves_fit_their_schema() {
         let out = folder.run(&["trace", program]).exits(0).out;
         assert!(out.lines().count() >= 2, "{program}");
         for line in out.lines() {
-            fits(&schema("trace.schema.json"), &serde_json::from_str(line).expect("JSON"), "move");
+            fits(&schema("trace.schema.json")["$defs"]["move"], &serde_json::from_str(line).expect("JSON"), "move");
         }
     }
+    folder.write("R.H", &PART.replace("2 L Z-5 F150", "2 L X+5 R5"));
+    let out = folder.run(&["trace", "R.H"]).exits(1).out;
+    let last = serde_json::from_str(out.lines().last().expect("lines")).expect("JSON");
+    fits(&schema("trace.schema.json")["$defs"]["incomplete"], &last, "incomplete");
 }
 
 #[test]

@@ -330,8 +330,19 @@ fn the_command_writes_each_form() {
         // The same again, over the older one.
         folder.run(&["trace", "A.H", "-o", file]).exits(0);
         assert_eq!(fs::read(folder.0.join(file)).expect("a file"), made, "{file}");
-        // With an error there is none, and the older one is not taken for it.
-        folder.run(&["trace", "WRONG.H", "-o", file]).exits(1).says("was renamed");
+        let ran = folder.run(&["trace", "WRONG.H", "-o", file]).exits(1);
+        if file == "a.jsonl" {
+            // Its only line says that it is not whole, and it is ours.
+            assert!(
+                folder.read(file).starts_with("{\"kind\":\"incomplete\",\"code\":\"K1005\""),
+                "{}",
+                folder.read(file)
+            );
+            folder.run(&["trace", "A.H", "-o", file]).exits(0);
+            continue;
+        }
+        // A table cannot say it: there is none, and the older one is not taken for it.
+        ran.says("was renamed").says("--format jsonl");
         assert!(!folder.has(file) && folder.has(&format!("{file}.stale")), "{file}");
     }
     assert_eq!(folder.run(&["trace", "A.H", "--format", "csv"]).exits(0).out.lines().count(), 5);
@@ -354,8 +365,10 @@ fn the_command_writes_each_form() {
     for (file, text) in of_others.into_iter().filter(|(file, _)| is_built(file)) {
         folder.write(file, text);
         folder.run(&["trace", "A.H", "-o", file]).exits(2).says("is no trace");
-        folder.run(&["trace", "WRONG.H", "-o", file, "--force"]).exits(1);
-        assert_eq!(folder.read(file), text, "{file}");
+        if !file.ends_with("jsonl") {
+            folder.run(&["trace", "WRONG.H", "-o", file, "--force"]).exits(1);
+            assert_eq!(folder.read(file), text, "{file}");
+        }
         folder.run(&["trace", "A.H", "-o", file, "--force"]).exits(0);
         folder.run(&["trace", "A.H", "-o", file]).exits(0);
     }

@@ -108,6 +108,39 @@ fn a_page_shows_where_blocks_lead_and_what_is_found() {
     assert_eq!(numbers[numbers.len() - 3..], [30.0, 0.0, 0.0]);
 }
 
+/// A refused program has its path up to the error and what is known behind it, and no code.
+#[test]
+fn a_page_shows_a_refused_program_up_to_its_error() {
+    let program = "0 BEGIN PGM A MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-20\n2 BLK FORM 0.2 X+100 Y+80 Z+0\n3 L X+0 Y+0 Z+5 R0 FMAX\n\
+                   4 L X+10 F200\n5 L X+20 R5\n6 L X+30 Y+0 Z+0\n7 L X+40\n8 END PGM A MM\n";
+    let case = Case {
+        file: "A.H".to_owned(),
+        program: program.as_bytes().to_vec(),
+        dialect: "klartext".to_owned(),
+        ..Case::default()
+    };
+    let answer = exhibit::answer(&request(&case, "make"));
+    let (about, parts) = read(&answer);
+    assert_eq!(
+        about["incomplete"],
+        json!({ "code": "K1005", "file": "A.H", "own": true, "line": 6, "from": 2 }),
+        "{about}"
+    );
+    assert_eq!(about["blank"], json!({ "low": [0.0, 0.0, -20.0], "high": [100.0, 80.0, 0.0] }));
+    assert_eq!((&about["failed"], &about["stats"]), (&json!(true), &Value::Null));
+    assert!(part(&parts, "code").is_empty() && part(&parts, "lines").is_empty());
+    assert_eq!(words(part(&parts, "blocks")), [4, 5, 7, 8]);
+    assert_eq!(words(part(&parts, "printed")), [0; 4]);
+    // Behind the error: a move from nowhere, and one that is known again.
+    let kinds: Vec<u8> = part(&parts, "kinds").to_vec();
+    assert!(kinds[..3].iter().all(|kind| *kind == 255 || kind & 128 == 0), "{kinds:?}");
+    assert_eq!((kinds[3] & 128, kinds[3] & 112 > 0, kinds[4]), (128, true, 129), "{kinds:?}");
+    let answer = exhibit::answer(&request(&case, "check"));
+    let (_, parts) = read(&answer);
+    let places = String::from_utf8_lossy(part(&parts, "places"));
+    assert_eq!(places, "4\tX0 Y0 Z5\n5\tX10 Y0 Z5\n7\tX30 Y0 Z0 after an error\n8\tX40 Y0 Z0 after an error\n");
+}
+
 #[test]
 fn requests_that_are_none_are_refused() {
     for bytes in [&b""[..], b"\x10\0\0\0{}", b"\x02\0\0\0{}", b"\x04\0\0\0nope", b"\xff\xff\xff\xff"] {

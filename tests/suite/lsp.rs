@@ -195,6 +195,18 @@ fn hints_show_where_blocks_lead() {
     client.end();
 }
 
+/// Behind an error places are shown where they are known again, and say so.
+#[test]
+fn hints_go_on_behind_an_error() {
+    let folder = Folder::new("lsp_refused").with(&[]);
+    let mut client = Client::start(&folder, json!({}));
+    let text = "0 BEGIN PGM R MM\n1 L X+0 Y+0 Z+5 R0 FMAX\n2 L X+10 F200\n3 L X+20 R5\n4 L IX+5\n5 L X+30 Y+0 Z+0\n6 L X+40\n7 END PGM R MM\n";
+    let uri = client.open(&folder, "R.H", text);
+    let wanted = [(1, "X0 Y0 Z5"), (2, "X10 Y0 Z5"), (5, "X30 Y0 Z0 after an error"), (6, "X40 Y0 Z0 after an error")];
+    assert_eq!(client.hints(&uri), wanted.map(|(line, label)| (line, label.to_owned())));
+    client.end();
+}
+
 /// A block that rounds or chamfers moves nothing by itself: its place is the corner.
 #[test]
 fn hints_of_corners_show_the_corner() {

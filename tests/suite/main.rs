@@ -19,6 +19,7 @@ mod cli_init;
 mod cli_lint;
 mod cli_names;
 mod cli_output;
+mod cli_refused;
 mod cli_reports;
 mod cli_run;
 mod cli_schema;

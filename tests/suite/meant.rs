@@ -394,7 +394,7 @@ impl Sink for Recorder {
             Function::PathControl(said) => {
                 self.corners = self.output.path_control(*said, self.lathe).map(corners).or(self.corners);
             }
-            Function::Plane(_) | Function::Comment(_) => {}
+            Function::Plane(_) | Function::Comment(_) | Function::Remark(_) => {}
         }
     }
 

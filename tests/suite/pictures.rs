@@ -335,3 +335,36 @@ fn what_a_picture_shows() {
         assert_eq!(svg.matches(open).count(), svg.matches(close).count());
     }
 }
+
+/// The blank lies where the program says, from each side; one that is described in another form, or in a shifted system, is not drawn.
+#[test]
+fn the_blank_is_drawn_where_it_is_known() {
+    let sized = |view| Options { dimensions: true, view, ..Options::default() };
+    let mill = |blank: &str| {
+        format!(
+            "0 BEGIN PGM B MM\n{blank}4 TOOL CALL 1 Z S1000\n5 L X+10 Y+10 Z+5 R0 FMAX\n6 L X+50 F100\n7 M30\n8 END PGM B MM\n"
+        )
+    };
+    let corners = mill("1 BLK FORM 0.1 Z X-5 Y+0 Z-20\n2 BLK FORM 0.2 IX+100 IY+80 IZ+20.5\n");
+    let above = svg(&corners, "klartext", "", sized(None));
+    assert!(above.contains("class=\"b\" d=\"M-5 0L95 0L95 80L-5 80Z\""), "{above}");
+    assert!(words(&above).contains(&"blank 100 x 80 x 20.5".to_owned()), "{above}");
+    let front = svg(&corners, "klartext", "", sized(Some(plot::Side::Xz)));
+    assert!(front.contains("class=\"b\" d=\"M-5 -20L95 -20L95 0.5L-5 0.5Z\""), "{front}");
+    let iso = svg(&corners, "klartext", "", sized(Some(plot::Side::Iso)));
+    let edges = iso.split("class=\"b\" d=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("edges");
+    assert_eq!(edges.matches('M').count(), 12, "{edges}");
+    // Inches are millimetres in the picture.
+    let inch = svg(&corners.replace(" MM\n", " INCH\n"), "klartext", "", sized(None));
+    assert!(inch.contains("class=\"b\" d=\"M-127 0L2413 0L2413 2032L-127 2032Z\""), "{inch}");
+    let turned = "%b.nc\n#UNIT METRIC\nBLANK\nN1 G20 X80 Z100 K2 I30\nMACHINING\nN2 T1 G95 F0.2 G97 S200 M4\nN3 G0 X84 Z4\nN4 G1 Z-10\nEND\n";
+    let turned = svg(turned, "heidenhain-turning", "", sized(None));
+    let bar = "class=\"b\" d=\"M-98 -40L2 -40L2 40L-98 40ZM-98 -15L2 -15L2 15L-98 15Z\"";
+    assert!(turned.contains(bar) && words(&turned).contains(&"blank ⌀80 / ⌀30 x 100".to_owned()), "{turned}");
+    let shifted = "1 CYCL DEF 7.0 DATUM SHIFT\n2 CYCL DEF 7.1 X+5\n2 BLK FORM 0.1 Z X-5 Y+0 Z-20\n3 BLK FORM 0.2 X+100 Y+80 Z+0\n";
+    let others = ["", "1 BLK FORM CYLINDER Z R50 L105\n", "1 BLK FORM 0.1 Z X-5 Y+0 Z-20\n", shifted];
+    for blank in others {
+        let plain = svg(&mill(blank), "klartext", "", sized(None));
+        assert!(!plain.contains("class=\"b\"") && !plain.contains("blank"), "{blank}: {plain}");
+    }
+}

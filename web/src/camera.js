@@ -55,13 +55,14 @@ export class Camera {
   }
 
   /** Shows the whole path, or its cuts only. */
-  fit({ points: p, kinds }, rapids) {
+  fit({ points: p, kinds, blank, origin }, rapids) {
     const [r, u, e] = this.rows, low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity], needs = this.needs;
     // Of very long paths some points are enough.
     const stride = Math.max(1, Math.floor(kinds.length / 400000));
-    const take = (i) => {
+    const take = (i) => put([p[3 * i], p[3 * i + 1], p[3 * i + 2]]);
+    const put = (at) => {
       [r, u, e].forEach((row, k) => {
-        const value = row[0] * p[3 * i] + row[1] * p[3 * i + 1] + row[2] * p[3 * i + 2];
+        const value = row[0] * at[0] + row[1] * at[1] + row[2] * at[2];
         if (value < low[k]) low[k] = value;
         if (value > high[k]) high[k] = value;
       });
@@ -71,6 +72,12 @@ export class Camera {
       if (k === 0xff || k & needs || (!rapids && (k & 15) === 0)) continue;
       take(i - 1);
       take(i);
+    }
+    // The corners of the blank, or of the box around it.
+    if (blank) for (let bits = 0; bits < 8; bits++) {
+      const round = (a, end) => (a === blank.axis ? end : end === blank.low ? -blank.radius : blank.radius);
+      const corner = (a) => { const end = (bits >> a) & 1 ? blank.high : blank.low; return (blank.axis === undefined ? end[a] : round(a, end)) - origin[a]; };
+      put([0, 1, 2].map(corner));
     }
     if (!(low[0] <= high[0])) { low.fill(-1); high.fill(1); }
     const middle = low.map((value, k) => (value + high[k]) / 2);

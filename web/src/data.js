@@ -31,6 +31,8 @@ export function unpack(bytes) {
 
 export const AXES = ["X", "Y", "Z"];
 export const BEGINS = 0xff;
+/** In the kind of a point: it lies behind the first error. */
+export const BROKEN = 128;
 export const RAPID = 0, LINE = 1, ARC = 2, THREAD = 3;
 
 /** The colour of a tool, by its place in the list, which begins with no tool. */

@@ -1,7 +1,7 @@
 // Lines of constant width in pixels, drawn by WebGL2, all from one array of points: one rectangle an element, or, where there are
 // many, one strip.
 
-import { BEGINS, shade } from "./data.js";
+import { BEGINS, BROKEN, shade } from "./data.js";
 
 const VERTEX = `#version 300 es
 layout(location=0) in vec3 a;
@@ -29,6 +29,8 @@ void main() {
     vec3 t = b - a; float slope = t.z / max(length(t), 1e-6);
     colour.rgb *= clamp(0.6 + 0.5 * (b.z - relief.x) / relief.y + relief.z * slope, 0.35, 1.25);
   }
+  // What is known behind an error is pale.
+  if (only.a == 0.0 && (what.x & 128u) != 0u) colour = vec4(mix(colours[9].rgb, colour.rgb, 0.22), 1.0);
   if (id > now) colour = mix(colours[9], colour, ahead);
   if (strip == 1) {
     // A line from point to point, of one pixel: what is flat comes from the point it leads to.
@@ -263,7 +265,7 @@ export class Lines {
       for (let i = from + 1; i < to; i++) {
         const k = what[2 * i], kind = k & 15;
         if (k === BEGINS || k & camera.needs || (kind === 0 && !style.rapids && !colour) || (style.hidden >> what[2 * i + 1]) & 1) { last = null; continue; }
-        const pen = colour ?? (ids[i] > style.now ? 9 : kind === 0 ? 8 : what[2 * i + 1]);
+        const pen = colour ?? (ids[i] > style.now || k & BROKEN ? 9 : kind === 0 ? 8 : what[2 * i + 1]);
         if (pen !== last) {
           if (last !== null) c.stroke();
           c.beginPath();

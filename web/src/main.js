@@ -1,10 +1,10 @@
 // The page: a program, its findings, its path and its G-code, each leading to the others.
 
-import { AXES, Path, lower, shade, unpack } from "./data.js";
+import { AXES, BEGINS, BROKEN, Path, lower, shade, unpack } from "./data.js";
 import { code, program } from "./editor.js";
 import { EXAMPLE } from "./example.js";
 import { bytesOf, decode, read, save } from "./files.js";
-import { clock, counted, el, figures, problems, together, toolName, tools } from "./panels.js";
+import { asked, clock, counted, el, figures, problems, together, toolName, tools } from "./panels.js";
 import { Plot, VIEWS } from "./plot.js";
 import { short } from "./overlay.js";
 import { split } from "./split.js";
@@ -23,7 +23,8 @@ const configPage = el("div", { class: "page text" });
 const config = el("textarea", { "aria-label": "partc.toml", spellcheck: "false", placeholder: "# partc.toml: tools, limits, what the control is\n[tools.1]\nradius = 5.0", style: null });
 Object.assign(config.style, { width: "100%", height: "100%", border: "0", padding: "8px 10px", resize: "none", background: "var(--panel)", color: "var(--text)", font: "13px ui-monospace, Consolas, 'DejaVu Sans Mono', monospace" });
 configPage.append(config);
-const pages = [["G-code", codePage], ["Tools", toolsPage], ["Figures", figuresPage], ...(report ? [] : [["Configuration", configPage]])];
+const answersPage = el("div", { class: "page" });
+const pages = [["G-code", codePage], ["Tools", toolsPage], ["Figures", figuresPage], ["partc.toml", answersPage], ...(report ? [] : [["Configuration", configPage]])];
 pages.forEach(([name, page], i) => {
   const tab = el("button", { role: "tab", id: `tab-${i}`, "aria-controls": `page-${i}`, onclick: () => open(i) }, name);
   page.id = `page-${i}`;
@@ -36,7 +37,8 @@ pages.forEach(([name, page], i) => {
 $("tabs").addEventListener("keydown", (event) => {
   const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
   if (!by) return;
-  const i = ([...$("tabs").children].indexOf(document.activeElement) + by + pages.length) % pages.length;
+  let i = [...$("tabs").children].indexOf(document.activeElement);
+  do i = (i + by + pages.length) % pages.length; while ($("tabs").children[i].hidden);
   open(i);
   $("tabs").children[i].focus();
 });
@@ -117,6 +119,9 @@ function slide(m) {
 
 function told() { plot.tell(null); }
 
+/** The block of a move, and where it is printed. */
+const blockAt = (path, m) => `line ${path.blocks[m]}${path.printed[m] ? ` → G-code ${path.printed[m]}` : ""}${m >= (path.incomplete?.from ?? Infinity) ? ", after the error" : ""}`;
+
 /** A move in words. */
 function describe(m) {
   const { path } = state;
@@ -129,7 +134,7 @@ function describe(m) {
   const machine = way & 64 ? " in machine coordinates" : "";
   const tool = path.tools[path.tool_of[m]];
   const passes = path.movesOf(path.blocks[m]).length;
-  return `${WAYS[way & 3]}${arc}${side}${machine}\n${machine ? "" : `to ${at}\n`}${feed ? `F ${short(feed)} ${unit}, ` : ""}${toolName(tool)}\nline ${path.blocks[m]} → G-code ${path.printed[m]}${passes > 1 ? `\none of ${passes} moves of this block` : ""}`;
+  return `${WAYS[way & 3]}${arc}${side}${machine}\n${machine ? "" : `to ${at}\n`}${feed ? `F ${short(feed)} ${unit}, ` : ""}${toolName(tool)}\n${blockAt(path, m)}${passes > 1 ? `\none of ${passes} moves of this block` : ""}`;
 }
 
 // The picture's buttons.
@@ -174,7 +179,8 @@ function legend() {
   for (let m = 0; m < path.moves; m++) used.add(path.tool_of[m]);
   const rapid = el("span", {}, el("i", { class: "dash" }), " rapid");
   rapid.firstChild.style.color = "var(--rapid)";
-  rapid.style.cssText = "display:inline-flex;gap:5px;align-items:center";
+  const blank = el("span", {}, el("i", { class: "dash" }), " blank");
+  blank.firstChild.style.color = "var(--blank)";
   const buttons = [...used].sort((a, b) => a - b).slice(0, 12).map((i) => {
     const button = el("button", { "aria-pressed": !((plot.hidden >> shade(i)) & 1), title: "Show this tool, or not", onclick() {
       plot.hidden ^= 1 << shade(i);
@@ -184,41 +190,46 @@ function legend() {
     button.firstChild.style.color = colour(i);
     return button;
   });
-  $("legend").replaceChildren(rapid, ...buttons);
+  $("legend").replaceChildren(rapid, ...(path.blank ? [blank] : []), ...buttons);
+}
+
+/** Why there is no G-code, and what of the path is shown. */
+function refused({ incomplete, kinds }) {
+  if (!incomplete) return "The findings let no output pass (--fail-on): there is no G-code.";
+  const { code, file, own, line } = incomplete;
+  const where = `line ${line}${own ? "" : ` of ${file}`} (${code})`;
+  if (!kinds.length) return `Incomplete: the program is refused at ${where}, and no move is known.`;
+  const after = kinds.some((kind) => kind !== BEGINS && kind & BROKEN && !(kind & 112));
+  return `Incomplete: the path stops at ${where}. ${after ? "What is pale comes after it. " : ""}There is no G-code.`;
 }
 
 /** What a compilation made. */
 function showMade(made) {
   state.made = made;
-  const stale = made.failed || made.trouble;
-  $("plot").classList.toggle("stale", !!stale);
-  $("veil").hidden = !stale;
-  $("save").disabled = !!stale;
+  $("plot").classList.toggle("stale", !!made.trouble);
+  $("save").disabled = !!(made.failed || made.trouble);
   if (made.trouble) {
+    $("veil").hidden = false;
     $("veil").textContent = made.trouble;
     problems($("problems"), [], 0, "", () => {});
     $("problems").replaceChildren(el("div", { class: "none" }, made.trouble));
     return says("error", "not compiled");
   }
-  if (stale) {
-    const few = made.findings.every(({ severity }) => severity !== "error");
-    $("veil").textContent = few ? "The findings let no output pass (--fail-on): there is no path." : state.path ? "The program has errors. The picture is that of the last program without any." : "The program has errors: there is no path.";
-    output.set("");
-  } else {
-    state.path = new Path(made);
-    plot.hidden = 0;
-    plot.show(state.path, state.isNew);
-    if (!state.isNew) plot.choose([...state.path.movesOf(blockOf(editor.line()))]);
-    state.isNew = false;
-    // The picture comes first.
-    requestAnimationFrame(() => setTimeout(() => { if (state.made === made) output.set(made.code); }));
-    views();
-    legend();
-    slide(null);
-  }
+  $("veil").hidden = !made.failed;
+  $("veil").textContent = made.failed ? refused(made) : "";
+  state.path = new Path(made);
+  plot.hidden = 0;
+  plot.show(state.path, state.isNew && state.path.segments > 0);
+  if (!state.isNew) plot.choose([...state.path.movesOf(blockOf(editor.line()))]);
+  if (state.path.segments) state.isNew = false;
+  // The picture comes first.
+  requestAnimationFrame(() => setTimeout(() => { if (state.made === made) output.set(made.code); }));
+  views();
+  legend();
+  slide(null);
   tools(toolsPage, made, colour);
   figures(figuresPage, made);
-  $("facts").textContent = [made.dialect, made.target, made.stats ? counted(state.path.moves + made.left_out, "move") : "", made.stats ? clock(made.stats.time_s) : ""].filter(Boolean).join(" · ");
+  $("facts").textContent = [made.dialect, made.target, counted(state.path.moves + made.left_out, "move") + (made.incomplete ? ", incomplete" : ""), made.stats ? clock(made.stats.time_s) : ""].filter(Boolean).join(" · ");
   showFindings();
 }
 
@@ -228,12 +239,26 @@ function showFindings() {
   problems($("problems"), list, Math.max(checked?.dropped ?? 0, made.dropped), made.name, (line, column) => { editor.go(line, column, true); fromProgram(line); });
   const own = list.map((found) => (found.file === made.name ? found : { ...found, line: found.stack[found.stack.length - 1]?.line ?? 0, column: 1, end_line: 0, end_column: 1 }));
   editor.findings(own);
+  showAnswers(list);
   const count = (severity) => list.filter((found) => found.severity === severity).length;
   const [errors, warnings] = [count("error"), count("warning")];
   if (errors) says("error", `${counted(errors, "error")}: no G-code`);
   else if (made.failed) says("error", `${counted(list.length, "finding")}: no G-code`);
   else if (warnings) says("warning", counted(warnings, "warning"));
   else says("ok", "no errors");
+}
+
+/** Lines of a configuration that would answer errors. */
+function showAnswers(list) {
+  const lines = report ? decode(bytesOf($("paste").textContent)) : asked(list);
+  answersPage.replaceChildren(...(lines
+    ? [el("p", {}, report ? "Paste into partc.toml and fill in:" : "Put into the configuration and fill in:"), el("pre", { tabindex: 0, "aria-label": "Lines for partc.toml" }, lines)]
+    : []));
+  const tab = $("tab-3");
+  tab.hidden = !lines;
+  if (!lines && tab.getAttribute("aria-selected") === "true") open(0);
+  else if (lines && state.made.failed && !state.pointed) open(3);
+  state.pointed = !!lines;
 }
 
 function showChecked(checked) {
@@ -259,7 +284,7 @@ function theme(name) {
   const css = (variable) => { probe.style.color = `var(--${variable})`; return getComputedStyle(probe).color; };
   const rgb = (variable) => [...css(variable).match(/[\d.]+/g).slice(0, 3).map((v) => v / 255), 1];
   const names = ["t0", "t1", "t2", "t3", "t4", "t5", "t6", "t7", "rapid", "done"];
-  plot.theme({ colours: names.map(rgb), select: rgb("select"), selectCss: css("select"), soft: css("soft"), axis: css("axis"), text: css("text"), panel: css("panel"), line: css("line") });
+  plot.theme({ colours: names.map(rgb), select: rgb("select"), blank: css("blank"), selectCss: css("select"), soft: css("soft"), axis: css("axis"), text: css("text"), panel: css("panel"), line: css("line") });
   probe.remove();
 }
 // Paper is white.

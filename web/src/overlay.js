@@ -27,6 +27,7 @@ export class Overlay {
     c.font = "11px system-ui, sans-serif";
     c.lineWidth = 1;
     if (!path?.segments) return;
+    if (path.blank) this.blank(plot, style);
     if (camera.flat) this.rulers(plot, style); else this.bar(plot, style);
     this.cross(plot, style);
     if (plot.dots) this.points(plot, style);
@@ -65,6 +66,37 @@ export class Overlay {
     c.beginPath(); c.moveTo(x, y - 4); c.lineTo(x, y); c.lineTo(x + w, y); c.lineTo(x + w, y - 4); c.stroke();
     c.textAlign = "center";
     c.fillText(`${short(length, 4)} mm`, x + w / 2, y - 6);
+  }
+
+  /** The edges of the blank. */
+  blank({ camera, path }, style) {
+    const { c } = this, { low, high, axis, radius, bore } = path.blank;
+    const at = (p) => camera.project(...p.map((v, a) => v - path.origin[a]));
+    const chain = (points) => { c.beginPath(); points.forEach((p, i) => (i ? c.lineTo(...at(p)) : c.moveTo(...at(p)))); c.stroke(); };
+    c.strokeStyle = style.blank;
+    c.setLineDash([12, 4, 2, 4]);
+    if (axis === undefined) {
+      const corner = (bits) => [0, 1, 2].map((a) => ((bits >> a) & 1 ? high : low)[a]);
+      // Seen along an axis, the other four faces are lines.
+      if (camera.flat) {
+        const [p, q] = [at(low), at(high)];
+        c.strokeRect(Math.min(p[0], q[0]), Math.min(p[1], q[1]), Math.abs(q[0] - p[0]), Math.abs(q[1] - p[1]));
+      } else for (let bits = 0; bits < 8; bits++) for (let a = 0; a < 3; a++) if (!((bits >> a) & 1)) chain([corner(bits), corner(bits | (1 << a))]);
+    } else for (const r of bore > 0 ? [radius, bore] : [radius]) {
+      const place = (along, turn) => { const p = [0, 0, 0]; p[axis] = along; p[(axis + 1) % 3] = r * Math.cos(turn); p[(axis + 2) % 3] = r * Math.sin(turn); return p; };
+      const ring = (along) => chain(Array.from({ length: 73 }, (_, i) => place(along, i * Math.PI / 36)));
+      const edge = camera.flat && camera.rows[2][axis] === 0;
+      ring(high);
+      if (camera.flat && !edge) continue;
+      ring(low);
+      const middle = at([0, 1, 2].map((a) => (a === axis ? low : 0)));
+      for (let i = 0; i < 4; i++) {
+        const [x, y] = at(place(low, i * Math.PI / 2));
+        // From the side, two of them lie on the axis, where there is no edge.
+        if (!camera.flat || Math.hypot(x - middle[0], y - middle[1]) > 0.5) chain([place(low, i * Math.PI / 2), place(high, i * Math.PI / 2)]);
+      }
+    }
+    c.setLineDash([]);
   }
 
   /** The zero of the workpiece. */

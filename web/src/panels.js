@@ -26,6 +26,18 @@ export function together(...lists) {
   return all.sort((a, b) => ORDER[a.severity] - ORDER[b.severity] || a.line - b.line || a.column - b.column);
 }
 
+/** The keys that errors ask for, as lines of a configuration: one of their values, or none where only the user knows. */
+export function asked(list) {
+  const tables = new Map();
+  for (const { severity, answers } of list) for (const { table, key, values } of (severity === "error" && answers) || []) {
+    if (!tables.has(table)) tables.set(table, new Map());
+    const keys = tables.get(table);
+    keys.set(key, [...new Set([...(keys.get(key) ?? []), ...values])]);
+  }
+  const line = ([key, values]) => `${key} = ${values.length === 1 ? values[0] : ""}${values.length > 1 ? `  # ${values.join(", ")}` : ""}`;
+  return [...tables].map(([table, keys]) => `[${table}]\n${[...keys].map(line).join("\n")}\n`).join("\n");
+}
+
 const MOST = 500;
 
 export function problems(place, list, dropped, name, go) {

@@ -88,7 +88,7 @@ async function run() {
   }
   await page.click('#views button:text-is("XY")');
   await linked(page);
-  for (const [i, tab] of ["code", "tools", "figures", "configuration"].entries()) {
+  for (const [i, tab] of [[0, "code"], [1, "tools"], [2, "figures"], [4, "configuration"]]) {
     await page.click(`#tab-${i}`);
     await picture(page, `tab-${tab}`);
     const found = await serious(page);
@@ -143,7 +143,7 @@ async function linked(page) {
   await page.evaluate(() => { window.partc.plot.stop(); window.partc.plot.goTo(null); });
 }
 
-/** An error takes G-code and path away. */
+/** An error takes the G-code away, and the path behind it is pale. */
 async function errors(page) {
   const done = await page.evaluate(() => document.body.dataset.done);
   await page.evaluate(() => { const { view } = window.partc.editor; view.dispatch({ changes: { from: view.state.doc.line(5).from, insert: "99 L X+10 R7 QQ\n" } }); });
@@ -151,6 +151,7 @@ async function errors(page) {
   assert.match(await page.textContent("#state"), /error/);
   assert.ok(await page.locator("#save").isDisabled());
   assert.ok(await page.locator(".cm-lintRange-error").count());
+  assert.match(await page.textContent("#veil"), /^Incomplete: the path stops at line 5 \(/);
   await picture(page, "errors");
   assert.deepEqual(await serious(page), [], "axe, errors");
 }

@@ -45,6 +45,8 @@ pub(super) enum Class {
     Edge,
     /// What is cut through.
     Hatch,
+    /// Edges of the blank.
+    Blank,
     Arrow(usize),
     /// Where the path begins.
     Start,
@@ -120,6 +122,7 @@ impl Class {
             Class::Contour => Look { ink: Ink::Fixed(0x888888, 0x888888), ..plain },
             Class::Edge => Look { width: 2.0, ink: Ink::Fixed(0x222222, 0xeeeeee), round: true, ..plain },
             Class::Hatch => Look { width: 0.7, ink: Ink::Fixed(0x777777, 0x999999), ..plain },
+            Class::Blank => Look { dash: &[14.0, 4.0, 2.0, 4.0], ink: Ink::Fixed(0x8d5a2b, 0xd9a066), ..plain },
             Class::Arrow(i) => Look { ink: tool(i), filled: true, ..plain },
             Class::Start => Look { width: 2.0, ink: Ink::Fixed(0x111111, 0xffffff), ..plain },
             Class::End => Look { ink: Ink::Fixed(0x111111, 0xffffff), filled: true, ..plain },
@@ -147,14 +150,24 @@ pub(super) struct Words<'a> {
     pub font: f64,
     /// Read from the right: upwards.
     pub upright: bool,
+    /// Nobody shall overlook them.
+    pub loud: bool,
     pub text: &'a str,
 }
+
+/// Ink of loud words, on a light ground and on a dark one.
+pub(super) const LOUD: (u32, u32) = (0xb3261e, 0xff8f86);
+
+/// How much is seen of what is pale.
+pub(super) const PALE: f64 = 0.35;
 
 /// Takes a picture: first all paths, then all words.
 pub(super) trait Canvas {
     /// A path; `title` is shown where somebody points at it.
     fn path(&mut self, class: Class, title: Option<&str>, parts: &[Part]);
     fn words(&mut self, words: &Words<'_>);
+    /// What comes now is pale, or is not any more.
+    fn pale(&mut self, _: bool) {}
 }
 
 #[cfg(test)]

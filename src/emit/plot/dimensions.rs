@@ -66,7 +66,7 @@ impl Labels {
 
     pub(super) fn write(&self, canvas: &mut dyn Canvas) {
         for Label { at, anchor, font, upright, text } in &self.placed {
-            canvas.words(&Words { at: *at, anchor: *anchor, font: *font, upright: *upright, text });
+            canvas.words(&Words { at: *at, anchor: *anchor, font: *font, upright: *upright, loud: false, text });
         }
     }
 }

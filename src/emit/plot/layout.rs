@@ -15,6 +15,8 @@ const LEAST: f64 = 0.04;
 const AROUND_A_POINT: f64 = 10.0;
 /// Room at the left, in font sizes.
 const LEFT: f64 = 5.0;
+/// From the line of the title to the notice, in font sizes.
+pub(super) const NOTICE: f64 = 1.6;
 /// Left free beside the words below the picture.
 const EDGE: f64 = 0.4;
 
@@ -37,6 +39,8 @@ pub(super) struct Needs {
     pub dimensions: bool,
     /// Lines below the picture.
     pub lines: usize,
+    /// A line below the title.
+    pub notice: bool,
     /// What words need at the left of the picture, and from there to the right, in font sizes.
     pub left: f64,
     pub broad: f64,
@@ -64,7 +68,8 @@ impl Layout {
         let more: f64 = if needs.dimensions { 3.0 } else { 0.0 };
         let below = 4.9 + 1.7 * needs.lines as f64;
         let right = (2.0 + more).max(needs.broad + EDGE - (high.x - low.x) / font);
-        let room = [LEFT.max(needs.left) * font, right * font, (3.6 + more) * font, below * font];
+        let above = if needs.notice { 3.6 + NOTICE } else { 3.6 };
+        let room = [LEFT.max(needs.left) * font, right * font, (above + more) * font, below * font];
         let mut layout = Layout { low, high, font, room, pixel: 0.0 };
         let (_, _, w, h) = layout.frame();
         layout.pixel = w.max(h) / PIXELS;

@@ -3,6 +3,7 @@
 //! In: motion items. They become strokes of the view ([`strokes`]), made fewer where there are very many; when all are known,
 //! the picture is laid out and drawn to a canvas. Coordinates of an SVG are true millimetres.
 
+mod blank;
 mod canvas;
 mod dimensions;
 mod glyphs;
@@ -23,7 +24,7 @@ use std::io;
 use crate::geo::{Element, Plane, Point2, SAME_POINT, distance, turned};
 use crate::ir::cycle::turning::Towards;
 use crate::ir::motion::{Arc, Move, Path, Sink};
-use crate::ir::{Function, Origin, Pos};
+use crate::ir::{Blank, Function, Origin, Pos, Remark};
 use crate::machine::{Axis, MachineKind, Settings};
 use crate::text::Sources;
 
@@ -74,6 +75,24 @@ pub struct Thinned {
     pub error: f64,
 }
 
+/// The first error of a refused program: what is drawn is not the whole path.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Stop {
+    pub code: &'static str,
+    /// The file that the error lies in, and whether that is another than the main program.
+    pub file: String,
+    pub called: bool,
+    pub line: u32,
+}
+
+impl Stop {
+    fn text(&self) -> String {
+        let Stop { code, file, called, line } = self;
+        let file = if *called { format!(" of {file}") } else { String::new() };
+        format!("incomplete: stops at line {line}{file} ({code})")
+    }
+}
+
 /// Draws moves.
 #[derive(Debug)]
 pub struct Plot {
@@ -100,6 +119,11 @@ pub struct Plot {
     ends: Option<(Point2, Point2)>,
     in_machine: u64,
     unknown: u64,
+    blank: Option<Blank>,
+    /// A block was refused. What is known behind it is drawn, and counts for nothing.
+    refused: bool,
+    after: Strokes,
+    stop: Option<Stop>,
 }
 
 impl Plot {
@@ -125,7 +149,16 @@ impl Plot {
             ends: None,
             in_machine: 0,
             unknown: 0,
+            blank: None,
+            refused: false,
+            after: Strokes::default(),
+            stop: None,
         }
+    }
+
+    /// The program was refused: the picture says that it is not whole.
+    pub fn incomplete(&mut self, stop: Stop) {
+        self.stop = Some(stop);
     }
 
     /// What comes now belongs to another program, which has a colour of its own.
@@ -143,8 +176,7 @@ impl Plot {
     /// # Errors
     /// The first error of the output.
     pub fn finish(mut self, sources: Option<&Sources>, out: &mut dyn Output) -> io::Result<Option<Thinned>> {
-        let moves = self.strokes.taken;
-        let thinned = self.strokes.finish().map(|error| Thinned { moves, strokes: self.strokes.len(), error });
+        let thinned = self.thin();
         self.contour.finish();
         let view = self.view.unwrap_or(View::new(self.options.view, Plane::Xy, self.lathe));
         let section =
@@ -155,6 +187,9 @@ impl Plot {
             diameter: self.diameter,
             dimensions: self.options.dimensions,
             notes: self.notes(thinned),
+            after: &self.after,
+            blank: self.blank,
+            stop: self.stop.as_ref(),
             strokes: &self.strokes,
             contour: &self.contour,
             section,
@@ -170,12 +205,21 @@ impl Plot {
         Ok(thinned)
     }
 
+    /// Makes strokes fewer where there are very many.
+    fn thin(&mut self) -> Option<Thinned> {
+        let moves = self.strokes.taken + self.after.taken;
+        let errors = [self.strokes.finish(), self.after.finish()];
+        let error = errors.into_iter().flatten().reduce(f64::max)?;
+        Some(Thinned { moves, strokes: self.strokes.len() + self.after.len(), error })
+    }
+
     fn write(&self, scene: &Scene<'_>, layout: &Layout, widths: Widths, out: &mut dyn Output) -> io::Result<()> {
         match self.options.form {
             Form::Svg => {
                 let mut used = svg::Used::default();
                 scene.draw(&mut used, layout);
-                let mut svg = svg::Svg::new(out, layout, widths, &used, &self.title);
+                let named = (self.title.as_str(), self.stop.as_ref());
+                let mut svg = svg::Svg::new(out, layout, widths, &used, named);
                 scene.draw(&mut svg, layout);
                 svg.finish()
             }
@@ -191,8 +235,8 @@ impl Plot {
     fn notes(&self, thinned: Option<Thinned>) -> Vec<String> {
         let moves = |count: u64| if count == 1 { "1 move".to_owned() } else { format!("{count} moves") };
         let mut notes = Vec::new();
-        if let Some(Thinned { strokes, error, .. }) = thinned {
-            let moves = moves(self.strokes.taken);
+        if let Some(Thinned { moves: taken, strokes, error }) = thinned {
+            let moves = moves(taken);
             notes.push(format!("{moves} drawn with {strokes} strokes, at most {} mm away", rounded_up(error)));
         }
         if self.in_machine > 0 {
@@ -212,14 +256,17 @@ impl Plot {
         // What exceeds a turn lies on itself.
         if arc.sweep.abs() > whole {
             let around = Bend { center, sweep: whole * turn * arc.sweep.signum() };
-            self.strokes.arc(pen, from, from, around, origin.loc);
+            self.pen().arc(pen, from, from, around, origin.loc);
         }
         let sweep = turn * if arc.sweep.abs() > whole { arc.sweep % whole } else { arc.sweep };
         let bend = Bend { center, sweep };
-        self.cut.take_arc(from, &bend);
         if sweep.abs() * distance(from, center) > SAME_POINT || arc.sweep.abs() <= whole {
-            self.strokes.arc(pen, from, to, bend, origin.loc);
+            self.pen().arc(pen, from, to, bend, origin.loc);
         }
+        if self.refused {
+            return;
+        }
+        self.cut.take_arc(from, &bend);
         if arc.sweep.abs() > whole {
             self.cut.take_arc(from, &Bend { center, sweep: whole });
         }
@@ -244,11 +291,24 @@ impl Plot {
                 pos.set_in_plane(arc.plane, arc.center + turned(arc.from - arc.center, angle));
             }
             if let Some(to) = view.point(&pos) {
-                self.cut.take(to);
-                self.strokes.line(Pen::Cut, self.colour, from, to, origin.loc);
+                if !self.refused {
+                    self.cut.take(to);
+                }
+                let colour = self.colour;
+                self.pen().line(Pen::Cut, colour, from, to, origin.loc);
                 from = to;
             }
         }
+    }
+
+    /// What the next stroke belongs to.
+    fn pen(&mut self) -> &mut Strokes {
+        if self.refused { &mut self.after } else { &mut self.strokes }
+    }
+
+    /// The next stroke begins anew.
+    fn lift(&mut self) {
+        self.pen().lift();
     }
 
     /// What a cut adds to the sizes that are told.
@@ -305,8 +365,8 @@ impl Sink for Plot {
         end.update(&mv.end);
         match (view.point(&self.at), view.point(&end)) {
             (Some(from), Some(to)) if !mv.machine => {
-                let pen = pen(&mv.path);
-                if pen != Pen::Rapid {
+                let (pen, colour) = (pen(&mv.path), self.colour);
+                if pen != Pen::Rapid && !self.refused {
                     self.cut.take(from);
                     self.cut.take(to);
                     self.measure(mv, &end);
@@ -318,17 +378,20 @@ impl Sink for Plot {
                         if distance(from, to) <= SAME_POINT =>
                     {
                         if pen != Pen::Rapid {
-                            self.strokes.line(Pen::Dot, self.colour, from, from, origin.loc);
+                            self.pen().line(Pen::Dot, colour, from, from, origin.loc);
                         }
                     }
                     Path::Rapid | Path::Line(_) | Path::Thread { .. } | Path::Carried { .. } => {
-                        self.strokes.line(pen, self.colour, from, to, origin.loc);
+                        self.pen().line(pen, colour, from, to, origin.loc);
                     }
                 }
-                self.ends = Some((self.ends.map_or(from, |(start, _)| start), to));
+                if !self.refused {
+                    self.ends = Some((self.ends.map_or(from, |(start, _)| start), to));
+                }
             }
+            _ if self.refused => self.lift(),
             (from, to) => {
-                self.strokes.lift();
+                self.lift();
                 self.in_machine += u64::from(mv.machine);
                 // How the tool comes to the part at first is of no interest.
                 let matters = pen(&mv.path) != Pen::Rapid && (from.is_none() || to.is_none());
@@ -345,7 +408,7 @@ impl Sink for Plot {
 
     fn programmed(&mut self, mv: &Move, start: &Pos) {
         let view = *self.view.get_or_insert(View::new(self.options.view, mv.plane, self.lathe));
-        let (Some(from), Some(to)) = (view.point(start), view.point(&mv.end)) else { return };
+        let (Some(from), Some(to), false) = (view.point(start), view.point(&mv.end), self.refused) else { return };
         let loc = crate::text::Loc::default();
         let whole = core::f64::consts::TAU;
         let bend = match &mv.path {
@@ -369,7 +432,7 @@ impl Sink for Plot {
     }
 
     fn finished(&mut self, contour: &[Element], into: Towards) {
-        if self.lathe {
+        if self.lathe && !self.refused {
             self.parts.finished(contour.to_vec(), into);
         }
     }
@@ -385,13 +448,18 @@ impl Sink for Plot {
                 }
             };
         } else if let Function::WorkOffset(_) = function {
-            self.strokes.lift();
+            self.lift();
             self.at.clear();
+        } else if let Function::Remark(remark) = function {
+            match remark {
+                Remark::Refused => self.refused = true,
+                Remark::Blank(blank) => self.blank = Some(*blank),
+            }
         }
     }
 
     fn lost(&mut self, _: &Origin) {
-        self.strokes.lift();
+        self.lift();
         self.at.clear();
     }
 }

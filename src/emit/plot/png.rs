@@ -7,7 +7,7 @@ use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, 
 
 use crate::geo::{Point2, Vec2, distance, turned};
 
-use super::canvas::{Anchor, COLOURS, Canvas, Class, Ink, Look, Part, Widths, Words};
+use super::canvas::{Anchor, COLOURS, Canvas, Class, Ink, LOUD, Look, PALE, Part, Widths, Words};
 use super::glyphs;
 use super::layout::Layout;
 
@@ -28,6 +28,7 @@ pub(super) struct Png {
     /// Left upper corner of the picture, y upwards.
     corner: Point2,
     pixel: f64,
+    pale: bool,
 }
 
 impl Png {
@@ -38,7 +39,7 @@ impl Png {
         let side = |length: f64| libm::ceil(length / layout.pixel).clamp(1.0, 2.0 * super::layout::PIXELS) as u32;
         let mut pixmap = Pixmap::new(side(w), side(h)).ok_or_else(|| io::Error::other("the picture has no size"))?;
         pixmap.fill(Color::WHITE);
-        Ok(Png { pixmap, widths, corner: Point2::new(x, -y), pixel: layout.pixel })
+        Ok(Png { pixmap, widths, corner: Point2::new(x, -y), pixel: layout.pixel, pale: false })
     }
 
     fn at(&self, p: Point2) -> (f32, f32) {
@@ -91,7 +92,8 @@ impl Png {
             Ink::Fixed(light, _) => light,
         };
         let [_, r, g, b] = rgb.to_be_bytes();
-        paint.set_color_rgba8(r, g, b, (look.opacity.clamp(0.0, 1.0) * 255.0) as u8);
+        let opacity = if self.pale { PALE * look.opacity } else { look.opacity };
+        paint.set_color_rgba8(r, g, b, (opacity.clamp(0.0, 1.0) * 255.0) as u8);
         if look.filled {
             self.pixmap.fill_path(&path, &paint, FillRule::Winding, Transform::identity(), None);
             return;
@@ -132,6 +134,10 @@ impl Canvas for Png {
         self.draw(path, &class.look(self.widths));
     }
 
+    fn pale(&mut self, is: bool) {
+        self.pale = is;
+    }
+
     fn words(&mut self, words: &Words<'_>) {
         let count = words.text.chars().count() as f64;
         let long = count * glyphs::ADVANCE * words.font;
@@ -151,8 +157,8 @@ impl Canvas for Png {
                 }
             }
         }
-        let width = 0.075 * words.font / self.pixel;
-        let ink = Ink::Fixed(0x333333, 0);
+        let width = if words.loud { 0.11 } else { 0.075 } * words.font / self.pixel;
+        let ink = Ink::Fixed(if words.loud { LOUD.0 } else { 0x333333 }, 0);
         let look = Look { width, dash: &[], ink, opacity: 1.0, round: true, filled: false };
         let path = self.build(&parts);
         self.draw(path, &look);

@@ -3,17 +3,18 @@
 use std::collections::BTreeSet;
 
 use crate::geo::{Element, Point2, Vec2};
+use crate::ir::Blank;
 use crate::machine::Axis;
 use crate::text::{FileId, Loc, Sources};
 
 use super::canvas::{Anchor, Canvas, Class, Part, Widths, Words};
 use super::dimensions::{BROAD, LETTER, Labels, Measured};
-use super::layout::{Layout, Needs};
-use super::marks;
+use super::layout::{Layout, NOTICE, Needs};
 use super::section::Section;
 use super::strokes::{Pen, Rect, Run, Stroke, Strokes};
 use super::svg::show;
 use super::view::View;
+use super::{Stop, blank, marks};
 
 /// Stretches of a picture that say where they come from; more are put together.
 const TITLES: usize = 4000;
@@ -45,6 +46,11 @@ pub(super) struct Scene<'a> {
     pub names: &'a [String],
     /// Start and end of the path.
     pub ends: Option<(Point2, Point2)>,
+    /// What is known again behind an error.
+    pub after: &'a Strokes,
+    pub blank: Option<Blank>,
+    /// Why the path is not whole.
+    pub stop: Option<&'a Stop>,
     /// What is said of the picture.
     pub notes: Vec<String>,
     pub sources: Option<&'a Sources>,
@@ -53,6 +59,7 @@ pub(super) struct Scene<'a> {
 /// An entry of the legend.
 enum Sample {
     Line(Class),
+    Pale(Class),
     Ring,
     Square,
     None,
@@ -62,6 +69,8 @@ impl Scene<'_> {
     /// The layout, and how broad the path is drawn in it.
     pub(super) fn layout(&self) -> (Layout, Widths) {
         let mut rect = self.strokes.rect;
+        self.after.rect.0.into_iter().for_each(|(low, high)| [low, high].into_iter().for_each(|p| rect.take(p)));
+        self.blank.iter().for_each(|blank| blank::take(blank, self.view, &mut rect));
         self.contour.rect.0.into_iter().for_each(|(low, high)| [low, high].into_iter().for_each(|p| rect.take(p)));
         self.section.edges.iter().for_each(|edge| rect.take(edge.from()));
         self.section.edges.iter().for_each(|edge| rect.take(edge.to()));
@@ -70,14 +79,17 @@ impl Scene<'_> {
             let corners = [(a.0, b.0), (a.0, b.1), (a.1, b.0), (a.1, b.1)];
             corners.into_iter().for_each(|(s, t)| rect.take(Point2::from(u * s + v * t)));
         }
-        let needs = Needs { turning: self.view.is_turning(), dimensions: self.dimensions, ..Needs::default() };
+        let (turning, notice) = (self.view.is_turning(), self.stop.is_some());
+        let needs = Needs { turning, dimensions: self.dimensions, notice, ..Needs::default() };
         let first = Layout::new(&rect, needs);
         let needs = Needs { left: self.left_of(&first), ..needs };
         let needs = Needs { broad: self.broad(&Layout::new(&rect, needs)), ..needs };
         let lines = self.below(&Layout::new(&rect, needs));
         let layout = Layout::new(&rect, Needs { lines, ..needs });
-        let area = marks::covered(self.strokes);
-        let (cut, rapid) = marks::lengths(self.strokes);
+        let (mut area, (mut cut, mut rapid)) = (marks::covered(self.strokes), marks::lengths(self.strokes));
+        if area == 0.0 {
+            (area, (cut, rapid)) = (marks::covered(self.after), marks::lengths(self.after));
+        }
         let pixel = layout.pixel;
         (layout, Widths::of(cut / pixel, rapid / pixel, area / pixel / pixel))
     }
@@ -85,7 +97,16 @@ impl Scene<'_> {
     pub(super) fn draw(&self, canvas: &mut dyn Canvas, layout: &Layout) {
         self.grid(canvas, layout);
         self.part(canvas);
+        if let Some(blank) = &self.blank {
+            canvas.path(Class::Blank, None, &blank::edges(blank, self.view));
+        }
         let per = self.strokes_per_title();
+        if !self.after.is_empty() {
+            canvas.pale(true);
+            self.path(canvas, self.after, &[Pen::Rapid], per);
+            self.path(canvas, self.after, &[Pen::Cut, Pen::Thread, Pen::Dot], per);
+            canvas.pale(false);
+        }
         self.path(canvas, self.strokes, &[Pen::Rapid], per);
         self.path(canvas, self.contour, &[Pen::Contour], usize::MAX);
         self.path(canvas, self.strokes, &[Pen::Cut, Pen::Thread, Pen::Dot], per);
@@ -133,7 +154,7 @@ impl Scene<'_> {
     /// Blocks that one title stands for.
     fn strokes_per_title(&self) -> usize {
         let mut blocks = 0usize;
-        for (_, of) in self.strokes.runs() {
+        for (_, of) in self.strokes.runs().chain(self.after.runs()) {
             blocks += 1 + of.windows(2).filter(|pair| !same_block(&pair[0], &pair[1])).count();
         }
         blocks.div_ceil(TITLES).max(1)
@@ -258,7 +279,7 @@ impl Scene<'_> {
         let (low, high, font, step) = (layout.low, layout.high, layout.font, layout.step());
         let small = 0.8 * font;
         let mut text = |x: f64, y: f64, anchor: Anchor, text: &str| {
-            canvas.words(&Words { at: Point2::new(x, y), anchor, font: small, upright: false, text });
+            canvas.words(&Words { at: Point2::new(x, y), anchor, font: small, upright: false, loud: false, text });
         };
         let Some((right, up)) = self.view.axes() else {
             for (way, letter) in self.axis_ends(layout) {
@@ -307,9 +328,13 @@ impl Scene<'_> {
         let (x, ..) = layout.frame();
         let font = layout.font;
         let mut text = |x: f64, y: f64, anchor: Anchor, font: f64, text: &str| {
-            canvas.words(&Words { at: Point2::new(x, y), anchor, font, upright: false, text });
+            canvas.words(&Words { at: Point2::new(x, y), anchor, font, upright: false, loud: false, text });
         };
         text(x + 0.6 * font, self.title_line(layout), Anchor::Start, font, &shortened(self.title));
+        self.notice(canvas, layout);
+        let mut text = |x: f64, y: f64, anchor: Anchor, font: f64, text: &str| {
+            canvas.words(&Words { at: Point2::new(x, y), anchor, font, upright: false, loud: false, text });
+        };
         if let Some((right, up)) = self.view.axes() {
             text(x + 0.6 * font, layout.high.y + 0.6 * font, Anchor::Start, font, &self.axis_name(up));
             text(layout.high.x, layout.low.y - 2.4 * font, Anchor::End, font, &in_mm(&self.axis_name(right)));
@@ -325,6 +350,15 @@ impl Scene<'_> {
             text(layout.low.x + x + after, self.legend_line(layout, *line), Anchor::Start, 0.8 * font, name);
         }
         labels.write(canvas);
+    }
+
+    /// Below the title, that the path is not whole.
+    fn notice(&self, canvas: &mut dyn Canvas, layout: &Layout) {
+        let Some(stop) = self.stop else { return };
+        let (x, ..) = layout.frame();
+        let (font, text) = (layout.font, stop.text());
+        let at = Point2::new(x + 0.6 * font, self.title_line(layout) - NOTICE * font);
+        canvas.words(&Words { at, anchor: Anchor::Start, font, upright: false, loud: true, text: &text });
     }
 
     /// From where to where is cut.
@@ -376,7 +410,9 @@ impl Scene<'_> {
         let sizes = self.sizes().iter().map(|size| letters(size)).fold(0.0, f64::max);
         let entries = self.legend(layout).iter().map(|(.., name)| 2.4 + 0.8 * letters(name)).fold(0.0, f64::max);
         let bar = (self.bar_end(layout) - layout.low.x) / layout.font;
-        sizes.max(entries).max(bar)
+        // Bold letters are broader.
+        let notice = self.stop.map_or(0.0, |stop| 0.6 + 1.1 * letters(&stop.text()));
+        sizes.max(entries).max(bar).max(notice)
     }
 
     /// Lines of the legend and of what stands above it.
@@ -417,7 +453,8 @@ impl Scene<'_> {
     fn legend(&self, layout: &Layout) -> Vec<(usize, f64, Sample, String)> {
         let font = layout.font;
         let pens = |wanted: Pen| self.strokes.runs().any(|(run, _)| run.pen == wanted);
-        let drawn: BTreeSet<usize> = self.strokes.runs().map(|(run, _)| run.colour).collect();
+        let runs = self.strokes.runs().chain(self.after.runs());
+        let drawn: BTreeSet<usize> = runs.map(|(run, _)| run.colour).collect();
         let mut entries: Vec<(Sample, String)> = Vec::new();
         for i in drawn.iter().take(NAMED) {
             let named = i.checked_sub(1).and_then(|i| self.names.get(i));
@@ -444,8 +481,15 @@ impl Scene<'_> {
         if !self.section.edges.is_empty() {
             entries.push((Sample::Line(Class::Edge), "finished part, cut open".to_owned()));
         }
+        if let Some(blank) = &self.blank {
+            entries.push((Sample::Line(Class::Blank), blank::name(blank, self.dimensions)));
+        }
         if self.ends.is_some() {
-            entries.extend([(Sample::Ring, "start".to_owned()), (Sample::Square, "end".to_owned())]);
+            let end = if self.stop.is_some() { "last place before the error" } else { "end" };
+            entries.extend([(Sample::Ring, "start".to_owned()), (Sample::Square, end.to_owned())]);
+        }
+        if !self.after.is_empty() {
+            entries.push((Sample::Pale(Class::Key(first)), "after the error, where places are known again".to_owned()));
         }
         entries.extend(self.notes.iter().map(|note| (Sample::None, note.clone())));
         let wide = layout.broad();
@@ -471,6 +515,11 @@ impl Scene<'_> {
             match sample {
                 Sample::Line(class) => {
                     canvas.path(*class, None, &[Part::Move(from), Part::Line(from + Vec2::new(2.0 * font, 0.0))]);
+                }
+                Sample::Pale(class) => {
+                    canvas.pale(true);
+                    canvas.path(*class, None, &[Part::Move(from), Part::Line(from + Vec2::new(2.0 * font, 0.0))]);
+                    canvas.pale(false);
                 }
                 Sample::Ring => marks::ring(canvas, middle, 8.0 * layout.pixel),
                 Sample::Square => marks::square(canvas, middle, 4.0 * layout.pixel),

@@ -6,7 +6,8 @@ use std::io::{self, Write as _};
 use crate::geo::{Point2, SAME_POINT, distance, turned};
 
 use super::super::Output;
-use super::canvas::{Anchor, COLOURS, Canvas, Class, Ink, Look, ON_DARK, Part, Widths, Words, shade};
+use super::Stop;
+use super::canvas::{Anchor, COLOURS, Canvas, Class, Ink, LOUD, Look, ON_DARK, PALE, Part, Widths, Words, shade};
 use super::layout::Layout;
 
 /// How every picture begins.
@@ -28,12 +29,16 @@ pub(super) struct Svg<'a> {
 
 /// The classes that a picture uses, in the order of the style sheet.
 #[derive(Debug, Default)]
-pub(super) struct Used(Vec<Class>);
+pub(super) struct Used {
+    classes: Vec<Class>,
+    pale: bool,
+    loud: bool,
+}
 
 impl Used {
     pub(super) fn note(&mut self, class: Class) {
-        if !self.0.contains(&class) {
-            self.0.push(class);
+        if !self.classes.contains(&class) {
+            self.classes.push(class);
         }
     }
 }
@@ -44,20 +49,33 @@ impl Canvas for Used {
         self.note(class);
     }
 
-    fn words(&mut self, _: &Words<'_>) {}
+    fn words(&mut self, words: &Words<'_>) {
+        self.loud |= words.loud;
+    }
+
+    fn pale(&mut self, is: bool) {
+        self.pale |= is;
+    }
 }
 
 impl<'a> Svg<'a> {
-    pub(super) fn new(out: &'a mut dyn Output, layout: &Layout, widths: Widths, used: &Used, title: &str) -> Svg<'a> {
+    pub(super) fn new(
+        out: &'a mut dyn Output,
+        layout: &Layout,
+        widths: Widths,
+        used: &Used,
+        (title, stop): (&str, Option<&Stop>),
+    ) -> Svg<'a> {
         let (x, y, w, h) = layout.frame();
         let mut s = String::new();
         let frame = [x, y, w, h].map(show);
         let _ = writeln!(
             s,
-            "{MARK}<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"{}\">\n<title>{}</title>",
+            "{MARK}<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"{}\"{}>\n<title>{}</title>",
             show(w / layout.pixel),
             show(h / layout.pixel),
             frame.join(" "),
+            stop.map(incomplete).unwrap_or_default(),
             escaped(title)
         );
         style(&mut s, layout, widths, used);
@@ -155,10 +173,16 @@ impl Canvas for Svg<'_> {
         }
     }
 
+    fn pale(&mut self, is: bool) {
+        self.paths(true);
+        self.text.extend_from_slice(if is { b"<g class=\"after\">\n" } else { b"</g>\n" });
+    }
+
     fn words(&mut self, words: &Words<'_>) {
         self.paths(false);
         let is = |size: f64| (words.font - size * self.font).abs() < 1e-9 * self.font;
         let size = match words.font {
+            _ if words.loud => " class=\"loud\"".to_owned(),
             _ if is(1.0) => String::new(),
             _ if is(SMALL) => " class=\"small\"".to_owned(),
             font => format!(" style=\"font-size:{}px\"", show(font)),
@@ -172,6 +196,12 @@ impl Canvas for Svg<'_> {
         let turn = if words.upright { format!(" transform=\"rotate(-90 {x} {y})\"") } else { String::new() };
         let _ = writeln!(self.text, "<text{size} x=\"{x}\" y=\"{y}\"{anchor}{turn}>{}</text>", escaped(words.text));
     }
+}
+
+/// What tells a tool that the path is not whole: the code of the first error, its file and line.
+fn incomplete(stop: &Stop) -> String {
+    let Stop { code, file, line, .. } = stop;
+    format!(" class=\"incomplete\" data-code=\"{code}\" data-file=\"{}\" data-line=\"{line}\"", escaped(file))
 }
 
 /// Names of a class in the style sheet.
@@ -188,6 +218,7 @@ fn names(class: Class) -> String {
         Class::Contour => ("p", None),
         Class::Edge => ("e", None),
         Class::Hatch => ("s", None),
+        Class::Blank => ("b", None),
         Class::Arrow(i) => ("a", Some(i)),
         Class::Start => ("start", None),
         Class::End => ("end", None),
@@ -207,7 +238,14 @@ fn style(s: &mut String, layout: &Layout, widths: Widths, used: &Used) {
     let mut written: Vec<String> = Vec::new();
     let mut dark = String::new();
     let mut tools: Vec<usize> = Vec::new();
-    for class in &used.0 {
+    if used.pale {
+        let _ = writeln!(s, ".after{{opacity:{}}}", show(PALE));
+    }
+    if used.loud {
+        let _ = writeln!(s, ".loud{{fill:#{:06x};font-weight:bold}}", LOUD.0);
+        let _ = write!(dark, " .loud{{fill:#{:06x}}}", LOUD.1);
+    }
+    for class in &used.classes {
         let names = names(*class);
         let name = names.split(' ').next().unwrap_or_default().to_owned();
         let look = class.look(widths);

@@ -58,6 +58,7 @@ impl Printer<'_> {
             Function::Plane(plane) => self.select_plane(*plane, origin),
             Function::PathControl(said) => self.path_control(*said, origin),
             Function::Comment(text) => self.comment(text, origin),
+            Function::Remark(_) => {}
             Function::End { rewind } => {
                 if self.compensation.side != Side::None {
                     self.end_compensation(origin);

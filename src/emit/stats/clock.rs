@@ -196,6 +196,7 @@ impl Clock {
             Function::Plane(_)
             | Function::PathControl(_)
             | Function::Comment(_)
+            | Function::Remark(_)
             | Function::Aux(_)
             | Function::Coolant(_)
             | Function::Cutter(_)

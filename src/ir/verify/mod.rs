@@ -127,6 +127,7 @@ fn function(function: &Function) -> Result<(), Fault> {
         | Function::WorkOffset(_)
         | Function::Plane(_)
         | Function::Comment(_)
+        | Function::Remark(_)
         | Function::End { .. } => return Ok(()),
     };
     finite(&[amount])?;

@@ -159,7 +159,8 @@ impl Compensator {
             | Function::OptionalStop
             | Function::Aux(_)
             | Function::PathControl(_)
-            | Function::Comment(_) => None,
+            | Function::Comment(_)
+            | Function::Remark(_) => None,
         }
     }
 

@@ -265,7 +265,9 @@ pub fn last_corner(last: &Piece, leaves: &Origin, diags: &Diags) {
 /// What no manual says about the joint in front of `next`.
 pub fn reading(last: &Piece, next: &Piece, diags: &Diags) {
     let (before, behind) = (last.mv.path.feed(), next.mv.path.feed());
-    let idle = |item: &Item| matches!(item, Item::Function(Function::Comment(_) | Function::PathControl(_), _));
+    let idle = |item: &Item| {
+        matches!(item, Item::Function(Function::Comment(_) | Function::Remark(_) | Function::PathControl(_), _))
+    };
     let moves = last.items.iter().any(|item| !idle(item));
     let message = match (before != behind, moves) {
         (false, false) => return,

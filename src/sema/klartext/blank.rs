@@ -1,8 +1,9 @@
-//! BLK FORM: the blank, of which the path needs nothing but the tool axis.
+//! BLK FORM: the blank, of which the path needs nothing but the tool axis; pictures show it.
 //!
 //! Source: K 1.4 (docs/sources.md).
 
 use crate::diag::{Diagnostic, codes};
+use crate::ir::{self, Frame, Function, Remark};
 use crate::lexer::klartext::Value;
 use crate::parser::klartext::ast::{Addr, Block};
 
@@ -30,7 +31,7 @@ impl Shape {
 }
 
 impl Run<'_> {
-    /// BLK FORM: emits nothing; kept for the working plane of fragments and for checks.
+    /// BLK FORM: no move follows from it; kept for the working plane of fragments and for checks.
     pub(super) fn blank_form(&mut self, block: &Block, text: &[u8]) -> Outcome {
         if self.st.moved {
             self.job.diags.push_once(
@@ -128,11 +129,20 @@ impl Run<'_> {
                     && [x, y, z].iter().zip(&min).any(|(max, min)| max <= min)
                 {
                     self.unusable_blank("the MAX point does not lie above the MIN point");
+                } else if let Some(low) = self.st.blank.min {
+                    self.tell_blank(ir::Blank::Cuboid { low, high: [x, y, z] });
                 }
             }
             _ => {}
         }
         Ok(())
+    }
+
+    /// Says where the blank lies. What a frame in front of BLK FORM does to it no manual says.
+    fn tell_blank(&mut self, blank: ir::Blank) {
+        if self.st.ctx.frame == Frame::default() {
+            self.function(Function::Remark(Remark::Blank(blank)));
+        }
     }
 
     fn unusable_blank(&self, what: &str) {

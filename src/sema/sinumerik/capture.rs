@@ -114,7 +114,10 @@ impl Channel<'_> {
     /// A function in a contour. True for one that is done with: inside a contour nothing is carried out.
     pub(super) fn function_in_contour(&mut self, function: &Function) -> bool {
         let Some(capture) = self.capture.as_mut() else { return false };
-        if matches!(function, Function::Comment(_) | Function::Plane(_) | Function::PathControl(_)) {
+        if matches!(
+            function,
+            Function::Comment(_) | Function::Remark(_) | Function::Plane(_) | Function::PathControl(_)
+        ) {
             return true;
         }
         capture.failed = true;

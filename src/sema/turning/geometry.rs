@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::Point2;
+use crate::ir::{self, Function, Remark};
 use crate::machine::Axis;
 use crate::parser::turning::ast::Block;
 use crate::text::decode::readable;
@@ -306,7 +307,10 @@ impl Run<'_> {
             return self.fail(codes::T1007, w.span(b'I', span), "the bore of a tube is smaller than the tube");
         }
         let right = w.value(b'K').unwrap_or(0.0) * mm;
-        self.geometry.blank = Some(Blank::Bar { radius: diameter / 2.0, length, right, bore: bore / 2.0 });
+        let (radius, bore) = (diameter / 2.0, bore / 2.0);
+        self.geometry.blank = Some(Blank::Bar { radius, length, right, bore });
+        let shown = ir::Blank::Round { axis: Axis::Z, radius, bore, low: right - length, high: right };
+        self.function(Function::Remark(Remark::Blank(shown)));
         Ok(())
     }
 
