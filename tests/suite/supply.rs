@@ -54,11 +54,11 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// What cargo knows of the packages, those of all platforms: it fetches what no build on this platform has needed yet.
+/// What cargo knows of the packages of the shipped binary, those of all platforms: it fetches what no build here has needed yet.
 fn metadata() -> Value {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let ran = Command::new(cargo)
-        .args(["metadata", "--locked", "--format-version", "1", "--manifest-path"])
+        .args(["metadata", "--locked", "--format-version", "1", "--features", "columns", "--manifest-path"])
         .arg(root().join("Cargo.toml"))
         .output()
         .expect("cargo");
