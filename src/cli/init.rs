@@ -12,7 +12,7 @@ use super::answers::{Form, Needs, Place};
 use super::args::Init;
 use super::ask::{Shop, ask};
 use super::closure::Targets;
-use super::inputs::{Input, inputs};
+use super::inputs::{Input, inputs, no_program};
 use super::listing::print;
 use super::options::Common;
 use super::output::Destination;
@@ -69,7 +69,7 @@ pub(super) fn init(args: &Init) -> Result<Exit, Trouble> {
         all.extends = config::above(folder);
     }
     if all.count == 0 {
-        return Err("no part program lies in the folders that are named".to_owned());
+        return Err(no_program(&args.paths));
     }
     if args.interactive {
         let shop = Inputs { list: &inputs, base: &base, common: &args.common };

@@ -1,6 +1,6 @@
 //! Which programs a command works on: files, folders, patterns, lists.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
@@ -9,6 +9,8 @@ use std::{env, fs};
 use globset::GlobBuilder;
 use ignore::WalkBuilder;
 use xxhash_rust::xxh3::xxh3_64;
+
+use crate::text::decode::harmless_lines;
 
 use super::Trouble;
 use super::disk::file_name;
@@ -107,6 +109,35 @@ fn expand(path: &Path, takes: &dyn Fn(&Path) -> bool) -> io::Result<Vec<Input>> 
         return matching(&pattern);
     }
     Ok(vec![Input::named(path)])
+}
+
+/// Kinds of files named where none is a program.
+const KINDS: usize = 5;
+
+/// What to say where no program lies in the folders: which files lie there, and how they become programs.
+pub(super) fn no_program(paths: &[PathBuf]) -> String {
+    let mut kinds: BTreeMap<String, u32> = BTreeMap::new();
+    for path in paths.iter().filter(|path| path.is_dir()) {
+        for file in walk(path, &|_| true, Ignored::LeftOut).unwrap_or_default() {
+            let extension = file.extension().map(|extension| extension.to_string_lossy().to_lowercase());
+            let kind =
+                extension.map_or_else(|| "without an extension".to_owned(), |extension| format!("`.{extension}`"));
+            *kinds.entry(kind).or_default() += 1;
+        }
+    }
+    let nothing = "no part program lies in the folders that are named";
+    if kinds.is_empty() {
+        return nothing.to_owned();
+    }
+    let mut kinds: Vec<(String, u32)> = kinds.into_iter().collect();
+    kinds.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
+    let named: Vec<String> = kinds.iter().take(KINDS).map(|(kind, count)| format!("{count} {kind}")).collect();
+    let more = if kinds.len() > KINDS { " and others" } else { "" };
+    format!(
+        "{nothing}; passed over: {}{more}. Where some are programs, say their language: `partc check FILE --dialect …`, or for all of \
+         them in partc.toml: `[dialects]` with a pattern, such as `\"**/*.txt\" = \"sinumerik\"`",
+        harmless_lines(&named.join(", "))
+    )
 }
 
 /// With their paths below `folder`.

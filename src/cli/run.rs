@@ -20,7 +20,7 @@ use super::args::{Check, Compile};
 use super::closure::Targets;
 use super::deps::Rule;
 use super::disk::{IncludeRoots, file_name, noting_settings, open_main};
-use super::inputs::{Input, inputs};
+use super::inputs::{Input, inputs, no_program};
 use super::listing::print;
 use super::options::Common;
 use super::output::{Destination, Group, Made, Replaces, is_foreign, set_aside};
@@ -154,7 +154,7 @@ pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
         return Err(format!("{} cannot all go to standard output; name a file", streams.join(" and ")));
     }
     if found.list.is_empty() && found.troubles.is_empty() && args.many.shard.is_none() {
-        return Err("no part program lies in the folders that are named".to_owned());
+        return Err(no_program(&args.inputs));
     }
     // Shards write to one place: all of them refuse the same.
     let outputs = outputs(args, found.list.iter().chain(&found.others))?;
@@ -435,7 +435,7 @@ pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
     args.deps.spares(&paths_of(&found.list), &args.output.as_deref().map(real).into_iter().collect(), &reporter)?;
     found.troubles.into_iter().for_each(|trouble| reporter.trouble(trouble));
     if found.list.is_empty() && reporter.troubles().is_empty() && args.many.shard.is_none() {
-        reporter.say("partc: no part program lies in the folders that are named");
+        reporter.say(&format!("partc: {}", no_program(&args.paths)));
     }
     let (look, inputs) = (reporter.look_at(found.list.len(), &args.common), found.list);
     if args.diff {

@@ -181,6 +181,19 @@ fn values_are_asked_for_one_by_one() {
     assert!(updated.contains("\n5 = { radius = 4.5 } ") && updated.contains("\npass_m = [77]"), "{updated}");
 }
 
+/// Files of other names are named, with how they become programs.
+#[test]
+fn files_that_are_passed_over_are_named() {
+    let folder = Folder::new("init_others").with(&[("shop/a.txt", "G0 X1\n"), ("shop/b.txt", "x"), ("shop/L10", "y")]);
+    for command in ["init", "compile"] {
+        let said = folder.run(&[command, "shop"]).exits(2).err;
+        assert!(
+            said.contains("passed over: 2 `.txt`, 1 without an extension") && said.contains("[dialects]"),
+            "{said}"
+        );
+    }
+}
+
 /// Where the first choice of a key does not do, the others are tried, and the kind of machine is a line.
 #[test]
 fn each_choice_is_tried_before_a_program_is_given_up() {
