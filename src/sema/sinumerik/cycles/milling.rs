@@ -68,6 +68,7 @@ impl CycleCall<'_, '_> {
     pub(super) fn mill(&mut self, names: &Names) -> Outcome<Mill> {
         let args = self.args;
         self.digits_are_known()?;
+        self.digits_of_are_known(DMODE)?;
         self.frame_is_not_scaled()?;
         let plane = self.plane_of_mode()?;
         self.frame_keeps_the_tool_axis(plane)?;
