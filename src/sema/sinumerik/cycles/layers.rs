@@ -83,6 +83,7 @@ impl CycleCall<'_, '_> {
         }
         self.digits_are_known()?;
         self.digits_of_are_known(DMODE)?;
+        self.no_normal_offset()?;
         self.frame_is_not_scaled()
     }
 

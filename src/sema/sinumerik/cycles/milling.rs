@@ -94,6 +94,18 @@ impl CycleCall<'_, '_> {
         }
     }
 
+    /// Cycles whose path does not count OFFN refuse it: the control selects compensation in them, with the radius that OFFN enlarges.
+    pub(super) fn no_normal_offset(&self) -> Outcome {
+        let normal = self.st.path.normal() / self.st.length_unit();
+        if normal == 0.0 {
+            return Ok(());
+        }
+        let message =
+            format!("{}: OFFN={normal} is in force, and is not supported in the path of this cycle", self.args.name());
+        let help = "program OFFN=0 in front of the cycle, and leave material by the allowances of the cycle";
+        self.fail_help(codes::S9015, self.args.span, message, help)
+    }
+
     /// The plane that `_DMODE` names.
     fn plane_of_mode(&self) -> Outcome<Plane> {
         match self.args.digit(DMODE, 0) {
