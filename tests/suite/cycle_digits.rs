@@ -24,6 +24,9 @@ const TURNED: &str = "T2 D1\nG18 G90 DIAMON\nG0 X100 Z10\nG97 S400 M3\nG95 F0.15
 const CUTTER: &str =
     "$TC_DP6[1,1]=5\nT1 M6\nG17 G0 X10 Y20 Z50\nS500 M3\nF120\nGOTOF OVER\nFROM:\nG1 X0 Y0\nX40\nY40\nUPTO:\nOVER:\n";
 
+/// A closed contour.
+const CLOSED: &str = "$TC_DP6[1,1]=5\nT1 M6\nG17 G0 X10 Y20 Z50\nS500 M3\nF120\nGOTOF OVER\nFROM:\nG1 X0 Y0\nX40\nY40\nX0\nUPTO: Y0\nOVER:\nCYCLE62(,2,\"FROM\",\"UPTO\")\n";
+
 /// The program in front of the call, the call with `#` for the coded argument, the name of the argument and its value.
 const CALLS: &[(&str, &str, &str, u32)] = &[
     (TURNED, "CYCLE95(\"FROM:UPTO\",3,0.1,0.2,0,0.3,0.2,0.1,#)", "VARI", 9),
@@ -140,6 +143,9 @@ const CALLS: &[(&str, &str, &str, u32)] = &[
         "_GMODE",
         0,
     ),
+    (CUTTER, "POCKET3(20,5,2,-11,60,40,8,80,60,10,8,0.5,0.2,900,200,0,11,6,0,0,0,0,0,0,0,0,0,#,0)", "_DMODE", 1),
+    (CUTTER, "POCKET4(20,5,2,-11,60,80,60,8,0.5,0.2,900,200,0,11,6,0,0,0,0,0,0,0,0,#,0)", "_DMODE", 1),
+    (CLOSED, "CYCLE63(\"P\",1,10,0,2,-5,600,200,5,3,0.2,0,0,0,0,4,2,0,0,0,\"\",0,0,0,#,0)", "_DMODE", 1),
     (CUTTER, "CYCLE71(20,5,2,-11,100,90,60,40,10,9,9,5,0.2,4000,#,2)", "_VARI", 31),
     (CUTTER, "CYCLE61(20,5,2,-11,10,20,60,40,8,80,0.2,3000,#,0,1,11010)", "_VARI", 31),
     (CUTTER, "CYCLE61(20,5,2,-11,10,20,60,40,8,80,0.2,3000,31,#,1,11010)", "_LIM", 0),

@@ -12,7 +12,7 @@ const LATHE: &str = "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n[output
 /// A turning cycle with a contour that holds `inside` in its first block, and `after` it.
 fn around_contour(inside: &str, after: &str) -> Compiled {
     let program = format!(
-        "G18 G90 DIAMON G95 F0.2\nS500 M3\nT1 D1\nG0 X80 Z5\nCYCLE95(\"A1:E1\",2.5,0.1,0.2,,0.3,0.2,0.1,9,,,)\nG0 X90 Z10\n\
+        "G18 G90 DIAMON G95 F0.2\nS500 M3\nT1 D1\nG0 X80 Z5\nCYCLE95(\"A1:E1\",2.5,0.1,,,0.3,0.2,0.1,9,,,)\nG0 X90 Z10\n\
          {after}\nM30\nA1:\nG18 G90 DIAM90\nG0 Z0 X0 {inside}\nG1 X30\nZ-22\nX46\nE1:\n"
     );
     compile_bytes("P.MPF", program.into_bytes(), "sinumerik", &settings(LATHE), &NoFiles)

@@ -225,7 +225,7 @@ impl Channel<'_> {
                 Val::Bool(n.and_then(|n| n.checked_sub(1)).and_then(|n| given.get(n)).is_some_and(|given| *given))
             }
             "$P_MC" => Val::Bool(self.st.modal_call.is_on()),
-            "$P_OFFN" => Val::Real(0.0),
+            "$P_OFFN" => Val::Real(self.st.path.normal() / self.st.length_unit()),
             "$P_SDIR" => Val::Int(match self.st.spindles.turn() {
                 Some(crate::ir::function::Turn::Clockwise) => 3,
                 Some(crate::ir::function::Turn::CounterClockwise) => 4,

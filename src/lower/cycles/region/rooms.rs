@@ -1,6 +1,6 @@
 //! Rooms: what the centre of the cutter reaches without leaving the floor, with all its rings and the one place where it goes down.
 
-use crate::geo::{Point2, grid};
+use crate::geo::{Point2, distance, grid};
 
 use super::loops::{Loop, Part, Peak};
 use super::roomiest::roomiest;
@@ -141,7 +141,19 @@ impl Tree {
         let least = self.nodes.first()?.part.away;
         let mut places = core::iter::once(main).chain(self.leaves().map(|(at, _, peak)| (at, peak)));
         let found = places.find(|(_, peak)| walls.is_free(from, peak.at, least));
-        found.map(|(leaf, peak)| (Some(peak.at), leaf))
+        let found = found.map(|(leaf, peak)| (Some(peak.at), leaf));
+        found.or_else(|| self.nearest_ring(from, walls, least))
+    }
+
+    /// From a start point that sees no place with most room: the nearest place of the innermost rings to which a straight way leads.
+    fn nearest_ring(&self, from: Point2, walls: &Walls, least: f64) -> Option<(Option<Point2>, usize)> {
+        let rings =
+            self.leaves().flat_map(|(at, node, _)| node.part.loops().map(move |ring| (at, ring.nearest(from).1)));
+        let free = rings.filter(|(_, place)| walls.is_free(from, *place, least));
+        let nearer = |best: (usize, Point2), next: (usize, Point2)| {
+            if distance(next.1, from) < distance(best.1, from) - EQUAL { next } else { best }
+        };
+        free.reduce(nearer).map(|(leaf, place)| (Some(place), leaf))
     }
 
     /// Leaves out parts that the ring around them clears as well; not the one in which the tool goes down. Says which are left.

@@ -11,10 +11,11 @@ use crate::ir::cycle::recess::Operation;
 use crate::ir::cycle::roughing::Nose;
 use crate::ir::cycle::turning::Towards;
 
+use super::super::g_groups::GCode;
 use super::super::{Outcome, Run};
 use super::arguments::{
-    AMODE, Arguments, BL, CON, CONR, D, DAM, DI, DT, F, FAL, FALX, FALZ, FF1, FF2, FF3, FR, FS, GMODE, Key, MID, RP,
-    SC, U, U1, UX, UZ, VARI, VRT, XA, XB, XD, ZA, ZB, ZD,
+    AMODE, Arguments, BL, CON, CONR, D, DAM, DI, DMODE, DT, F, FAL, FALX, FALZ, FF1, FF2, FF3, FR, FS, GMODE, Key, MID,
+    RP, SC, U, U1, UX, UZ, VARI, VRT, XA, XB, XD, ZA, ZB, ZD,
 };
 use super::call::CycleCall;
 use super::layers::{Side, rectangle};
@@ -115,7 +116,7 @@ impl CycleCall<'_, '_> {
         let allowance =
             Allowance { axes: Vec2::new(self.magnitude(FALZ), self.magnitude(FALX)), around: self.magnitude(FAL) };
         if allowance.axes.y != 0.0 {
-            self.own_way("`FALX` counts on the radius");
+            self.reading(FALX, "`FALX` counts on the radius");
         }
         if allowance.around != 0.0 && allowance.axes != Vec2::zeros() {
             self.own_way("`FAL` is left beside `FALX` and `FALZ`");
@@ -331,7 +332,12 @@ impl CycleCall<'_, '_> {
 
     fn digits_952(&mut self) -> Outcome {
         let args = self.args;
-        if args.digit(VARI, 4) > 1 || args.digit(VARI, 5) > 1 {
+        if args.digit(DMODE, 4) == 1 && !self.st.is(GCode::G94) {
+            let message = "the ten thousands of `_DMODE` count the feeds of the call per minute, and G94 is not active";
+            let help = "program G94 and its F in front of the cycle, or give the feeds per turn and 0 in that place";
+            return self.cycle_fault(args.span_of(DMODE), None, message, help);
+        }
+        if args.digit(VARI, 4) > 1 || args.digit(VARI, 5) != 1 {
             return self.kind_fault(
                 VARI,
                 "ten thousands 0 `_UX` and `_UZ`, 1 `_U`; hundred thousands 1: cuts follow the contour",
@@ -341,11 +347,8 @@ impl CycleCall<'_, '_> {
             return self.kind_fault(VARI, "millions 1 cuts reliefs, 2 leaves them");
         }
         self.own_way("the digits of `_VARI` are read from stored calls");
-        if args.digit(VARI, 5) == 0 {
-            self.own_way("0 in the hundred thousands of `_VARI` is taken as 1: cuts follow the contour");
-        }
         if args.digit(VARI, 6) == 0 {
-            self.own_way("0 in the millions of `_VARI` is taken as 1: relief cuts are machined");
+            self.reading(VARI, "0 in the millions of `_VARI` is taken as 1: relief cuts are machined");
         }
         let limited = |place: u32| args.digit(GMODE, 3) == 1 && args.digit(GMODE, place) == 1;
         for (place, limit, name) in [(4, 6, "`_XB`, ten thousands"), (5, 7, "`_ZB`, hundred thousands")] {

@@ -156,6 +156,7 @@ impl CycleCall<'_, '_> {
             return self.cycle_fault(args.span, None, "grooves need turning technology", help);
         }
         self.in_turning_plane()?;
+        self.no_normal_offset()?;
         if self.names_other_plane(args) {
             return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
         }

@@ -82,6 +82,8 @@ impl CycleCall<'_, '_> {
             return self.not_built(DMODE, "a turning cycle in another plane than G18 (units of `_DMODE`)");
         }
         self.digits_are_known()?;
+        self.digits_of_are_known(DMODE)?;
+        self.no_normal_offset()?;
         self.frame_is_not_scaled()
     }
 

@@ -68,6 +68,7 @@ impl CycleCall<'_, '_> {
     pub(super) fn mill(&mut self, names: &Names) -> Outcome<Mill> {
         let args = self.args;
         self.digits_are_known()?;
+        self.digits_of_are_known(DMODE)?;
         self.frame_is_not_scaled()?;
         let plane = self.plane_of_mode()?;
         self.frame_keeps_the_tool_axis(plane)?;
@@ -91,6 +92,18 @@ impl CycleCall<'_, '_> {
             Ok(()) => self.levels_are_meant(names, mill),
             Err(fault) => self.mill_fault(names, fault),
         }
+    }
+
+    /// Cycles whose path does not count OFFN refuse it: the control selects compensation in them, with the radius that OFFN enlarges.
+    pub(super) fn no_normal_offset(&self) -> Outcome {
+        let normal = self.st.path.normal() / self.st.length_unit();
+        if normal == 0.0 {
+            return Ok(());
+        }
+        let message =
+            format!("{}: OFFN={normal} is in force, and is not supported in the path of this cycle", self.args.name());
+        let help = "program OFFN=0 in front of the cycle, and leave material by the allowances of the cycle";
+        self.fail_help(codes::S9015, self.args.span, message, help)
     }
 
     /// The plane that `_DMODE` names.

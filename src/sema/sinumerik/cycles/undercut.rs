@@ -87,6 +87,7 @@ impl CycleCall<'_, '_> {
             return self.cycle_fault(args.span, None, "undercuts need turning technology", help);
         }
         self.in_turning_plane()?;
+        self.no_normal_offset()?;
         let [first, second, _] = self.st.roles();
         if machine.diameter_axis != Some(second) && machine.diameter_axis != Some(first) {
             return self.cycle_fault(

@@ -32,6 +32,22 @@ const BLANK_MODE: Digits = Digits {
     doubt: None,
 };
 
+/// The process of CYCLE952, beside the plane.
+const PROCESS: Digits = Digits {
+    known: &[
+        Digit { place: 0, most: 2, unknown: "" },
+        Digit {
+            place: 1,
+            most: 1,
+            unknown: "another process than stock removal, as grooving or plunge turning (tens of `_DMODE`),",
+        },
+        Digit { place: 2, most: 0, unknown: "residual material (hundreds of `_DMODE`)" },
+        either(4, ""),
+    ],
+    other: "",
+    doubt: None,
+};
+
 /// 0 absolute or a radius, 1 incremental or a chamfer.
 const CORNER_MODE: Digits = Digits {
     known: &[
@@ -143,7 +159,12 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("_SC", "safety distance").unsigned(),
                 count("_DN", "number of the second edge").without_effect("grooving only"),
                 digits("_GMODE", &LIMITS, "thousands 1: the limits are valid; above them: XA, ZA, XB, ZB are given").default("0"),
-                PLANE,
+                digits(
+                    "_DMODE",
+                    &PROCESS,
+                    "units: plane, 0 the active one, 2 G18; tens: 0 and 1 stock removal; ten thousands 1: the feeds count per minute, under G94 only",
+                )
+                .default("0"),
                 digits("_AMODE", &BLANK_MODE, "tens and hundreds 1: `_XD` and `_ZD` count from the contour; thousands 1: `_U1` is valid")
                     .default("0"),
                 number("_PK", "reserved: 0 or 1, as calls have it").rule(Rule::OneOf(0, 1)).default("0"),

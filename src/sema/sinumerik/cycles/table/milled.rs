@@ -1,6 +1,6 @@
 //! Parameters that most milling cycles take.
 
-use crate::sema::cycle_table::{ANY_DIGITS, Digit, Digits, Parameter, angle, digits, feed, length, number};
+use crate::sema::cycle_table::{Digit, Digits, Parameter, angle, digits, feed, length, number};
 
 pub(super) const RTP: Parameter = length("_RTP", "retraction plane").needed();
 pub(super) const RFP: Parameter = length("_RFP", "reference plane: the surface").needed();
@@ -19,8 +19,22 @@ pub(super) const CDIR: Parameter = number("_CDIR", "0 climb, 1 conventional, 2 G
 pub(super) const MIDA: Parameter =
     length("_MIDA", "greatest infeed in the plane; percent of the cutter by `_AMODE`").default("0.8 of the cutter");
 pub(super) const UMODE: Parameter = number("_UMODE", "").without_effect("reserved");
-pub(super) const DMODE: Parameter =
-    digits("_DMODE", &ANY_DIGITS, "units: plane, 0 the active one, 1 G17, 2 G18, 3 G19");
+pub(super) const DMODE: Parameter = digits(
+    "_DMODE",
+    &MODE,
+    "units: plane, 0 the active one, 1 G17, 2 G18, 3 G19; tens 0 and 1: the feeds count as F does",
+);
+pub(super) const MODE_PLANE: Digit = Digit { place: 0, most: 3, unknown: "this plane (units of `_DMODE`)" };
+pub(super) const MODE_FEEDS: Digit = Digit { place: 1, most: 1, unknown: "this kind of feeds (tens of `_DMODE`)" };
+const fn shown(place: u32) -> Digit {
+    Digit { place, most: 9, unknown: "" }
+}
+/// Plane and feeds; above them how the dialog shows the call.
+pub(super) const MODE: Digits = Digits {
+    known: &[MODE_PLANE, MODE_FEEDS, shown(2), shown(3), shown(4), shown(5), shown(6), shown(7), shown(8)],
+    other: "",
+    doubt: None,
+};
 
 /// Depth by the units.
 pub(super) const DEPTH: Digit = Digit { place: 0, most: 1, unknown: "this reading of the depth (units of `_AMODE`)" };

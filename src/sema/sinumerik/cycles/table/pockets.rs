@@ -5,8 +5,8 @@ use crate::sema::cycle_table::{
 };
 
 use super::milled::{
-    AMODE, CDIR, CHAMFER, DMODE, DP, FAL, FALD, FFD, FFP1, MID, MIDA, PA, PAIR, PO, RFP, RTP, SDIS, STA, START_ONLY,
-    UMODE,
+    AMODE, CDIR, CHAMFER, DMODE, DP, FAL, FALD, FFD, FFP1, MID, MIDA, MODE, MODE_FEEDS, MODE_PLANE, PA, PAIR, PO, RFP,
+    RTP, SDIS, STA, START_ONLY, UMODE,
 };
 use super::{BUILT, Cycle, Work};
 
@@ -42,6 +42,16 @@ const CENTRE: Digits = Digits {
 };
 const SLOT_CENTRE: Digits = Digits {
     known: &[START_ONLY, Digit { place: 3, most: 1, unknown: "this reference point (thousands of `_GMODE`)" }],
+    other: "",
+    doubt: None,
+};
+/// Plane, feeds, and what CYCLE63 mills: 2 in the hundreds is a spigot.
+const POCKET_MODE: Digits = Digits {
+    known: &[
+        MODE_PLANE,
+        MODE_FEEDS,
+        Digit { place: 2, most: 1, unknown: "a spigot (hundreds of `_DMODE`; 0 and 1 are a pocket)" },
+    ],
     other: "",
     doubt: None,
 };
@@ -254,7 +264,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 FS,
                 ZFS,
                 digits("_GMODE", &SLOT_CENTRE, "thousands: 1 the slot lies about CPA and CPO"),
-                digits("_DMODE", &ANY_DIGITS, "units: plane, as of POCKET3; thousands 1: a single slot"),
+                digits("_DMODE", &MODE, "units: plane, as of POCKET3; thousands 1: a single slot"),
                 AMODE_OF_PAIR,
             ],
         },
@@ -369,7 +379,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 number("_DR", "its edge; reported, as `_TR` is empty"),
                 UMODE,
                 digits("_GMODE", &PLAIN, "0"),
-                DMODE,
+                digits("_DMODE", &POCKET_MODE, "as of POCKET3; hundreds 0 and 1: a pocket"),
                 AMODE,
             ],
         },

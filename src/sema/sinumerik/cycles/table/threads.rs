@@ -118,7 +118,11 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("_GDEP", "return distance of the editor: reported, changes no pass"),
                 length("_PIT1", "change of the pitch; refused where it is not 0").default("0"),
                 length("_FDEP", "refused where it is not 0").default("0"),
-                length("_GST", "refused where it is not 0").default("0"),
+                length(
+                    "_GST",
+                    "first start that is cut: 1 for a thread of one start is reported, other values are refused",
+                )
+                .default("0"),
                 length("_GUD", "refused where it is not 0").default("0"),
                 length("_IFLANK", "infeed along the flank, as the angle makes it").default("not compared"),
                 number("_PITA", "unit of the pitch: 0 of the program, 1 mm").default("0"),
