@@ -19,9 +19,10 @@ use super::{Outcome, Run};
 const BUILDERS: &str = "M92";
 
 impl ActiveTool {
-    /// Length with all oversizes.
-    fn effective_length(&self) -> Option<f64> {
-        self.length.map(|length| length + self.table_deltas[0] + self.call_deltas[0])
+    /// Length that printed coordinates count with: that of the tool table. DL of a TOOL CALL is part of the coordinates
+    /// ([`Run::update_frame`]).
+    fn printed_length(&self) -> Option<f64> {
+        self.length.map(|length| length + self.table_deltas[0])
     }
 }
 
@@ -36,7 +37,7 @@ impl Run<'_> {
         }
     }
 
-    /// What lies between the machine coordinate of an axis and its place in the datum.
+    /// What lies between the machine coordinate of an axis and its printed place in the datum.
     fn from_machine(&self, axis: Axis) -> Result<f64, Lack> {
         let frames = &self.st.frames;
         if frames.transform().is_turned_as_a_whole() || frames.transform().turn.0 != 0.0 {
@@ -48,7 +49,7 @@ impl Run<'_> {
             return Ok(zero);
         }
         let tool = self.st.tool.active();
-        match tool.and_then(ActiveTool::effective_length) {
+        match tool.and_then(ActiveTool::printed_length) {
             Some(length) => Ok(zero + length),
             None => Err(Lack::Length(tool.and_then(|tool| tool.own))),
         }
@@ -86,9 +87,20 @@ impl Run<'_> {
         let (after, in_machine) = self.st.position.after_change();
         let places = match in_machine {
             true => out_of_machine(&after, |axis, value| Some(value - self.from_machine(axis).ok()?)),
-            false => after,
+            false => self.printed(after),
         };
         self.stand(&places);
+    }
+
+    /// Places that the control shows in the datum, as they are printed: with the oversize DL of TOOL CALL.
+    fn printed(&self, mut places: Pos) -> Pos {
+        let axis = self.st.axis();
+        let oversize = self.st.tool.active().map_or(0.0, |tool| tool.call_deltas[0]);
+        match places.get(axis) {
+            Some(shown) if oversize != 0.0 => places.set(axis, shown + oversize),
+            _ => {}
+        }
+        places
     }
 
     fn stand(&mut self, places: &Pos) {
