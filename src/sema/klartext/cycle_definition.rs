@@ -5,6 +5,7 @@ use crate::text::Loc;
 
 use crate::sema::run::Site;
 
+use super::builders_cycle::LeftWord;
 use super::labels::Label;
 
 /// A definition that is being read.
@@ -31,6 +32,8 @@ pub(super) struct Open {
     pub program: Option<String>,
     /// Labels of contours.
     pub contours: Vec<Label>,
+    /// Words of a cycle that nobody knows.
+    pub left: Vec<LeftWord>,
     pub failed: bool,
 }
 
@@ -75,6 +78,7 @@ impl Open {
             table_row: false,
             program: None,
             contours: Vec::new(),
+            left: Vec::new(),
             failed,
         }
     }

@@ -8,6 +8,7 @@ mod active_tool;
 mod approach;
 mod arcs;
 mod blank;
+mod builders_cycle;
 mod bore_milling;
 mod capture;
 mod change;
@@ -270,6 +271,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
         let settings = self.job.settings;
         let (vars, locals) = Vars::new(&settings.variables);
         self.vars = vars;
+        self.refuse_entries_of_cycles();
         self.core.begins_at(&self.st.position.start());
         Level::main(program, Frame::main(settings.control.unit.unwrap_or_default(), locals))
     }
