@@ -142,28 +142,25 @@ impl Run<'_> {
     /// Entries of `[programs]` that would make a cycle vanish that partc knows, and those that no block of this language reads.
     pub(super) fn refuse_entries_of_cycles(&self) {
         let programs = &self.job.settings.programs;
-        let known: Vec<(&str, &str)> = programs
-            .keys()
-            .filter_map(|name| {
-                let row = find(cycle_of(name)?);
-                (!matches!(row.nature, Nature::Unknown)).then_some((name.as_str(), row.called()))
-            })
-            .collect();
-        let help = "take them out: only a cycle of the machine builder, which no manual of the control has, can be left out";
-        self.refuse_entries("[programs]", &known, help);
-        let unread: Vec<(&str, &str)> = programs
+        let entries: Vec<(&str, &str)> = programs
             .iter()
-            .filter(|(name, _)| is_of_klartext(name) && !known.iter().any(|(entry, _)| entry == name))
-            .filter_map(|(name, stands)| match cycle_of(name) {
-                None => Some((name.as_str(), "no name of a cycle")),
-                Some(_) if *stands != StandIn::Ignored => Some((name.as_str(), "a cycle, which is left out by `ignore` only")),
-                Some(_) => None,
-            })
+            .filter(|(name, _)| is_of_klartext(name))
+            .filter_map(|(name, stands)| Some((name.as_str(), vain(cycle_of(name), stands)?)))
             .collect();
-        let help = "take them out: they have no effect; `[programs]` names a cycle of the machine builder as in \
+        let help = "take them out: only a cycle of the machine builder, which no manual of the control has, can be left out: \
                     `\"CYCL DEF 392\" = { ignore = true }`; touch probe cycles are left out by `[control] probing`";
-        self.refuse_entries("[programs]", &unread, help);
+        self.refuse_entries("[programs]", &entries, help);
     }
+}
+
+/// What an entry names that may not vanish, or that no block reads.
+fn vain(cycle: Option<u32>, stands: &StandIn) -> Option<&'static str> {
+    let Some(number) = cycle else { return Some("which is no name of a cycle") };
+    let row = find(number);
+    if !matches!(row.nature, Nature::Unknown) {
+        return Some(row.called());
+    }
+    (*stands != StandIn::Ignored).then_some("a cycle can be left out only, by `ignore`")
 }
 
 /// The number of `CYCL DEF 392`, written as the entry is looked for.
@@ -205,7 +202,11 @@ mod tests {
     #[test]
     fn names_of_entries() {
         assert_eq!(cycle_of("CYCL DEF 392"), Some(392));
-        assert!(["CYCL DEF", "CYCL DEF ", "CYCL  DEF 392", "CYCL DEF 0392", "CYCL DEF +1"].iter().all(|name| cycle_of(name).is_none()));
+        assert!(
+            ["CYCL DEF", "CYCL DEF ", "CYCL  DEF 392", "CYCL DEF 0392", "CYCL DEF +1"]
+                .iter()
+                .all(|name| cycle_of(name).is_none())
+        );
         assert!(["TCH PROBE 412", "M128", "CYCL DEF", "PLANE SPATIAL"].iter().all(|name| is_of_klartext(name)));
         assert!(!["TC", "CYCLE60", "M", "MYPROG"].iter().any(|name| is_of_klartext(name)));
     }

@@ -386,6 +386,7 @@ impl Run<'_> {
             self.error(codes::K2852, "the datum is set while the working plane is turned");
             return Err(Reported);
         }
+        let stands = self.machine_coordinates();
         self.function(Function::WorkOffset(offset));
         // Another part may lie there.
         self.contours.roughed = Known::Nothing;
@@ -399,6 +400,7 @@ impl Run<'_> {
         self.st.polar.forget_last();
         self.st.frames.system += 1;
         self.st.frames.row = row;
+        self.stand_in_machine(&stands);
         // What moved in front counts from another work offset.
         self.st.tool.worked = AxisSet::EMPTY;
         Ok(())

@@ -78,7 +78,28 @@ impl Run<'_> {
     pub(super) fn moved_by_machine(&mut self, end: &Pos) {
         let loc = self.here.origin.loc;
         self.st.moved_by_machine(end, loc);
-        let places = out_of_machine(end, |axis, value| Some(value - self.from_machine(axis).ok()?));
+        self.stand_in_machine(end);
+    }
+
+    /// Machine coordinates of the axes that the next datum finds where they stand: not of those that never moved, which
+    /// `[start]` tells in that datum, nor of those that somebody may have moved.
+    pub(super) fn machine_coordinates(&self) -> Pos {
+        let position = &self.st.position;
+        let start = position.start();
+        let mut known = Pos::UNKNOWN;
+        for axis in AxisSet::MAIN.iter() {
+            let open = position.may_be_moved(axis) || position.stands_beside(AxisSet::of(axis));
+            match self.machine_coordinate(axis) {
+                Some(value) if start.get(axis).is_none() && !open => known.set(axis, value),
+                _ => {}
+            }
+        }
+        known
+    }
+
+    /// Axes stand at machine coordinates: their places are known where the datum is.
+    pub(super) fn stand_in_machine(&mut self, at: &Pos) {
+        let places = out_of_machine(at, |axis, value| Some(value - self.from_machine(axis).ok()?));
         self.stand(&places);
     }
 
