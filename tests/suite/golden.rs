@@ -27,7 +27,7 @@ books! {
     errors_heidenhain_turning = "errors/heidenhain-turning":
         G L T0 T1 T200 T201 T202 T203 T205 T207 T3 T8 T9;
     errors_klartext = "errors/klartext":
-        G G305 G32 K0 K100 K1005 K101 K18 K20 K2014 K21 K22 K23 K24 K2412 K2413 K25 K26 K27 K28 K2854 K2855 K2856 K29 K294 K295 K30 K8 K8026 K8027 K81 K814 K900 K901 K903 K904 L1 L2 O P;
+        G G305 G32 K0 K100 K1005 K101 K18 K20 K2014 K21 K22 K23 K24 K2412 K2413 K25 K26 K27 K2710 K28 K2854 K2855 K2856 K29 K294 K295 K30 K8 K8026 K8027 K81 K814 K900 K901 K903 K904 L1 L2 O P;
     errors_mtc200 = "errors/mtc200":
         G L M0 M100 M1006 M101 M1012 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O P P0205 P0206;
     errors_sinumerik = "errors/sinumerik":
@@ -48,7 +48,7 @@ books! {
     heidenhain_turning_words = "heidenhain-turning/words":
         refused;
     klartext = "klartext":
-        approach arcs call_functions corners cycles drilling flow frames functions manual output parameters path path_control planes polar
+        approach arcs call_functions corners cycles drilling edges2 flow frames functions manual output parameters path path_control planes polar
         text tools units;
     klartext_arcs = "klartext/arcs":
         centres radius tangential;

@@ -418,6 +418,11 @@ K2709 Warning "plunge-feed-open" "what M103 does to this feed is open"
 feed that M103 can mean, as if the whole way led down. Program M103 behind the first positioning. A drilling cycle called under \
 M103 keeps the feeds of its own parameters."
 
+K2710 Warning "basic-rotation-not-ended" "M143 does not end a basic rotation of the target"
+"M143 ends the basic rotation. One of TCH PROBE 404 is computed, and ends with M143; one that was set up at the machine, in the row of the preset table, is part of the work offset \
+of the target, and the output has no word that ends it. If the offset of the target has a rotation, blocks behind M143 would be turned, which they are not on the control; \
+blocks in front of it would be turned on both. Set up the target without a rotation where M143 stands in front of the first move; otherwise split the program there."
+
 K8001 Warning "block-not-run" "block that does not run could not be compiled"
 "`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing calls, behind a \
 jump. The output does not depend on this one, so it is no error; if it ever runs, it will be refused. `partc explain` with the code that \

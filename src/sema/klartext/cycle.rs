@@ -6,13 +6,12 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::function::PathControl;
 use crate::lexer::klartext::QRef;
-use crate::machine::{AxisSet, Generation, StandIn};
+use crate::machine::{AxisSet, Generation};
 use crate::parser::klartext::ast::{Addr, Block, CallKind, Stmt};
-use crate::sema::common::hidden::By as Hid;
 use crate::text::{FileId, Loc, Span};
 
 use super::contour_data::Known;
@@ -145,6 +144,9 @@ impl Run<'_> {
                 }
             },
         }
+        if matches!(find(number).nature, Nature::Unknown) {
+            self.keep_left_words(part, block, text);
+        }
         let result = self.cycle_words(block, text);
         if let (Err(_), Some(open)) = (&result, &mut self.cycles.open) {
             open.failed = true;
@@ -270,7 +272,7 @@ impl Run<'_> {
                 }
                 result
             }
-            Nature::Unknown => self.builders_cycle(open.number),
+            Nature::Unknown => self.builders_cycle(open),
         }
     }
 
@@ -468,29 +470,6 @@ impl Run<'_> {
 }
 
 impl Run<'_> {
-    /// A cycle that no manual of the control has: `[programs]` may say that it does nothing.
-    fn builders_cycle(&mut self, number: u32) -> Outcome {
-        let name = format!("CYCL DEF {number}");
-        let here = self.here.origin.loc;
-        if self.job.settings.programs.get(&name) == Some(&StandIn::Ignored) {
-            let text = format!("{name} is left out, as `[programs]` says");
-            if self.job.diags.first_text(codes::K2413, &text) {
-                self.report(Diagnostic::new(codes::K2413, here, text));
-            }
-            let left = self.job.settings.left_by(&name);
-            self.st.position.forget(left.lost);
-            self.st.position.hide(left.lost, Hid::Call, here);
-            return Ok(());
-        }
-        let help = Answer::key("programs", &name).one_of(&["{ ignore = true }"]).help(format!(
-            "if it is a cycle of the machine builder that moves nothing, leave it out: `[programs]` with `\"{name}\" = \
-             {{ ignore = true }}`; if it moves, program its moves as blocks"
-        ));
-        let found = Diagnostic::new(codes::K9001, here, format!("cycle {number} is not known")).help(help);
-        self.report(found);
-        Err(Reported)
-    }
-
     /// A cycle that acts where it is defined, which cannot be compiled.
     fn acts_unsupported(&mut self, number: u32) -> Outcome {
         let what = find(number).called();

@@ -9,7 +9,7 @@ use crate::lexer::klartext::Value;
 use crate::machine::{AxisSet, ShiftAxes};
 use crate::parser::klartext::ast::{Addr, Block, Transform};
 use crate::sema::run::{OffsetName, Where};
-use crate::text::Span;
+use crate::text::{Loc, Span};
 
 use super::contour_data::Known;
 use super::cycle_definition::{AxisValue, Open};
@@ -26,11 +26,13 @@ pub(super) struct FrameState {
     preset_selected: bool,
     /// The row that it selected last.
     row: Option<u32>,
+    /// A touch probe cycle that is left out, behind which a basic rotation may be in force that nobody here knows.
+    probed: Option<Loc>,
 }
 
 impl FrameState {
     pub fn new(transform: Transformation) -> FrameState {
-        FrameState { transform, system: 0, preset_selected: false, row: None }
+        FrameState { transform, system: 0, preset_selected: false, row: None, probed: None }
     }
 
     pub fn transform(&self) -> &Transformation {
@@ -40,6 +42,16 @@ impl FrameState {
     /// The row of the preset table that the program selected last.
     pub fn preset_row(&self) -> Option<u32> {
         self.row
+    }
+
+    /// The cycle at `loc` is left out, and may turn the coordinates.
+    pub fn may_be_turned(&mut self, loc: Loc) {
+        self.probed = Some(loc);
+    }
+
+    /// The last cycle that is left out and may have turned the coordinates.
+    pub fn probed(&self) -> Option<Loc> {
+        self.probed
     }
 
     /// Number of the input system: another one after each change.
@@ -374,6 +386,7 @@ impl Run<'_> {
             self.error(codes::K2852, "the datum is set while the working plane is turned");
             return Err(Reported);
         }
+        let stands = self.machine_coordinates();
         self.function(Function::WorkOffset(offset));
         // Another part may lie there.
         self.contours.roughed = Known::Nothing;
@@ -387,6 +400,7 @@ impl Run<'_> {
         self.st.polar.forget_last();
         self.st.frames.system += 1;
         self.st.frames.row = row;
+        self.stand_in_machine(&stands);
         // What moved in front counts from another work offset.
         self.st.tool.worked = AxisSet::EMPTY;
         Ok(())

@@ -218,6 +218,7 @@ impl Run<'_> {
                 }
             }
             Act::Retract => return self.retract(m),
+            Act::EndRotation => return self.end_basic_rotation(m),
             Act::Note => self.note_m(m),
             Act::ShortPoints => self.report(
                 Diagnostic::new(

@@ -71,6 +71,8 @@ pub(super) enum Act {
     ModuloRotary,
     FollowTip(bool),
     Retract,
+    /// Ends the basic rotation.
+    EndRotation,
     Refused,
 }
 
@@ -94,9 +96,8 @@ pub(super) fn entry(number: u32) -> Option<(Act, When)> {
         19 => (Orient, End),
         89 | 91 | 92 | 99 => (Block, Start),
         // Constant path speed, replacement tools, kv factors, oversize errors, rounding of transitions, handwheel,
-        // untilted blocks, exact stop, tilt axes, probe supervision, basic rotation of the setup, lift-off, limit
-        // switch messages.
-        90 | 101 | 102 | 105..=108 | 112 | 113 | 118 | 130 | 134 | 135 | 138 | 141 | 143 | 148..=150 => (Note, Start),
+        // untilted blocks, exact stop, tilt axes, probe supervision, lift-off, limit switch messages.
+        90 | 101 | 102 | 105..=108 | 112 | 113 | 118 | 130 | 134 | 135 | 138 | 141 | 148..=150 => (Note, Start),
         124 => (ShortPoints, Start),
         120 => (LookAhead, Start),
         97 | 98 | 197 => (CompensationOnly, End),
@@ -112,6 +113,7 @@ pub(super) fn entry(number: u32) -> Option<(Act, When)> {
         137 => (PerRevolution(false), Start),
         94 => (ModuloRotary, Start),
         140 => (Retract, Start),
+        143 => (EndRotation, Start),
         // Switched off is how every program starts.
         115 | 145 => (Note, Start),
         128 => (FollowTip(true), Start),

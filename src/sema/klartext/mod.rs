@@ -9,6 +9,7 @@ mod approach;
 mod arcs;
 mod blank;
 mod bore_milling;
+mod builders_cycle;
 mod capture;
 mod change;
 mod compensation;
@@ -270,6 +271,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
         let settings = self.job.settings;
         let (vars, locals) = Vars::new(&settings.variables);
         self.vars = vars;
+        self.refuse_entries_of_cycles();
         self.core.begins_at(&self.st.position.start());
         Level::main(program, Frame::main(settings.control.unit.unwrap_or_default(), locals))
     }

@@ -19,9 +19,10 @@ use super::{Outcome, Run};
 const BUILDERS: &str = "M92";
 
 impl ActiveTool {
-    /// Length with all oversizes.
-    fn effective_length(&self) -> Option<f64> {
-        self.length.map(|length| length + self.table_deltas[0] + self.call_deltas[0])
+    /// Length that printed coordinates count with: that of the tool table. DL of a TOOL CALL is part of the coordinates
+    /// ([`Run::update_frame`]).
+    fn printed_length(&self) -> Option<f64> {
+        self.length.map(|length| length + self.table_deltas[0])
     }
 }
 
@@ -36,7 +37,7 @@ impl Run<'_> {
         }
     }
 
-    /// What lies between the machine coordinate of an axis and its place in the datum.
+    /// What lies between the machine coordinate of an axis and its printed place in the datum.
     fn from_machine(&self, axis: Axis) -> Result<f64, Lack> {
         let frames = &self.st.frames;
         if frames.transform().is_turned_as_a_whole() || frames.transform().turn.0 != 0.0 {
@@ -48,7 +49,7 @@ impl Run<'_> {
             return Ok(zero);
         }
         let tool = self.st.tool.active();
-        match tool.and_then(ActiveTool::effective_length) {
+        match tool.and_then(ActiveTool::printed_length) {
             Some(length) => Ok(zero + length),
             None => Err(Lack::Length(tool.and_then(|tool| tool.own))),
         }
@@ -77,7 +78,28 @@ impl Run<'_> {
     pub(super) fn moved_by_machine(&mut self, end: &Pos) {
         let loc = self.here.origin.loc;
         self.st.moved_by_machine(end, loc);
-        let places = out_of_machine(end, |axis, value| Some(value - self.from_machine(axis).ok()?));
+        self.stand_in_machine(end);
+    }
+
+    /// Machine coordinates of the axes that the next datum finds where they stand: not of those that never moved, which
+    /// `[start]` tells in that datum, nor of those that somebody may have moved.
+    pub(super) fn machine_coordinates(&self) -> Pos {
+        let position = &self.st.position;
+        let start = position.start();
+        let mut known = Pos::UNKNOWN;
+        for axis in AxisSet::MAIN.iter() {
+            let open = position.may_be_moved(axis) || position.stands_beside(AxisSet::of(axis));
+            match self.machine_coordinate(axis) {
+                Some(value) if start.get(axis).is_none() && !open => known.set(axis, value),
+                _ => {}
+            }
+        }
+        known
+    }
+
+    /// Axes stand at machine coordinates: their places are known where the datum is.
+    pub(super) fn stand_in_machine(&mut self, at: &Pos) {
+        let places = out_of_machine(at, |axis, value| Some(value - self.from_machine(axis).ok()?));
         self.stand(&places);
     }
 
@@ -86,9 +108,20 @@ impl Run<'_> {
         let (after, in_machine) = self.st.position.after_change();
         let places = match in_machine {
             true => out_of_machine(&after, |axis, value| Some(value - self.from_machine(axis).ok()?)),
-            false => after,
+            false => self.printed(after),
         };
         self.stand(&places);
+    }
+
+    /// Places that the control shows in the datum, as they are printed: with the oversize DL of TOOL CALL.
+    fn printed(&self, mut places: Pos) -> Pos {
+        let axis = self.st.axis();
+        let oversize = self.st.tool.active().map_or(0.0, |tool| tool.call_deltas[0]);
+        match places.get(axis) {
+            Some(shown) if oversize != 0.0 => places.set(axis, shown + oversize),
+            _ => {}
+        }
+        places
     }
 
     fn stand(&mut self, places: &Pos) {

@@ -124,6 +124,9 @@ impl Run<'_> {
         for q in named.chain(own).filter(|q| exists(*q)) {
             self.vars.set(locals, q, Slot::AtMachine(here));
         }
+        if setting.may_turn(probe.number) {
+            self.st.frames.may_be_turned(here);
+        }
         self.tell_of_setting(&probe, &setting, span)?;
         self.forget_positions(probe.turns());
         if probe.measures_tools() {

@@ -12,7 +12,8 @@ use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
 use super::probing::Probe;
-use super::{Outcome, Run};
+use super::words::MWord;
+use super::{Outcome, Reported, Run};
 
 /// A datum that reads the same to within this is the same, mm.
 const SAME: f64 = 1e-6;
@@ -40,6 +41,13 @@ pub(super) enum Setting {
     Rotation,
     /// The machine's builder knows.
     Unknown,
+}
+
+impl Setting {
+    /// May a basic rotation that is measured be in force behind the cycle, or wait for its preset?
+    pub(super) fn may_turn(&self, number: u32) -> bool {
+        matches!(self, Setting::Rotation | Setting::Unknown) || matches!(number, 400..=405)
+    }
 }
 
 /// A feature with a place by its parameters: the place, and what it reads then.
@@ -250,5 +258,34 @@ impl Run<'_> {
             );
         }
         self.set_transformation(next)
+    }
+
+    /// M143: ends the basic rotation, as far as it is known.
+    pub(super) fn end_basic_rotation(&mut self, m: &MWord) -> Outcome {
+        if let Some(probed) = self.st.frames.probed() {
+            self.lose_all();
+            let message = "M143 ends a basic rotation, and the one that a touch probe cycle measured is known only at the machine";
+            let found = Diagnostic::new(codes::K9008, self.loc(m.span), message)
+                .also(probed, "this cycle is left out")
+                .help("take M143 out, and set the part up without a basic rotation; or split the program here");
+            self.report(found);
+            return Err(Reported);
+        }
+        let mut next = self.st.frames.transform().clone();
+        match next.basic.replace(Deg(0.0)) {
+            Some(angle) if angle.0 != 0.0 => self.set_transformation(next),
+            Some(_) => Ok(()),
+            None => {
+                self.job.diags.push_once(
+                    Diagnostic::new(
+                        codes::K2710,
+                        self.loc(m.span),
+                        "the basic rotation of the preset, if it has one, is not ended in the output",
+                    )
+                    .help("set the work offset of the target without a rotation"),
+                );
+                Ok(())
+            }
+        }
     }
 }
