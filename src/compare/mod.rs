@@ -296,11 +296,13 @@ fn turned_by(angle: f64) -> f64 {
     part.min(360.0 - part)
 }
 
-/// Where nobody said it, the spindle may start anywhere: that is another start than 0.
-fn same_angle(a: Option<f64>, b: Option<f64>, tolerance: f64) -> bool {
-    match (a, b) {
-        (Some(a), Some(b)) => turned_by(a - b) <= tolerance,
-        (one, other) => one.is_none() && other.is_none(),
+/// Where a text does not say it, the spindle may start anywhere: that is another start than 0.
+fn same_angle(a: &Stroke, b: &Stroke, tolerance: f64) -> bool {
+    match (a.angle, b.angle) {
+        (Some(one), Some(other)) => turned_by(one - other) <= tolerance,
+        (None, None) => true,
+        (Some(said), None) => b.any_angle && turned_by(said) <= tolerance,
+        (None, Some(said)) => a.any_angle && turned_by(said) <= tolerance,
     }
 }
 
@@ -312,7 +314,7 @@ fn same_stroke(a: &Stroke, b: &Stroke, tolerance: f64) -> bool {
         && a.turn == b.turn
         && near(a.depth, b.depth)
         && near(a.dwell, b.dwell)
-        && same_angle(a.angle, b.angle, tolerance)
+        && same_angle(a, b, tolerance)
         && same(a.speed, b.speed)
         // It may be printed as a factor on the speed of the way in, with four places.
         && a.back.zip(b.back).is_none_or(|(a, b)| (a - b).abs() <= tolerance.max(a.abs() * OF_FACTOR))
