@@ -57,7 +57,7 @@ impl Run<'_> {
         self.report(if loose {
             found.help(format!(
                 "the words beside {shown} may be its arguments, and no G function of this block takes them: write {shown} alone \
-                 in its block, or write G0, G1, G2 or G3 beside the axes if that is the move, or leave it out"
+                 in its block, or leave it out with all that belongs to it"
             ))
         } else {
             let help = Answer::item("control", "machine_words", format!("\"{shown}\""));

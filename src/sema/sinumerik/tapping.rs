@@ -242,7 +242,8 @@ impl Channel<'_> {
         let speed = self.st.spindles.fixed_turns(None).unwrap_or_default();
         let turn = if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise };
         let Some(open) = &mut self.st.taps.open else {
-            let orient = self.st.taps.angle.take().map(|(angle, _)| angle);
+            // Also one that other blocks followed: the spindle still stands there.
+            let orient = self.st.taps.angle.take().map(|(angle, _)| angle).or(self.st.spindles.angle());
             let tap = Tap {
                 axis,
                 start,

@@ -300,6 +300,9 @@ impl CycleCall<'_, '_> {
             return self.cycle_fault(args.span_of(key), 16763, "a speed is below 0", help);
         }
         let after = self.after()?;
+        // Without POSS the tap begins where the spindle was stopped.
+        let orient = args.number(POSS).map(whole_turn).or(self.st.spindles.angle());
+        self.st.spindles.forget_angle();
         Ok(Method::Tap(Tap {
             rigid: true,
             lead: Some(lead.abs()),
@@ -308,7 +311,7 @@ impl CycleCall<'_, '_> {
             dwell_reversed: false,
             speed_in,
             speed_out: speed(SST1).or(speed_in),
-            orient: args.number(POSS).map(whole_turn),
+            orient,
             step,
             after,
             speed_after: self.st.spindles.speed(),
