@@ -296,6 +296,16 @@ fn turned_by(angle: f64) -> f64 {
     part.min(360.0 - part)
 }
 
+/// Where a text does not say it, the spindle may start anywhere: that is another start than 0.
+fn same_angle(a: &Stroke, b: &Stroke, tolerance: f64) -> bool {
+    match (a.angle, b.angle) {
+        (Some(one), Some(other)) => turned_by(one - other) <= tolerance,
+        (None, None) => true,
+        (Some(said), None) => b.any_angle && turned_by(said) <= tolerance,
+        (None, Some(said)) => a.any_angle && turned_by(said) <= tolerance,
+    }
+}
+
 fn same_stroke(a: &Stroke, b: &Stroke, tolerance: f64) -> bool {
     let near = |a: f64, b: f64| (a - b).abs() <= tolerance;
     // What nobody said is not another speed.
@@ -304,7 +314,7 @@ fn same_stroke(a: &Stroke, b: &Stroke, tolerance: f64) -> bool {
         && a.turn == b.turn
         && near(a.depth, b.depth)
         && near(a.dwell, b.dwell)
-        && a.angle.zip(b.angle).is_none_or(|(a, b)| turned_by(a - b) <= tolerance)
+        && same_angle(a, b, tolerance)
         && same(a.speed, b.speed)
         // It may be printed as a factor on the speed of the way in, with four places.
         && a.back.zip(b.back).is_none_or(|(a, b)| (a - b).abs() <= tolerance.max(a.abs() * OF_FACTOR))
@@ -338,7 +348,7 @@ fn is_tiny(step: &Step, tolerance: f64) -> bool {
         Does::Travel(travel) => {
             travel.start.known() == travel.end.known()
                 && gap(&travel.start, &travel.end) <= tolerance
-                && !matches!(travel.kind, Kind::Arc { .. })
+                && !matches!(travel.kind, Kind::Arc { .. } | Kind::Tap(_))
         }
         Does::Function(..) => false,
     }

@@ -69,6 +69,8 @@ pub struct Stroke {
     pub dwell: f64,
     /// Of the spindle at the start, in degrees, where it was said.
     pub angle: Option<f64>,
+    /// A program of a control that says no angle leaves it to its output, which may have to say 0.
+    pub any_angle: bool,
 }
 
 impl Travel {
@@ -289,7 +291,9 @@ impl Sink for Steps {
 
     fn tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) {
         let before = self.spindle_before_tap();
-        let angle = tap.orient.or(before);
+        // A program says the angle with its tap, a text with the words in front of it.
+        let is_program = self.output.is_some();
+        let angle = tap.orient.or(before.filter(|_| !is_program));
         self.speed_waits = true;
         let (speed, tool) = (tap.speed_in.or(self.speed), self.tool);
         let back = tap.speed_out.or(speed);
@@ -306,6 +310,7 @@ impl Sink for Steps {
                 back,
                 dwell: stroke.dwell,
                 angle: angle.filter(|_| at == 0),
+                any_angle: is_program && angle.is_none() && at == 0,
             };
             let start = self.at;
             self.at.update(&place.at);
@@ -493,7 +498,7 @@ impl Travel {
                 }
             }
             Kind::Thread(lead) => text += &format!(" K{}", pitch(lead)),
-            Kind::Tap(Stroke { axis, depth, lead, turn, speed, back, dwell, angle }) => {
+            Kind::Tap(Stroke { axis, depth, lead, turn, speed, back, dwell, angle, any_angle: _ }) => {
                 let hand = if turn == Turn::Clockwise { "right" } else { "left" };
                 text += &format!(" to {}{}, {hand}-hand, pitch {}", axis.letter(), shown(depth), pitch(lead));
                 if let Some(speed) = speed {

@@ -178,3 +178,29 @@ fn the_speed_after_a_tap_counts_where_the_spindle_starts() {
     let (found, text) = between(&taps("", "S500\n"), &taps("", ""));
     assert!(!found.is_same(), "{text}");
 }
+
+/// A tap returns to where it began, and is a step all the same.
+#[test]
+fn each_tap_is_a_step() {
+    let head = "G17 G94\nT1 M6\nS500 M3\nG0 X0 Y0 Z5\n";
+    let same = |a: &str, b: &str| between(&format!("{head}{a}G0 Z20\nM30\n"), &format!("{head}{b}G0 Z20\nM30\n")).0;
+    let once = "G33.1 Z-10 K1.25\n";
+    assert!(same(once, once).is_same());
+    let steps = same(once, "G33.1 Z-1 K1.25\nG33.1 Z-2 K1.25\nG33.1 Z-3 K1.25\nG33.1 Z-10 K1.25\n");
+    assert_eq!((steps.is_same(), steps.only), (false, [0, 3]));
+    let twice = same(once, "G33.1 Z-10 K1.25\nG33.1 Z-10 K1.25\n");
+    assert_eq!((twice.is_same(), twice.only), (false, [0, 1]));
+    assert!(!same(once, "").is_same());
+}
+
+#[test]
+fn the_angle_of_a_tap_counts_where_it_was_said() {
+    let head = "G17 G94\nT1 M6\nS500\nG0 X0 Y0 Z5\n";
+    let same = |a: &str, b: &str| {
+        between(&format!("{head}{a}M3\nG33.1 Z-10 K1.25\nM30\n"), &format!("{head}{b}M3\nG33.1 Z-10 K1.25\nM30\n"))
+            .0
+            .is_same()
+    };
+    assert!(same("", ""));
+    assert!(same("", "M19 R0\n"), "a spindle that turns on from M3 begins anywhere");
+}

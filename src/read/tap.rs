@@ -56,8 +56,10 @@ impl Reader {
         if block.machine {
             return Err(Fault::new("a tap in machine coordinates"));
         }
-        if self.modes.incremental != Some(false) {
-            return Err(Fault::unsaid("a tap without absolute coordinates", Lack::Mode));
+        match self.modes.incremental {
+            Some(false) => {}
+            Some(true) => return Err(Fault::new("taps under G91 are not supported: write G90 and the depth itself")),
+            None => return Err(Fault::unsaid("a tap, and neither G90 nor G91 was said before", Lack::Mode)),
         }
         if self.modes.constant_cut == Some(true) {
             return Err(Fault::new("a tap under a constant cutting speed"));
@@ -90,7 +92,10 @@ impl Reader {
     /// G33.1: to the depth and back, the spindle turning before.
     fn tap_returns(&mut self, block: &mut Block) -> Result<(), Fault> {
         let (axis, from, to) = self.tap_axis(block)?;
-        let lead = block.take(b'K').filter(|lead| *lead > 0).ok_or_else(|| Fault::new("a tap without a lead"))?;
+        let lead = block.take(b'K').ok_or_else(|| Fault::new("a tap without a lead"))?;
+        if lead <= 0 {
+            return Err(Fault::new("the lead K of a tap is not above zero: M3 or M4 before it says its hand"));
+        }
         let lead = self.length(lead)?;
         let factor = block.take(b'I').unwrap_or(SCALE);
         let turn = self.spindle.turn.ok_or_else(|| Fault::new("the spindle does not turn in front of a tap"))?;

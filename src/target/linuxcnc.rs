@@ -43,7 +43,7 @@ pub(super) const TARGET: Target = Target {
     },
     spindle: SpindleWords {
         cutting_speed: Some(CuttingSpeed { on: "G96", off: "G97", limit: Limit::Word("D") }),
-        orient: Some(("M19", b'R')),
+        orient: Some(("M19", Some(b'R'))),
         other: Some(b'$'),
         ..BASE.spindle
     },

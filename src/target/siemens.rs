@@ -6,7 +6,8 @@ use crate::geo::Plane;
 
 use super::{
     Arcs, Comments, CompensationWords, CoolantWords, Dwell, FeedWords, Frame, Lead, Length, LengthNumber, LengthWords,
-    MFunctions, MoreOffsets, Motion, PathBound, PathWords, RigidTap, Target, Thread, ToolWords, Turns, base::BASE,
+    MFunctions, MoreOffsets, Motion, PathBound, PathWords, RigidTap, SpindleWords, Target, Thread, ToolWords, Turns,
+    base::BASE,
 };
 
 // Which axes F counts is a matter of the machine (FGROUP): no rotary ones. G96 would take the feed per revolution with it.
@@ -42,6 +43,7 @@ pub(super) const TARGET: Target = Target {
         least_chord: 0.01,
         ..BASE.arcs
     },
+    spindle: SpindleWords { orient: Some(("SPOS=", None)), ..BASE.spindle },
     coolant: CoolantWords { mist: Some("M7"), ..BASE.coolant },
     tool: ToolWords {
         most: 32_000,

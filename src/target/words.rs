@@ -386,8 +386,8 @@ pub struct SpindleWords {
     /// A speed is a part of the block that starts the spindle.
     pub speed_with_start: bool,
     pub cutting_speed: Option<CuttingSpeed>,
-    /// Stop at an angle, and the address of the angle.
-    pub orient: Option<(&'static str, u8)>,
+    /// Stop at an angle, and the address of the angle, where the word is not `SPOS=` itself.
+    pub orient: Option<(&'static str, Option<u8>)>,
     /// Address that names another spindle, counted from 0.
     pub other: Option<u8>,
 }

@@ -73,6 +73,7 @@ const CASES: &[(&str, &[(&str, &str)])] = &[
             ("drilling/cycle840_encoder_size", "MPIT"),
             ("drilling/cycle840_encoder", "PIT"),
             ("drilling/cycle840_inch_pitch", "_PITA"),
+            ("drilling/cycle840_technology", "_TECHNO"),
             ("drilling/cycle840_shank", "_GMODE"),
             ("drilling/cycle840_other_plane", "_DMODE"),
             ("drilling/cycle840_depth_by_digit_2", "_AMODE"),

@@ -259,11 +259,12 @@ fn golden_outputs_mean_what_they_say_to_rs274() {
     report(&failures, cases.len());
 }
 
-/// G33.1 comes back to where it began and does not wait: a warning says so of each tap of which more was asked.
+/// G33.1 comes back to where it began, does not wait, and begins at no angle: a warning says so of each tap of which more was asked.
 fn as_linuxcnc_taps(tap: &Tap) -> Tap {
     let mut tap = tap.clone();
     let start = tap.start;
     tap.strokes.iter_mut().for_each(|stroke| (stroke.back, stroke.dwell) = (start, 0.0));
+    tap.orient = None;
     tap
 }
 

@@ -230,7 +230,7 @@ once at the machine; then list it in `[control] confirmed`, and the warning is g
 
 M8005 Warning "mtc-m-functions" "M functions are taken in their standard meaning"
 "M0 to M9, M13, M14, M19 and M30 are taken as the standard has them. The machine builder may have given them another meaning. If they are as they should be, add \
-`[control] confirmed = [\"m-functions\"]`; those that differ belong into `[control] machine_words`."
+`[control] confirmed = [\"m-functions\"]`; of those that differ, M7 to M9 may be listed in `[control] machine_words`, and a program with another one cannot be compiled."
 
 M8006 Warning "mtc-border-axes" "one axis only in the way to a compensated contour"
 "The first move under G41 or G42, and the move of G40, name both main axes of the plane, says the manual (page 5-34), and not what happens where one is missing. The axis that \
@@ -243,11 +243,12 @@ of the move."
 M9001 Error "mtc-g-unsupported" "G function is not supported"
 "The function exists on the control, or was defined by the machine builder, but what it does to the path cannot be compiled, or is not documented well enough. \
 One that partc knows by name moves the tool or says where it goes: program that another way. A function of the machine builder that is known not to move the tool or change the path \
-on this machine may be listed in `[control] machine_words`, for example `[\"G120\"]`."
+on this machine may be listed in `[control] machine_words`, for example `[\"G120\"]`. Beside axes, I to K, R, F, P, D or E that no G0, G1, G2 or other function of the block takes it is refused: \
+they may be its arguments."
 
 M9002 Error "mtc-word-unknown" "word is not known"
 "The word is none of the control's, or its meaning is not documented. If it is known not to move the tool, list it in `[control] machine_words`; it is then left out \
-with a note, or printed as an M function."
+with a note, or printed as an M function. Beside axes and other words that no G function of the block takes it is refused: they may be its arguments."
 
 M9003 Error "mtc-flow-unsupported" "jump or process command cannot be resolved"
 "Events, tool errors and other processes exist only at the running machine, so where the program goes on cannot be computed. Write the way that is meant with BRA, or \

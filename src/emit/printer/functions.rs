@@ -483,7 +483,10 @@ impl Printer<'_> {
             self.unprintable(origin);
             return false;
         };
-        self.page.text.word(word).number(address, units, places);
+        match address {
+            Some(address) => drop(self.page.text.word(word).number(address, units, places)),
+            None => drop(self.page.text.valued(word, units, places)),
+        }
         true
     }
 

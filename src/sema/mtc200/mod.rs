@@ -16,6 +16,7 @@ mod path;
 mod readings;
 mod reserved;
 mod state;
+mod strange;
 mod survey;
 mod words;
 
@@ -216,7 +217,7 @@ impl Run<'_> {
         let entries: Vec<(&str, &str)> = names
             .filter_map(|name| Some((name.as_str(), reserved::reserved(name).or_else(|| of_flow(name))?)))
             .collect();
-        let help = "take them out of the list: without them the tool would go another way";
+        let help = "take them out of the list: without them the tool would go another way, or the machine would not do what the program asks";
         self.refuse_entries("[control] machine_words", &entries, help);
         let words = self.job.settings.control.mtc200.machine_words.iter();
         let printed: Vec<(String, &str)> = words

@@ -9,7 +9,7 @@ pub(super) fn reserved(name: &str) -> Option<&'static str> {
     let number = || rest.trim_end_matches('.').parse::<u32>().ok();
     match letter {
         b'G' if number().is_some() => number().and_then(g_function),
-        b'M' if matches!(number(), Some(2 | 30)) => Some("the end of the program"),
+        b'M' if number().is_some() => number().and_then(reserved_m),
         b'C' if rest == "F" => Some("the chamfer of a corner"),
         b'R' if rest == "D" => Some("the rounding of a corner"),
         _ if rest.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') => None,
@@ -23,8 +23,8 @@ pub(super) fn reserved(name: &str) -> Option<&'static str> {
     }
 }
 
-/// What an M function does that no word of the machine may become by an entry of `[control] machine_words`: partc has to know of it,
-/// or a receiver takes it for the flow of the program. Coolant changes nothing that partc keeps.
+/// What an M function does that no entry of `[control] machine_words` may name on either side: partc has to know of it, or a
+/// receiver takes it for the flow of the program. Coolant changes nothing that partc keeps.
 pub(super) fn reserved_m(number: u32) -> Option<&'static str> {
     Some(match number {
         0 | 1 => "a stop of the program",
@@ -73,10 +73,13 @@ mod tests {
 
     #[test]
     fn what_moves_is_reserved() {
-        for name in ["G63", "G063", "G0", "G78", "G93", "G49", "M30", "X", "X5", "X2=5", "O1", "CF", "RD", "R5"] {
+        for name in [
+            "G63", "G063", "G0", "G78", "G93", "G49", "M30", "M3", "M06", "M0", "M19", "X", "X5", "X2=5", "O1", "CF",
+            "RD", "R5",
+        ] {
             assert!(reserved(name).is_some(), "{name}");
         }
-        for name in ["G48", "G47", "G8", "G61", "G130", "M3", "M48", "LA_ON", "Q5", "H3", "XPOS", "ACC", "CFG", ""] {
+        for name in ["G48", "G47", "G8", "G61", "G130", "M8", "M48", "LA_ON", "Q5", "H3", "XPOS", "ACC", "CFG", ""] {
             assert_eq!(reserved(name), None, "{name}");
         }
     }

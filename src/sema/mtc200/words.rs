@@ -4,12 +4,11 @@ use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::Pos;
 use crate::machine::Axis;
 use crate::parser::mtc200::ast::{Block, Target, Value, Word};
-use crate::parser::mtc200::problem::{self, is_system_function};
 use crate::parser::symbols::Symbol;
 use crate::text::{Span, decode::readable};
 
 use super::g_functions::{self, G, GROUPS};
-use super::reserved::reserved;
+use super::strange::Strange;
 use super::{Outcome, Reported, Run};
 
 /// Most M functions and words of the machine of a block.
@@ -86,6 +85,8 @@ pub(super) struct Words {
     m: Vec<(u32, Span)>,
     /// M functions printed for words of the machine.
     aux: Vec<(u32, Span)>,
+    /// Words that only the machine builder knows.
+    pub(super) strange: Vec<Strange>,
 }
 
 impl Words {
@@ -106,10 +107,20 @@ impl Words {
         self.silent = [None; 3];
         self.m.clear();
         self.aux.clear();
+        self.strange.clear();
+    }
+
+    pub(super) fn print_m(&mut self, number: u32, span: Span) {
+        self.aux.push((number, span));
     }
 
     pub fn m(&self) -> &[(u32, Span)] {
         &self.m
+    }
+
+    /// D or E.
+    pub(super) fn has_correction(&self) -> bool {
+        self.silent[..2].iter().any(Option::is_some)
     }
 
     pub fn aux(&self) -> &[(u32, Span)] {
@@ -135,10 +146,11 @@ impl Run<'_> {
     pub(super) fn gather(&mut self, block: &Block, text: &[u8]) -> Outcome<Box<Words>> {
         let mut w = self.words.take().unwrap_or_default();
         w.clear();
-        for word in &block.words {
-            self.sort_in(&mut w, word, block, text)?;
+        let sorted = block.words.iter().try_for_each(|word| self.sort_in(&mut w, word, block, text));
+        if !w.strange.is_empty() {
+            self.settle_strange(&mut w);
         }
-        Ok(w)
+        sorted.map(|()| w)
     }
 
     #[inline]
@@ -241,15 +253,7 @@ impl Run<'_> {
             self.report(Diagnostic::new(codes::M9001, self.loc(span), message).help(help));
             return Ok(());
         }
-        if self.declared(w, &name, span) {
-            return Ok(());
-        }
-        let message = format!("{name} is no function of the control that is known");
-        let help = Answer::item("control", "machine_words", format!("\"{name}\"")).help(format!(
-            "if it does not move the tool or change the path, add `[control] machine_words = [\"{name}\"]`"
-        ));
-        // Reported once at the word: the rest of the block still says where the axes go.
-        self.report(Diagnostic::new(codes::M9001, self.loc(span), message).help(help));
+        w.strange.push(Strange { name, span, is_g: true });
         Ok(())
     }
 
@@ -369,39 +373,8 @@ impl Run<'_> {
     #[cold]
     fn machine_word(&mut self, w: &mut Words, span: Span, text: &[u8]) -> Outcome {
         let name = readable(span.of(text)).to_ascii_uppercase();
-        if self.declared(w, &name, span) {
-            return Ok(());
-        }
-        let shown = name.split_whitespace().collect::<Vec<_>>().join(" ");
-        if let Some((what, help)) = known_word(&shown) {
-            let message = format!("`{shown}` ({what}) is not supported");
-            self.report(Diagnostic::new(codes::M9002, self.loc(span), message).help(help));
-            return Ok(());
-        }
-        let message = format!("`{shown}` is no word of the control that is known");
-        let help = Answer::item("control", "machine_words", format!("\"{shown}\""))
-            .help(format!("if it does not move the tool, add `[control] machine_words = [\"{shown}\"]` to partc.toml"));
-        self.report(Diagnostic::new(codes::M9002, self.loc(span), message).help(help));
+        w.strange.push(Strange { name, span, is_g: false });
         Ok(())
-    }
-
-    /// Is the word declared in `[control] machine_words`? Then it is noted, or printed as an M function.
-    fn declared(&mut self, w: &mut Words, name: &str, span: Span) -> bool {
-        let Some(printed) = self.job.settings.control.mtc200.machine_words.get(name) else { return false };
-        if reserved(name).is_some() {
-            // The entry is refused at the top of the program.
-            return false;
-        }
-        match *printed {
-            // The entry is refused at the top of the program.
-            Some(number) if super::reserved::reserved_m(number).is_some() => {}
-            Some(number) => w.aux.push((number, span)),
-            None if self.noted.insert(name.to_owned()) => {
-                self.report(Diagnostic::new(codes::M2702, self.loc(span), format!("`{name}` is left out")));
-            }
-            None => {}
-        }
-        true
     }
 
     /// A word of the control that no path depends on: noted once.
@@ -465,17 +438,4 @@ fn flow_word(name: &str) -> Option<Flow> {
         "REV" => Flow::Reverse,
         _ => return None,
     })
-}
-
-/// A word that is refused with what it does, and what to do about it.
-fn known_word(shown: &str) -> Option<(&'static str, &'static str)> {
-    let letters = shown.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(shown.len());
-    if is_system_function(&shown[..letters]) {
-        return Some((problem::SYSTEM_FUNCTION, problem::WITHOUT_SYSTEM_DATA));
-    }
-    let help = match shown.as_bytes().first()? {
-        b'O' => "select the offset by G54 to G59",
-        _ => "write the word with the name of an axis of the machine, and one value",
-    };
-    reserved(shown).map(|what| (what, help))
 }

@@ -50,7 +50,8 @@ impl Run<'_> {
 
     /// After an error nobody knows where the axes of the block are.
     fn lose_block(&mut self, words: &Words, block: &Block) {
-        self.st.taps.begin_no_more();
+        let of_tap = self.st.codes.of(Group::Motion).is_tapping() && !words.axes.is_empty();
+        self.st.taps.block_is_refused(of_tap);
         let mut axes = words.axes;
         for word in &block.words {
             match word.target {

@@ -17,7 +17,10 @@ use super::{Core, Outcome, Run};
 impl Run<'_> {
     /// A block with a call: of a procedure of the language or of a program.
     pub(super) fn call_block(&mut self, w: &mut Words, block: &Block, text: &[u8]) -> Outcome {
-        self.tapping_ends();
+        let is_text = w.calls.word.is_some_and(|call| matches!(call.meaning, Meaning::Procedure(Procedure::Message)));
+        if !(is_text && self.st.taps.go_on_beside_text()) {
+            self.tapping_ends();
+        }
         let passes = w.calls.passes.take();
         if let Some((name, span)) = w.calls.number.take() {
             if block.words.len() > 1 + usize::from(passes.is_some()) {

@@ -8,9 +8,9 @@ use crate::diag::{Diagnostic, codes};
 use crate::geo::Plane;
 use crate::ir::contour::{CtxRef, Path, Thread};
 use crate::ir::cycle::drilling::MOST_PECKS;
-use crate::ir::function::{Spindle, Turn};
+use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::tap::Stroke;
-use crate::ir::{Origin, Pos, Tap};
+use crate::ir::{Function, Origin, Pos, Tap};
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
@@ -22,6 +22,9 @@ use super::{Channel, Outcome};
 
 /// Farthest that an axis may stand off its programmed place and still not move, in mm.
 const STILL: f64 = 1e-9;
+
+/// The M function that may end the block in which a tap comes back.
+const COOLANT_OFF: u32 = 9;
 
 /// Taps that later blocks go on with.
 #[derive(Debug, Clone, Default)]
@@ -48,9 +51,20 @@ impl Taps {
         self.open.is_some() || self.begins.is_some()
     }
 
-    /// The block in hand is refused.
-    pub fn begin_no_more(&mut self) {
+    /// The block in hand is refused; where it is one of the tap, what is missing of the tap is told with it.
+    pub fn block_is_refused(&mut self, of_tap: bool) {
         self.begins = None;
+        self.open.take_if(|open| of_tap && open.inside.is_some());
+    }
+
+    /// A tap went in and did not come back yet.
+    pub fn is_inside(&self) -> bool {
+        self.open.as_ref().is_some_and(|open| open.inside.is_some())
+    }
+
+    /// What a block without a move or a function says need not end the tap, or the stop of the spindle before it.
+    pub fn go_on_beside_text(&self) -> bool {
+        self.is_inside() || self.open.is_none() && self.angle.is_some()
     }
 }
 
@@ -92,13 +106,15 @@ impl Channel<'_> {
     /// programs after it.
     fn acts_in_tap(&self, w: &Words) -> bool {
         let acts = w.m.iter().any(|m| !matches!(m.number, 0..=5 | 17 | 30)) || w.get(Address::T).is_some();
-        acts && self.st.taps.open.is_some()
+        let code = w.code_of(Group::Motion).map_or(self.st.codes.of(Group::Motion), |(code, _)| code);
+        let comes_back = code == GCode::G332 && self.st.taps.is_inside();
+        acts && self.st.taps.open.is_some() && !comes_back
     }
 
     /// A block that may stand inside a tap, or between SPOS= and G331: one without a move or a function, and of G functions those
     /// that tap alone; and a dwell at the depth.
     fn rests_in_tap(&self, w: &Words) -> bool {
-        let inside = self.st.taps.open.as_ref().is_some_and(|open| open.inside.is_some());
+        let inside = self.st.taps.is_inside();
         let dwells = w.code_of(Group::Nonmodal).is_some_and(|(code, _)| code == GCode::G4);
         let idle = w.axes.is_empty() && w.m.is_empty() && w.get(Address::T).is_none();
         let positions = w.get(Address::Spos).or(w.get(Address::Sposa)).is_some();
@@ -211,6 +227,11 @@ impl Channel<'_> {
         }
         self.note_heading(&end, &Path::Thread(Thread { lead: lead.abs(), along: Some(axis) }));
         self.st.position.move_to(&end);
+        if code == GCode::G332 && w.m.iter().any(|m| m.number == COOLANT_OFF) {
+            // At the end of the block the tap is back.
+            self.tapping_ends();
+            self.function(Function::Coolant(Coolant::Off));
+        }
         Ok(())
     }
 
@@ -221,7 +242,8 @@ impl Channel<'_> {
         let speed = self.st.spindles.fixed_turns(None).unwrap_or_default();
         let turn = if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise };
         let Some(open) = &mut self.st.taps.open else {
-            let orient = self.st.taps.angle.take().map(|(angle, _)| angle);
+            // Also one that other blocks followed: the spindle still stands there.
+            let orient = self.st.taps.angle.take().map(|(angle, _)| angle).or(self.st.spindles.angle());
             let tap = Tap {
                 axis,
                 start,
@@ -299,6 +321,9 @@ impl Channel<'_> {
             let help = "leave it out: the sign of the lead turns the spindle, which stands before and after the tap";
             return self.fail_help(codes::S2045, m.span, message, help);
         }
+        if self.st.codes.of(Group::Motion) == GCode::G332 && self.st.taps.is_inside() {
+            self.nothing_at_the_depth(w)?;
+        }
         if let Some(given) = w.get(Address::Spos).or(w.get(Address::Sposa)) {
             let help = "give SPOS= a block of its own before G331";
             return self.fail_help(codes::S2045, given.span, "SPOS= stands in a block that taps", help);
@@ -316,6 +341,16 @@ impl Channel<'_> {
             Some(given) => self.does_not_fit(given.span),
             None => Ok(()),
         }
+    }
+
+    /// What starts with the block of G332 would act while the tap is in the hole, and the tap is one move.
+    fn nothing_at_the_depth(&self, w: &Words) -> Outcome {
+        let m = w.m.iter().find(|m| !matches!(m.number, 0..=2 | COOLANT_OFF | 17 | 30));
+        let tool = w.get(Address::T).map(|tool| ("T".to_owned(), tool.span));
+        let Some((name, span)) = m.map(|m| (format!("M{}", m.number), m.span)).or(tool) else { return Ok(()) };
+        let message = format!("{name} stands in the block of G332 and would act while the tap is in the hole");
+        let help = format!("program {name} in a block before G331 or after G332");
+        self.fail_help(codes::S2045, span, message, help)
     }
 
     fn tapping_speed(&self, span: Span) -> Outcome {

@@ -212,6 +212,8 @@ impl Channel<'_> {
             0 | 1 | 2 | 6 | 17 | 30 => {}
             7 => self.function(Function::Coolant(Coolant::Mist)),
             8 => self.function(Function::Coolant(Coolant::Flood)),
+            // In the block of G332 it follows the tap.
+            9 if self.st.taps.is_inside() => {}
             9 => self.function(Function::Coolant(Coolant::Off)),
             number if self.job.settings.output.pass_m.contains(&number) => self.function(Function::Aux(number)),
             40..=45 => self.note_once(codes::S8004, m.span, "gear steps M40 to M45 are left out"),

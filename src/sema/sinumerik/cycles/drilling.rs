@@ -275,9 +275,7 @@ impl CycleCall<'_, '_> {
         if args.or_zero(VARI) == 0.0 && args.or_zero(VRT) != 0.0 {
             self.unused(VRT, "_VRT", "when `_VARI` taps in one go");
         }
-        if args.or_zero(TECHNO) != 0.0 {
-            self.note_once(codes::S8002, args.span_of(TECHNO), "words that only shape speed and accuracy are left out");
-        }
+        self.note_technology();
         if args.digit(DMODE, 2) != 0 {
             self.reading(
                 DMODE,
@@ -302,6 +300,9 @@ impl CycleCall<'_, '_> {
             return self.cycle_fault(args.span_of(key), 16763, "a speed is below 0", help);
         }
         let after = self.after()?;
+        // Without POSS the tap begins where the spindle was stopped.
+        let orient = args.number(POSS).map(whole_turn).or(self.st.spindles.angle());
+        self.st.spindles.forget_angle();
         Ok(Method::Tap(Tap {
             rigid: true,
             lead: Some(lead.abs()),
@@ -310,7 +311,7 @@ impl CycleCall<'_, '_> {
             dwell_reversed: false,
             speed_in,
             speed_out: speed(SST1).or(speed_in),
-            orient: args.number(POSS).map(whole_turn),
+            orient,
             step,
             after,
             speed_after: self.st.spindles.speed(),
@@ -374,8 +375,17 @@ impl CycleCall<'_, '_> {
         }
     }
 
+    /// `_TECHNO` of the tapping cycles.
+    fn note_technology(&mut self) {
+        let args = self.args;
+        if args.or_zero(TECHNO) != 0.0 {
+            self.note_once(codes::S8002, args.span_of(TECHNO), "words that only shape speed and accuracy are left out");
+        }
+    }
+
     pub(super) fn tap_with_chuck(&mut self) -> Outcome<Method> {
         let args = self.args;
+        self.note_technology();
         self.tapping_speed_is_fixed()?;
         self.master_is_main(args.span, "tapping")?;
         let turn = match args.or_zero(SDR) {

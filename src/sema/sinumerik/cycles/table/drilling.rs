@@ -265,7 +265,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 PIT,
                 AXN,
                 PITA,
-                number("_TECHNO", "speed and accuracy").without_effect("shapes speed and accuracy only"),
+                number("_TECHNO", "speed and accuracy: reported, changes no move"),
                 PITM,
                 PTAB,
                 PTABA,

@@ -1,0 +1,111 @@
+//! Words that only the machine builder knows.
+
+use crate::diag::{Answer, Code, Diagnostic, codes};
+use crate::parser::mtc200::problem::{self, is_system_function};
+use crate::text::Span;
+
+use super::Run;
+use super::g_functions::Group;
+use super::reserved::{reserved, reserved_m};
+use super::words::Words;
+
+/// A G function or a word that is none of the control's.
+#[derive(Debug, Clone)]
+pub(super) struct Strange {
+    /// In capitals.
+    pub name: String,
+    pub span: Span,
+    pub is_g: bool,
+}
+
+impl Words {
+    /// Are there words of the path that no G function of the block takes? A strange word beside them may.
+    fn has_loose_words(&self) -> bool {
+        let taken = [Group::Motion, Group::Once].iter().any(|group| self.g[*group as usize].is_some());
+        let axes = self.axes.iter().next().is_some() || self.has_centre();
+        let others = [self.radius, self.feed, self.program, self.chamfer, self.rounding];
+        !taken && (axes || others.iter().any(Option::is_some) || self.has_correction())
+    }
+}
+
+impl Run<'_> {
+    /// The words of the machine of a block, when all its words are known.
+    #[cold]
+    pub(super) fn settle_strange(&mut self, w: &mut Words) {
+        let loose = w.has_loose_words();
+        for word in std::mem::take(&mut w.strange) {
+            self.settle_one(w, &word, loose);
+        }
+    }
+
+    fn settle_one(&mut self, w: &mut Words, word: &Strange, loose: bool) {
+        let Strange { name, span, .. } = word;
+        if !loose && self.declared(w, name, *span) {
+            return;
+        }
+        let shown = name.split_whitespace().collect::<Vec<_>>().join(" ");
+        if !word.is_g
+            && let Some((what, help)) = known_word(&shown)
+        {
+            let message = format!("`{shown}` ({what}) is not supported");
+            self.report(Diagnostic::new(codes::M9002, self.loc(*span), message).help(help));
+            return;
+        }
+        let (code, message) = word.unknown(&shown);
+        let found = Diagnostic::new(code, self.loc(*span), message);
+        // Reported once at the word: the rest of the block still says where the axes go.
+        self.report(if loose {
+            found.help(format!(
+                "the words beside {shown} may be its arguments, and no G function of this block takes them: write {shown} alone \
+                 in its block, or leave it out with all that belongs to it"
+            ))
+        } else {
+            let help = Answer::item("control", "machine_words", format!("\"{shown}\""));
+            found.help(help.help(format!(
+                "if it does not move the tool or change the path, add `[control] machine_words = [\"{shown}\"]` to partc.toml"
+            )))
+        });
+    }
+
+    /// Is the word declared in `[control] machine_words`? Then it is noted, or printed as an M function.
+    pub(super) fn declared(&mut self, w: &mut Words, name: &str, span: Span) -> bool {
+        let Some(printed) = self.job.settings.control.mtc200.machine_words.get(name) else { return false };
+        if reserved(name).is_some() {
+            // The entry is refused at the top of the program.
+            return false;
+        }
+        match *printed {
+            // The entry is refused at the top of the program.
+            Some(number) if reserved_m(number).is_some() => {}
+            Some(number) => w.print_m(number, span),
+            None if self.noted.insert(name.to_owned()) => {
+                self.report(Diagnostic::new(codes::M2702, self.loc(span), format!("`{name}` is left out")));
+            }
+            None => {}
+        }
+        true
+    }
+}
+
+impl Strange {
+    fn unknown(&self, shown: &str) -> (&'static Code, String) {
+        if self.is_g {
+            (codes::M9001, format!("{shown} is no function of the control that is known"))
+        } else {
+            (codes::M9002, format!("`{shown}` is no word of the control that is known"))
+        }
+    }
+}
+
+/// A word that is refused with what it does, and what to do about it.
+fn known_word(shown: &str) -> Option<(&'static str, &'static str)> {
+    let letters = shown.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(shown.len());
+    if is_system_function(&shown[..letters]) {
+        return Some((problem::SYSTEM_FUNCTION, problem::WITHOUT_SYSTEM_DATA));
+    }
+    let help = match shown.as_bytes().first()? {
+        b'O' => "select the offset by G54 to G59",
+        _ => "write the word with the name of an axis of the machine, and one value",
+    };
+    reserved(shown).map(|what| (what, help))
+}
