@@ -307,7 +307,7 @@ impl<'a> Printer<'a> {
 
     /// Radius of the compensated tool, where anybody told it.
     fn known_radius(&self) -> Option<f64> {
-        let CutterData { number, radius, known } = self.compensation.cutter;
+        let CutterData { number, radius, known, .. } = self.compensation.cutter;
         radius.or(known).or_else(|| self.tools.radius_of_printed(number))
     }
 
@@ -323,6 +323,11 @@ impl<'a> Printer<'a> {
                 let units = self.places.units(2.0 * radius).unwrap_or(0);
                 let word = if mv.side == Side::Left { left } else { right };
                 self.page.text.word(word).number(address, units, self.places);
+                if let Some(edge) = &words.edge
+                    && cutter.edge != [0, 0]
+                {
+                    self.page.text.whole(edge.address, u64::from(edge.number(cutter.edge)));
+                }
             }
             _ => {
                 self.compensation.side = mv.side;

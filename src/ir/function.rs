@@ -56,6 +56,9 @@ pub struct CutterData {
     pub radius: Option<f64>,
     /// Radius in mm as far as the program or its surroundings tell it: for checks only.
     pub known: Option<f64>,
+    /// Where the edge points to from the centre of its nose, along Z and X, where `radius` is that of a turning tool: -1, 0 or 1
+    /// each. No way at all where the centre is what is programmed.
+    pub edge: [i8; 2],
 }
 
 /// The material that a program begins with, in coordinates of the workpiece, mm. Each side is longer than nothing.

@@ -34,7 +34,7 @@ pub enum Act {
 pub enum PathControl {
     /// Every block ends on its corner (G61, G60).
     Exact,
-    /// The path is left by so much at most (G64 P, G642 CTOL=, cycle 32): the larger of P and Q.
+    /// The path is left by so much at most (G64 P, G642 CTOL=, cycle 32): of P and Q the smaller one.
     Within(i64),
     /// Corners are rounded off from so far in front of them (G641 ADIS=).
     Before(i64),
@@ -169,4 +169,6 @@ pub struct Cutter {
     pub side: i8,
     pub tool: u32,
     pub diameter: Option<i64>,
+    /// Where the edge points to beside a diameter, along Z and X; no way where the programmed point is the centre of the nose.
+    pub edge: [i8; 2],
 }

@@ -364,18 +364,37 @@ impl Block {
         if side == 0 {
             return Ok(Some(Cutter::default()));
         }
-        let mut cutter = Cutter { side, tool: 0, diameter: None };
+        let mut cutter = Cutter { side, ..Cutter::default() };
         if rules.words == Words::Siemens {
             return Ok(Some(cutter));
         }
         if by_diameter {
             cutter.diameter = Some(self.take(b'D').ok_or_else(|| Fault::new("a diameter is missing"))?);
+            if let Some(number) = self.take_whole(b'L')? {
+                cutter.edge = edge(number).ok_or_else(|| Fault::new("L is an orientation of a tool: 0 to 9"))?;
+            }
         } else {
             cutter.tool =
                 self.take_whole(b'D')?.ok_or_else(|| Fault::new("the D word of the compensation is missing"))?;
         }
         Ok(Some(cutter))
     }
+}
+
+/// Where the edge of a turning tool points to in an orientation of LinuxCNC, along Z and X.
+fn edge(orientation: u32) -> Option<[i8; 2]> {
+    Some(match orientation {
+        0 | 9 => [0, 0],
+        1 => [1, -1],
+        2 => [-1, -1],
+        3 => [-1, 1],
+        4 => [1, 1],
+        5 => [1, 0],
+        6 => [0, -1],
+        7 => [-1, 0],
+        8 => [0, 1],
+        _ => return None,
+    })
 }
 
 /// The group of work offsets.

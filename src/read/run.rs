@@ -132,7 +132,12 @@ impl Reader {
             }
         }
         let Some(value) = block.take(b'S') else {
-            return if block.constant_cut == Some(true) { Err(Fault::new("G96 wants S")) } else { Ok(()) };
+            return match block.constant_cut {
+                Some(true) => Err(Fault::new("G96 wants S")),
+                // What its last S meant is not kept.
+                Some(false) if spindle != 0 => Err(Fault::new("G97 of a further spindle wants S")),
+                Some(false) | None => Ok(()),
+            };
         };
         // Under G96 each S is a cutting speed.
         let on = if spindle == 0 { self.modes.constant_cut } else { block.constant_cut };
@@ -220,12 +225,14 @@ impl Reader {
                 if of_arc {
                     return Err(Fault::new("P belongs to G64 or to another word of the line"));
                 }
-                let [bound, naive] = [block.take(b'P'), block.take(b'Q')].map(Option::unwrap_or_default);
-                match bound {
-                    ..0 => return Err(Fault::new("a bound below zero")),
+                let [bound, merged] = [block.take(b'P'), block.take(b'Q')].map(Option::unwrap_or_default);
+                match (bound, merged) {
+                    (..0, _) | (_, ..0) => return Err(Fault::new("a bound below zero")),
                     // Without P there is no bound, whatever Q is.
-                    0 => PathControl::Unbounded,
-                    _ => PathControl::Within(self.length(bound.max(naive))?),
+                    (0, _) => PathControl::Unbounded,
+                    // Q0 merges no lines; one bound for both is the smaller of them.
+                    (_, 0) => PathControl::Within(self.length(bound)?),
+                    _ => PathControl::Within(self.length(bound.min(merged))?),
                 }
             }
             (Some(CornerWord::Continuous), None) => PathControl::Unbounded,
@@ -262,7 +269,8 @@ impl Reader {
         let named = LETTERS.iter().any(|letter| block.has(*letter));
         let motion = block.motion.or(self.modes.motion);
         let cuts = matches!(motion, Some(1..=3));
-        if named && cuts && self.modes.feed_kind == Some(FeedKind::InverseTime) && !new_feed {
+        let centred = b"IJK".iter().any(|letter| block.has(*letter));
+        if (named || centred) && cuts && self.modes.feed_kind == Some(FeedKind::InverseTime) && !new_feed {
             return Err(Fault::new("each move by time wants its F"));
         }
         self.modes.motion = motion;
@@ -271,6 +279,11 @@ impl Reader {
         }
         if block.level {
             return Err(Fault::new("where a cycle returns to, without a cycle"));
+        }
+        if let (false, true, true, Some(circle @ (2 | 3)), false) =
+            (named, self.rules.turns, centred, motion, block.machine)
+        {
+            return self.circle(block, circle == 3);
         }
         if !named {
             return match block.motion {
@@ -319,6 +332,14 @@ impl Reader {
             self.known &= !axes;
         }
         self.push(Act::Move(Move { path, axes, machine: block.machine }))
+    }
+
+    /// A full circle, whose line names no end: back to where it begins.
+    fn circle(&mut self, block: &mut Block, ccw: bool) -> Result<(), Fault> {
+        let arc = self.arc(block, ccw, &self.at, self.known)?;
+        let [first, second, _] = arc.plane.axes();
+        let axes = (1 << first) | (1 << second);
+        self.push(Act::Move(Move { path: Path::Arc(arc), axes, machine: false }))
     }
 
     /// Takes the axes of the line; a bit for each.

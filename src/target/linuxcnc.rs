@@ -3,9 +3,9 @@
 use crate::geo::Plane;
 
 use super::{
-    Arcs, CompensationWords, CoolantWords, CuttingSpeed, FeedWords, Frame, Lead, Length, LengthNumber, LengthWords,
-    Limit, MFunctions, Motion, PathBound, PathWords, RigidTap, SpindleWords, Target, Thread, ToolWords, Turns,
-    base::BASE,
+    Arcs, CompensationWords, CoolantWords, CuttingSpeed, EdgeWords, FeedWords, Frame, Lead, Length, LengthNumber,
+    LengthWords, Limit, MFunctions, Motion, PathBound, PathWords, RigidTap, SpindleWords, Target, Thread, ToolWords,
+    Turns, base::BASE,
 };
 
 pub(super) const TARGET: Target = Target {
@@ -63,6 +63,8 @@ pub(super) const TARGET: Target = Target {
         left: "G41",
         right: "G42",
         by_diameter: Some(["G41.1", "G42.1"]),
+        // LinuxCNC User Manual, Lathe: the orientations of a tool.
+        edge: Some(EdgeWords { address: b'L', numbers: [[2, 7, 3], [6, 0, 8], [1, 5, 4]] }),
         off: "G40",
         tool: Some(b'D'),
         with_move: false,

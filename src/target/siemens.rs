@@ -66,6 +66,7 @@ pub(super) const TARGET: Target = Target {
         left: "G41",
         right: "G42",
         by_diameter: None,
+        edge: None,
         off: "G40",
         tool: None,
         with_move: true,

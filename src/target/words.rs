@@ -513,6 +513,8 @@ pub struct CompensationWords {
     pub right: &'static str,
     /// Left and right with the diameter given in the block, where the target takes one.
     pub by_diameter: Option<[&'static str; 2]>,
+    /// Address and numbers of where the edge of a turning tool points to, beside that diameter; a number of 0 is left out.
+    pub edge: Option<EdgeWords>,
     pub off: &'static str,
     /// Address of the tool number or the diameter; `None` where the radius comes with the length of the tool.
     pub tool: Option<u8>,
@@ -523,6 +525,22 @@ pub struct CompensationWords {
     pub reads_over_stops: bool,
     /// Working planes in which the target compensates.
     pub planes: &'static [Plane],
+}
+
+/// Where the edge of a turning tool points to.
+#[derive(Debug, Clone, Copy)]
+pub struct EdgeWords {
+    pub address: u8,
+    /// Rows by the sign along Z, columns by that along X: minus, nothing, plus.
+    pub numbers: [[u8; 3]; 3],
+}
+
+impl EdgeWords {
+    /// The number of an edge that points there, along Z and X.
+    pub fn number(&self, edge: [i8; 2]) -> u8 {
+        let [z, x] = edge.map(|sign| usize::from(sign.clamp(-1, 1).wrapping_add(1) as u8));
+        self.numbers.get(z).and_then(|row| row.get(x)).copied().unwrap_or(0)
+    }
 }
 
 /// How corners are taken.

@@ -192,7 +192,9 @@ impl Validator {
             return Err(Why::new("the tool is on another side"));
         }
         let same = match (self.cutter.radius, cutter.diameter) {
-            (Some(radius), Some(diameter)) => self.is_rounding(diameter, 2.0 * radius),
+            (Some(radius), Some(diameter)) => {
+                self.is_rounding(diameter, 2.0 * radius) && cutter.edge == self.cutter.edge
+            }
             (None, None) => cutter.tool == self.cutter.number,
             _ => false,
         };

@@ -33,9 +33,9 @@ books! {
     errors_sinumerik = "errors/sinumerik":
         G G330 G332 L1 L2 O O4006 P P000 P0107 P0205 P0206 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
     gcode = "gcode":
-        lines path_control percents rigid_taps speeds tap_reasons;
+        lines modes path_control percents rigid_taps speeds tap_reasons;
     heidenhain_turning = "heidenhain-turning":
-        angles arcs calls compensation contours corners drilling exact_stop finishing flow modal moves noses program recess
+        angles arcs calls compensation contours corners drilling exact_stop finishing flow modal moves noses oversizes program recess
         recess_turning roughing shifts threads tools undercut variables;
     heidenhain_turning_finishing = "heidenhain-turning/finishing":
         ends;
@@ -79,14 +79,13 @@ books! {
     klartext_tools = "klartext/tools":
         compensation m6 oversizes places;
     mtc200 = "mtc200":
-        arcs compensation corners flow functions manual offsets path path_control programs text tools units variables;
+        arcs compensation corners corrections flow functions manual offsets path path_control programs text tools units variables;
     mtc200_words = "mtc200/words":
         arguments entries left_side refused;
     same_part = "same_part":
         lathe mill;
     sinumerik = "sinumerik":
-        angles axes calls circles contour_cycles contours corners diameter drilling examples feeds flow frames
-        functions lexical machine_coordinates offsets output path_control patterns polar rotary settings tapping threads tools transformations undercut_corners undercut_cycles units variables rigid_taps tap_functions;
+        angles axes calls circles contour_cycles contours corners diameter drilling edges examples feeds flow frames functions lexical machine_coordinates offsets output path_control patterns polar rigid_taps rotary settings tap_functions tapping threads tools transformations undercut_corners undercut_cycles units variables;
     sinumerik_approach = "sinumerik/approach":
         lines;
     sinumerik_calls = "sinumerik/calls":

@@ -202,7 +202,7 @@ M2702 Note "mtc-machine-word" "word of the machine is left out"
 To print an M function for it, use a table: `machine_words = { LA_ON = \"M101\" }`."
 
 M2703 Note "mtc-no-geometry" "word has no geometry"
-"ACC sets the acceleration, D and E select rows of the correction memory, REV says where the operator's reverse key leads, G06 to G09 how the axes \
+"ACC sets the acceleration, D and E select rows of the correction memory (M8007 where they count in the tool length), REV says where the operator's reverse key leads, G06 to G09 how the axes \
 run through block transitions, G43 and G44 how path compensation goes around outside corners. None of them changes \
 the programmed path, and the output has no word for them. Tool lengths and corrections are the target machine's business."
 
@@ -235,6 +235,10 @@ M8005 Warning "mtc-m-functions" "M functions are taken in their standard meaning
 M8006 Warning "mtc-border-axes" "one axis only in the way to a compensated contour"
 "The first move under G41 or G42, and the move of G40, name both main axes of the plane, says the manual (page 5-34), and not what happens where one is missing. The axis that \
 is missing is taken to stay where it was programmed. Program both."
+
+M8007 Warning "mtc-correction" "correction or edge counts in the tool length"
+"D chooses a correction, E an edge of the tool. Both count in the tool length while G48 is active (17VRS, pages 5-10 and 5-41), and a program that has no G47 is taken to \
+run with it. The output has no word for them, so the target goes wrong by the correction, or by the difference between the edges. D0 and E1 change nothing."
 
 M9050 Error "mtc-spindle-nose-refused" "move of the spindle nose is refused"
 "Without tool length compensation positions along the tool axis are those of the spindle nose, and `[control] spindle_nose = \"refuse\"` refuses them. Program G48 in front \

@@ -68,7 +68,7 @@ fn m_function(number: u32, spindle: u8, angle: Option<i64>) -> Result<Function, 
 /// What the target needs to know of a cutter.
 pub fn cutter(cutter: read::Cutter) -> Function {
     let radius = cutter.diameter.map(|diameter| real(diameter) / 2.0);
-    Function::Cutter(CutterData { number: cutter.tool, radius, known: radius })
+    Function::Cutter(CutterData { number: cutter.tool, radius, known: radius, edge: cutter.edge })
 }
 
 pub fn side(cutter: read::Cutter) -> Side {

@@ -19,7 +19,7 @@ use crate::ir::{Function, Pos, Tap};
 use crate::machine::{Axis, AxisSet, MachineKind, Settings, Unit};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
-use crate::read::{self, AXES, Act, Lack, Modes, Reader, Rules};
+use crate::read::{self, AXES, Act, Lack, Modes, Reader, Rules, Speed};
 use crate::text::{Loc, Next, Span, SplitRules};
 
 use line::{Line, is_blank, without};
@@ -336,6 +336,15 @@ impl Run<'_> {
             count += 1;
         }
         let acts = &acts[..count.min(ACTS)];
+        if before.constant_cut == Some(true)
+            && self.reader.modes().constant_cut == Some(false)
+            && !acts.iter().any(|act| matches!(act, Act::Speed(Speed { spindle: 0, .. })))
+        {
+            return Err(self.refused(
+                "G97 stands behind G96 without S: the last S was a cutting speed, and as turns a minute its number is another speed",
+                "write the turns a minute with it: `G97 S1000`",
+            ));
+        }
         self.modes(before)?;
         let changes = acts.contains(&Act::Change);
         for act in acts {

@@ -434,7 +434,7 @@ impl Run<'_> {
         let known = tool.effective_radius();
         let radius = if changed { known } else { None };
         let number = tool.number;
-        self.function(Function::Cutter(CutterData { number, radius, known }));
+        self.function(Function::Cutter(CutterData { number, radius, known, ..CutterData::default() }));
     }
 
     /// Before RL or RR: is there a tool, and is its radius what the target believes?

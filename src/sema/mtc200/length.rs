@@ -39,10 +39,40 @@ impl Run<'_> {
             (false, Length::Nose { reported }) => Length::Nose { reported },
             (false, _) => Length::Nose { reported: false },
         };
+        for (letter, _) in self.st.tool.chosen().into_iter().filter(|(_, chosen)| on && *chosen) {
+            self.length_is_another(letter, span);
+        }
         match before {
             Length::Moved(loc) if on => self.nose_moved(loc, "the program switches the tool length on later, by G48"),
             _ => Ok(()),
         }
+    }
+
+    /// D and E choose what the control adds along the axes, unless G47 has switched the length off: true where that was said.
+    pub(super) fn counts_in_length(&mut self, letter: char, number: u32, span: Span) -> bool {
+        let other = number > u32::from(letter == 'E');
+        let counts = other && !matches!(self.st.length, Length::Nose { .. });
+        if counts {
+            self.length_is_another(letter, span);
+        }
+        counts
+    }
+
+    #[cold]
+    fn length_is_another(&mut self, letter: char, span: Span) {
+        if !self.noted.insert(format!("length of {letter}")) {
+            return;
+        }
+        let (message, help) = if letter == 'D' {
+            let message = "the correction D counts in the tool length, and the output has no word for it: the tool goes \
+                           wrong by the correction";
+            (message, "put the correction into the tool data of the target, and leave D out")
+        } else {
+            let message = "the edge E has lengths of its own, and the output has no word for it: the target takes those \
+                           of the first edge, and goes wrong by the difference";
+            (message, "give the edge a tool number of its own")
+        };
+        self.report(Diagnostic::new(codes::M8007, self.loc(span), message).help(help));
     }
 
     /// A move to `end`: is it one of the spindle nose?

@@ -99,6 +99,11 @@ impl ToolInUse {
         self.active
     }
 
+    /// Letters of what was chosen beside the first edge and no correction.
+    pub fn chosen(&self) -> [(char, bool); 2] {
+        [('D', self.corrected), ('E', self.other_edge)]
+    }
+
     /// D
     fn correct(&mut self, number: u32) {
         self.corrected = number != 0;

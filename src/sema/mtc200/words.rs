@@ -189,7 +189,9 @@ impl Run<'_> {
             }
             b'D' | b'E' => {
                 let number = self.whole(at, if letter == b'D' { "D" } else { "E" })?;
-                self.without_geometry(if letter == b'D' { "D" } else { "E" }, word.span);
+                if !self.counts_in_length(letter as char, number, word.span) {
+                    self.without_geometry(if letter == b'D' { "D" } else { "E" }, word.span);
+                }
                 self.tool_data_word(letter, number, word.span)?;
                 &mut w.silent[usize::from(letter - b'D')]
             }

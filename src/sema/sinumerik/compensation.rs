@@ -304,6 +304,13 @@ impl Channel<'_> {
         self.report(found.help("write it into a block without a move, in front of the element whose end it means"));
     }
 
+    /// Where the edge points to from the centre of its nose, along Z and X: what a target is told with the radius.
+    pub(super) fn edge_points_to(&self, number: u32, edge: u32, radius: f64, span: Span) -> Outcome<[i8; 2]> {
+        let nose = self.nose(number, edge, radius.abs(), span)?;
+        let sign = |way: f64| i8::from(way < 0.0) - i8::from(way > 0.0);
+        Ok([sign(nose.x), sign(nose.y)])
+    }
+
     /// Where the centre of the nose lies from the point that is programmed. In the plane ZX of a lathe only: a milling
     /// cutter is programmed by its centre.
     fn nose(&self, number: u32, edge: u32, radius: f64, span: Span) -> Outcome<Vec2> {

@@ -401,8 +401,13 @@ impl Channel<'_> {
         if self.resolves() {
             return self.compute_compensation(number, edge, radius, span);
         }
+        let edge = match radius {
+            // The target looks for both in its own tool table.
+            None => [0, 0],
+            Some(radius) => self.edge_points_to(number, edge, radius, span)?,
+        };
         let number = self.job.settings.tools.printed_number(number);
-        self.function(Function::Cutter(CutterData { number, radius, ..CutterData::default() }));
+        self.function(Function::Cutter(CutterData { number, radius, edge, ..CutterData::default() }));
         Ok(())
     }
 

@@ -23,6 +23,14 @@ const DESCENDING_SHARE: f64 = 0.5;
 /// How little a point may lie off the line through the ends of the contour to be on it, mm.
 const ON_LINE: f64 = 1e-6;
 
+/// Does the contour turn away from the tool anywhere? At a distance the path goes around such a corner on an arc.
+fn has_outer_corner(contour: &[Element], tool_is_left: bool) -> bool {
+    contour.windows(2).any(|pair| {
+        let turn = cross(pair[0].to() - pair[0].from(), pair[1].to() - pair[1].from());
+        if tool_is_left { turn < -ON_LINE } else { turn > ON_LINE }
+    })
+}
+
 /// Where the tool is, seen from the contour.
 pub(super) struct Stance {
     pub left: bool,
@@ -58,6 +66,9 @@ impl Run<'_> {
             _ => ArcFeed::Same,
         };
         let (oversize, shift) = self.finishing_oversize(&contour, &stance)?;
+        if oversize != 0.0 && has_outer_corner(&contour, stance.left) {
+            self.arc_needs_nose()?;
+        }
         let finishing = Finishing {
             contour,
             around_left: stance.left != section.backwards,

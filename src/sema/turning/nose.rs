@@ -119,6 +119,15 @@ impl Run<'_> {
         self.fail_help(codes::T2024, self.block_span(), message, self.asks_for_nose())
     }
 
+    /// What is cut has an arc: around a corner at the distance of G58.
+    pub(super) fn arc_needs_nose(&self) -> Outcome {
+        if self.known_tool().and_then(|tool| tool.radius).is_some() {
+            return Ok(());
+        }
+        let message = "the nose radius of the tool is not known, and G58 makes an arc around each outer corner";
+        self.fail_help(codes::T2024, self.block_span(), message, self.asks_for_nose())
+    }
+
     /// What says the nose of the tool in the cutting position.
     pub(super) fn asks_for_nose(&self) -> Help {
         let Some(tool) = &self.st.tool else { return "program T in front of the cycle".into() };

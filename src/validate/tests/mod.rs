@@ -155,7 +155,7 @@ fn a_side_that_is_said_elsewhere_is_noticed() {
         let cut = Path::Line(Feed::PerMinute(100.0));
         let items = vec![
             Item::Function(Function::ToolChange { number: 3 }),
-            Item::Function(Function::Cutter(CutterData { number: 3, radius: None, known: None })),
+            Item::Function(Function::Cutter(CutterData { number: 3, ..CutterData::default() })),
             to(-20.0, 0.0, Path::Rapid, Side::None),
             to(0.0, 0.0, cut, Side::Left),
             to(0.0, 30.0, cut, Side::Left),

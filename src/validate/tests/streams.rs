@@ -366,7 +366,7 @@ impl Maker<'_> {
     fn compensated(&mut self) {
         let radius = self.dice.one_in(2).then_some(0.5);
         let number = 1 + self.dice.roll(9) as u32;
-        self.does(Function::Cutter(CutterData { number, radius, known: None }));
+        self.does(Function::Cutter(CutterData { number, radius, ..CutterData::default() }));
         self.does(Function::Plane(self.plane));
         self.side = self.dice.of(&[Side::Left, Side::Right]);
         for _ in 0..3 {
