@@ -534,7 +534,6 @@ pub struct EdgeWords {
     /// Rows by the sign along Z, columns by that along X: minus, nothing, plus.
     pub numbers: [[u8; 3]; 3],
 }
-
 impl EdgeWords {
     /// The number of an edge that points there, along Z and X.
     pub fn number(&self, edge: [i8; 2]) -> u8 {
