@@ -184,7 +184,7 @@ impl Needs {
 
     /// What the user said of a field of a tool.
     pub fn of_tool(&self, need: &Need) -> Option<&str> {
-        let found = self.given.iter().find(|(key, _)| key.1 == need.answer.path && self.map.get(*key).is_some());
+        let found = self.given.iter().find(|(key, _)| key.1 == need.answer.path && self.map.contains_key(*key));
         found.map(|(_, value)| value.as_str()).filter(|_| need.answer.section == "tools")
     }
 

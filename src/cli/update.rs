@@ -53,7 +53,7 @@ impl File {
     fn insert(&mut self, head: usize, key: &str, line: &str) {
         let end = self.lines[head + 1..].iter().position(|line| line.trim_start().starts_with('['));
         let end = end.map_or(self.lines.len(), |end| head + 1 + end);
-        let own = (head + 1..end).filter(|at| key_of(&self.lines[*at]).as_deref() == Some(key)).last();
+        let own = (head + 1..end).rfind(|at| key_of(&self.lines[*at]).as_deref() == Some(key));
         let Some(own) = own else {
             let last = (head..end).rev().find(|at| !self.lines[*at].trim().is_empty()).unwrap_or(head);
             self.lines.insert(last + 1, line.to_owned());

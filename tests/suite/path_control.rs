@@ -134,7 +134,7 @@ fn another_way_to_take_corners_is_a_difference() {
         ("free.ngc", " G64", "free.ngc: G64 (line 5)"),
         ("exact.ngc", " G61", "exact.ngc: G61 (line 5)"),
         ("larger.ngc", " G64 P0.02", "larger.ngc: G64 P0.02 (line 5)"),
-        ("filter.ngc", " G64 P0.01 Q0.05", "filter.ngc: G64 P0.05 (line 5)"),
+        ("filter.ngc", " G64 P0.01 Q0.005", "filter.ngc: G64 P0.005 (line 5)"),
         ("none.ngc", "", "a.ngc: G64 P0.01 (line 5)"),
     ] {
         folder.write(name, &output.replace(" G64 P0.01", to));

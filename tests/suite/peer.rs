@@ -43,6 +43,7 @@ const WRONG: &[(&str, &str)] = &[
     ("real_to_int.MPF", "keeps fractions in INT"),
     ("joined_text.MPF", "writes a CHAR as a number"),
     ("start_angle_of_a_taper.MPF", "knows no start angle"),
+    ("m9_at_the_end_of_the_block_of_g332.MPF", "stands between two blocks of one tap"),
     // Each step of ours leaves the hole.
     ("chip_breaking.MPF", "breaks the chip of a tap within the hole"),
     ("file_access.MPF", "leaves the error variable of WRITE and DELETE as it was"),

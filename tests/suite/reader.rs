@@ -106,6 +106,8 @@ impl Reader {
                 "F" => (self.feed, own_feed) = (real, true),
                 "P" => line.p = Some(real),
                 "D" => line.d = Some(real),
+                // Position of the edge behind the diameter of its nose.
+                "L" => drop(whole(value)?),
                 "R" => line.r = Some(real),
                 "I" | "J" | "K" => line.offset["IJK".find(letter).unwrap_or(0)] = Some(number),
                 _ => {

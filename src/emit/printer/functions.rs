@@ -382,7 +382,11 @@ impl Printer<'_> {
             Spindle::Speed(speed) if by_tap && !self.states_turns() => {
                 self.told.speed.is_some() && self.told.speed == self.measures.speed.units(speed)
             }
-            _ => false,
+            Spindle::Start(_)
+            | Spindle::Stop
+            | Spindle::Speed(_)
+            | Spindle::CuttingSpeed { .. }
+            | Spindle::Orient(_) => false,
         }
     }
 

@@ -107,7 +107,7 @@ impl Run<'_> {
             .filter_map(|(name, stands)| Some((name.as_str(), vain(cycle_of(name), stands)?)))
             .collect();
         let help = "take them out: only a cycle of the machine builder, which no manual of the control has, can be left out: \
-                    `\"CYCL DEF 392\" = { ignore = true }`; touch probe cycles are left out by `[control] probing`";
+                    `\"CYCL DEF 392\" = { ignore = true }`; touch probe cycles are left out by the key `probing` of `[control]`";
         self.refuse_entries("[programs]", &entries, help);
     }
 }

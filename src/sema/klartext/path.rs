@@ -243,7 +243,7 @@ impl Run<'_> {
     /// A move in machine coordinates: afterwards the workpiece position of its axes is not known.
     pub(super) fn machine_move(&mut self, w: &Words) -> Outcome {
         let feed = self.move_feed(w)?;
-        let end = if w.has_m(92) { self.from_builders_datum(w)? } else { w.axes };
+        let end = if w.has_m(92) { self.by_builders_datum(w)? } else { w.axes };
         self.no_rotary_move_under_turn(end.known(), w.axes_span)?;
         for axis in end.known().iter().filter(|axis| axis.is_rotary()) {
             self.check_tip(w, axis, None)?;

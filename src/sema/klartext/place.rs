@@ -38,7 +38,7 @@ impl Run<'_> {
     }
 
     /// What lies between the machine coordinate of an axis and its printed place in the datum.
-    fn from_machine(&self, axis: Axis) -> Result<f64, Lack> {
+    fn zero_in_machine(&self, axis: Axis) -> Result<f64, Lack> {
         let frames = &self.st.frames;
         if frames.transform().is_turned_as_a_whole() || frames.transform().turn.0 != 0.0 {
             return Err(Lack::Nothing);
@@ -67,7 +67,7 @@ impl Run<'_> {
                 } else {
                     frame.apply(self.st.position.at()).get(axis)
                 };
-                Some(at? + self.from_machine(axis).ok()?)
+                Some(at? + self.zero_in_machine(axis).ok()?)
             }
             (None, Some((By::Machine(value), _))) => value,
             (None, _) => None,
@@ -99,7 +99,7 @@ impl Run<'_> {
 
     /// Axes stand at machine coordinates: their places are known where the datum is.
     pub(super) fn stand_in_machine(&mut self, at: &Pos) {
-        let places = out_of_machine(at, |axis, value| Some(value - self.from_machine(axis).ok()?));
+        let places = out_of_machine(at, |axis, value| Some(value - self.zero_in_machine(axis).ok()?));
         self.stand(&places);
     }
 
@@ -107,7 +107,7 @@ impl Run<'_> {
     pub(super) fn stand_after_change(&mut self) {
         let (after, in_machine) = self.st.position.after_change();
         let places = match in_machine {
-            true => out_of_machine(&after, |axis, value| Some(value - self.from_machine(axis).ok()?)),
+            true => out_of_machine(&after, |axis, value| Some(value - self.zero_in_machine(axis).ok()?)),
             false => self.printed(after),
         };
         self.stand(&places);
@@ -144,7 +144,7 @@ impl Run<'_> {
     }
 
     /// M92: machine coordinates of an end point that counts from a place of the machine builder.
-    pub(super) fn from_builders_datum(&self, w: &Words) -> Outcome<Pos> {
+    pub(super) fn by_builders_datum(&self, w: &Words) -> Outcome<Pos> {
         let span = w.any_m(&[92]).map_or(w.axes_span, |m| m.span);
         if w.has_m(91) {
             let message = "M91 and M92 count from two places";
@@ -173,7 +173,7 @@ impl Run<'_> {
     /// An error where the position of an axis is needed and not known; `message` ends in front of why.
     pub(super) fn unknown_position<T>(&self, axis: Axis, place: impl Into<Where>, message: String) -> Outcome<T> {
         let usual = format!("program an absolute position of {} first", axis.letter());
-        let lack = || self.from_machine(axis).err().unwrap_or(Lack::Nothing);
+        let lack = || self.zero_in_machine(axis).err().unwrap_or(Lack::Nothing);
         let unknown = Unknown { position: &self.st.position, axis, lack: &lack, otherwise: " here" };
         self.position_unknown(codes::K2001, place, message, &usual, unknown)
     }

@@ -7,16 +7,7 @@ use crate::text::Span;
 use super::Run;
 use super::g_functions::Group;
 use super::reserved::{reserved, reserved_m};
-use super::words::Words;
-
-/// A G function or a word that is none of the control's.
-#[derive(Debug, Clone)]
-pub(super) struct Strange {
-    /// In capitals.
-    pub name: String,
-    pub span: Span,
-    pub is_g: bool,
-}
+use super::words::{Strange, Words};
 
 impl Words {
     /// Are there words of the path that no G function of the block takes? A strange word beside them may.

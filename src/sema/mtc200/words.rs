@@ -8,7 +8,6 @@ use crate::parser::symbols::Symbol;
 use crate::text::{Span, decode::readable};
 
 use super::g_functions::{self, G, GROUPS};
-use super::strange::Strange;
 use super::{Outcome, Reported, Run};
 
 /// Most M functions and words of the machine of a block.
@@ -58,6 +57,15 @@ pub(super) struct FlowWord {
     pub flow: Flow,
     pub label: Option<Symbol>,
     pub span: Span,
+}
+
+/// A G function or a word that is none of the control's.
+#[derive(Debug, Clone)]
+pub(super) struct Strange {
+    /// In capitals.
+    pub name: String,
+    pub span: Span,
+    pub is_g: bool,
 }
 
 /// The evaluated words, in the unit of the program. Kept in a box that goes from block to block.

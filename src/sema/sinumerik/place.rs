@@ -34,7 +34,7 @@ impl Channel<'_> {
     }
 
     /// What lies between the machine coordinate of an axis, where the spindle nose or the turret stands, and the place of the tip.
-    fn from_machine(&self, axis: Axis) -> Result<f64, Lack> {
+    fn zero_in_machine(&self, axis: Axis) -> Result<f64, Lack> {
         let zero = self.zero(axis)?;
         if !self.st.tool_axes().contains(axis) {
             return Ok(zero);
@@ -53,7 +53,7 @@ impl Channel<'_> {
         self.st.position.moved_by_machine(end, &ctx.frame, loc);
         let places = out_of_machine(end, |axis, value| match tip.get(axis) {
             Some(tip) => Some(tip - self.zero(axis).ok()?),
-            None => Some(value - self.from_machine(axis).ok()?),
+            None => Some(value - self.zero_in_machine(axis).ok()?),
         });
         self.stand(&places);
     }
@@ -71,7 +71,7 @@ impl Channel<'_> {
     pub(super) fn stand_after_change(&mut self) {
         let (after, in_machine) = self.st.position.after_change();
         let places = match in_machine {
-            true => out_of_machine(&after, |axis, value| Some(value - self.from_machine(axis).ok()?)),
+            true => out_of_machine(&after, |axis, value| Some(value - self.zero_in_machine(axis).ok()?)),
             false if self.counts_from_a_work_offset() => after,
             false => return,
         };
@@ -96,7 +96,7 @@ impl Channel<'_> {
 
     /// An error where the position of an axis is needed and not known.
     pub(super) fn no_position<T>(&self, axis: Axis, place: impl Into<Where>, usual: &str) -> Outcome<T> {
-        let lack = || self.from_machine(axis).err().unwrap_or(Lack::Nothing);
+        let lack = || self.zero_in_machine(axis).err().unwrap_or(Lack::Nothing);
         let unknown = Unknown { position: &self.st.position, axis, lack: &lack, otherwise: "" };
         let message = format!("where {} stands is not known", axis.letter());
         self.position_unknown(codes::S2042, place, message, usual, unknown)
