@@ -371,14 +371,6 @@ impl Needs {
 pub(super) const FREE: &str = "a free number: write the one of this tool, it is printed";
 
 impl Need {
-    /// The key of the configuration that it is.
-    fn key(&self) -> Option<&'static Key> {
-        let section = SECTIONS.iter().find(|section| section.name == self.answer.section)?;
-        let [first, ..] = &self.answer.path[..] else { return None };
-        let last = self.answer.path.last()?;
-        section.keys().find(|key| key.name == first).or_else(|| section.entry.iter().find(|key| key.name == last))
-    }
-
     fn items(&self) -> Vec<String> {
         let mut items: Vec<String> = self
             .values
@@ -408,7 +400,7 @@ impl Need {
         if let Values::Meaning(meaning) = &self.answer.values {
             return format!("number: {meaning}; ");
         }
-        match (self.answer.section, self.key()) {
+        match (self.answer.section, key_of(&self.answer)) {
             ("include", _) => "a folder; ".to_owned(),
             ("datums", None) if self.answer.values == Values::Coordinates => {
                 "machine coordinates of its zero, as { X = …, Y = …, Z = … }; ".to_owned()
@@ -461,7 +453,10 @@ fn line(
             (further.or(choices.get(choice)).unwrap_or(first).clone(), String::new())
         }
         (_, [_, ..]) => (String::new(), format!("{}; ", choices.join(" or "))),
-        (_, []) if form == Form::Tried => (tried(&need.answer).to_owned(), String::new()),
+        (_, []) if form == Form::Tried => match tried(&need.answer) {
+            Some(value) => (value.to_owned(), String::new()),
+            None => return,
+        },
         (_, []) => (String::new(), need.wanted()),
     };
     if form == Form::Tried {
@@ -471,6 +466,13 @@ fn line(
     let mark = if form == Form::Commented && given.is_none() { "#" } else { "" };
     let entry = format!("{mark}{key} = {value}");
     let _ = writeln!(text, "{entry:WIDTH$} # {remark}{}", need.places());
+}
+
+/// The key of the configuration that is asked for.
+fn key_of(answer: &Answer) -> Option<&'static Key> {
+    let section = SECTIONS.iter().find(|section| section.name == answer.section)?;
+    let ([first, ..], Some(last)) = (&answer.path[..], answer.path.last()) else { return None };
+    section.keys().find(|key| key.name == first).or_else(|| section.entry.iter().find(|key| key.name == last))
 }
 
 /// What kind of value a key takes, in words.
@@ -488,23 +490,41 @@ fn kind(key: &Key) -> String {
     }
 }
 
-/// Some value that lets a run go on; it says nothing about the machine.
-fn tried(answer: &Answer) -> &'static str {
+/// Some value that lets a run go on; it says nothing about the machine. `None` for what nobody can make up: the name of a file.
+fn tried(answer: &Answer) -> Option<&'static str> {
     let key = answer.path.last().map_or("", String::as_str);
-    match (answer.section, key) {
+    Some(match (answer.section, key) {
         ("datums", _) => "{ X = 0.0, Y = 0.0, Z = 0.0 }",
         ("tools", "length") => "100.0",
         ("tools", "tip_angle") => "118.0",
         ("tools", "orientation") => "3",
         ("tools", "number") => "1",
         ("tools", "width") => "3.0",
-        ("tools", _) => "1.0",
         ("machine", "diameter_axis") => "\"X\"",
+        ("machine", "geometry_axes") => "[\"X\", \"Y\", \"Z\"]",
+        ("machine", _) if answer.path[0] == "axes" => "\"leave-out\"",
         ("control", "feed" | "rapid_feed") => "1000.0",
         ("output", "rapid_feed") => "1000",
+        ("output", "decimals") => "6",
+        ("output", "tool_offsets") => "999",
         ("control", "retract_max") | ("start" | "machine", _) => "0.0",
         ("include", _) => "\".\"",
         ("control", "modulo") => "\"truncate\"",
-        _ => "1.0",
+        _ => match key_of(answer).map(|key| key.kind) {
+            Some(Kind::Text | Kind::Texts | Kind::Words | Kind::Wholes | Kind::Digits) => return None,
+            Some(Kind::Flag) => "true",
+            Some(Kind::Whole | Kind::Places) => "1",
+            Some(Kind::Corners) => "\"none\"",
+            Some(Kind::Number | Kind::Free | Kind::Choice(_)) | None => "1.0",
+        },
+    })
+}
+
+/// Does a trial have a value for the key?
+pub(super) fn can_be_tried(answer: &Answer) -> bool {
+    match &answer.values {
+        Values::OneOf(values) if !values.is_empty() => true,
+        Values::Item(_) | Values::FolderOf(_) => true,
+        _ => !choices(answer).is_empty() || tried(answer).is_some(),
     }
 }

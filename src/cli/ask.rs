@@ -1,6 +1,6 @@
 //! `partc init -i`: asks for the values one by one, and counts after each what compiles.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::io::{self, BufRead, Write};
 
 use super::Trouble;
@@ -39,10 +39,6 @@ pub(super) fn ask(
         out,
         "Enter takes the value in brackets or leaves the question open, `-` leaves it open, `q` ends the questions."
     )?;
-    let mut waiting: BTreeMap<String, usize> = BTreeMap::new();
-    for key in &keys {
-        needs.programs(key).iter().for_each(|program| *waiting.entry(program.clone()).or_default() += 1);
-    }
     for (at, key) in keys.iter().enumerate() {
         let question = needs.question(key);
         writeln!(out, "\n{} ({} of {})\n  {}", question.key, at + 1, keys.len(), question.places)?;

@@ -138,7 +138,9 @@ impl Shop for Inputs<'_> {
     }
 
     fn compiles(&self, program: &str, given: &Needs) -> bool {
-        self.tried(program).and_then(|tried| tried.once(given).ok()).is_some_and(|trial| trial.left.is_empty())
+        self.tried(program)
+            .and_then(|tried| tried.once(given).ok())
+            .is_some_and(|trial| trial.left.is_empty() && !trial.is_open)
     }
 }
 
@@ -158,6 +160,8 @@ struct Programs {
     compiling: BTreeSet<String>,
     /// Compile once the values are filled in.
     after: u32,
+    /// Programs that were not tried to their ends, and why.
+    cut_off: Vec<(String, String)>,
     dialects: BTreeMap<&'static str, u32>,
     needs: Needs,
     tools: BTreeMap<Called, (Place, BTreeSet<String>, u32)>,
@@ -189,13 +193,14 @@ impl Programs {
         self.count += 1;
         *self.dialects.entry(trial.dialect.name).or_default() += 1;
         match (trial.left.is_empty(), trial.rounds) {
-            (true, 0) => {
+            (true, 0) if !trial.is_open => {
                 self.at_once += 1;
-                self.compiling.insert(trial.name);
+                self.compiling.insert(trial.name.clone());
             }
-            (true, _) => self.after += 1,
-            (false, _) => {}
+            (true, _) if !trial.is_open => self.after += 1,
+            _ => {}
         }
+        self.cut_off.extend(trial.cut_off.map(|trouble| (trial.name, trouble)));
         self.needs.join(&trial.needs);
         for (called, place, what) in trial.tools {
             let tool = self.tools.entry(called).or_insert_with(|| (place, BTreeSet::new(), 0));
@@ -291,6 +296,9 @@ impl Programs {
 
     /// What no value mends.
     fn rest(&self, text: &mut String) {
+        for (program, trouble) in &self.cut_off {
+            let _ = writeln!(text, "\n# Not tried to its end: {program}: {trouble}");
+        }
         if self.left.is_empty() {
             return;
         }

@@ -10,7 +10,7 @@ use crate::machine::tree::{Table, Value, overlay, parse};
 use crate::machine::{MachineKind, Settings};
 use crate::text::FileId;
 
-use super::answers::{Form, Needs, Place, Request, requests};
+use super::answers::{Form, Needs, Place, Request, can_be_tried, requests};
 use super::inputs::{Ignored, walk};
 use super::options::Common;
 use super::run::{Loaded, load_with};
@@ -132,6 +132,10 @@ pub(super) struct Trial {
     pub calls: Vec<String>,
     /// Errors of the last round, none for a program that compiles.
     pub left: Vec<(&'static str, Place)>,
+    /// It asks for the name of a file, so that nobody knows what it comes to.
+    pub is_open: bool,
+    /// Why it was not tried to its end.
+    pub cut_off: Option<String>,
     pub rounds: usize,
     /// What every round asked for.
     requests: Vec<Request>,
@@ -189,14 +193,23 @@ impl<'a> Tried<'a> {
     fn answered(&self, mut needs: Needs) -> Result<Trial, Trouble> {
         let name = self.path.display().to_string();
         let mut requests: Vec<Request> = Vec::new();
+        let mut last: Option<Trial> = None;
         for round in 0.. {
-            let mut trial = self.once(&needs)?;
+            let mut trial = match (self.once(&needs), last.take()) {
+                (Ok(trial), _) => trial,
+                // What was made up is no configuration: what the program came to before says as much as is known.
+                (Err(trouble), Some(last)) => {
+                    return Ok(Trial { needs, requests, cut_off: Some(trouble), lists: self.lists.clone(), ..last });
+                }
+                (Err(trouble), None) => return Err(trouble),
+            };
             let is_new = needs.take(&name, &trial.requests);
             requests.extend(trial.requests.drain(..).map(|request| needs.by_its_name(request)));
             let is_enough = round + 1 == MOST_ROUNDS || requests.len() >= MOST_ASKED;
             if !is_new || trial.left.is_empty() || is_enough {
                 return Ok(Trial { needs, requests, rounds: round, lists: self.lists.clone(), ..trial });
             }
+            last = Some(trial);
         }
         Err("nothing was tried".to_owned())
     }
@@ -235,6 +248,8 @@ impl<'a> Tried<'a> {
             identity: session.sources.identity(FileId(0)),
             calls: (1..session.sources.len()).map(|file| session.sources.identity(FileId(file as u16))).collect(),
             left: errors(&session),
+            is_open: asks_for_a_name(&session),
+            cut_off: None,
             rounds: 0,
             requests: asked,
             lists: Lists::new(),
@@ -291,13 +306,21 @@ fn missing(session: &Session) -> Vec<(String, Place)> {
     list
 }
 
-/// Codes of the errors, each once.
+/// Does an error ask for what no trial can make up?
+fn asks_for_a_name(session: &Session) -> bool {
+    session
+        .diags
+        .any(|found| found.severity == Severity::Error && found.answers.iter().any(|answer| !can_be_tried(answer)))
+}
+
+/// Codes of the errors that no answer mends, as far as a trial shows, each once.
 fn errors(session: &Session) -> Vec<(&'static str, Place)> {
     let mut list: Vec<(&'static str, Place)> = Vec::new();
     session.diags.each(|found| {
         let is_known = list.iter().any(|(code, _)| *code == found.code.id);
         // A trial is cut off early.
-        if found.severity == Severity::Error && found.code.id != codes::P4001.id && !is_known {
+        let is_untried = found.answers.iter().any(|answer| !can_be_tried(answer));
+        if found.severity == Severity::Error && found.code.id != codes::P4001.id && !is_known && !is_untried {
             list.push((found.code.id, Place::new(found.label.loc, session)));
         }
     });

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diag::{Answer, Diags, codes};
+use crate::diag::{Diags, codes};
 use crate::geo::{Deg, Vec2, distance};
 use crate::ir::Origin;
 use crate::ir::motion::{Move, Path};
@@ -25,7 +25,7 @@ pub fn check(mv: &Move, limits: &BTreeMap<Axis, (f64, f64)>, origin: Origin, dia
                     origin,
                     format!("{}{value:.4} is beyond the travel limits {low} to {high}", axis.letter()),
                 )
-                .help(Answer::key("machine", "limits").help("check the datum and the program, or `[machine] limits`")),
+                .help("check the datum and the program, or the limits of the machine in partc.toml"),
             );
         }
     }

@@ -1,11 +1,12 @@
 //! Where a finding names a key of `partc.toml`, the key is an answer: what `init`, the lines to paste and the JSON of a
 //! finding know comes from there, never from the words.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use partc::diagnostics::{Answer, Severity};
 
-use super::book;
+use super::book::{self, Case};
+use super::cli_run::Folder;
 
 const SECTIONS: [&str; 9] =
     ["machine", "control", "tools", "datums", "include", "variables", "output", "start", "programs"];
@@ -59,4 +60,61 @@ fn keys_that_findings_name_are_answers() {
         .map(|((code, key), cases)| format!("{code} names `{key}` without an answer, as in {}", cases[0]))
         .collect();
     assert!(lines.is_empty(), "{} findings:\n{}", lines.len(), lines.join("\n"));
+}
+
+/// Keys that errors of the books ask for, each with the first case of each code.
+fn asking() -> Vec<&'static Case> {
+    let (mut met, mut found) = (BTreeSet::new(), Vec::new());
+    for name in book::files("book") {
+        for case in book::of(&name) {
+            // A backup has programs in folders of the control, which a folder of files says by its configuration.
+            if case.called.keys().any(|name| name.contains(['/', '\\'])) {
+                continue;
+            }
+            let errors = case.compile().findings.into_iter().filter(|finding| finding.severity == Severity::Error);
+            let keys = errors.flat_map(|finding| {
+                let key = |answer: &Answer| (finding.code.id, answer.section, answer.path.last().cloned());
+                finding.answers.iter().map(key).collect::<Vec<_>>()
+            });
+            // Which name or number it is makes no difference.
+            let is_name = |section: &str| matches!(section, "variables" | "programs" | "include" | "datums" | "start");
+            let keys = keys.map(|(code, section, key)| (code, section, key.filter(|_| !is_name(section))));
+            if keys.fold(false, |is_new, key| met.insert(key) || is_new) {
+                found.push(case);
+            }
+        }
+    }
+    found
+}
+
+/// `init` reads each of these programs: a value that it makes up to go on is one that the key takes.
+#[test]
+fn init_has_a_value_for_each_key() {
+    let cases = asking();
+    assert!(cases.len() > 100, "{}", cases.len());
+    let mut failures = Vec::new();
+    for case in cases {
+        let folder = Folder::new("answers_init");
+        std::fs::write(folder.0.join(&case.file), &case.program).expect("a program");
+        for (name, bytes) in &case.called {
+            std::fs::write(folder.0.join(name), bytes).expect("a program");
+        }
+        folder.write("partc.toml", &case.config);
+        let ran = folder.run(&["init", &case.file, "-o", "-", "--dialect", &case.dialect]);
+        if ran.code != Some(0) || !ran.err.is_empty() || ran.out.contains("# Not tried to its end") {
+            failures.push(format!("{}: {}{}", case.name, ran.err, ran.out));
+        }
+    }
+    assert!(failures.is_empty(), "{}:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// Of the name of a file nobody makes one up: it is asked for, and nothing is said of what is left.
+#[test]
+fn what_cannot_be_made_up_is_asked_for_all_the_same() {
+    let program = "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1000 F100\n2 L X+0 Y+0 Z+5 R0 FMAX M3\n3 CYCL DEF 7.0 DATUM SHIFT\n\
+                   4 CYCL DEF 7.1 #3\n5 L X+10 FMAX M30\n6 END PGM A MM\n";
+    let folder = Folder::new("answers_name").with(&[("A.H", program)]);
+    let said = folder.run(&["init", "A.H", "-o", "-"]).exits(0).out;
+    assert!(said.contains("\n#datum_table = "), "{said}");
+    assert!(said.contains("# 0 compile as it is, 0 once") && !said.contains("left whatever"), "{said}");
 }

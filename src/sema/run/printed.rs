@@ -141,12 +141,7 @@ impl<L: Language> Core<'_, L> {
             "name another work offset of the target in `[datums] {key}`, and set it up there; to the same values if both \
              are one place"
         );
-        let (target, printed) = (self.job.settings.output.target, &self.printed_offsets.printed);
-        let free: Vec<String> = (1..=9)
-            .filter(|n| target.offset(*n).is_some() && printed.iter().all(|printed| printed.number != *n))
-            .map(|n| format!("\"{}\"", self.offset_word(n)))
-            .collect();
-        let help = Answer::key("datums", &key).one_of(&free).help(help);
+        let help = Answer::key("datums", &key).help(help);
         let found = Diagnostic::new(codes::P0202, self.loc(place), message).help(help);
         self.report(found.also(other_at, format!("{theirs} is printed as {word}")));
         Err(Reported)

@@ -140,7 +140,7 @@ impl Channel<'_> {
             return Ok(Some(axis));
         }
         let message = format!("{} and {} would both be printed as {}", first.text(), named.text(), axis.letter());
-        let help = Answer::entry("machine", "axes", named.text()).help(
+        let help = Answer::entry("machine", "axes", named.text()).one_of(&["\"leave-out\"", "\"A\"", "\"B\"", "\"C\"", "\"U\"", "\"V\"", "\"W\""]).help(
             "give one of them another letter under `[machine] axes`, or \"leave-out\" if the target has no such axis",
         );
         self.fail_help(codes::S2130, span, message, help)

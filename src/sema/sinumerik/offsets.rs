@@ -231,7 +231,7 @@ impl Channel<'_> {
         let message = "moves in machine coordinates (G53, G153, SUPA) stand beside moves under G500, and where the basic \
                        system lies from the machine zero is not known";
         let help = "give the basic frame: `[datums] basic = { X = 0.0, Y = 0.0, Z = 0.0 }`";
-        let help = Answer::key("datums", "basic").help(help);
+        let help = Answer::datum("basic").help(help);
         self.report(Diagnostic::new(codes::S8190, self.loc(place), message).help(help));
     }
 
@@ -267,7 +267,7 @@ impl Core<'_> {
             "select {word} in front of the first move, then G500 is printed through its values in `[datums]`; or give the \
              basic frame (`[datums] basic = {{ X = 0.0, Y = 0.0, Z = 0.0 }}`)"
         );
-        self.fail_help(codes::S9131, place, message, Answer::key("datums", "basic").help(help))
+        self.fail_help(codes::S9131, place, message, Answer::datum("basic").help(help))
     }
 
     /// G500 beside an offset of the machine: nobody knows the way between the two.
@@ -276,10 +276,10 @@ impl Core<'_> {
             codes::S9131,
             place,
             format!("{what} a work offset of the machine, and where it lies from the basic system is not known"),
-            Answer::key("datums", "basic").help(
+            Answer::datum("basic").help(
                 "give the basic frame (`[datums] basic = { X = 0.0, Y = 0.0, Z = 0.0 }`), the values of the offset (`[datums] G54 = { … }`), or the offset that G500 stands for (`[datums] G500 = \"G55\"`)",
             )
-            .and(Answer::key("datums", "G54"))
+            .and(Answer::datum("G54"))
             .and(Answer::key("datums", "G500")),
         )
     }
