@@ -145,13 +145,13 @@ impl Compensation {
             let arc = self.leaving || on;
             return (arc && matches!(mv.path, Path::Arc(..))).then_some((
                 "the target needs a straight move to end its radius compensation, and this block is an arc",
-                "put a straight block without compensation in front of the arc".into(),
+                "put a straight block without compensation before the arc".into(),
             ));
         }
         if self.ended_by.is_some() {
             return Some((
                 "radius compensation cannot go on behind a tool change, work offset or plane change",
-                "end the compensation before that block and start it again behind it".into(),
+                "end the compensation before that block and start it again after it".into(),
             ));
         }
         if !planes.contains(&mv.plane) {
@@ -172,7 +172,7 @@ impl Compensation {
         if !on && matches!(mv.path, Path::Arc(..)) {
             return Some((
                 "radius compensation cannot start in an arc",
-                "put a straight block with compensation in front of the arc".into(),
+                "put a straight block with compensation before the arc".into(),
             ));
         }
         if mv.machine {
@@ -200,7 +200,7 @@ impl Compensation {
         let message = "a second block that moves nothing in the working plane stands in the compensated contour";
         let help = Answer::key("output", "comments")
             .one_of(&["false"])
-            .help("put it in front of the contour or behind it; comments count (`[output] comments = false`)");
+            .help("put it before the contour or after it; comments count (`[output] comments = false`)");
         Some(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call))
     }
 
@@ -212,7 +212,7 @@ impl Compensation {
         }
         let message =
             format!("a stop stands in the compensated contour, and the target {target} does not read on beyond it");
-        let help = resolve("put it in front of the contour or behind it, or set `[output] compensation = \"resolve\"`");
+        let help = resolve("put it before the contour or after it, or set `[output] compensation = \"resolve\"`");
         Some(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call))
     }
 

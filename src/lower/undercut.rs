@@ -28,7 +28,7 @@ pub fn admit(machine: &Machine, plane: Plane, origin: &Origin) -> Result<(), Ref
         return refuse(
             codes::G3060,
             "undercuts exist in the plane of Z and X only",
-            "select G18 in front of the contour".into(),
+            "select G18 before the contour".into(),
         );
     }
     let help = Answer::key("machine", "diameter_axis")

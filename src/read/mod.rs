@@ -90,7 +90,7 @@ pub struct Modes {
 }
 
 /// What stands behind a closing `%`.
-const BEHIND_PERCENT: &str = "something stands behind the `%` that closes the program";
+const BEHIND_PERCENT: &str = "something stands after the `%` that closes the program";
 
 /// Where a program stands between its two lines of `%`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -79,7 +79,7 @@ fn asking() -> Vec<&'static Case> {
             // Which name or number it is makes no difference.
             let is_name = |section: &str| matches!(section, "variables" | "programs" | "include" | "datums" | "start");
             let keys = keys.map(|(code, section, key)| (code, section, key.filter(|_| !is_name(section))));
-            if keys.fold(false, |is_new, key| met.insert(key) || is_new) {
+            if keys.filter(|key| met.insert(key.clone())).count() > 0 {
                 found.push(case);
             }
         }

@@ -15,8 +15,8 @@ R1003 Error "gcode-of-another-receiver" "program was printed for another receive
 "The head of this program says for which target partc printed it. Its lines look like those of LinuxCNC, and some mean another thing there: on a Fanuc control G4 P counts \
 thousandths of a second, and on its lathes G90 cuts. Compile the program that it was made of; `partc diff` compares such outputs as they are meant."
 
-R1004 Warning "gcode-behind-percent" "lines behind the closing %"
-"The file begins with a line of a single `%`, so the second one ends the program, as it ended a paper tape: LinuxCNC reads nothing behind it, and neither does partc. There was no M2 or M30 in front of it, \
+R1004 Warning "gcode-after-percent" "lines after the closing %"
+"The file begins with a line of a single `%`, so the second one ends the program, as it ended a paper tape: LinuxCNC reads nothing after it, and neither does partc. There was no M2 or M30 before it, \
 so the lines behind it may be part of the program, and a `%` too many may stand in the middle, where files were joined. If they belong to the program, delete the `%` in front of them; otherwise delete them."
 
 R2001 Error "gcode-tool-length" "tool length that the output does not have"

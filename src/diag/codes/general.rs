@@ -38,7 +38,7 @@ P0008 Error "cut-off" "file stops in its last line"
 "The last line has no line end, and there is no end of program behind it or in it: the file was cut off, perhaps inside a number (`G1 X12` \
 of `G1 X123.456`). No key allows it (a piece of Klartext without BEGIN PGM, which another \
 program joins to others, is P0007). Get the file anew from where it was made. If it is complete, write the end of the program as its last \
-block; a last line that holds the end of the program needs no line end, unless the file stops behind `M2`: that may be the beginning of `M20` or `M2=3`, so write \
+block; a last line that holds the end of the program needs no line end, unless the file stops after `M2`: that may be the beginning of `M20` or `M2=3`, so write \
 `M30`, or a line end behind it."
 
 P0101 Error "program-not-found" "called program is not in the include roots"

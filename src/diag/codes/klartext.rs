@@ -420,7 +420,7 @@ M103 keeps the feeds of its own parameters."
 
 K2710 Warning "basic-rotation-not-ended" "M143 does not end a basic rotation of the target"
 "M143 ends the basic rotation. One of TCH PROBE 404 is computed, and ends with M143; one that was set up at the machine, in the row of the preset table, is part of the work offset \
-of the target, and the output has no word that ends it. If the offset of the target has a rotation, blocks behind M143 would be turned, which they are not on the control; \
+of the target, and the output has no word that ends it. If the offset of the target has a rotation, blocks after M143 would be turned, which they are not on the control; \
 blocks in front of it would be turned on both. Set up the target without a rotation where M143 stands in front of the first move; otherwise split the program there."
 
 K8001 Warning "block-not-run" "block that does not run could not be compiled"

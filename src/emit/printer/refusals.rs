@@ -101,7 +101,7 @@ impl Printer<'_> {
                         "call the tool in the program, and leave `[output] tool_length` away: D1 brings the radius, too",
                     ),
                 ),
-                (false, false) => ("the radius of tool 0", "call a tool in front of the contour".into()),
+                (false, false) => ("the radius of tool 0", "call a tool before the contour".into()),
             };
             self.lacks(codes::O9308, origin, what, help);
         }

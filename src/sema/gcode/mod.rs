@@ -314,8 +314,8 @@ impl Run<'_> {
             let Some(start) = behind.text.iter().position(|b| !is_blank(*b)) else { continue };
             let end = behind.text.iter().rposition(|b| !is_blank(*b)).map_or(start, |last| last + 1);
             let span = Span { start: behind.at + start as u32, end: behind.at + end as u32 };
-            let what = "this stands behind the `%` that ends the program, and does not run";
-            let help = "delete it; or delete the `%` in front of it, if it belongs to the program";
+            let what = "this stands after the `%` that ends the program, and does not run";
+            let help = "delete it; or delete the `%` before it, if it belongs to the program";
             let found = Diagnostic::new(codes::R1004, Loc { file, line: behind.line, span }, what);
             return self.report(found.help(help).also(loc, "the program ends here"));
         }
@@ -341,7 +341,7 @@ impl Run<'_> {
             && !acts.iter().any(|act| matches!(act, Act::Speed(Speed { spindle: 0, .. })))
         {
             return Err(self.refused(
-                "G97 stands behind G96 without S: the last S was a cutting speed, and as turns a minute its number is another speed",
+                "G97 stands after G96 without S: the last S was a cutting speed, and as turns a minute its number is another speed",
                 "write the turns a minute with it: `G97 S1000`",
             ));
         }
@@ -525,7 +525,7 @@ impl Run<'_> {
             return Err(self.refused(
                 message,
                 Answer::key("output", "tool_length")
-                    .help("set `[output] tool_length = \"off\"`, or write G43 in front of the move"),
+                    .help("set `[output] tool_length = \"off\"`, or write G43 before the move"),
             ));
         }
         let mut end = Pos::UNKNOWN;

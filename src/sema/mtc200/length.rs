@@ -106,7 +106,7 @@ impl Run<'_> {
             return Err(Reported);
         }
         let help = Answer::key("control", "spindle_nose")
-            .help("program G48 in front of the move; to refuse such moves set `[control] spindle_nose = \"refuse\"`");
+            .help("program G48 before the move; to refuse such moves set `[control] spindle_nose = \"refuse\"`");
         self.report(Diagnostic::new(codes::M8003, loc, message).help(help));
         Ok(())
     }

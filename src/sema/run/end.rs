@@ -86,8 +86,8 @@ impl<L: Language> Core<'_, L> {
             return;
         }
         let message =
-            "the file stops in its last line, behind `M2`, which may be the beginning of a longer word: it was cut off";
-        let help = "get the file anew; if `M2` is its end, write a line end behind it";
+            "the file stops in its last line, after `M2`, which may be the beginning of a longer word: it was cut off";
+        let help = "get the file anew; if `M2` is its end, write a line end after it";
         self.report_cause(Diagnostic::new(codes::P0008, self.here.origin.loc, message).help(help));
     }
 

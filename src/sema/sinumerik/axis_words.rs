@@ -33,7 +33,7 @@ impl Channel<'_> {
         let message = format!("{} takes the modal call to another place, and is left out", named.text());
         let help = Answer::entry("machine", "axes", named.text())
             .one_of(&["\"A\"", "\"B\"", "\"C\"", "\"U\"", "\"V\"", "\"W\""])
-            .help("print the axis (`[machine] axes`), or end the modal call in front of this block");
+            .help("print the axis (`[machine] axes`), or end the modal call before this block");
         self.fail_help(codes::S9130, *span, message, help)
     }
 

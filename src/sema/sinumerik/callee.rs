@@ -78,7 +78,7 @@ impl Run<'_> {
                     file.shown
                 );
                 let help =
-                    format!("write the line `;$PATH={folder}` behind the head of the main program if both lie there");
+                    format!("write the line `;$PATH={folder}` after the head of the main program if both lie there");
                 self.report(Diagnostic::new(codes::P0107, loc, message).help(help));
                 return self.open_file(&file.name, file.within, Some((name, &file)), span);
             }

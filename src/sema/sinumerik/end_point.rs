@@ -116,7 +116,7 @@ impl Channel<'_> {
         if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
-        self.no_position(axis, place, "program the axis once in absolute coordinates in front of this block")
+        self.no_position(axis, place, "program the axis once in absolute coordinates before this block")
     }
 }
 

@@ -124,7 +124,7 @@ impl Run<'_> {
         let own = self.symbols.name(name);
         if own == "SAVE" || own == "STOPRE" && args.is_some_and(|args| args.count > 0) {
             let (what, help) = if own == "SAVE" {
-                ("SAVE is an attribute of PROC", "write it behind the name in the PROC block")
+                ("SAVE is an attribute of PROC", "write it after the name in the PROC block")
             } else {
                 ("STOPRE takes no argument", "write STOPRE alone")
             };

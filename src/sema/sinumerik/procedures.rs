@@ -274,7 +274,7 @@ impl Run<'_> {
         self.stop_run();
         let (cause, help) = match alarm.and_then(super::cycles::alarm_meaning) {
             Some((cause, help)) => (format!(": {cause}"), help),
-            None => (String::new(), "it found its own data wrong: look at the conditions in front of SETAL"),
+            None => (String::new(), "it found its own data wrong: look at the conditions before SETAL"),
         };
         self.fail_help(codes::S2027, span, format!("the program raises alarm{shown}{cause}"), help)
     }

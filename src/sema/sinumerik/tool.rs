@@ -417,10 +417,10 @@ impl Channel<'_> {
             return Ok(());
         }
         let message = format!(
-            "the radius of T{number} D{edge} was written behind its selection, and no D stands behind it: whether it \
-             counts already is not documented"
+            "the data of T{number} D{edge} were written after its selection, and no D stands after them: whether they \
+             count already is not documented"
         );
-        self.fail_help(codes::S9010, span, message, format!("program D{edge} behind the assignment"))
+        self.fail_help(codes::S9010, span, message, format!("program D{edge} after the assignment"))
     }
 
     /// The same for G41 and G42 themselves, which do not come into force without it.

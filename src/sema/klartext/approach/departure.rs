@@ -158,7 +158,7 @@ impl Run<'_> {
                         )
                         .help(
                             Answer::key("control", "approach_depth").help(
-                                "write it into a block behind, or choose a reading with `[control] approach_depth`",
+                                "write it into a block of its own after it, or choose a reading with `[control] approach_depth`",
                             ),
                         ),
                     );

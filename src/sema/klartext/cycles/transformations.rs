@@ -109,7 +109,7 @@ pub(super) const ROWS: &[Row] = &[
         Nature::Tolerance,
         "CYCL DEF 32",
         "TOLERANCE",
-        &[part(Kind::Length, "tolerance of the path behind T; without it the setting of the machine")],
+        &[part(Kind::Length, "tolerance of the path after T; without it the setting of the machine")],
         REMOVE,
     ),
     acting(

@@ -334,7 +334,7 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         if args.digit(DMODE, 4) == 1 && !self.st.is(GCode::G94) {
             let message = "the ten thousands of `_DMODE` count the feeds of the call per minute, and G94 is not active";
-            let help = "program G94 and its F in front of the cycle, or give the feeds per turn and 0 in that place";
+            let help = "program G94 and its F before the cycle, or give the feeds per turn and 0 in that place";
             return self.cycle_fault(args.span_of(DMODE), None, message, help);
         }
         if args.digit(VARI, 4) > 1 || args.digit(VARI, 5) != 1 {

@@ -102,7 +102,7 @@ impl CycleCall<'_, '_> {
         }
         let message =
             format!("{}: OFFN={normal} is in force, and is not supported in the path of this cycle", self.args.name());
-        let help = "program OFFN=0 in front of the cycle, and leave material by the allowances of the cycle";
+        let help = "program OFFN=0 before the cycle, and leave material by the allowances of the cycle";
         self.fail_help(codes::S9015, self.args.span, message, help)
     }
 
