@@ -142,7 +142,8 @@ fn outcome(session: Session, out: Vec<u8>) -> Outcome {
     Outcome { text, findings: findings(session) }
 }
 
-fn findings(session: Session) -> Vec<Finding> {
+/// What was found, in the order of the places.
+pub fn findings(session: Session) -> Vec<Finding> {
     let Session { sources, diags, trail } = session;
     diags.into_sorted().iter().map(|found| Finding::new(found, &sources, &trail, choices)).collect()
 }

@@ -73,6 +73,7 @@ pub mod diagnostics {
     pub use crate::diag::render::concise;
     pub use crate::diag::report::{Checked, Counts, Document, Kind};
     pub use crate::diag::{Answer, Diagnostic, Diags, Help, Severity, Trail, Values};
+    pub use crate::facade::findings;
 }
 
 /// Where the output goes, and the targets that it is made for.

@@ -9,10 +9,12 @@ pub mod finding;
 pub mod render;
 pub mod report;
 pub mod selection;
+mod told;
 pub mod trail;
 
 use std::borrow::Cow;
 use std::cell::RefCell;
+use std::hash::Hash;
 use std::rc::Rc;
 
 use rustc_hash::FxHashMap;
@@ -24,6 +26,8 @@ pub use codes::{Code, Raised};
 pub use finding::Finding;
 pub use selection::Selection;
 pub use trail::{CallPath, Trail};
+
+use told::Told;
 
 /// How bad it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -44,7 +48,7 @@ impl Severity {
 }
 
 /// A place with a word on what it has to do with the matter.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Label {
     pub loc: Loc,
     pub text: String,
@@ -174,7 +178,7 @@ struct Inner {
     list: Vec<Diagnostic>,
     /// Index in `list`; `None` for those that are only counted.
     seen: FxHashMap<(&'static str, Loc), Option<usize>>,
-    once: Vec<&'static str>,
+    told: Told,
     counts: [u32; 3],
     dropped: u32,
     /// As many are kept, where it is more than usual.
@@ -292,35 +296,30 @@ impl Diags {
         self.inner.borrow().dropped
     }
 
-    /// Takes a finding unless one of the same code was taken by this call before: for notes that hold
-    /// for the whole program.
-    pub fn push_once(&self, found: Diagnostic) {
-        if self.first_time(found.code) {
+    /// Takes a finding unless one of the same code said the same before: for what holds on in the program.
+    pub fn push_once(&self, mut found: Diagnostic) {
+        found.message = decimals::rounded(found.message);
+        if self.first_time(found.code, &found.message) {
             self.push(found);
         }
     }
 
-    /// True the first time it is asked about `code` with this text.
-    pub fn first_text(&self, code: &'static Code, text: &str) -> bool {
-        let inner = self.inner.borrow();
-        !inner.list.iter().any(|found| found.code == code && found.message == text)
-    }
-
-    /// Was the same found of the same places that explain it, from another block?
-    pub fn is_known(&self, found: &Diagnostic) -> bool {
-        let same =
-            |other: &Diagnostic| other.code == found.code && other.message == found.message && other.more == found.more;
-        self.inner.borrow().list.iter().any(same)
-    }
-
-    /// True the first time it is asked about `code`.
-    pub fn first_time(&self, code: &'static Code) -> bool {
-        let inner = &mut *self.inner.borrow_mut();
-        let first = !inner.once.contains(&code.id);
-        if first {
-            inner.once.push(code.id);
+    /// The same, for one that other places explain: what they explain may be said of each of them.
+    pub fn push_cause(&self, mut found: Diagnostic) {
+        found.message = decimals::rounded(found.message);
+        if self.first_time(found.code, (&found.message, &found.more)) {
+            self.push(found);
         }
-        first
+    }
+
+    /// True the first time it is asked about this text of `code`.
+    pub fn first_text(&self, code: &'static Code, text: &str) -> bool {
+        self.first_time(code, decimals::rounded(text.to_owned()))
+    }
+
+    /// True the first time it is asked about this fact of `code`: the values that the finding names, `()` where it names none.
+    pub fn first_time(&self, code: &'static Code, fact: impl Hash) -> bool {
+        self.inner.borrow_mut().told.is_first(code.id, fact)
     }
 
     /// Notes, warnings and errors, also those that were only counted.
@@ -342,7 +341,15 @@ impl Diags {
 
     /// The findings, in the order of file and place; those of one place as they were found.
     pub fn into_sorted(self) -> Vec<Diagnostic> {
-        let mut list = self.inner.into_inner().list;
+        let Inner { mut list, told, .. } = self.inner.into_inner();
+        let mut last: FxHashMap<&'static str, &mut Diagnostic> = FxHashMap::default();
+        list.iter_mut().for_each(|found| drop(last.insert(found.code.id, found)));
+        for (code, found) in last {
+            if let Some((more, at_least)) = told.unlisted(code) {
+                let least = if at_least { "at least " } else { "" };
+                found.message += &format!("; {least}{more} more of this kind are not listed");
+            }
+        }
         list.sort_by_key(|d| (d.label.loc.file, d.label.loc.span.start));
         list
     }

@@ -115,7 +115,7 @@ books! {
     sinumerik_lexical = "sinumerik/lexical":
         skip words;
     sinumerik_machining = "sinumerik/machining":
-        contour_pockets contour_starts contour_ties cycle92 cycle93 cycle930 cycle95 cycle951 cycle952 cycle_modes groove_rims grooves_refused milling milling_alarms milling_parameters normal_offset paths pocket_alarms pockets removal_readings rests slots thread_milling;
+        contour_pockets contour_starts contour_ties cycle92 cycle93 cycle930 cycle95 cycle951 cycle952 cycle_modes described groove_rims grooves_refused milling milling_alarms milling_parameters normal_offset paths pocket_alarms pockets removal_readings rests slots thread_milling;
     sinumerik_offsets = "sinumerik/offsets":
         g500 g53;
     sinumerik_patterns = "sinumerik/patterns":

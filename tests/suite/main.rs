@@ -65,6 +65,7 @@ mod modal;
 mod mtc200;
 mod mtc200_words;
 mod notes;
+mod once;
 mod oracle;
 mod output_keys;
 mod passed_lines;

@@ -216,3 +216,29 @@ fn each_finding_names_its_alarm() {
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
+
+/// One state has one alarm, in whatever cycle: no tool is 61009, a tool without an offset 61000.
+#[test]
+fn cycles_without_a_tool_show_one_alarm() {
+    let lathe = settings(
+        "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n[tools.1]\nradius = 0.4\norientation = 3\nwidth = 3.0\n",
+    );
+    let mill = settings("[tools.1]\nradius = 4.0\n");
+    let turning = "G18 G90 DIAMON G95 F0.1 S500 M3";
+    let milling = "G17 G90 G94 F100 S500 M3";
+    let calls = [
+        (&lathe, turning, "CYCLE951(60,0,40,-30,,,1,2,0,0,11,0,0,0,1,0.2,0)"),
+        (&lathe, turning, "CYCLE95(\"KA:KE\",1,,,0.2,0.2,,,1,,,1)"),
+        (&lathe, turning, "CYCLE93(40,-20,8,5,0,0,0,0,0,0,0,0.1,0.1,2,0.5,5)"),
+        (&mill, milling, "POCKET4(10,0,1,-5,10,0,0,2.5,0,0,100,100,0,11)"),
+        (&mill, milling, "CYCLE76(10,0,1,,-5,30,20,0,0,0,0,2,0,0,100,100,0,1,40,30)"),
+    ];
+    for (settings, head, call) in calls {
+        for (tool, alarm) in [("", 61009), ("T1\nM6\nD0", 61000)] {
+            let program = format!("{head}\n{tool}\nG0 X100 Z50\n{call}\nM30\nKA:\nG1 X20 Z0\nZ-20\nX60\nKE:\n");
+            let done = compile_bytes("A.MPF", program.into_bytes(), "sinumerik", settings, &NoFiles);
+            let alarms: Vec<_> = done.findings.iter().filter_map(|found| found.alarm).collect();
+            assert_eq!(alarms, [alarm], "{call} {tool}: {:#?}", done.rendered);
+        }
+    }
+}

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use partc::cli::host::{self, Asked, Opened};
-use partc::diagnostics::{Finding, Severity};
+use partc::diagnostics::{Finding, Severity, findings};
 use partc::files::{Files, Folder, Memory, NoFiles};
 use partc::languages::{self, Dialect};
 use partc::output::TARGETS;
@@ -270,12 +270,6 @@ pub fn diff(py: Python<'_>, a: &Job, b: &Job, tolerance: f64) -> PyResult<(bool,
 
 fn dialects() -> String {
     languages::ALL.iter().map(|dialect| dialect.id).collect::<Vec<_>>().join(", ")
-}
-
-/// In the order of their places.
-pub fn findings(session: Session) -> Vec<Finding> {
-    let Session { sources, diags, trail } = session;
-    diags.into_sorted().iter().map(|found| Finding::new(found, &sources, &trail)).collect()
 }
 
 /// As a line of text.

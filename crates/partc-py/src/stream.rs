@@ -6,6 +6,7 @@ use std::{process, thread};
 
 use arrow_array::{RecordBatch, RecordBatchReader};
 use arrow_schema::{ArrowError, SchemaRef};
+use partc::diagnostics::findings;
 use partc::table::{self, Options, Until};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -13,7 +14,7 @@ use pyo3::types::{PyCapsule, PyList};
 
 use crate::capsule;
 use crate::fault::{Fault, caught, detached};
-use crate::job::{Job, findings, first_error, json};
+use crate::job::{Job, first_error, json};
 use crate::rows;
 
 /// Most rows of a trace that are kept rather than made again.

@@ -70,7 +70,7 @@ impl Printer<'_> {
     /// Another mode of the program.
     pub(super) fn path_control(&mut self, said: Option<PathControl>, origin: &Origin) {
         if self.settings.path_control == Some(PathChoice::None) {
-            if said.is_some() && self.diags.first_time(codes::O4006) {
+            if said.is_some() && self.diags.first_time(codes::O4006, ()) {
                 let message = "how the program takes its corners is left out: `[output] path_control` is \"none\"";
                 self.diags.push(Diagnostic::new(codes::O4006, origin.loc, message).called(origin.call));
             }

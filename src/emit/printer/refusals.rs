@@ -208,7 +208,7 @@ impl Printer<'_> {
 
     /// The target may choose a place farther along the contour as the end of its way there.
     pub(super) fn begins_at_rapid(&self, mv: &Move, origin: &Origin) {
-        if mv.side != Side::None && matches!(mv.path, Path::Rapid) && self.diags.first_time(codes::O4005) {
+        if mv.side != Side::None && matches!(mv.path, Path::Rapid) && self.diags.first_time(codes::O4005, ()) {
             let message = "radius compensation begins in a rapid move: where the target goes beside the contour is its own choice";
             let help = resolve("lead to the contour at a feed, or set `[output] compensation = \"resolve\"`");
             self.diags.push(Diagnostic::new(codes::O4005, origin.loc, message).help(help).called(origin.call));
@@ -228,7 +228,7 @@ impl Printer<'_> {
     fn is_rounded(&self, what: &str, off: f64, units: i64, places: Places, origin: &Origin) -> bool {
         let another = off.abs() > ANOTHER;
         let code = if another { codes::O1007 } else { codes::O1006 };
-        if another || self.diags.first_time(code) {
+        if another || self.diags.first_time(code, (what, units)) {
             let printed = units as f64 / places.power() as f64;
             let (percent, more) = (off.abs() * 100.0, if off > 0.0 { "more" } else { "less" });
             let message =

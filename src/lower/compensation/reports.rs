@@ -223,14 +223,11 @@ pub fn offset_stays(at_point: Option<Point2>, plane: Plane, origin: &Origin) -> 
 pub fn open_turn(last: &Piece, next: &Piece, diags: &Diags) {
     let Some((above, up_to)) = last.rules.outside.open else { return };
     let turn = joint::turn(last.headings.end, next.headings.start).abs();
-    if turn <= above.radians() || turn > up_to.radians() || !diags.first_time(codes::G3215) {
+    let meets = turn <= last.rules.outside.prolonged.radians();
+    if turn <= above.radians() || turn > up_to.radians() || !diags.first_time(codes::G3215, meets) {
         return;
     }
-    let way = if turn <= last.rules.outside.prolonged.radians() {
-        "both paths are prolonged until they meet"
-    } else {
-        "the tool goes around it on an arc"
-    };
+    let way = if meets { "both paths are prolonged until they meet" } else { "the tool goes around it on an arc" };
     let message = format!(
         "at this outside corner of {} degrees a limit decides that is machine data of the control: {way}",
         length(turn.to_degrees())
@@ -314,7 +311,7 @@ fn feed_of_centre(piece: &Piece, diags: &Diags) {
     let (Element::Arc { from, center, .. }, Element::Arc { from: own, .. }) = (piece.contour, piece.curve) else {
         return;
     };
-    if piece.kind != Kind::Element || !diags.first_time(codes::G3216) {
+    if piece.kind != Kind::Element || !diags.first_time(codes::G3216, ()) {
         return;
     }
     let message = format!(

@@ -38,13 +38,13 @@ impl Run<'_> {
         self.st.begin_contour();
         let below = self.levels.len();
         self.capture = Some(Box::new(Capture { label: label.clone() }));
-        self.core.out.contour_begins(MOST_ELEMENTS, &self.st.ctx, &self.core.here.origin);
+        let counted = self.core.contour_begins(MOST_ELEMENTS, &self.st.ctx);
         let entered = self.call_subprogram(label);
         while entered.is_ok() && self.levels.len() > below && !self.has_ended() {
             step(self);
         }
         let closed = self.close_contour();
-        let made = self.core.out.contour_ends(&here.origin);
+        let made = self.core.contour_ends(counted, &here.origin);
         self.capture = None;
         (self.free, self.here) = (free, here);
         self.cycles.set_modal(modal);
@@ -131,13 +131,13 @@ impl Run<'_> {
 
     /// A cycle moves at its own feeds.
     pub(super) fn feed_in_contour(&mut self, w: &Words) {
-        if w.feed == FeedWord::None || !self.job.diags.first_time(codes::K2953) {
+        if w.feed == FeedWord::None {
             return;
         }
         let message =
             format!("F in the contour {} does not count: the cycle moves at its own feeds", self.contour_name());
         let found = Diagnostic::new(codes::K2953, self.loc(w.feed_span), message);
-        self.report(found.help("give the feed to the cycle, and remove it here"));
+        self.report_once(found.help("give the feed to the cycle, and remove it here"));
     }
 
     pub(super) fn no_m_in_contour(&mut self, w: &Words) -> Outcome {

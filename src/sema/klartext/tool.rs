@@ -220,13 +220,10 @@ impl Run<'_> {
 
     /// How FU and FZ are written outside of path blocks is not confirmed by a manual page.
     pub(super) fn reads_feed_by_word(&self, span: Span) {
-        if !self.job.diags.first_time(codes::K8026) {
-            return;
-        }
         let text = self.word_text(span);
         let what = if text.to_ascii_uppercase().contains("FZ") { "for each tooth" } else { "for each revolution" };
         let message = format!("`{text}` is read as a feed {what}");
-        self.report(
+        self.report_once(
             Diagnostic::new(codes::K8026, self.loc(span), message)
                 .help("compare it with the control, or write the feed in mm/min"),
         );

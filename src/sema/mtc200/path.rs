@@ -280,7 +280,7 @@ impl Run<'_> {
     fn border_axes(&self, end: &Pos, span: Span) {
         let named = plane_axes(self.st.plane).iter().filter(|i| end.known().contains(Axis::ALL[**i])).count();
         let computed = self.job.settings.output.compensation == Compensation::Resolve;
-        if named < 2 && computed && self.job.diags.first_time(codes::M8006) {
+        if named < 2 && computed && self.job.diags.first_time(codes::M8006, ()) {
             let message = "the way to the contour or from it names one axis of the plane only; the other one stays";
             self.report(Diagnostic::new(codes::M8006, self.loc(span), message).help("program both axes of the plane"));
         }

@@ -10,7 +10,7 @@ use super::Language;
 use super::core::Core;
 
 /// What became of the first tool that was chosen.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) enum ChosenTool {
     /// None was.
     #[default]

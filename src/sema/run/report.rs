@@ -36,9 +36,12 @@ fn holds_in_doubt(found: &Diagnostic) -> bool {
 
 /// Reports what is wrong with the form of the block at `site`.
 pub(super) fn report_problem<L: Language>(job: &Job<'_>, site: &Site, problem: Problem) {
-    let once = L::said_once(problem.code);
+    let problem_code = problem.code;
+    let once = L::said_once(problem_code);
     let found = site.diagnostic(job, problem);
-    if once { job.diags.push_once(found) } else { job.diags.push(found) }
+    if !once || job.diags.first_time(problem_code, ()) {
+        job.diags.push(found);
+    }
 }
 
 impl<L: Language> Core<'_, L> {
@@ -82,10 +85,8 @@ impl<L: Language> Core<'_, L> {
         {
             found = found.help(help);
         }
-        if once && self.job.diags.is_known(&found) {
-            return;
-        }
-        self.job.diags.push(found.called(self.here.origin.call));
+        let found = found.called(self.here.origin.call);
+        if once { self.job.diags.push_cause(found) } else { self.job.diags.push(found) }
     }
 
     /// Reports what is wrong with the form of the block.
@@ -137,10 +138,17 @@ impl<L: Language> Core<'_, L> {
         Err(Reported)
     }
 
-    /// A note that is made once for the whole program.
-    pub fn note_once(&self, code: &'static Code, place: impl Into<Where>, message: impl Into<String>) {
-        if self.job.diags.first_time(code) {
-            self.report(Diagnostic::new(code, self.loc(place), message));
+    /// Reports it unless the same was said before.
+    pub fn report_once(&self, found: Diagnostic) {
+        if self.job.diags.first_text(found.code, &found.message) {
+            self.report(found);
+        }
+    }
+
+    /// A note that is made once for the whole program: of each fact that its text says.
+    pub fn note_once(&self, code: &'static Code, place: impl Into<Where>, message: impl AsRef<str>) {
+        if self.job.diags.first_text(code, message.as_ref()) {
+            self.report(Diagnostic::new(code, self.loc(place), message.as_ref()));
         }
     }
 }

@@ -271,7 +271,7 @@ impl Channel<'_> {
 impl Core<'_> {
     /// A control may drill behind a bare G0 or F, too; read here: behind blocks that name an axis only.
     fn warn_of_trigger(&self, span: Span) {
-        if self.job.diags.first_time(codes::S8033) {
+        if self.job.diags.first_time(codes::S8033, ()) {
             let message =
                 "under MCALL of a drilling cycle this block moves no axis; it is read as one that drills nothing";
             let found = Diagnostic::new(codes::S8033, self.loc(span), message);

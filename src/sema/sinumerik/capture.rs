@@ -6,7 +6,7 @@
 use crate::diag::{Diagnostic, codes};
 use crate::ir::Function;
 use crate::ir::captured::{Captured, Unfit};
-use crate::sema::run::{Where, step};
+use crate::sema::run::{Counted, Where, step};
 use crate::text::Span;
 
 use super::calls::FrameKind;
@@ -35,14 +35,14 @@ impl Run<'_> {
     pub(super) fn capture(&mut self, call: &ContourCall) -> Outcome<Captured> {
         let here = self.here;
         let back = self.place();
-        let before = self.enter_capture(call);
+        let (before, counted) = self.enter_capture(call);
         let entered = self.enter_contour(call);
         while entered.is_ok() && self.in_contour() && !self.has_ended() {
             step(self);
         }
         let pending = self.pending_must_be_done(Where::Block);
         let capture = self.capture.take();
-        let made = self.channel.core.out.contour_ends(&here.origin);
+        let made = self.channel.core.contour_ends(counted, &here.origin);
         self.here = here;
         (self.st, self.vars) = before;
         entered?;
@@ -59,13 +59,13 @@ impl Run<'_> {
     }
 
     /// Everything as it is, and a fresh position: a contour does not depend on where the tool stands.
-    fn enter_capture(&mut self, call: &ContourCall) -> (State, Vars) {
+    fn enter_capture(&mut self, call: &ContourCall) -> ((State, Vars), Counted) {
         let before = (self.st.clone(), self.vars.clone());
         self.st.begin_contour();
         let below = self.levels.len();
         self.capture = Some(Box::new(Capture { below, complete: false, failed: false, name: call.name.clone() }));
-        self.channel.core.out.contour_begins(MOST_ELEMENTS, &self.channel.st.ctx, &self.channel.core.here.origin);
-        before
+        let counted = self.channel.core.contour_begins(MOST_ELEMENTS, &self.channel.st.ctx);
+        (before, counted)
     }
 
     fn enter_contour(&mut self, call: &ContourCall) -> Outcome {
@@ -158,7 +158,7 @@ impl Channel<'_> {
         let feeds = [Address::F, Address::Frc, Address::Frcm];
         if let Some((word, given)) =
             feeds.iter().zip(["F", "FRC", "FRCM"]).find_map(|(address, word)| Some((word, w.get(*address)?)))
-            && self.job.diags.first_time(codes::S8199)
+            && self.job.diags.first_time(codes::S8199, (word, &name))
         {
             let message = format!("{word} in the contour `{name}` does not count: the cycle moves at its own feeds");
             let found = Diagnostic::new(codes::S8199, self.loc(given.span), message);

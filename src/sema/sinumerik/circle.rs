@@ -294,7 +294,7 @@ impl Channel<'_> {
         if let Some(given) = given.filter(|given| !matches!(given.mode, Mode::Dac | Mode::Dic | Mode::Rac | Mode::Ric))
         {
             let message = "the intermediate point of CIP is read as a diameter, like the end point";
-            if self.job.diags.first_time(codes::S8048) {
+            if self.job.diags.first_time(codes::S8048, ()) {
                 let found = Diagnostic::new(codes::S8048, self.loc(given.span), message);
                 self.report(found.help("program DIAMOF for the circle if a radius is meant"));
             }
@@ -411,10 +411,10 @@ impl Core<'_> {
 
     /// A centre that has to move much for a small difference of the radii makes another arc.
     fn warn_of_moved_centre(&self, moved: f64, tolerance: f64, span: Span) {
-        if is_moved_far(moved, tolerance) && self.job.diags.first_time(codes::G8101) {
+        if is_moved_far(moved, tolerance) {
             let message = format!("the centre is moved by {moved:.4} mm, so that start and end lie on one circle");
             let found = Diagnostic::new(codes::G8101, self.loc(span), message);
-            self.report(found.help("program the end point and the centre with more decimals, or the arc by CR="));
+            self.report_once(found.help("program the end point and the centre with more decimals, or the arc by CR="));
         }
     }
 

@@ -237,7 +237,7 @@ impl Channel<'_> {
                     .help("program DISC=0 or G451, or accept the circle: `[control] disc = \"circle\"`");
                 return self.fail_help(codes::S9010, place, message, help);
             }
-            if self.job.diags.first_time(codes::S8193) {
+            if self.job.diags.first_time(codes::S8193, self.st.path.overshoot.to_bits()) {
                 let message = format!("DISC={} is read as DISC=0: outside corners get circles", self.st.path.overshoot);
                 self.report(Diagnostic::new(codes::S8193, self.loc(place), message).help("check the corners"));
             }
@@ -295,7 +295,7 @@ impl Channel<'_> {
     fn check_corner_change(&self, w: &Words) {
         let Some((code, span)) = w.code_of(Group::Corner) else { return };
         let on = self.st.side() != Side::None && !self.st.compensation.waits();
-        if !on || w.axes.is_empty() || !self.job.diags.first_time(codes::S8195) {
+        if !on || w.axes.is_empty() || !self.job.diags.first_time(codes::S8195, code.word()) {
             return;
         }
         let message =
@@ -347,7 +347,7 @@ impl Channel<'_> {
             };
             return self.fail_help(codes::S9010, span, message, help);
         };
-        if way != Vec2::zeros() && self.job.diags.first_time(codes::S8194) {
+        if way != Vec2::zeros() {
             let message = format!(
                 "cutting-edge position {}: the centre of the nose lies Z{:+} X{:+} mm in radius from the programmed point",
                 position.unwrap_or(0.0),
@@ -355,7 +355,7 @@ impl Channel<'_> {
                 way.y * radius
             );
             let found = Diagnostic::new(codes::S8194, self.loc(span), message);
-            self.report(found.help("compare it with the position in the tool data of the control"));
+            self.report_once(found.help("compare it with the position in the tool data of the control"));
         }
         Ok(way * radius)
     }

@@ -104,7 +104,7 @@ impl Channel<'_> {
 
     /// Says once that nothing turns the spindle that a feed per revolution waits for.
     fn spindle_feeds(&self) {
-        if self.st.spindles.turn().is_none() && !self.is_capturing() && self.job.diags.first_time(codes::S8047) {
+        if self.st.spindles.turn().is_none() && !self.is_capturing() && self.job.diags.first_time(codes::S8047, ()) {
             let message = "no block in front of this feed per revolution starts the spindle";
             let found = Diagnostic::new(codes::S8047, self.loc(Where::Block), message);
             self.report(found.help("program M3 or M4 with a speed in front of it"));
@@ -178,7 +178,7 @@ impl Channel<'_> {
     fn says_shifted_diameter(&self) {
         let axis = self.job.settings.machine.diameter_axis;
         let shift = axis.map_or(0.0, |axis| self.st.ctx.frame.shift_of(axis));
-        if shift == 0.0 || self.st.spindles.keeps_speed() || !self.job.diags.first_time(codes::S8191) {
+        if shift == 0.0 || self.st.spindles.keeps_speed() || !self.job.diags.first_time(codes::S8191, shift.to_bits()) {
             return;
         }
         let message = format!(

@@ -107,7 +107,7 @@ impl Core<'_> {
                 };
                 self.changes_feeds(format!("{name} {what}, which is left out"), span);
             }
-            Group::RapidInterpolation if self.job.diags.first_time(codes::S8102) => {
+            Group::RapidInterpolation if self.job.diags.first_time(codes::S8102, ()) => {
                 let message =
                     "under RTLIOF each axis runs at its own rapid traverse; the output goes straight to the point";
                 let found = Diagnostic::new(codes::S8102, self.loc(span), message);

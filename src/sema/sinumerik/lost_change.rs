@@ -107,10 +107,11 @@ impl Channel<'_> {
         self.st.system.tool_named(name).or_else(listed)
     }
 
-    /// A move cuts.
+    /// A move cuts, unless it only describes a contour.
     #[inline]
     pub(super) fn cuts_in_between(&mut self) {
-        if let Some(left) = &mut self.change_left_out {
+        let describes = self.is_capturing();
+        if let Some(left) = self.change_left_out.as_mut().filter(|_| !describes) {
             left.cut = true;
         }
     }
@@ -137,8 +138,6 @@ impl Channel<'_> {
     pub(super) fn report_lost_change(&mut self) {
         let Some(lost) = self.change_left_out.take().filter(|left| left.cut) else { return };
         self.change_was_reported();
-        if !self.job.diags.is_known(&lost.found) {
-            self.job.diags.push(lost.found);
-        }
+        self.job.diags.push_cause(lost.found);
     }
 }

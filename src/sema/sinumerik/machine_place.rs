@@ -93,7 +93,7 @@ impl Channel<'_> {
         let tool = &self.st.tool;
         if tool.edge() == Some(0)
             || tool.active().is_none_or(|number| number == 0)
-            || !self.job.diags.first_time(codes::O9190)
+            || !self.job.diags.first_time(codes::O9190, third)
         {
             return;
         }
@@ -143,7 +143,7 @@ impl Channel<'_> {
 
 impl Core<'_> {
     fn says_tip_in_machine_coordinates(&self, place: impl Into<Where>) {
-        if self.job.diags.first_time(codes::S8106) {
+        if self.job.diags.first_time(codes::S8106, ()) {
             let message = "the control goes to this machine coordinate with the tip of the tool (MD 10760 = 0), the target \
                            with its spindle: a tool length lower";
             let help = "write D0 in the block; or set `[output] tool_length = \"G43\"` with the lengths of the tools, or \

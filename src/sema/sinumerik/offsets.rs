@@ -225,7 +225,7 @@ impl Channel<'_> {
     /// where the basic frame is known.
     pub(super) fn machine_moves_beside_g500(&self, place: impl Into<Where>) {
         let both = self.st.offsets.machine_moved && self.st.offsets.moved_from_basic == FromBasic::UnderG500;
-        if !both || self.job.settings.datums.basic.is_some() || !self.job.diags.first_time(codes::S8190) {
+        if !both || self.job.settings.datums.basic.is_some() || !self.job.diags.first_time(codes::S8190, ()) {
             return;
         }
         let message = "moves in machine coordinates (G53, G153, SUPA) stand beside moves under G500, and where the basic \

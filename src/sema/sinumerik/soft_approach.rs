@@ -388,7 +388,7 @@ impl Channel<'_> {
         if heights.is_some()
             && soft.sizes.safe.is_none()
             && soft.before.is_rapid()
-            && self.job.diags.first_time(codes::S8197)
+            && self.job.diags.first_time(codes::S8197, &soft.name)
         {
             let message = format!("{} has no DISCL: the tool goes to the contour plane at rapid traverse", soft.name);
             let found = Diagnostic::new(codes::S8197, self.loc(soft.span), message);

@@ -74,7 +74,7 @@ impl Channel<'_> {
     pub(super) fn thread_block(&mut self, w: &mut Words, span: Span) -> Outcome {
         self.master_is_main(span, "the lead of a thread")?;
         self.speed_is_known()?;
-        if self.st.spindles.turn().is_none() && self.job.diags.first_time(codes::S8034) {
+        if self.st.spindles.turn().is_none() && self.job.diags.first_time(codes::S8034, ()) {
             let found =
                 Diagnostic::new(codes::S8034, self.loc(span), "no block in front of this thread starts the spindle");
             self.report(found.help("program M3 or M4 with a speed in front of the thread"));

@@ -281,7 +281,7 @@ impl Channel<'_> {
                 span,
                 "cutting edges other than D1 are not printed: the target knows one offset a tool",
             );
-        } else if edge > 1 && self.job.diags.first_time(codes::S8254) {
+        } else if edge > 1 && self.job.diags.first_time(codes::S8254, (self.st.tool.active, edge)) {
             let message = format!(
                 "D{edge} is not printed, and its lengths are not known: the target takes those of D1, and goes wrong by the \
                  difference"
@@ -492,7 +492,7 @@ impl Channel<'_> {
         if !on && line && !in_plane && !self.job.settings.control.sinumerik.g40_needs_motion {
             // The plane position does not change, so the offset can wait for the next move in the plane.
             self.st.compensation.leaving_open = true;
-            if !self.resolves() && self.job.diags.first_time(codes::S8134) {
+            if !self.resolves() && self.job.diags.first_time(codes::S8134, ()) {
                 let message = "G40 stands in front of a move that leaves the plane alone: the offset is taken off in the next move in the plane";
                 let found = Diagnostic::new(codes::S8134, self.loc(span), message);
                 self.report(found.help("program G40 with a move in the plane; some controls show alarm 10754 here"));

@@ -219,7 +219,7 @@ impl Channel<'_> {
     fn says_diameter(&self, on: OnSurface, span: Span) {
         let counts =
             self.job.settings.machine.diameter_axis == Some(Axis::X) && self.st.diameter_mode() != Diameter::Off;
-        if on == OnSurface::Face && counts && self.job.diags.first_time(codes::S8252) {
+        if on == OnSurface::Face && counts && self.job.diags.first_time(codes::S8252, ()) {
             let message = "diameter programming is on at TRANSMIT: X of the face is read as a diameter";
             let found = Diagnostic::new(codes::S8252, self.loc(span), message);
             self.report(found.help("program DIAMOF behind TRANSMIT if X and Y of the face count alike"));

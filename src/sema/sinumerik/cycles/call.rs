@@ -5,7 +5,7 @@ use std::ops::{Deref, DerefMut};
 
 use crate::diag::{Code, Diagnostic, codes};
 
-use super::super::Channel;
+use super::super::{Channel, Outcome};
 use super::arguments::Arguments;
 
 /// A call of a cycle, and the channel whose modal state its arguments count under.
@@ -50,6 +50,21 @@ impl CycleCall<'_, '_> {
         let (what, help): (Vec<String>, Vec<String>) = open.into_iter().unzip();
         self.remark(codes::S8230, &what, &help.join("; "));
         self.remark(codes::S8231, &ways, "docs/cycles.md describes the path; compare with what the machine does");
+    }
+
+    /// Tool and edge whose data the cycle works with.
+    pub(super) fn active_edge(&self) -> Outcome<(u32, u32)> {
+        let (args, tool) = (self.args, &self.st.tool);
+        let Some(number) = tool.active().filter(|number| *number != 0) else {
+            let change = if self.st.machine.lathe { "T1 D1" } else { "T1 M6" };
+            let help = format!("select the tool before the cycle: {change}");
+            return self.cycle_fault(args.span, 61009, "no tool is active", &help);
+        };
+        if tool.is_without_offset() {
+            return self.cycle_fault(args.span, 61000, "no tool offset is active", "program D1 before the cycle");
+        }
+        self.edge_is_as_selected(number, tool.edge_or_first(), args.span)?;
+        Ok((number, tool.edge_or_first()))
     }
 
     fn remark(&self, code: &'static Code, what: &[String], help: &str) {

@@ -111,7 +111,7 @@ impl CycleCall<'_, '_> {
             Some(CutOffReference::Workpiece) => 0.0,
             Some(CutOffReference::Tip) => other,
             None => {
-                if other > 0.0 && self.job.diags.first_time(codes::S8224) {
+                if other > 0.0 && self.job.diags.first_time(codes::S8224, tool.width.to_bits()) {
                     let message = format!(
                         "CYCLE92: Z0 is taken for the corner on the side of the workpiece, so that the programmed corner is printed {} mm beside it",
                         tool.width

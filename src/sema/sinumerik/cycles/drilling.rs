@@ -339,8 +339,7 @@ impl CycleCall<'_, '_> {
             1.0 => {
                 if pitched {
                     let message = format!(
-                        "{}: the tap needs a compensating chuck on the target; without an encoder F and S make the \
-                         thread, and the pitch of the call is not used",
+                        "{}: without an encoder F and S make the thread, and the pitch of the call is not used",
                         args.name()
                     );
                     self.note_once(codes::S8025, args.span_of(ENC), message);

@@ -321,7 +321,7 @@ impl CycleCall<'_, '_> {
             Some(speed) => turns * 60.0 / speed,
             None => {
                 let message = "CYCLE930 waits at the floor for turns of the spindle, whose speed is not known: no dwell is printed";
-                if self.job.diags.first_time(codes::S8222) {
+                if self.job.diags.first_time(codes::S8222, ()) {
                     let found = Diagnostic::new(codes::S8222, self.loc(args.span), message);
                     self.report(found.help("program S before the cycle, or set `[cycles] groove_dwell = false`"));
                 }
@@ -361,14 +361,7 @@ impl CycleCall<'_, '_> {
     /// The tool for work towards `into`: cutting width, nose, and the corner that is programmed.
     pub(super) fn groove_tool(&self, into: Towards) -> Outcome<RecessTool> {
         let args = self.args;
-        let Some(number) = self.st.tool.active().filter(|number| *number != 0) else {
-            return self.cycle_fault(args.span, 61009, "no tool is active", "select the tool before the cycle: T1 D1");
-        };
-        if self.st.tool.is_without_offset() {
-            return self.cycle_fault(args.span, 61000, "no tool offset is active", "program D1 before the cycle");
-        }
-        let edge = self.st.tool.edge_or_first();
-        self.edge_is_as_selected(number, edge, args.span)?;
+        let (number, edge) = self.active_edge()?;
         let listed = self.job.settings.tools.called(number).filter(|_| edge == 1);
         let missing = |what: &str, help: Help| {
             let message = format!("{}: {what} of tool {number} D{edge} is not known", args.name());

@@ -90,11 +90,7 @@ impl CycleCall<'_, '_> {
     /// The nose of the active edge.
     pub(super) fn nose_of_edge(&self) -> Outcome<Nose> {
         let args = self.args;
-        let Some(number) = self.st.tool.active().filter(|number| *number != 0) else {
-            return self.cycle_fault(args.span, 61000, "no tool is active", "select the tool before the cycle: T1 D1");
-        };
-        let edge = self.st.tool.edge_or_first();
-        self.edge_is_as_selected(number, edge, args.span)?;
+        let (number, edge) = self.active_edge()?;
         let Some(radius) = self.known_radius() else {
             let message = format!("{}: the nose radius of tool {number} D{edge} is not known", args.name());
             let help = Answer::tool(number, "radius").help(format!(

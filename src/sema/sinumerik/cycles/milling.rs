@@ -146,14 +146,7 @@ impl CycleCall<'_, '_> {
     /// The radius of the active tool.
     fn cutter(&self) -> Outcome<f64> {
         let args = self.args;
-        let Some(number) = self.st.tool.active().filter(|number| *number != 0) else {
-            let help = "select the tool before the cycle: T1 M6";
-            return self.cycle_fault(args.span, 61000, "no tool is active", help);
-        };
-        if self.st.tool.is_without_offset() {
-            return self.cycle_fault(args.span, 61000, "no tool offset is active", "program D1 before the cycle");
-        }
-        self.edge_is_as_selected(number, self.st.tool.edge_or_first(), args.span)?;
+        let (number, edge) = self.active_edge()?;
         match self.known_radius() {
             Some(radius) if radius > 0.0 => {
                 self.corners_of_cutter(radius);
@@ -162,7 +155,6 @@ impl CycleCall<'_, '_> {
             known => {
                 let what = if known.is_some() { "is not above 0" } else { "is not known" };
                 let message = format!("{}: the radius of tool {number} {what}", args.name());
-                let edge = self.st.tool.edge_or_first();
                 let help = Answer::tool(number, "radius").help(format!(
                     "give it in partc.toml: `[tools.{number}] radius = 5.0`, or in the program: `$TC_DP6[{number},{edge}]=5`"
                 ));

@@ -154,6 +154,8 @@ impl Run<'_> {
                 return self.in_machine_only_lines(args.span, "a cycle cannot be printed in machine coordinates");
             }
             Outer::Unrelated => return self.unrelated(args.span, "G500 stands beside"),
+            // A contour that is only named moves nothing.
+            Outer::Basic | Outer::Printed(_) if args.cycle.work.is_read_only() => {}
             Outer::Basic | Outer::Printed(_) => self.note_outer(),
         }
         self.no_cycle_by_time(args.span)?;

@@ -23,10 +23,6 @@ const MOST_BACKWARDS: usize = 170;
 impl Run<'_> {
     pub(super) fn path_milling(&mut self, args: &Arguments) -> Outcome {
         self.cycle(args).check_parameters()?;
-        self.speed_is_known()?;
-        if self.st.codes.per_revolution() {
-            self.master_is_main(args.span, "a feed per revolution")?;
-        }
         let contour = self.contour_to_mill(args)?;
         let mut call = self.cycle(args);
         call.mill_along(&contour)?;

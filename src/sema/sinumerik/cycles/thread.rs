@@ -411,7 +411,7 @@ impl CycleCall<'_, '_> {
     fn flank_reference(&self, key: Key, angle: f64) -> Flank {
         let args = self.args;
         let chosen = self.job.settings.control.sinumerik.thread_flank;
-        if chosen.is_none() && self.job.diags.first_time(codes::S8021) {
+        if chosen.is_none() && self.job.diags.first_time(codes::S8021, ()) {
             let message = "a flank infeed is counted from the crest: the manuals leave open which pass stands at the programmed Z";
             let found = Diagnostic::new(codes::S8021, self.loc(args.span_of(key)), message);
             self.report(

@@ -246,7 +246,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 digits("_AMODE", &OF_DEPTH, "units: depth 0 absolute, 1 below the surface"),
             ],
         },
-        work: Work::Contour(|run, args| run.path_milling(args)),
+        work: Work::Along(|run, args| run.path_milling(args)),
     },
     Cycle {
         signature: Signature {
