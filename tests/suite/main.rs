@@ -43,6 +43,7 @@ mod explained;
 mod facade;
 mod fast_path;
 mod first_round;
+mod foreign;
 mod fuzz;
 mod gcode;
 mod golden;
