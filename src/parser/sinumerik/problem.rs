@@ -69,7 +69,18 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
         return problem.help("an address of more than one letter takes `=`: CR=10");
     }
     let problem = Problem::new(codes::S1001, span, format!("`{word}` cannot stand here")).alarm(12080);
+    if is_speech(before) {
+        return problem.help("this reads as plain speech and is no block; a comment starts with `;`");
+    }
     form(problem, text, from)
+}
+
+/// Three words of letters beside each other, one of them with a small letter: no block has such.
+fn is_speech(before: &[u8]) -> bool {
+    let is_plain = |word: &&[u8]| word.len() > 1 && word.iter().all(u8::is_ascii_alphabetic);
+    let words: Vec<&[u8]> = before.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).collect();
+    let plain = words.iter().rev().take_while(|word| is_plain(word)).count();
+    plain >= 3 && before.iter().any(u8::is_ascii_lowercase)
 }
 
 fn is_operator(tok: Tok) -> bool {
