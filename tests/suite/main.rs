@@ -62,6 +62,7 @@ mod long_blocks;
 mod lsp;
 mod matrix;
 mod meant;
+mod messages;
 mod modal;
 mod mtc200;
 mod mtc200_words;
