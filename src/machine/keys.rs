@@ -171,7 +171,11 @@ pub(super) const PROGRAM_KEYS: &[Key] = &[
         Kind::NumberOr("lost"),
         "F that the call leaves, as the program would write it; \"lost\": none that is known",
     ),
-    part("speed", Kind::NumberOr("lost"), "S that the call leaves, in turns per minute; \"lost\": none that is known"),
+    part(
+        "speed",
+        Kind::NumberOr("lost"),
+        "S that the call leaves, as the program would write it; \"lost\": none that is known",
+    ),
     part(
         "spindle",
         Kind::Choice(&["M3", "M4", "M5"]),

@@ -77,7 +77,7 @@ pub struct Leaves {
     pub lost: AxisSet,
     /// F, as the program would write it.
     pub feed: Option<Left>,
-    /// S, in turns per minute.
+    /// S, as the program would write it.
     pub speed: Option<Left>,
     /// What the spindle does.
     pub spindle: Option<LeftSpindle>,

@@ -35,7 +35,7 @@ fn each_command_says_once_what_the_file_is() {
         &["report", "fan.nc", "-o", "r.html"],
         &["trace", "fan.nc", "-o", "-"],
     ] {
-        let ran = folder.run(command).exits(1).says("P0009").says("Fanuc, Haas").says("`O1000` in line 2");
+        let ran = folder.run(command).exits(1).says("P0009").says("Fanuc, Haas").says("`O1000`");
         let told = format!("{}{}", ran.out, ran.err);
         assert_eq!(told.matches("error[").count(), 1, "{command:?}: {told}");
         assert!(!told.contains("T9001") && !told.contains("pass_m"), "{command:?}: {told}");
@@ -66,9 +66,13 @@ fn a_folder_tells_what_lies_among_its_programs() {
     assert_eq!(format!("{}{}", ran.out, ran.err).matches("P0009").count(), 2, "{}", ran.out);
     folder.run(&["check", "a/cube.gcode"]).exits(1).says("3-D printer");
     // `init` counts what it can ask for.
-    folder.run(&["init", "a", "-o", "-"]).says("from 1 program: 1 HEIDENHAIN Klartext").says(
+    let written = folder.run(&["init", "a", "-o", "-"]).exits(0).out;
+    for line in [
+        "# Written by `partc init` from 1 program: 1 HEIDENHAIN Klartext.",
         "# Not part programs of these controls, and not counted: 1 C or C++, 1 Fanuc or Haas (`partc check` says which).",
-    );
+    ] {
+        assert!(written.contains(line), "{written}");
+    }
     let folder = Folder::new("foreign_only").with(&[("fan.nc", FANUC)]);
     folder
         .run(&["init", ".", "-o", "-"])

@@ -102,6 +102,31 @@ fn programs_that_call_each_other_are_named() {
     ran.says("these blocks call each other without end").says("line 1 of `TWO.SPF`").says("line 2 of `ONE.SPF`");
 }
 
+/// A table of the configuration is explained by its name, before keys that are called alike.
+#[test]
+fn a_table_of_the_configuration_is_explained() {
+    let folder = Folder::new("messages_explain");
+    for name in ["start", "[start]"] {
+        let text = folder.run(&["explain", name]).exits(0).out;
+        assert!(text.starts_with("[start]\nwhere the axes stand before the first block"), "{text}");
+    }
+    let text = folder.run(&["explain", "programs"]).exits(0).out;
+    assert!(text.contains("  feed     F that the call leaves"), "{text}");
+    let found = folder.run(&["explain", "programs", "--format", "json"]).exits(0).json();
+    assert_eq!(found["table"], "programs");
+    assert!(folder.run(&["explain", "control.start"]).exits(0).out.contains("MTC200"));
+}
+
+/// A subprogram that is checked alone says so once, however many parameters it has.
+#[test]
+fn a_subprogram_alone_says_once_that_it_needs_a_caller() {
+    let folder =
+        Folder::new("messages_var").with(&[("L9.SPF", "PROC L9(VAR REAL A, VAR REAL B, VAR INT C)\nG0 X=A\nRET\n")]);
+    let ran =
+        folder.run(&["check", "L9.SPF", "--isolated", "--format", "concise"]).exits(1).says("this is a subprogram");
+    assert_eq!(format!("{}{}", ran.out, ran.err).matches("S2021").count(), 1);
+}
+
 /// The name of an empty file is told whole.
 #[test]
 fn a_long_name_of_a_file_is_not_cut() {

@@ -66,7 +66,7 @@ fn is_klartext(line: &Line<'_>) -> bool {
     VERBS.contains(&word) || path && is_axis(code[word.len()..].trim_ascii_start())
 }
 
-/// A name, an assignment, or a label: what no other control writes so.
+/// A name, an assignment, or G290, which ends a section of the ISO dialect: what no other control writes so.
 fn is_sinumerik(line: &Line<'_>) -> bool {
     const NAMES: [&[u8]; 20] = [
         b"CYCLE",
@@ -90,7 +90,7 @@ fn is_sinumerik(line: &Line<'_>) -> bool {
         b"WORKPIECE",
         b"ENDIF",
     ];
-    let named = line.words.iter().any(|word| NAMES.contains(&&word.letters[..]));
+    let named = line.words.iter().any(|word| word.is("G", "290") || NAMES.contains(&&word.letters[..]));
     let code = line.code.trim_ascii_start();
     let assigned = line.words.iter().any(|word| {
         let behind = line.code.get(word.span.end as usize..).unwrap_or_default().trim_ascii_start();

@@ -129,9 +129,9 @@ pub fn round_comment(line: &Line<'_>, _: usize) -> Option<Span> {
     (text.starts_with(b"(") && text.ends_with(b")")).then(|| line.span())
 }
 
-/// `G290`, `G291`: from one language of the SINUMERIK to the other.
+/// `G291`: from the language of the SINUMERIK to its ISO dialect.
 pub fn iso_switch(line: &Line<'_>, _: usize) -> Option<Span> {
-    line.words.iter().find(|word| is("G", &["290", "291"])(word)).map(|word| word.span)
+    line.words.iter().find(|word| word.is("G", "291")).map(|word| word.span)
 }
 
 /// `M104 S200`, `M140 S60`: a nozzle or a bed is heated.

@@ -145,7 +145,13 @@ impl Formulas for Run<'_> {
 impl Run<'_> {
     /// Names the divisor where the formula has one alone, and where it got its value.
     fn divided_by_zero(&self, at: At<'_>) -> Reported {
-        let formula = readable(at.span.of(at.text)).to_uppercase();
+        let loc = self.loc(at.span);
+        // A block that was read as it stands in its file has its text there.
+        let written = match at.span.of(at.text) {
+            [] if !self.here.rewritten => self.job.sources.bytes(loc.file, loc.span),
+            text => text.to_vec(),
+        };
+        let formula = readable(&written).to_uppercase();
         let divisor = only_divisor(&formula);
         let number = divisor.and_then(|name| name.strip_prefix('R')).and_then(|digits| digits.parse::<u32>().ok());
         let never = number.and_then(|n| self.vars.r(n)).is_some_and(|(_, set)| !set);
@@ -154,13 +160,14 @@ impl Run<'_> {
             Some(name) => format!("division by zero: `{name}` is 0"),
             None => "division by zero".to_owned(),
         };
-        let found = Diagnostic::new(codes::S2006.alarm(14051), self.loc(at.span), message);
-        self.report(found.help(ZERO));
+        let found = Diagnostic::new(codes::S2006.alarm(14051), loc, message);
+        self.report(found.help(ZERO[usize::from(divisor.is_none())]));
         Reported
     }
 }
 
-const ZERO: &str = "give the divisor its value in front of this block";
+/// Behind a variable, and where none is named.
+const ZERO: [&str; 2] = ["give it another value in front of this block", "check what stands behind `/`, DIV or MOD"];
 
 /// The variable behind the one division of a formula.
 fn only_divisor(formula: &str) -> Option<&str> {
