@@ -99,7 +99,6 @@ fn is_sinumerik(line: &Line<'_>) -> bool {
     named || assigned && !code.starts_with(b"#") || line.text.starts_with(b"%_N_")
 }
 
-/// Not where a control decides by `%` and a number what runs.
 fn any(_: Own) -> bool {
     true
 }
@@ -180,7 +179,7 @@ static PRINTER: Kind = Kind {
     way_on: "partc reads programs of machine tools: there is nothing to compile here. Leave such files out with a line in `.partcignore`",
     marks: &[alone(marks::slicer), half(marks::heater), half(marks::filament), half(marks::bed_probing)],
     sure: false,
-    under: any,
+    under: |own| own != Own::Mtc200,
 };
 
 static OKUMA_DIALECT: Dialect = stands_for("Okuma OSP");
