@@ -144,12 +144,12 @@ static ISO: Kind = Kind {
     way_on: "partc reads the SINUMERIK language (G290), not the ISO dialect (G291). Have the program made in the SINUMERIK language, or, \
              if it holds plain moves without variables, calls and cycles, try `--dialect gcode`",
     marks: &[
-        half(marks::iso_switch),
-        half(marks::program_number),
-        half(marks::tool_length),
-        half(marks::reference_point),
-        half(marks::drilling),
-        half(marks::macro_call),
+        alone(marks::iso_switch),
+        beside(marks::program_number),
+        beside(marks::tool_length),
+        beside(marks::reference_point),
+        beside(marks::drilling),
+        beside(marks::macro_call),
     ],
     sure: false,
     under: |own| own == Own::Sinumerik,

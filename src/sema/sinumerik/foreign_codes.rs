@@ -34,7 +34,7 @@ const CODES: &[(u16, &str)] = &[
 pub(super) fn in_place_of(number: f64) -> String {
     match CODES.iter().find(|(code, _)| f64::from(*code) == number) {
         Some((code, ours)) => format!(
-            "G{code} is a code of ISO dialects: this language has {ours}; a program that is ISO code throughout may be read with \
+            "G{code} is a code of ISO dialects; in its place this language has {ours}; a program of ISO code throughout may be read with \
              `--dialect gcode`"
         ),
         None => "check the number; `G=` takes a G number, `G[group]=` an index".to_owned(),
