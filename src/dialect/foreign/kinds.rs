@@ -143,14 +143,8 @@ static ISO: Kind = Kind {
     is: "a program in the ISO dialect of a SINUMERIK",
     way_on: "partc reads the SINUMERIK language (G290), not the ISO dialect (G291). Have the program made in the SINUMERIK language, or, \
              if it holds plain moves without variables, calls and cycles, try `--dialect gcode`",
-    marks: &[
-        alone(marks::iso_switch),
-        beside(marks::program_number),
-        beside(marks::tool_length),
-        beside(marks::reference_point),
-        beside(marks::drilling),
-        beside(marks::macro_call),
-    ],
+    // The switch alone is a block of the SINUMERIK language, which is refused where it stands.
+    marks: &[half(marks::iso_switch), half(marks::iso_word)],
     sure: false,
     under: |own| own == Own::Sinumerik,
 };

@@ -134,6 +134,11 @@ pub fn iso_switch(line: &Line<'_>, _: usize) -> Option<Span> {
     line.words.iter().find(|word| word.is("G", "291")).map(|word| word.span)
 }
 
+/// What a program in the ISO dialect has beside the switch to it.
+pub fn iso_word(line: &Line<'_>, at: usize) -> Option<Span> {
+    [program_number, tool_length, reference_point, drilling, macro_call].iter().find_map(|shows| shows(line, at))
+}
+
 /// `M104 S200`, `M140 S60`: a nozzle or a bed is heated.
 pub fn heater(line: &Line<'_>, _: usize) -> Option<Span> {
     both(line, is("M", &["104", "109", "140", "190"]), numbered("S"))

@@ -40,6 +40,7 @@ fn a_program_of_ours_is_never_taken_for_another() {
     for (name, head) in [
         ("P.MPF", "N10 G17 G90 G54\nO1234\nM30\n"),
         ("P.MPF", "G291\nG0 X=R1\n"),
+        ("P.MPF", "G54 G90\nG291\nG1 X10\nM30\n"),
         ("P.MPF", "G54 G90\nG291\nM98 P1000\nG43 H1\nG290\nM30\n"),
         ("P.MPF", "%\nO1000\nDEF REAL A\nG43 H1\n"),
         ("P.MPF", "M104 S200\nG1 E5\nR1=2\n"),
