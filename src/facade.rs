@@ -25,13 +25,14 @@ pub struct Program<'a> {
 const HEAD: usize = 64 * 1024;
 
 impl<'a> Program<'a> {
-    /// A program in the language that its text and the extension of `name` show.
+    /// A program in the language that its text and the extension of `name` show. Where they show another language, one finding
+    /// says which.
     ///
     /// # Errors
     /// [`Trouble::Language`] where they show none, or several.
     pub fn new(name: &'a str, text: &'a [u8]) -> Result<Program<'a>, Trouble> {
         let head = &text[..text.len().min(HEAD)];
-        let dialect = dialect::guess(name, head).ok_or_else(|| Trouble::Language(name.to_owned()))?;
+        let dialect = dialect::read_as(name, head).ok_or_else(|| Trouble::Language(name.to_owned()))?;
         Ok(Program { name, text, dialect })
     }
 

@@ -9,7 +9,7 @@ pub mod diag {
 }
 
 pub mod dialect {
-    pub use crate::dialect::{ALL, Dialect, find};
+    pub use crate::dialect::{ALL, Dialect, find, read_as};
 }
 
 pub mod driver {

@@ -102,7 +102,7 @@ pub mod table {
 
 /// The languages that partc reads.
 pub mod languages {
-    pub use crate::dialect::{ALL, Dialect, find, guess};
+    pub use crate::dialect::{ALL, Dialect, find, guess, read_as};
 }
 
 #[cfg(doctest)]

@@ -480,7 +480,7 @@ fn kind(key: &Key) -> String {
     let what = match key.kind {
         Kind::Text | Kind::Choice(_) | Kind::Corners => "text",
         Kind::Flag => "true or false",
-        Kind::Number | Kind::Free => "number",
+        Kind::Number | Kind::Free | Kind::NumberOr(_) => "number",
         Kind::Whole | Kind::Places => "whole number",
         Kind::Wholes | Kind::Digits | Kind::Texts | Kind::Words => "list",
     };
@@ -515,7 +515,7 @@ fn tried(answer: &Answer) -> Option<&'static str> {
             Some(Kind::Flag) => "true",
             Some(Kind::Whole | Kind::Places) => "1",
             Some(Kind::Corners) => "\"none\"",
-            Some(Kind::Number | Kind::Free | Kind::Choice(_)) | None => "1.0",
+            Some(Kind::Number | Kind::NumberOr(_) | Kind::Free | Kind::Choice(_)) | None => "1.0",
         },
     })
 }

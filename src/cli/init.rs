@@ -69,7 +69,11 @@ pub(super) fn init(args: &Init) -> Result<Exit, Trouble> {
         all.extends = config::above(folder);
     }
     if all.count == 0 {
-        return Err(no_program(&args.paths));
+        return Err(if all.foreign.is_empty() {
+            no_program(&args.paths)
+        } else {
+            format!("no part program of a control that partc reads: {}", listed(&all.foreign))
+        });
     }
     if args.interactive {
         let shop = Inputs { list: &inputs, base: &base, common: &args.common };
@@ -155,6 +159,8 @@ struct Programs {
     count: u32,
     /// Programs that others call: what is wrong with them shows there.
     called: u32,
+    /// What is called like a program and is none of these controls, by its kind.
+    foreign: BTreeMap<&'static str, u32>,
     /// Compile as they are.
     at_once: u32,
     compiling: BTreeSet<String>,
@@ -174,12 +180,15 @@ struct Programs {
 impl Programs {
     /// All but those that others call; where each is called by another one, all.
     fn of(trials: Vec<Trial>) -> Programs {
+        let (foreign, trials): (Vec<Trial>, Vec<Trial>) =
+            trials.into_iter().partition(|trial| trial.dialect.is_foreign());
         let calls =
             |trial: &Trial| trial.calls.iter().filter(|file| **file != trial.identity).cloned().collect::<Vec<_>>();
         let called: BTreeSet<String> = trials.iter().flat_map(calls).collect();
         let (others, main): (Vec<Trial>, Vec<Trial>) =
             trials.into_iter().partition(|trial| called.contains(&trial.identity));
         let mut all = Programs::default();
+        foreign.iter().for_each(|trial| *all.foreign.entry(trial.dialect.name).or_default() += 1);
         if main.is_empty() {
             others.into_iter().for_each(|trial| all.take(trial));
             return all;
@@ -250,11 +259,10 @@ impl Programs {
     }
 
     fn head(&self) -> String {
-        let dialects: Vec<String> = self.dialects.iter().map(|(name, n)| format!("{n} {name}")).collect();
         let mut text = format!(
             "# Written by `partc init` from {}: {}.\n",
             counted(self.count, "program", "programs"),
-            dialects.join(", ")
+            listed(&self.dialects)
         );
         let after = self.at_once + self.after;
         let _ = writeln!(
@@ -265,6 +273,13 @@ impl Programs {
         if self.called > 0 {
             let files = counted(self.called, "more file is", "more files are");
             let _ = writeln!(text, "# {files} called by these programs, and not counted.");
+        }
+        if !self.foreign.is_empty() {
+            let kinds = listed(&self.foreign);
+            let _ = writeln!(
+                text,
+                "# Not part programs of these controls, and not counted: {kinds} (`partc check` says which)."
+            );
         }
         text += "# Lines with `#key =` wait for you: write the value and take the `#` away. Each names the block that asks for it.\n";
         text
@@ -319,6 +334,12 @@ impl Programs {
             let _ = writeln!(text, "#   … and {} more codes", left.len() - MOST_LEFT);
         }
     }
+}
+
+/// `3 Fanuc or Haas, 1 C or C++`
+fn listed(kinds: &BTreeMap<&'static str, u32>) -> String {
+    let kinds: Vec<String> = kinds.iter().map(|(name, count)| format!("{count} {name}")).collect();
+    kinds.join(", ")
 }
 
 fn at(place: &Place) -> String {

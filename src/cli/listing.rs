@@ -68,9 +68,30 @@ fn key_object(section: &Section, key: &Key) -> serde_json::Value {
     json!({ "table": section.name, "key": name, "doc": key.doc, "values": values, "default": default })
 }
 
+/// The table of this name.
+fn section(name: &str) -> Option<&'static Section> {
+    SECTIONS.iter().find(|section| section.name.eq_ignore_ascii_case(name.trim_matches(['[', ']'])))
+}
+
+/// What a table is for, with its keys.
+fn explained_section(section: &Section, format: ListFormat) -> String {
+    let keys = || section.keys().chain(section.entry);
+    if format == ListFormat::Json {
+        let keys: Vec<&str> = keys().map(|key| key.name).collect();
+        return format!("{}\n", json!({ "table": section.name, "doc": section.doc, "keys": keys }));
+    }
+    let width = keys().map(|key| key.name.len()).max().unwrap_or(0);
+    let keys: String = keys().map(|key| format!("  {:width$}  {}\n", key.name, key.doc)).collect();
+    let keys = if keys.is_empty() { keys } else { format!("\nkeys:\n{keys}") };
+    format!("[{}]\n{}\n{keys}", section.name, section.doc)
+}
+
 /// `partc explain CODE`
 pub(super) fn explain(code: &str, format: ListFormat) -> Result<Exit, Trouble> {
     let Some(found) = codes::find(code) else {
+        if let Some(section) = section(code) {
+            return print(explained_section(section, format).as_bytes());
+        }
         let keys = keys(code);
         if !keys.is_empty() {
             let text = if format == ListFormat::Json {

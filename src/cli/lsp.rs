@@ -113,7 +113,7 @@ impl World for OnDisk<'_> {
         let head = &text.as_bytes()[..text.len().min(HEAD)];
         let said = if self.common.dialect == "auto" { language } else { self.common.dialect.as_str() };
         let said = said_dialect(&identity, &settings)?.or_else(|| dialect::find(said));
-        let Some(dialect) = said.or_else(|| dialect::guess(&name, head)) else { return Ok(None) };
+        let Some(dialect) = said.or_else(|| dialect::read_as(&name, head)) else { return Ok(None) };
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let files = IncludeRoots::new(folder.to_path_buf(), settings.include.roots.clone());
         Ok(Some(Setting { name, identity, dialect, settings, files: Box::new(files) }))

@@ -68,10 +68,7 @@ pub(super) fn load_with(path: &Path, common: &Common, settings: Settings) -> Res
         dialect
     } else {
         let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
-        dialect::guess(&name, &head).ok_or_else(|| {
-            let fanuc = if dialect::has_program_number(&head) { FANUC } else { "" };
-            format!("{shown}: {}{fanuc}", which_language(path, common, &settings))
-        })?
+        dialect::read_as(&name, &head).ok_or_else(|| format!("{shown}: {}", which_language(path, common, &settings)))?
     };
     let file = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
     let base = match file.parent() {
@@ -94,10 +91,6 @@ pub(super) fn said_dialect(identity: &str, settings: &Settings) -> Result<Option
     // The configuration was refused otherwise.
     Ok(dialect::find(first))
 }
-
-/// What is said of a program in a language that partc does not know.
-const FANUC: &str = ". `%` and a program number begin programs for Fanuc controls and their like, which partc does not read; those that \
-                     LinuxCNC runs as well are read with `--dialect gcode`";
 
 fn names_of_dialects() -> String {
     dialect::ALL.iter().map(|dialect| dialect.id).collect::<Vec<_>>().join("|")
@@ -534,7 +527,9 @@ pub(super) fn is_program(path: &Path, common: &Common) -> bool {
     let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
     let said =
         || config::settings(path, common).is_ok_and(|settings| !matches!(said_dialect(&identity, &settings), Ok(None)));
-    match dialect::guess(&name, &head) {
+    match dialect::read_as(&name, &head) {
+        // It is called as a program is: what it is instead is said of it.
+        Some(dialect) if dialect.is_foreign() => dialect::guess(&name, &[]).is_some_and(is_source) || said(),
         Some(dialect) => is_source(dialect),
         None => said(),
     }

@@ -1,5 +1,6 @@
 //! The dialects: one table each, registered by one line in [`ALL`].
 
+pub mod foreign;
 mod gcode;
 mod klartext;
 mod mtc200;
@@ -58,6 +59,11 @@ impl Dialect {
 }
 
 impl Dialect {
+    /// Does it stand for files of which partc says what they are, and no more?
+    pub fn is_foreign(&self) -> bool {
+        self.id == foreign::ID
+    }
+
     /// The cycle that a program calls by this name: `CYCLE81`, `CYCL DEF 200`, `G869`.
     pub fn cycle(&self, name: &str) -> Option<&'static Signature> {
         (self.cycles)().into_iter().find(|cycle| cycle.name.eq_ignore_ascii_case(name.trim()))
@@ -79,11 +85,22 @@ pub fn find(id: &str) -> Option<&'static Dialect> {
     ALL.iter().copied().find(|dialect| dialect.id == id)
 }
 
-/// Guesses by content, then by extension. `None` if that leaves more or less than one.
+/// Guesses by content, then by extension. `None` if that leaves more or less than one, or if the file is in none of the languages.
 pub fn guess(file_name: &str, head: &[u8]) -> Option<&'static Dialect> {
+    read_as(file_name, head).filter(|dialect| !dialect.is_foreign())
+}
+
+/// The same; a file that shows that it is in none of the languages is read as what it is: one finding says so ([`foreign`]).
+pub fn read_as(file_name: &str, head: &[u8]) -> Option<&'static Dialect> {
+    if foreign::is_container(head) {
+        return foreign::guess(file_name, head);
+    }
     let mut by_content = ALL.iter().copied().filter(|dialect| (dialect.recognizes)(head));
     if let (Some(dialect), None) = (by_content.next(), by_content.next()) {
         return Some(dialect);
+    }
+    if let Some(kind) = foreign::guess(file_name, head) {
+        return Some(kind);
     }
     let extension = file_name.rsplit_once('.')?.1.to_ascii_lowercase();
     let named = |dialect: &&Dialect| dialect.extensions.contains(&extension.as_str()) && !(dialect.disowns)(head);

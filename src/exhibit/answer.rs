@@ -12,7 +12,7 @@
 use serde::Deserialize;
 use serde_json::json;
 
-use crate::dialect::{ALL as DIALECTS, Dialect, find, guess};
+use crate::dialect::{ALL as DIALECTS, Dialect, find, read_as};
 use crate::driver::Session;
 use crate::machine::Settings;
 use crate::machine::config::from_toml;
@@ -84,7 +84,7 @@ fn settings(asked: &Asked) -> Result<Settings, String> {
 fn language(said: &str, name: &str, program: &[u8]) -> Result<&'static Dialect, String> {
     if said.is_empty() || said == "auto" {
         let head = &program[..program.len().min(HEAD)];
-        return guess(name, head).ok_or_else(|| "which language is this? Choose it above".to_owned());
+        return read_as(name, head).ok_or_else(|| "which language is this? Choose it above".to_owned());
     }
     find(said).ok_or_else(|| format!("no language `{said}`"))
 }

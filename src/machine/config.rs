@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::keys::{PROGRAM_KEYS, SECTIONS, Section, TOOL_KEYS};
-use super::settings::{ChangeCall, Datums, Leaves, Settings, StandIn};
+use super::settings::{ChangeCall, Datums, Leaves, Left, LeftSpindle, Settings, StandIn};
 use super::tools::{Corner, Tool};
 use super::tree::{ConfigError, Node, Table, Value, did_you_mean, parse};
 use super::values::*;
@@ -106,7 +106,7 @@ impl Reader {
                 let leaves = leaves(table_of(node))?;
                 if leaves != Leaves::default() {
                     if matches!(stand_in, StandIn::File(_)) {
-                        return Err(node.fail("a program that runs leaves what it leaves: `motion` and `lost` have no place beside `file`"));
+                        return Err(node.fail("a program that runs leaves what it leaves: `motion`, `lost`, `feed`, `speed` and `spindle` have no place beside `file`"));
                     }
                     self.settings.leaves.insert(name.to_ascii_uppercase(), leaves);
                 }
@@ -142,7 +142,9 @@ impl Reader {
             _ => Err(node.fail("arguments are counted from 1")),
         };
         let edge = table.get("d").map(argument).transpose()?;
-        let mut others = table.iter().filter(|(name, _)| !matches!(name.as_str(), "d" | "motion" | "lost"));
+        let mut others = table
+            .iter()
+            .filter(|(name, _)| !matches!(name.as_str(), "d" | "motion" | "lost" | "feed" | "speed" | "spindle"));
         match (others.next(), others.next(), edge) {
             (Some((name, node)), None, edge) if name == "tool" => {
                 Ok(StandIn::Change(ChangeCall { tool: Some(argument(node)?), edge }))
@@ -218,9 +220,28 @@ impl Reader {
     }
 }
 
-/// `motion = "G0"`, `lost = ["X"]`
+/// `motion = "G0"`, `lost = ["X"]`, `feed = 0.2`, `speed = "lost"`, `spindle = "M3"`
 fn leaves(table: &Table) -> Result<Leaves, ConfigError> {
-    let mut leaves = Leaves { rapid: table.get("motion").map(|node| is(node, "G0")), ..Leaves::default() };
+    let value = |name: &str, least: &str, fits: fn(f64) -> bool| match table.get(name) {
+        None => Ok(None),
+        Some(node) => match number(node) {
+            None => Ok(Some(Left::Lost)),
+            Some(value) if value.is_finite() && fits(value) => Ok(Some(Left::Value(value))),
+            Some(_) => Err(node.fail(format!("`{name}` is {least}, or \"lost\""))),
+        },
+    };
+    let spindle = |node: &Node| match text(node) {
+        "M3" => LeftSpindle::Clockwise,
+        "M4" => LeftSpindle::CounterClockwise,
+        _ => LeftSpindle::Stopped,
+    };
+    let mut leaves = Leaves {
+        rapid: table.get("motion").map(|node| is(node, "G0")),
+        feed: value("feed", "above 0", |feed| feed > 0.0)?,
+        speed: value("speed", "0 or more", |speed| speed >= 0.0)?,
+        spindle: table.get("spindle").map(spindle),
+        ..Leaves::default()
+    };
     if let Some(node) = table.get("lost") {
         for name in texts(node) {
             leaves.lost.insert(axis(name, node)?);

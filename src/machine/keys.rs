@@ -31,6 +31,8 @@ pub enum Kind {
     Corners,
     /// List of names, or table of names and what is printed for them.
     Words,
+    /// A number, or this text in its place.
+    NumberOr(&'static str),
 }
 
 /// One key of the configuration.
@@ -164,6 +166,21 @@ pub(super) const PROGRAM_KEYS: &[Key] = &[
     part("ignore", Kind::Flag, "the call is left out, with a note"),
     part("motion", Kind::Choice(&["G0", "G1"]), "what the call leaves active: G0 or G1"),
     part("lost", Kind::Texts, "axes that the call leaves at a place that nothing says"),
+    part(
+        "feed",
+        Kind::NumberOr("lost"),
+        "F that the call leaves, as the program would write it; \"lost\": none that is known",
+    ),
+    part(
+        "speed",
+        Kind::NumberOr("lost"),
+        "S that the call leaves, as the program would write it; \"lost\": none that is known",
+    ),
+    part(
+        "spindle",
+        Kind::Choice(&["M3", "M4", "M5"]),
+        "what the call leaves the spindle doing: it is printed at the call",
+    ),
     part("file", Kind::Text, "program that runs instead, beside the program or in an include root"),
 ];
 

@@ -24,7 +24,8 @@ pub use options::klartext::{
 pub use options::turning::{ArcChoice, RecessDepth, RecessSide, RecessWidth};
 pub use path_control::{PathChoice, PathControl};
 pub use settings::{
-    AxisUse, ChangeCall, Compensation, LONGEST_AXIS_NAME, Machine, MachineKind, OutputSettings, Settings, StandIn, Unit,
+    AxisUse, ChangeCall, Compensation, LONGEST_AXIS_NAME, Left, LeftSpindle, Machine, MachineKind, OutputSettings,
+    Settings, StandIn, Unit,
 };
 pub use tools::{Proposed, Tool, ToolKey, Tools};
 pub use undercut::Undercuts;

@@ -72,6 +72,7 @@ fn key_schema(key: &Key) -> Value {
             }
         ] }),
         Kind::Words => json!({ "type": ["array", "object"] }),
+        Kind::NumberOr(word) => json!({ "anyOf": [{ "type": "number" }, { "enum": [word] }] }),
     };
     schema["description"] = json!(key.doc);
     if let Some(default) = key.default_node() {

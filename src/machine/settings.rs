@@ -69,12 +69,34 @@ pub enum StandIn {
 }
 
 /// What a program that is left out, or changes the tool, leaves behind.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Leaves {
     /// G0 is active (true) or G1 (false).
     pub rapid: Option<bool>,
     /// Axes that stand at a place that nothing says.
     pub lost: AxisSet,
+    /// F, as the program would write it.
+    pub feed: Option<Left>,
+    /// S, as the program would write it.
+    pub speed: Option<Left>,
+    /// What the spindle does.
+    pub spindle: Option<LeftSpindle>,
+}
+
+/// A value that a call leaves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Left {
+    Value(f64),
+    /// None that is known.
+    Lost,
+}
+
+/// What a call leaves the spindle doing: M3, M4 or M5.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LeftSpindle {
+    Clockwise,
+    CounterClockwise,
+    Stopped,
 }
 
 impl Settings {

@@ -33,6 +33,11 @@ pub(super) fn fits(key: &Key, node: &Node) -> Result<(), ConfigError> {
         Kind::Free => matches!(node.value, Value::Table(_)),
         Kind::Places => matches!(node.value, Value::Whole(_) | Value::Table(_)),
         Kind::Corners => matches!(node.value, Value::Text(_) | Value::Table(_)),
+        Kind::NumberOr(word) => match &node.value {
+            Value::Number(_) | Value::Whole(_) => true,
+            Value::Text(text) => text == word,
+            _ => false,
+        },
         Kind::Words => matches!(node.value, Value::Table(_)) || all(|value| matches!(value, Value::Text(_))),
     };
     let wanted = match key.kind {
@@ -47,6 +52,10 @@ pub(super) fn fits(key: &Key, node: &Node) -> Result<(), ConfigError> {
         Kind::Places => "a whole number or a table",
         Kind::Corners => "a text in quotes or a table",
         Kind::Words => "a list of texts or a table",
+        Kind::NumberOr(word) => {
+            let message = format!("`{}` needs a number or \"{word}\": {}", key.name, key.doc);
+            return if ok { Ok(()) } else { Err(node.fail(message)) };
+        }
     };
     if ok { Ok(()) } else { Err(node.fail(format!("`{}` needs {wanted}: {}", key.name, key.doc))) }
 }

@@ -31,7 +31,7 @@ books! {
     errors_mtc200 = "errors/mtc200":
         G L M0 M100 M1006 M101 M1012 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O P P0205 P0206;
     errors_sinumerik = "errors/sinumerik":
-        G G330 G332 L1 L2 O O4006 P P000 P0107 P0205 P0206 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
+        G G330 G332 L1 L2 O O4006 P P000 P0107 P0205 P0206 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S8171 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
     gcode = "gcode":
         lines modes path_control percents rigid_taps speeds tap_reasons;
     heidenhain_turning = "heidenhain-turning":
@@ -77,7 +77,7 @@ books! {
     klartext_text = "klartext/text":
         bytes continuation numbers;
     klartext_tools = "klartext/tools":
-        compensation m6 oversizes places;
+        builders_cycles compensation m6 oversizes places;
     mtc200 = "mtc200":
         arcs compensation corners corrections flow functions manual offsets path path_control programs text tools units variables;
     mtc200_words = "mtc200/words":
@@ -89,7 +89,7 @@ books! {
     sinumerik_approach = "sinumerik/approach":
         lines;
     sinumerik_calls = "sinumerik/calls":
-        external left_behind left_out numbered own_cycles parameters passes reserved save search_path;
+        external left_behind left_out left_technology numbered own_cycles parameters passes reserved save search_path;
     sinumerik_circles = "sinumerik/circles":
         cip_and_ct helices;
     sinumerik_compensation = "sinumerik/compensation":

@@ -41,6 +41,13 @@ program joins to others, is P0007). Get the file anew from where it was made. If
 block; a last line that holds the end of the program needs no line end, unless the file stops after `M2`: that may be the beginning of `M20` or `M2=3`, so write \
 `M30`, or a line end behind it."
 
+P0009 Error "other-language" "file is in none of the languages"
+"The file is called like a part program, and its words show that it is something else: a program for another control (Fanuc, Okuma, a 3-D \
+printer), an archive, source text, a document. The message names what was recognized, and the words and lines that show it. It is the only \
+finding: read in the wrong language, such a file would bring up nothing but misleading ones.\n\
+partc reads Klartext, SINUMERIK, MTC200, HEIDENHAIN turning and plain G-code. If the file is in one of these, say so with `--dialect` or \
+under `[dialects]` in partc.toml: then nothing is guessed. Files that nobody wants to have read are left out by a line in `.partcignore`."
+
 P0101 Error "program-not-found" "called program is not in the include roots"
 "The program calls another one that partc cannot find. Without it the path is incomplete, so nothing is written.\n\
 Put the file beside the calling program, or name its folder under `[include] roots` in partc.toml, for example `\"TNC:\" = \"programs\"`.\n\

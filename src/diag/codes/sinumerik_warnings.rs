@@ -246,6 +246,11 @@ output cuts with the tool before it. Say what the call does: `TC = { change = tr
 itself changes the tool (a turret), set `[control] tool_change = \"t\"`. A tool that an M6 changes in later is only chosen ahead, and nothing is reported; where T chooses it once more after \
 something was cut, that may have been the cut of this tool, and it is. The same holds for a call that names a tool in quotation marks: one of `[tools]` or `$TC_TP2`, or any name in front of the first tool."
 
+S8171 Warning "siemens-feed-of-before-call" "cut takes the feed of before a call that is left out"
+"Between the last F and this cut stands a call that `[programs]` leaves out or takes for a tool change. If its program leaves another feed on the control, \
+the output cuts at the wrong one. Program F behind the call, or say what it leaves: `TC = { ignore = true, feed = 0.2 }`, in the unit that F \
+has there; `feed = \"lost\"` makes every cut without an F of its own an error. It is said once for each program that is called."
+
 S8190 Warning "siemens-g53-beside-g500" "machine coordinates beside positions under G500"
 "Positions under G500 count from the basic system and are printed as they stand, in the offset that is active on the target at the start. Those of G53, G153 and SUPA \
 count from the machine zero. The way between the two is the basic frame of the machine: give it by `[datums] basic`, or see that the offset on the target lies where the \

@@ -148,6 +148,9 @@ fn no_statement(word: &str, span: Span, text: &[u8]) -> Problem {
     if let Some((_, form)) = MEANT.iter().find(|(meant, _)| *meant == upper) {
         return problem.help(format!("the block looks like `{form}`"));
     }
+    if is_axis(&upper) {
+        return problem.help(format!("a path function is missing in front of it, as in `L {word}… R0 F500`"));
+    }
     if let Some(function) = glued(&upper) {
         return problem.help(format!("write a blank behind the function: `{function} {}…`", &upper[function.len()..]));
     }
@@ -156,6 +159,14 @@ fn no_statement(word: &str, span: Span, text: &[u8]) -> Problem {
         Some(like) if upper.len() > 1 => problem.help(format!("did you mean `{like}`?")),
         _ => problem.help("a comment starts with `;`"),
     }
+}
+
+/// The letter of an axis, or with I in front.
+fn is_axis(word: &str) -> bool {
+    matches!(
+        word.strip_prefix('I').filter(|rest| !rest.is_empty()).unwrap_or(word),
+        "X" | "Y" | "Z" | "A" | "B" | "U" | "V" | "W"
+    )
 }
 
 /// The function in `LX` or `CRX`.

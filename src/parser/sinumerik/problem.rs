@@ -69,7 +69,20 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
         return problem.help("an address of more than one letter takes `=`: CR=10");
     }
     let problem = Problem::new(codes::S1001, span, format!("`{word}` cannot stand here")).alarm(12080);
-    form(problem, text, from)
+    match form_of(text, from) {
+        None if is_speech(before) => {
+            problem.help("this reads as plain speech and is no block; a comment starts with `;`")
+        }
+        _ => form(problem, text, from),
+    }
+}
+
+/// Three words of letters beside each other, one of them with a small letter: no block has such.
+fn is_speech(before: &[u8]) -> bool {
+    let is_plain = |word: &&[u8]| word.len() > 1 && word.iter().all(u8::is_ascii_alphabetic);
+    let words: Vec<&[u8]> = before.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).collect();
+    let plain = words.iter().rev().take_while(|word| is_plain(word)).count();
+    plain >= 3 && before.iter().any(u8::is_ascii_lowercase)
 }
 
 fn is_operator(tok: Tok) -> bool {
@@ -85,11 +98,15 @@ fn ends_in_name(text: &[u8]) -> bool {
 
 /// Adds how a block with this first word looks.
 fn form(problem: Problem, text: &[u8], from: u32) -> Problem {
+    match form_of(text, from) {
+        Some(form) => problem.help(format!("the block looks like `{form}`")),
+        None => problem,
+    }
+}
+
+fn form_of(text: &[u8], from: u32) -> Option<&'static str> {
     let rest = text.get(from as usize..).unwrap_or_default();
     let len = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
     let first = readable(&rest[..len]).to_uppercase();
-    match FORMS.iter().find(|(head, _)| *head == first) {
-        Some((_, form)) => problem.help(format!("the block looks like `{form}`")),
-        None => problem,
-    }
+    FORMS.iter().find(|(head, _)| *head == first).map(|(_, form)| *form)
 }

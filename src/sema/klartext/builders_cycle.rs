@@ -5,7 +5,8 @@
 //! a word that is left out.
 
 use crate::diag::{Answer, Diagnostic, codes};
-use crate::machine::{AxisSet, StandIn};
+use crate::ir::function::Turn;
+use crate::machine::{AxisSet, Left, LeftSpindle, StandIn};
 use crate::parser::klartext::ast::{Addr, Block};
 use crate::sema::common::hidden::By;
 use crate::text::Span;
@@ -67,7 +68,7 @@ impl Run<'_> {
             }
             self.st.position.forget(moved);
             self.st.position.hide(moved, By::Call, here);
-            return Ok(());
+            return self.leave_technology(&name);
         }
         let help = Answer::key("programs", &name).one_of(&["{ ignore = true }"]).help(format!(
             "if it is a cycle of the machine builder that moves nothing, leave it out: `[programs]` with `\"{name}\" = \
@@ -76,6 +77,36 @@ impl Run<'_> {
         let found = Diagnostic::new(codes::K9001, here, format!("cycle {number} is not known")).help(help);
         self.report(found);
         Err(Reported)
+    }
+
+    /// What the entry says of feed and spindle is done as the words of a block would do it.
+    fn leave_technology(&mut self, name: &str) -> Outcome {
+        let left = self.job.settings.left_by(name);
+        match left.feed {
+            Some(Left::Value(written)) => {
+                let feed = self.feed_of(written);
+                self.st.feed.program(feed, written);
+            }
+            Some(Left::Lost) => self.st.feed.forget(),
+            None => {}
+        }
+        match left.speed {
+            Some(Left::Value(speed)) => self.spindle_speed(speed, self.block_span())?,
+            Some(Left::Lost) => {
+                let help =
+                    format!("say the speed that the cycle leaves: `\"{name}\" = {{ ignore = true, speed = 1000 }}`");
+                let message = format!("{name} leaves a speed that is not known, as `[programs]` says");
+                return self.fail_help(codes::K9001, self.block_span(), message, help);
+            }
+            None => {}
+        }
+        match left.spindle {
+            Some(LeftSpindle::Clockwise) => self.start_spindle(Turn::Clockwise),
+            Some(LeftSpindle::CounterClockwise) => self.start_spindle(Turn::CounterClockwise),
+            Some(LeftSpindle::Stopped) => self.stop_spindle(),
+            None => {}
+        }
+        Ok(())
     }
 
     /// What is left out moves nothing, or the axes that the entry names.

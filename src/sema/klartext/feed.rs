@@ -117,6 +117,12 @@ impl FeedState {
         self.of_tool = feed.map(ToolFeed::minutes);
     }
 
+    /// A cycle that is left out leaves a feed that is not known.
+    pub fn forget(&mut self) {
+        self.modal = ModalFeed::new(None, Some(FeedKind::per_revolution(self.modal.is_per_revolution())));
+        self.per_tooth = false;
+    }
+
     /// Feeds do not count: one that is missing is not worth a report.
     pub fn presume(&mut self) {
         self.modal.presume();

@@ -255,7 +255,7 @@ impl Run<'_> {
         self.report(Diagnostic::new(codes::K2703, self.loc(m.span), text));
     }
 
-    fn start_spindle(&mut self, turn: Turn) {
+    pub(super) fn start_spindle(&mut self, turn: Turn) {
         self.st.spindle.start(turn);
         self.function(Function::Spindle(Spindle::Start(turn)));
     }

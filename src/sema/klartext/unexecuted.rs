@@ -7,6 +7,8 @@
 
 use crate::diag::{Code, Diagnostic, codes};
 use crate::parser::klartext::ast::{Addr, Block, LabelRef, Refused, Stmt, Word};
+use crate::parser::klartext::no_number;
+use crate::parser::not_a_number::is_no_number;
 use crate::parser::symbols::Symbols;
 use crate::sema::Job;
 use crate::sema::run::Site;
@@ -105,6 +107,11 @@ fn wrong_word(job: &Job<'_>, block: &Block, text: &[u8], here: &Site) -> Option<
         let shown = || readable(word.span.of(text)).into_owned();
         let loc = || here.loc(job, word.span);
         if !admits.takes(word) {
+            // One finding of the program says that some words have no numbers.
+            if is_no_number(shown().as_bytes()) {
+                let found = here.diagnostic(job, no_number(&shown(), word.span));
+                return (!job.diags.any(|known| known.code == codes::K0801)).then_some(found);
+            }
             return Some(
                 Diagnostic::new(codes::K1005, loc(), format!("`{}` has no place in this block", shown()))
                     .help("remove the word, or put it into a block where it belongs"),

@@ -10,6 +10,9 @@ use super::core::Core;
 use super::files::{Wanted, open_program};
 use super::source::Source;
 
+/// Calls of a cycle that are named.
+const MOST_CALLS: usize = 4;
+
 /// A program file and what is known of it.
 #[derive(Debug)]
 pub struct Program<L: Language> {
@@ -126,6 +129,23 @@ impl<L: Language> Core<'_, L> {
 
     /// Calls are nested deeper than `message` says it is possible.
     pub fn too_deep<T>(&self, message: impl Into<String>) -> Outcome<T> {
-        self.fatal(codes::P4003, message)
+        match self.cycle_of_calls() {
+            Some(cycle) => self.fatal(codes::P4003, format!("{}: {cycle}", message.into())),
+            None => self.fatal(codes::P4003, message),
+        }
+    }
+
+    /// The calls that lead back to the block in hand, where it runs on an outer level already.
+    pub fn cycle_of_calls(&self) -> Option<String> {
+        let site = self.here.origin.loc;
+        let last = self.levels.iter().rposition(|level| level.site == site && level.call != CallPath::MAIN)?;
+        let calls: Vec<Loc> = self.levels[last + 1..].iter().map(|level| level.site).chain([site]).collect();
+        let name = |loc: &Loc| self.job.sources.shown(loc.file);
+        if let [only] = calls[..] {
+            return Some(format!("line {} of `{}` calls what it stands in", only.line, name(&only)));
+        }
+        let line = |loc: &Loc| format!("line {} of `{}`", loc.line, name(loc));
+        let lines: Vec<String> = calls.iter().take(MOST_CALLS).map(line).collect();
+        Some(format!("these blocks call each other without end: {}", lines.join(", ")))
     }
 }

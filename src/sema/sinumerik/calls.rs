@@ -384,7 +384,8 @@ impl Core<'_> {
         if self.levels.len() >= self.job.settings.limits.call_depth {
             let message = format!("programs and repeats are nested deeper than {}", self.levels.len());
             self.stop_run();
-            self.fail_help(codes::P4003.alarm(14012), Where::Block, message, "check for a program that calls itself")
+            let help = self.cycle_of_calls().unwrap_or_else(|| "call or repeat in fewer levels".to_owned());
+            self.fail_help(codes::P4003.alarm(14012), Where::Block, message, help)
         } else {
             Ok(())
         }

@@ -37,6 +37,10 @@ pub(super) struct Channel<'a> {
     pub change_left_out: Option<Box<LeftOut>>,
     /// A call that stands for a program of the machine, until a G code of the path follows: its name and place.
     pub motion_left: Option<Box<(String, Loc)>>,
+    /// The last call that stands for a program of the machine.
+    pub call_left: Option<Box<(String, Loc)>>,
+    /// The call that leaves a speed that is not known, until S is programmed.
+    pub speed_lost: Option<Box<(String, Loc)>>,
 }
 
 impl<'a> Channel<'a> {
@@ -52,6 +56,8 @@ impl<'a> Channel<'a> {
             lane: Lane::Closed,
             change_left_out: None,
             motion_left: None,
+            call_left: None,
+            speed_lost: None,
         }
     }
 }

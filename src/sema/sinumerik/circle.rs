@@ -198,12 +198,9 @@ impl Channel<'_> {
                 i if i == second => &mut point.y,
                 _ => {
                     let message = format!("{} lies outside the plane of the circle", axis.letter());
-                    return self.fail_help(
-                        codes::S2012.alarm(12110),
-                        given.span,
-                        message,
-                        "G17 takes I and J, G18 K and I, G19 J and K",
-                    );
+                    let help = "an arc in G17 takes I and J, in G18 K and I, in G19 J and K; a helix has `TURN=` for its whole turns, \
+                                and no pitch";
+                    return self.fail_help(codes::S2012.alarm(12110), given.span, message, help);
                 }
             };
             w.take(*address);
@@ -370,7 +367,7 @@ impl Core<'_> {
         let off = (r2 - r1).abs();
         if r1 <= SAME || r2 <= SAME {
             let message = if r1 <= SAME { "the arc starts in its centre" } else { "the arc ends in its centre" };
-            let help = "I, J and K lead from the start to the centre, whatever G90 and G91 say";
+            let help = "I, J and K lead from the start to the centre, whatever G90 and G91 say; with AC(…) they are the centre itself";
             return self.fail_help(codes::S3003.alarm(14040), span, message, help);
         }
         if off > self.circle_tolerance(r1) + 1e-9 {

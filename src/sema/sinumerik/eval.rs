@@ -10,6 +10,7 @@ use crate::parser::sinumerik::ast::{Base, Block, Formula, Op};
 use crate::parser::symbols::Symbol;
 use crate::sema::value::{At, Fault, Formulas, Stop, evaluate};
 use crate::text::Span;
+use crate::text::decode::readable;
 
 use super::axis_names::NamedAxis;
 use super::formula_functions::{self, FormulaFunction, NoResult};
@@ -130,7 +131,7 @@ impl Formulas for Run<'_> {
             Fault::Mismatch(a, b) => (codes::S2005.alarm(12150), format!("{a} and {b} do not go together here")),
             Fault::Missing => (codes::S2005.alarm(12150), "a value is missing".to_owned()),
             Fault::Said(why) => (codes::S2030.alarm(14099), why),
-            Fault::Zero(_) => (codes::S2006.alarm(14051), "division by zero".to_owned()),
+            Fault::Zero(_) => return self.divided_by_zero(at),
             Fault::TooLargeInt => (codes::S2006.alarm(14051), "the result is too large for an INT".to_owned()),
             Fault::TooLarge | Fault::Domain(..) | Fault::Open(..) | Fault::Outside(..) | Fault::OpenBetween(..) => {
                 (codes::S2006.alarm(14051), "the result is too large".to_owned())
@@ -139,6 +140,47 @@ impl Formulas for Run<'_> {
         self.report(Diagnostic::new(code, self.loc(at.span), message));
         Reported
     }
+}
+
+impl Run<'_> {
+    /// Names the divisor where the formula has one alone, and where it got its value.
+    fn divided_by_zero(&self, at: At<'_>) -> Reported {
+        let loc = self.loc(at.span);
+        // A block that was read as it stands in its file has its text there.
+        let written = match at.span.of(at.text) {
+            [] if !self.here.rewritten => self.job.sources.bytes(loc.file, loc.span),
+            text => text.to_vec(),
+        };
+        let formula = readable(&written).to_uppercase();
+        let divisor = only_divisor(&formula);
+        let number = divisor.and_then(|name| name.strip_prefix('R')).and_then(|digits| digits.parse::<u32>().ok());
+        let never = number.and_then(|n| self.vars.r(n)).is_some_and(|(_, set)| !set);
+        let message = match divisor {
+            Some(name) if never => format!("division by zero: `{name}` is set nowhere and counts as 0"),
+            Some(name) => format!("division by zero: `{name}` is 0"),
+            None => "division by zero".to_owned(),
+        };
+        let found = Diagnostic::new(codes::S2006.alarm(14051), loc, message);
+        self.report(found.help(ZERO[usize::from(divisor.is_none())]));
+        Reported
+    }
+}
+
+/// Behind a variable, and where none is named.
+const ZERO: [&str; 2] = ["give it another value in front of this block", "check what stands behind `/`, DIV or MOD"];
+
+/// The variable behind the one division of a formula.
+fn only_divisor(formula: &str) -> Option<&str> {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '$';
+    let words = formula.split(|c: char| !is_word(c)).filter(|word| matches!(*word, "DIV" | "MOD")).count();
+    let divisions = formula.matches('/').count() + words;
+    let at = formula.find('/').map(|at| at + 1);
+    let at = at.or_else(|| formula.find("DIV").or_else(|| formula.find("MOD")).map(|at| at + 3))?;
+    let rest = formula[at..].trim_start();
+    let end = rest.find(|c: char| !is_word(c)).unwrap_or(rest.len());
+    let (name, behind) = rest.split_at(end);
+    let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
+    (divisions == 1 && is_name && !behind.trim_start().starts_with(['(', '['])).then_some(name)
 }
 
 impl Run<'_> {

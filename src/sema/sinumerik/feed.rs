@@ -4,11 +4,11 @@
 
 use std::collections::BTreeMap;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::ir::Feed;
 use crate::machine::{Axis, MachineKind, Settings};
 use crate::sema::run::Where;
-use crate::text::Span;
+use crate::text::{Loc, Span};
 
 use super::g_groups::{GCode, Group};
 use super::vocabulary::Address;
@@ -26,6 +26,16 @@ pub(super) struct FeedState {
     kind_open: bool,
     /// FA of positioning axes, as written.
     axes: BTreeMap<Axis, f64>,
+    /// The call that is left out and may have changed the feed, until F is programmed.
+    left: Option<Box<FeedLeft>>,
+}
+
+/// A call that is left out, where nothing says what feed it leaves, or that it leaves none that is known.
+#[derive(Debug, Clone)]
+pub(super) struct FeedLeft {
+    pub name: String,
+    pub call: Loc,
+    pub lost: bool,
 }
 
 impl FeedState {
@@ -36,7 +46,22 @@ impl FeedState {
             lost: false,
             kind_open: lathe && settings.control.sinumerik.feed_per_revolution.is_none(),
             axes: BTreeMap::new(),
+            left: None,
         }
+    }
+
+    /// A call is left out that may have changed the feed.
+    pub fn leave(&mut self, left: FeedLeft) {
+        if left.lost {
+            self.word = None;
+        }
+        self.left = Some(Box::new(left));
+    }
+
+    /// No such call stands between F and here.
+    #[inline]
+    pub fn is_the_programs(&self) -> bool {
+        self.left.is_none()
     }
 
     #[inline]
@@ -54,7 +79,7 @@ impl FeedState {
     }
 
     pub fn program(&mut self, feed: Feed) {
-        (self.word, self.lost) = (Some(feed), false);
+        (self.word, self.lost, self.left) = (Some(feed), false, None);
     }
 
     /// Feeds of positioning axes hold on.
@@ -107,7 +132,7 @@ impl Channel<'_> {
         if self.st.spindles.turn().is_none() && !self.is_capturing() && self.job.diags.first_time(codes::S8047, ()) {
             let message = "no block in front of this feed per revolution starts the spindle";
             let found = Diagnostic::new(codes::S8047, self.loc(Where::Block), message);
-            self.report(found.help("program M3 or M4 with a speed in front of it"));
+            self.report(found.help(self.or_started_by_call("program M3 or M4 with a speed in front of it".into())));
         }
     }
 
@@ -152,6 +177,7 @@ impl Channel<'_> {
         match self.st.feed.word() {
             Some(feed) => {
                 self.feed_kind_is_said();
+                self.says_feed_of_before();
                 if matches!(feed, Feed::PerRevolution(_)) {
                     self.master_feeds(Where::Block);
                     self.spindle_feeds();
@@ -165,13 +191,37 @@ impl Channel<'_> {
             None => {
                 // Once is enough.
                 self.st.feed.lose();
-                let help = Answer::key("control", "feed").help(
-                    "program F in this block or before, again after G94, G95 and G96; a contour by itself takes `[control] feed`",
-                );
+                let help = match &self.st.feed.left {
+                    Some(left) if left.lost => Help::from(format!(
+                        "program F behind {} in line {}, which leaves a feed that is not known, as `[programs]` says",
+                        left.name, left.call.line
+                    )),
+                    _ => Answer::key("control", "feed").help(
+                        "program F in this block or before, again after G94, G95 and G96; a contour by itself takes `[control] feed`",
+                    ),
+                };
                 let help = self.or_left_at_rapid(help);
                 self.fail_help(codes::S2040.alarm(10860), Where::Block, "no feed is programmed", help)
             }
         }
+    }
+
+    /// The first cut behind a call that is left out takes the feed of before the call.
+    fn says_feed_of_before(&mut self) {
+        if self.is_capturing() {
+            return;
+        }
+        let Some(left) = self.st.feed.left.take() else { return };
+        let name = &left.name;
+        let message = format!("this cut takes the feed of before {name}, which is left out and may leave another one");
+        if !self.job.diags.first_text(codes::S8171, &message) {
+            return;
+        }
+        let help = format!(
+            "program F behind {name}; or say under `[programs]` what it leaves: `feed = …` beside the rest of `{name} = {{ … }}`"
+        );
+        let found = Diagnostic::new(codes::S8171, self.loc(Where::Block), message).also(left.call, "the call");
+        self.report(found.help(help));
     }
 
     /// G96 of the target takes the diameter that is printed, with the shift of the frame in it.

@@ -73,6 +73,8 @@ impl Channel<'_> {
             && !self.st.corners.open.is_open()
             && self.st.corners.rounding() == 0.0
             && self.cut_is_known()
+            && self.st.feed.is_the_programs()
+            && self.speed_lost.is_none()
     }
 
     /// Executes the next block where it stands, if it is one of X, Y, Z, I, J and F while nothing else is on.

@@ -29,6 +29,7 @@ mod eval;
 mod externs;
 mod feed;
 mod flow;
+mod foreign_codes;
 mod formula_functions;
 mod frame_statements;
 mod frames;

@@ -253,10 +253,14 @@ impl Run<'_> {
         let Some(argument) = given else {
             if in_main {
                 self.lose_parameter(variable);
+                // One of them says it for all.
+                if !self.job.diags.first_time(codes::S2021) {
+                    return Err(Reported);
+                }
                 return self.fail_help(
                     codes::S2021.alarm(12300),
                     variable.span,
-                    format!("parameter {shown} is VAR: the program needs a caller"),
+                    format!("parameter {shown} is VAR: this is a subprogram, and needs a caller"),
                     "compile the program that calls it",
                 );
             }

@@ -293,6 +293,10 @@ impl Search<'_, '_, '_> {
             self.ask(ending, &name, Within::Main, None, &mut beside);
         }
         for candidate in beside {
+            // The main program itself lies there.
+            if matches!(&candidate.at, At::File(file) if self.is_known(file, &candidates)) {
+                continue;
+            }
             match self.own_line(&candidate) {
                 Some(own) if main.is_some_and(|main| main != own) => self.strays.push((own, candidate)),
                 Some(own) => {

@@ -63,6 +63,9 @@ impl Channel<'_> {
         let constant = self.st.codes.of(Group::FeedType).holds_cutting_speed();
         let masters = |s: &SWord| self.st.spindles.is_master(s.spindle);
         let given = w.s.iter().any(masters);
+        if given {
+            self.speed_lost = None;
+        }
         if !given {
             let spindles = &mut self.st.spindles;
             if constant && spindles.keeps_speed() {
@@ -102,6 +105,14 @@ impl Channel<'_> {
 
     /// Refuses a cut at a speed that a turning spindle kept since G96 and that is not known here.
     pub(super) fn speed_is_known(&mut self) -> Outcome {
+        if let Some(lost) = self.speed_lost.take().filter(|_| !self.is_capturing()) {
+            let (name, call) = *lost;
+            let message = format!("this block cuts, and {name} in line {} leaves a speed that is not known", call.line);
+            let help = format!(
+                "program S behind {name}; or say the speed: `speed = 1000` in place of \"lost\" under `[programs]`"
+            );
+            return self.fail_help(codes::S2045, Where::Block, message, help);
+        }
         if !self.st.spindles.turns_unknown() {
             return Ok(());
         }

@@ -1,12 +1,13 @@
 //! Programs of the machine builder that are found nowhere: what `[programs]` says stands for them.
 
 use crate::diag::{Answer, Diagnostic, Help, codes};
-use crate::machine::{AxisSet, ChangeCall, StandIn};
+use crate::machine::{AxisSet, ChangeCall, Left, LeftSpindle, StandIn};
 use crate::sema::common::hidden::By;
 use crate::text::Span;
 
 use super::callee::{Missing, called_name};
 use super::entries::reserved;
+use super::feed::FeedLeft;
 use super::g_groups::GCode;
 use super::programs::without_extension;
 use super::value::Val;
@@ -69,13 +70,41 @@ impl Run<'_> {
         if self.is_here(name) {
             return None;
         }
-        Some(match change {
+        let done = match change {
             Some(change) => self.change_by_program(name, &change, span, arguments, passes),
             None => {
                 self.leave_call_out(name, span, arguments);
                 Ok(())
             }
-        })
+        };
+        Some(done.and_then(|()| self.leave_technology(name, span)))
+    }
+
+    /// What `[programs]` says of feed and spindle is done as a block of these words would do it.
+    fn leave_technology(&mut self, name: &str, span: Span) -> Outcome {
+        let left = self.job.settings.left_by(name);
+        let loc = self.loc(span);
+        let mut words: Vec<String> = Vec::new();
+        match left.feed {
+            Some(Left::Value(feed)) => words.push(format!("F{feed}")),
+            Some(Left::Lost) => self.st.feed.leave(FeedLeft { name: name.to_owned(), call: loc, lost: true }),
+            None if self.st.feed.word().is_some() => {
+                self.st.feed.leave(FeedLeft { name: name.to_owned(), call: loc, lost: false });
+            }
+            None => {}
+        }
+        match left.speed {
+            Some(Left::Value(speed)) => words.push(format!("S{speed}")),
+            Some(Left::Lost) => self.speed_lost = Some(Box::new((name.to_owned(), loc))),
+            None => {}
+        }
+        words.extend(left.spindle.map(|spindle| match spindle {
+            LeftSpindle::Clockwise => "M3".to_owned(),
+            LeftSpindle::CounterClockwise => "M4".to_owned(),
+            LeftSpindle::Stopped => "M5".to_owned(),
+        }));
+        self.call_left = Some(Box::new((name.to_owned(), loc)));
+        if words.is_empty() { Ok(()) } else { self.execute_line(words.join(" ").as_bytes(), span) }
     }
 
     /// The same of a call behind MCALL.
@@ -96,7 +125,7 @@ impl Run<'_> {
             return Some(self.fail_help(codes::S2043, span, message, help));
         }
         self.leave_call_out(name, span, arguments);
-        Some(Ok(()))
+        Some(self.leave_technology(name, span))
     }
 }
 
@@ -130,21 +159,58 @@ impl Channel<'_> {
         if settings.left_by(name).rapid.is_some() {
             return usual;
         }
-        let change = |tool: String, edge: Option<usize>| {
-            let edge = edge.map(|edge| format!(", d = {edge}")).unwrap_or_default();
-            format!("{{ {tool}{edge}, motion = \"G0\" }}")
-        };
-        let entry = match settings.programs.get(name.as_str()) {
-            Some(StandIn::Change(ChangeCall { tool: Some(tool), edge })) => change(format!("tool = {tool}"), *edge),
-            Some(StandIn::Change(ChangeCall { tool: None, edge })) => change("change = true".to_owned(), *edge),
-            Some(StandIn::Ignored) => change("ignore = true".to_owned(), None),
-            Some(StandIn::File(_)) | None => return usual,
-        };
+        let Some(entry) = self.entry_with(name, "motion = \"G0\"") else { return usual };
         let text = format!(
             "{}; or if {name} in line {} leaves G0 active, say so: `[programs] {name} = {entry}`",
             usual.text, loc.line
         );
         let answer = Answer::key("programs", name).one_of(&[entry]);
+        let mut help = Help { text, answers: usual.answers };
+        help.answers.insert(0, answer);
+        help
+    }
+
+    /// The entry of `[programs]` for this call with one thing more in it.
+    fn entry_with(&self, name: &str, more: &str) -> Option<String> {
+        let settings = &self.job.settings;
+        let what = match settings.programs.get(name)? {
+            StandIn::Change(ChangeCall { tool: Some(tool), .. }) => format!("tool = {tool}"),
+            StandIn::Change(ChangeCall { tool: None, .. }) => "change = true".to_owned(),
+            StandIn::Ignored => "ignore = true".to_owned(),
+            StandIn::File(_) => return None,
+        };
+        let edge = match settings.programs.get(name) {
+            Some(StandIn::Change(ChangeCall { edge: Some(edge), .. })) => format!(", d = {edge}"),
+            _ => String::new(),
+        };
+        let left = settings.left_by(name);
+        let motion = left.rapid.map(|rapid| if rapid { ", motion = \"G0\"" } else { ", motion = \"G1\"" });
+        let axes: Vec<String> = left.lost.iter().map(|axis| format!("\"{}\"", axis.letter())).collect();
+        let lost = if axes.is_empty() { String::new() } else { format!(", lost = [{}]", axes.join(", ")) };
+        let value = |key: &str, value: Option<Left>| match value {
+            Some(Left::Value(value)) => format!(", {key} = {value}"),
+            Some(Left::Lost) => format!(", {key} = \"lost\""),
+            None => String::new(),
+        };
+        let (feed, speed) = (value("feed", left.feed), value("speed", left.speed));
+        Some(format!("{{ {what}{edge}{}{lost}{feed}{speed}, {more} }}", motion.unwrap_or_default()))
+    }
+
+    /// What a spindle lacks that does not turn: `usual`, and behind a call that stands for a program of the machine, that the call may
+    /// start it.
+    pub(super) fn or_started_by_call(&self, usual: Help) -> Help {
+        let Some((name, loc)) = self.call_left.as_deref() else { return usual };
+        if self.job.settings.left_by(name).spindle.is_some() {
+            return usual;
+        }
+        let entries: Vec<String> =
+            ["M3", "M4"].iter().filter_map(|m| self.entry_with(name, &format!("spindle = \"{m}\""))).collect();
+        let [entry, ..] = &entries[..] else { return usual };
+        let text = format!(
+            "{}; or if {name} in line {} starts the spindle, say so: `[programs] {name} = {entry}`",
+            usual.text, loc.line
+        );
+        let answer = Answer::key("programs", name).one_of(&entries);
         let mut help = Help { text, answers: usual.answers };
         help.answers.insert(0, answer);
         help

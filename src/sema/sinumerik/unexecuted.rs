@@ -19,6 +19,7 @@ use crate::text::{Loc, Span};
 use super::cycles::{is_built, is_taken};
 use super::dictionary;
 use super::entries::reserved;
+use super::foreign_codes::in_place_of;
 use super::g_groups::{GCode, GCodes};
 use super::macros::Sinumerik;
 use super::programs::{Skeleton, Units, bare_name, without_extension};
@@ -289,7 +290,7 @@ impl<'a> Unexecuted<'a> {
                     let message = format!("G{number} is not known");
                     return Some(
                         Diagnostic::new(codes::S2010.alarm(12470), here.loc(self.job, word.span), message)
-                            .help("check the number"),
+                            .help(in_place_of(number)),
                     );
                 }
             };

@@ -10,6 +10,7 @@ use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
+use super::foreign_codes::in_place_of;
 use super::g_groups::{GCode, Group};
 use super::value::Val;
 use super::vocabulary::{ADDRESSES, Address, Indexed, Meaning};
@@ -396,7 +397,7 @@ impl Run<'_> {
                 codes::S2010.alarm(12470),
                 given.span,
                 format!("G{} is not known", given.value),
-                "check the number; `G=` takes a G number, `G[group]=` an index",
+                in_place_of(given.value),
             ),
         }
     }

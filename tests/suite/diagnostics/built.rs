@@ -3,6 +3,7 @@
 use std::io;
 
 use partc::internals::diag::{Diagnostic, Severity};
+use partc::internals::dialect::read_as;
 use partc::internals::driver::Session;
 use partc::internals::machine::{Settings, Unit};
 use partc::internals::text::files::NoFiles;
@@ -36,6 +37,7 @@ pub(super) const BUILT: &[Built] = &[
         fires: || main_of(PART.replace(" R0 F300", " R0 F300\0").as_bytes()),
         silent: || main_of(format!("\0\0{PART}\x1a").as_bytes()),
     },
+    Built { code: "P0009", fires: || read_as_it_is("P.H", "#ifndef P_H\n"), silent: || read_as_it_is("P.H", PART) },
     Built {
         code: "P0102",
         fires: || {
@@ -306,6 +308,15 @@ pub(super) const CALLER: &str = "0 BEGIN PGM PART MM\n1 L X+10 Y+5 Z+2 R0 FMAX\n
 
 pub(super) fn main_of(bytes: &[u8]) -> Compiled {
     compile_bytes("PART.H", bytes.to_vec(), "klartext", &Settings::default(), &NoFiles)
+}
+
+/// In the language that the file shows, if it is one.
+fn read_as_it_is(name: &str, text: &str) -> Compiled {
+    let text_of_it = Box::new(Memory::new(text.as_bytes().to_vec()));
+    let session = Session::new(Opened { name: name.to_owned(), identity: name.to_owned(), text: text_of_it });
+    let dialect = read_as(name, text.as_bytes()).expect("a language, or what it is instead");
+    session.check(dialect, &Settings::default(), &NoFiles);
+    of_findings(session.diags.into_sorted())
 }
 
 /// What `partc check` says.
