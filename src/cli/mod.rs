@@ -3,6 +3,7 @@
 mod answers;
 mod args;
 mod ask;
+mod backup;
 mod bundle;
 mod closure;
 mod config;
@@ -17,6 +18,7 @@ mod ignores;
 mod init;
 mod inputs;
 mod key;
+mod listed;
 mod listing;
 mod lsp;
 mod merge;

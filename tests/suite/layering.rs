@@ -23,7 +23,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("validate", &["read", "ir", "machine", "geo"]),
     ("compare", &["read", "sema", "ir", "machine", "geo", "text"]),
     ("lint", &["sema", "ir", "geo", "machine", "diag", "text"]),
-    ("dialect", &["lexer", "parser", "sema", "ir", "machine"]),
+    ("dialect", &["lexer", "parser", "sema", "ir", "machine", "text"]),
     ("exhibit", &["diag", "dialect", "driver", "emit", "geo", "ir", "machine", "seen", "target", "text"]),
     ("lsp", &["diag", "dialect", "driver", "ir", "lint", "machine", "seen", "sema", "text"]),
     (

@@ -270,19 +270,8 @@ impl Run<'_> {
         self.fail_help(codes::S9133, span, message, help)
     }
 
-    /// A global variable keeps its value from run to run, so its start value is a guess.
-    fn warn_of_global(&mut self, slot: Slot, span: Span) {
-        let Slot::Global(name) = slot else { return };
-        if self.vars.get(slot).is_some_and(|var| !var.written) && self.warned.globals.insert(name) {
-            let word = self.symbols.name(name);
-            let message = format!("`{word}` is read before the program sets it; it counts as its start value");
-            let found = Diagnostic::new(codes::S2025, self.loc(span), message);
-            self.report(found.help("set it in the program: what the control keeps in it is not known here"));
-        }
-    }
-
     pub(super) fn variable_value(&mut self, slot: Slot, indices: &[i32], span: Span) -> Outcome<Val> {
-        self.warn_of_global(slot, span);
+        self.warn_of_kept(slot, indices, span);
         let Some(var) = self.vars.get(slot) else { return Err(Reported) };
         if var.lost {
             return Err(Reported);
@@ -318,8 +307,8 @@ impl Run<'_> {
     }
 
     fn indexed_variable(&mut self, slot: Slot, args: &[Val], span: Span) -> Outcome<Val> {
-        self.warn_of_global(slot, span);
         if let Some(Val::Frame(frame)) = self.vars.get(slot).and_then(|var| var.values.first()).cloned() {
+            self.warn_of_kept(slot, &[], span);
             return self.frame_component(&frame, args, span);
         }
         let indices = self.indices(args, span)?;
@@ -332,6 +321,7 @@ impl Run<'_> {
             && let ([index], [], Some(Val::Text(text))) = (indices, var.sizes.as_slice(), var.values.first())
         {
             let found = usize::try_from(*index).ok().and_then(|at| text.get(at)).copied();
+            self.warn_of_kept(slot, &[], span);
             return match found {
                 Some(c) => Ok(Val::Char(c)),
                 None => self.fail(codes::S2018.alarm(12400), span, format!("the text has no character {index}")),

@@ -34,6 +34,7 @@ mod frame_statements;
 mod frames;
 mod g_functions;
 mod g_groups;
+mod kept;
 mod known_words;
 mod lane;
 mod left_out;
@@ -103,6 +104,7 @@ use vars::Vars;
 use vocabulary::Meaning;
 use words::Words;
 
+pub(crate) use control_folders::FOLDERS;
 pub use cycles::signatures as cycle_signatures;
 pub use dictionary::all_words;
 pub use survey::survey;
@@ -181,7 +183,10 @@ impl Language for Sinumerik {
 #[derive(Debug, Default)]
 struct Warned {
     r: FxHashSet<u32>,
-    globals: FxHashSet<Symbol>,
+    /// Elements of global variables.
+    kept: FxHashSet<(Symbol, usize)>,
+    /// Folders of the control of which it was said what stands for them.
+    copies: FxHashSet<&'static str>,
 }
 
 /// Files, call stack and findings of a run.

@@ -188,7 +188,8 @@ impl SearchPath<'_, '_> {
     pub fn is_there(&self, name: &str) -> bool {
         match self.look(name) {
             Found::Nowhere(_) => false,
-            Found::Fails(error, _) => matches!(error, FileError::Ambiguous { .. }),
+            // What cannot be opened is there.
+            Found::Fails(error, _) => !matches!(error, FileError::NotFound { .. } | FileError::NoRoot { .. }),
             Found::One(_)
             | Found::Unplaced(..)
             | Found::BesideByLine(..)

@@ -10,6 +10,7 @@ use crate::parser::sinumerik::ast::TypeName;
 use crate::parser::symbols::Symbol;
 use crate::text::Loc;
 
+use super::kept::Kept;
 use super::value::Val;
 
 /// Highest R parameter.
@@ -35,8 +36,8 @@ pub(super) struct Var {
     pub defined: Loc,
     /// The value could not be computed, which was reported.
     pub lost: bool,
-    /// The program gave it a value.
-    pub written: bool,
+    /// Elements whose value is the control's own.
+    pub kept: Kept,
     /// LLI and ULI.
     pub limits: [Option<f64>; 2],
 }
