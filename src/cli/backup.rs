@@ -56,7 +56,7 @@ impl Backup {
             Some((root_of(base, up, &real_root), real_root))
         };
         let Some((root, real_root)) = found() else { return Backup::default() };
-        let names: Vec<String> = match fs::read_dir(&root) {
+        let names: Vec<String> = match fs::read_dir(or_here(&root)) {
             Ok(entries) => entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok()).collect(),
             Err(_) => return Backup::default(),
         };
@@ -133,14 +133,16 @@ fn levels_up(real: &Path, folder: &ControlFolder) -> Option<usize> {
 /// The folder of the backup as it is reached from here.
 fn root_of(base: &Path, up: usize, real_root: &Path) -> PathBuf {
     let plain: PathBuf = base.components().filter(|part| *part != Component::CurDir).collect();
-    let is_it = |path: &&Path| {
-        let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
-        fs::canonicalize(path).is_ok_and(|real| real == real_root)
-    };
+    let is_it = |path: &&Path| fs::canonicalize(or_here(path)).is_ok_and(|real| real == real_root);
     match plain.ancestors().nth(up).filter(is_it) {
         Some(above) => above.to_path_buf(),
         None => (0..up).fold(plain, |path, _| path.join("..")),
     }
+}
+
+/// The path, or that of the current folder where there is nothing of it.
+fn or_here(path: &Path) -> &Path {
+    if path.as_os_str().is_empty() { Path::new(".") } else { path }
 }
 
 /// Is this prefix of the configuration one of the folder, or of all?

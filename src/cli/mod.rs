@@ -37,6 +37,7 @@ mod stamp;
 mod stats;
 mod summary;
 mod targets;
+mod tool_hints;
 mod tool_lines;
 mod tools;
 mod trace;

@@ -14,6 +14,7 @@ use super::answers::{Form, Needs, Place, Request, can_be_tried, requests};
 use super::inputs::{Ignored, walk};
 use super::options::Common;
 use super::run::{Loaded, load_with};
+use super::tool_hints::Hint;
 use super::{Trouble, config};
 
 /// Most times that a program is tried: what is answered lets the run go on to what else is missing.
@@ -55,7 +56,8 @@ impl Base {
         };
         // Of two copies of one folder nobody knows which is meant.
         let copies = |path: &str| folders.iter().filter(|folder| is_copy_of(folder, path)).collect::<Vec<_>>();
-        if let Some((path, list)) = searched.iter().map(|path| (path, copies(path))).find(|(_, list)| !list.is_empty()) {
+        if let Some((path, list)) = searched.iter().map(|path| (path, copies(path))).find(|(_, list)| !list.is_empty())
+        {
             let [folder] = list[..] else { return None };
             return Some(((*path).to_owned(), below(folder)));
         }
@@ -136,7 +138,7 @@ pub(super) struct Trial {
     pub dialect: &'static Dialect,
     pub needs: Needs,
     /// Its tools, with what they do.
-    pub tools: Vec<(Called, Place, String)>,
+    pub tools: Vec<(Called, Hint, String)>,
     pub offsets: Vec<(u8, Place)>,
     /// Called programs that no key stands for.
     pub missing: Vec<(String, Place)>,
@@ -248,7 +250,8 @@ impl<'a> Tried<'a> {
         let tools = uses.tools.iter().filter(|(number, _)| **number != 0).map(|(number, tool)| {
             let mut what: Vec<String> = tool.cycles.iter().map(|family| words(family)).collect();
             what.extend(tool.compensated.then(|| "radius compensation".to_owned()));
-            (Called::of(*number, needs), place(tool.first), what.join(", "))
+            let hint = Hint::new(*number, needs.name_of(*number), tool.first, &session);
+            (Called::of(*number, needs), hint, what.join(", "))
         });
         let offsets = uses.offsets.iter().filter(|(number, _)| !needs.is_tried_offset(&offset(**number)));
         Ok(Trial {

@@ -75,7 +75,8 @@ fn state(args: &Watch) -> Result<State, Trouble> {
                 let roots = settings.include.roots;
                 // Which language it is makes no difference to what may change.
                 for dialect in dialect::ALL {
-                    folders.extend(Backup::around(folder, dialect.folders, roots.keys()).folders().map(Path::to_path_buf));
+                    folders
+                        .extend(Backup::around(folder, dialect.folders, roots.keys()).folders().map(Path::to_path_buf));
                 }
                 folders.extend(roots.into_values());
             }

@@ -125,6 +125,7 @@ impl Formulas for Run<'_> {
     }
 
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
+        let is_zero = matches!(fault, Fault::Zero(_));
         let (code, message) = match fault {
             Fault::Misfit(what) => (codes::S2005.alarm(12150), format!("the operator does not fit {what}")),
             Fault::Mismatch(a, b) => (codes::S2005.alarm(12150), format!("{a} and {b} do not go together here")),
@@ -136,7 +137,15 @@ impl Formulas for Run<'_> {
                 (codes::S2006.alarm(14051), "the result is too large".to_owned())
             }
         };
-        self.report(Diagnostic::new(code, self.loc(at.span), message));
+        let found = Diagnostic::new(code, self.loc(at.span), message);
+        let unset = if is_zero { &self.warned.unset[..] } else { &[] };
+        self.report(match unset {
+            [] => found,
+            [first, rest @ ..] => found.help(rest.iter().fold(
+                Answer::key("variables", first).help("give the values that the control keeps under [variables]"),
+                |help, name| help.and(Answer::key("variables", name)),
+            )),
+        });
         Reported
     }
 }
@@ -151,6 +160,7 @@ impl Run<'_> {
             [] => return Ok(Val::Missing),
             _ => {}
         }
+        self.warned.unset.clear();
         evaluate(self, ops, At { span: formula.span, text })
     }
 
@@ -177,6 +187,9 @@ impl Run<'_> {
             return self.fail(codes::S2018.alarm(17020), span, format!("there is no parameter R{n}"));
         }
         let (value, set) = self.vars.r(n).ok_or(Reported)?;
+        if !set {
+            self.warned.unset.push(format!("R{n}"));
+        }
         if !set && self.warned.r.insert(n) {
             let message = format!("R{n} is read before the program sets it; it counts as 0");
             let found = Diagnostic::new(codes::S2025, self.loc(span), message);

@@ -46,7 +46,8 @@ impl Run<'_> {
     /// The values that the configuration says a global variable holds when the program begins.
     pub(super) fn with_kept_values(&self, word: &str, mut var: Var, span: Span) -> Outcome<Var> {
         let word = word.to_ascii_uppercase();
-        let of_variable = |key: &str| key.strip_prefix(&word).is_some_and(|rest| rest.is_empty() || rest.starts_with('['));
+        let of_variable =
+            |key: &str| key.strip_prefix(&word).is_some_and(|rest| rest.is_empty() || rest.starts_with('['));
         let said = self.job.settings.variables.range(word.clone()..).take_while(|(key, _)| key.starts_with(&word));
         for (key, value) in said.filter(|(key, _)| of_variable(key)) {
             let Some(element) = element_of(&var, &key[word.len()..]) else { continue };
@@ -63,26 +64,28 @@ impl Run<'_> {
     /// Says that a value is read which the control keeps, and nothing here says.
     pub(super) fn warn_of_kept(&mut self, slot: Slot, indices: &[i32], span: Span) {
         let Some(var) = self.vars.get(slot) else { return };
-        let Some(element) = var.offset(indices).or((!var.values.is_empty() && var.sizes.is_empty()).then_some(0)) else {
+        let Some(element) = var.offset(indices).or((!var.values.is_empty() && var.sizes.is_empty()).then_some(0))
+        else {
             return;
         };
         let Some(name) = var.kept.open(element) else { return };
         let (kind, defined) = (var.kind, var.defined);
-        if !self.warned.kept.insert((name, element)) {
-            return;
-        }
         let mut word = self.symbols.name(name).to_owned();
         if !indices.is_empty() && !var_is_text(kind) {
             let indices: Vec<String> = indices.iter().map(ToString::to_string).collect();
             word = format!("{word}[{}]", indices.join(","));
         }
+        let is_number = matches!(kind, TypeName::Bool | TypeName::Int | TypeName::Real);
+        self.warned.unset.extend(is_number.then(|| word.clone()));
+        if !self.warned.kept.insert((name, element)) {
+            return;
+        }
         let message = format!("`{word}` is read before the program sets it; it counts as its start value");
-        let help: Help = match kind {
-            TypeName::Bool | TypeName::Int | TypeName::Real => Answer::variable(&word, "the value that the control keeps in it")
-                .help("set it in the program, or give the value that the control keeps in it under [variables]"),
-            TypeName::Char | TypeName::String | TypeName::Axis | TypeName::Frame => {
-                "set it in the program: what the control keeps in it is not known here".into()
-            }
+        let help: Help = if is_number {
+            Answer::variable(&word, "the value that the control keeps in it")
+                .help("set it in the program, or give the value that the control keeps in it under [variables]")
+        } else {
+            "set it in the program: what the control keeps in it is not known here".into()
         };
         let found = Diagnostic::new(codes::S2025, self.loc(span), message);
         self.report(found.also(defined, "it is defined here").help(help));

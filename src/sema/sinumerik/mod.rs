@@ -187,6 +187,8 @@ struct Warned {
     kept: FxHashSet<(Symbol, usize)>,
     /// Folders of the control of which it was said what stands for them.
     copies: FxHashSet<&'static str>,
+    /// Variables without a value that the formula at hand has read.
+    unset: Vec<String>,
 }
 
 /// Files, call stack and findings of a run.

@@ -85,7 +85,9 @@ impl Files for Case {
         let is_there = |key: &&String| match (placed, key.rsplit_once('/')) {
             (false, _) => true,
             (true, None) => folder.is_empty(),
-            (true, Some((of_key, _))) => control_folder(of_key) == folder || folder.is_empty() && request.within == Within::Anywhere,
+            (true, Some((of_key, _))) => {
+                control_folder(of_key) == folder || folder.is_empty() && request.within == Within::Anywhere
+            }
         };
         for name in &names {
             let fits = |key: &&String| key.rsplit('/').next() == Some(name.as_str());
