@@ -109,14 +109,16 @@ fn is_remark(line: &str) -> bool {
 fn around(call: Loc, session: &Session) -> Vec<String> {
     let own = session.sources.line(call).text;
     let mut texts: Vec<String> = comment_of(&own).map(str::to_owned).into_iter().collect();
+    let own_texts = texts.len();
     let start = call.span.start.saturating_sub(BEFORE);
     let bytes = session.sources.bytes(call.file, Span { start, end: call.span.start });
     let text = String::from_utf8_lossy(&bytes).into_owned();
     let mut blocks = 0;
     // The last piece is the head of the call's own line.
     for line in text.lines().rev().skip(usize::from(!text.ends_with(['\n', '\r']))) {
+        // Behind a comment that was found the next block ends what belongs to the call.
         if !is_remark(line) {
-            blocks += 1;
+            blocks += if texts.len() > own_texts { MOST_BLOCKS + 1 } else { 1 };
         }
         if blocks > MOST_BLOCKS || line.to_uppercase().contains("TOOL CALL") {
             break;
@@ -178,7 +180,7 @@ fn pairs(text: &str) -> Vec<Pair> {
         at = at.max(start + 1);
         let word: String = chars[start..at].iter().collect();
         let mut digits = at;
-        while digits < chars.len() && matches!(chars[digits], ' ' | '=' | ':') {
+        while digits < chars.len() && matches!(chars[digits], ' ' | '=' | ':' | '_') {
             digits += 1;
         }
         if let Some((value, end)) = number_at(&chars, digits) {
@@ -272,6 +274,7 @@ mod tests {
             ("end mill 10 mm", Some(5.0)),
             ("Schaftfraeser D12", Some(6.0)),
             ("CUTTER 16", Some(8.0)),
+            ("MILL_8", Some(4.0)),
             ("FACEMILL 63", Some(31.5)),
             ("DRILL 8.5", Some(4.25)),
             ("DRILL", None),

@@ -27,7 +27,9 @@ fn sibling_folders_stand_for_those_of_the_control() {
     ] {
         let folder = Folder::new("backup_spellings");
         folder.write(&format!("{main}/A.MPF"), DRILL);
-        folder.write(&format!("{subprograms}/drill.spf"), &sub(7));
+        // Files may have the names that they have on the control, too.
+        let file = if subprograms.starts_with("_N_") { "_N_DRILL_SPF" } else { "drill.spf" };
+        folder.write(&format!("{subprograms}/{file}"), &sub(7));
         let program = format!("{main}/A.MPF");
         assert_eq!(moves(&folder, &program), ["G0 Z7"], "{main}");
         let said = folder.run(&["check", &program]).exits(0).err;
@@ -173,6 +175,12 @@ fn definitions_are_found_in_their_folder() {
     folder.write("partc.toml", "[variables]\nsafe = 33.0\n");
     assert_eq!(moves(&folder, "CMA/B.SPF"), ["G0 Z33"]);
     assert!(!folder.run(&["check", "CMA/B.SPF"]).exits(0).err.contains("S2025"));
+    folder.write("def/mgud.def", "");
+    std::fs::rename(folder.0.join("def/mgud.def"), folder.0.join("def/other.def")).expect("a name");
+    folder.write("def/_N_MGUD_DEF", "DEF CHAN REAL SAFE\n");
+    assert_eq!(moves(&folder, "CMA/B.SPF"), ["G0 Z33"]);
+    std::fs::remove_file(folder.0.join("def/_N_MGUD_DEF")).expect("a file");
+    folder.write("def/mgud.def", "DEF CHAN REAL SAFE\n");
     // What cannot be read is not passed over.
     std::fs::remove_file(folder.0.join("def/mgud.def")).expect("a file");
     folder.write("def/MGUD.DEF", "DEF CHAN REAL SAFE\n");

@@ -12,9 +12,8 @@ use crate::text::{FileError, Loc, Next, Opened, Request, Within};
 
 use super::control_folders::names_below;
 use super::formula_functions;
-use super::kept::Kept;
 use super::value::{MOST_TEXT, Val, whole};
-use super::vars::{MOST_ELEMENTS, Var};
+use super::vars::{Kept, MOST_ELEMENTS, Var};
 use super::vocabulary::Meaning;
 use super::{Outcome, Reported, Run};
 
@@ -200,8 +199,8 @@ impl Run<'_> {
                 continue;
             }
             let from = Loc { line: 1, ..Loc::default() };
-            let opened = match self.definition_file(name) {
-                Ok(Some(opened)) => opened,
+            let (opened, of_control) = match self.definition_file(name) {
+                Ok(Some(found)) => found,
                 Ok(None) => continue,
                 // What it defines is not known, and may change the meaning of any word.
                 Err(error) => {
@@ -218,13 +217,16 @@ impl Run<'_> {
                 }
             };
             any = true;
+            if of_control {
+                self.note_copy(DEFINITIONS, Loc { file, line: 1, ..Loc::default() });
+            }
             self.read_definitions(file, None, u32::MAX);
         }
         !any
     }
 
-    /// The file of definitions: in the folder of the control where they count, or beside the main program.
-    fn definition_file(&mut self, name: &str) -> Result<Option<Opened>, FileError> {
+    /// The file of definitions, and whether it lies in the folder of the control where they count; if not, beside the main program.
+    fn definition_file(&self, name: &str) -> Result<Option<(Opened, bool)>, FileError> {
         let from = self.job.sources.identity(self.job.main);
         let ask = |name: &str| {
             let request = Request { from: &from, name, extensions: &["DEF"], within: Within::Main };
@@ -234,13 +236,17 @@ impl Run<'_> {
                 Err(error) => Err(error),
             }
         };
-        for of_control in names_below(DEFINITIONS, name) {
+        // `MGUD.DEF` is `_N_MGUD_DEF` on the control.
+        let file = format!("_N_{name}_DEF");
+        let names = names_below(DEFINITIONS, name).into_iter().chain(names_below(DEFINITIONS, &file));
+        for of_control in names {
             if let Some(opened) = ask(&of_control)? {
-                self.note_copy(DEFINITIONS, self.here.origin.loc);
-                return Ok(Some(opened));
+                return Ok(Some((opened, true)));
             }
         }
-        ask(name)
+        let beside = ask(name)?;
+        let beside = if beside.is_some() { beside } else { ask(&file)? };
+        Ok(beside.map(|opened| (opened, false)))
     }
 
     /// Reads a definition file, or the part of an archive from `start` to the offset `end`.

@@ -3,44 +3,13 @@
 //! What such a variable holds when the program begins is known only where `[variables]` says it. Until the program writes an
 //! element, reading it is a guess, which is said. Source: S 5.1 (docs/sources.md).
 
-use std::collections::BTreeSet;
-
 use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::parser::sinumerik::ast::TypeName;
-use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
 use super::value::Val;
 use super::vars::{Slot, Var};
 use super::{Outcome, Run};
-
-/// Elements of a variable whose values the control keeps; of a variable of the program none.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Kept {
-    /// The variable of the definition files, also where a parameter stands for it.
-    name: Option<Symbol>,
-    /// Elements that the program or the configuration gave a value.
-    known: BTreeSet<usize>,
-}
-
-impl Kept {
-    /// All elements of the global variable `name`.
-    pub fn of_global(name: Symbol) -> Kept {
-        Kept { name: Some(name), known: BTreeSet::new() }
-    }
-
-    /// The element has a value from now on.
-    pub fn knows(&mut self, element: usize) {
-        if self.name.is_some() {
-            self.known.insert(element);
-        }
-    }
-
-    /// The variable, where nobody gave the element a value.
-    fn open(&self, element: usize) -> Option<Symbol> {
-        self.name.filter(|_| !self.known.contains(&element))
-    }
-}
 
 impl Run<'_> {
     /// The values that the configuration says a global variable holds when the program begins.

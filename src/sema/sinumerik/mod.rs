@@ -199,7 +199,7 @@ struct Run<'a> {
     channel: Channel<'a>,
     vars: Vars,
     meanings: Vec<Option<Meaning>>,
-    vocabulary: FxHashMap<&'static str, Meaning>,
+    vocabulary: &'static FxHashMap<&'static str, Meaning>,
     gcodes: GCodes,
     units: Units,
     definitions_read: bool,

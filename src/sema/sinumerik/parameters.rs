@@ -8,10 +8,9 @@ use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
 use super::calls::FrameKind;
-use super::kept::Kept;
 use super::value::{Val, type_name};
 use super::vars::{Argument, Reference};
-use super::vars::{Slot, Var};
+use super::vars::{Kept, Slot, Var};
 use super::{Core, Outcome, Reported, Run};
 
 impl Run<'_> {
