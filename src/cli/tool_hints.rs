@@ -13,6 +13,8 @@ use super::answers::{Place, cut};
 const BEFORE: u32 = 600;
 /// Blocks between a call and its comment.
 const MOST_BLOCKS: usize = 2;
+/// Highest number of a tool that a comment means by `T5`.
+const MOST_NUMBER: u32 = 9999;
 /// Bytes of a file in which a list of its tools stands.
 const HEAD: u32 = 8 * 1024;
 
@@ -61,7 +63,8 @@ impl Hint {
     /// Of the tool `number`, or of the one that is called by `name`, as TOML writes it.
     pub fn new(number: u32, name: Option<&str>, call: Loc, session: &Session) -> Hint {
         let mut texts: Vec<String> = name.map(|name| name.trim_matches('"').to_owned()).into_iter().collect();
-        texts.extend(around(call, session));
+        let is_meant = |text: &String| name.is_some() || !names_another(text, number);
+        texts.extend(around(call, session).into_iter().filter(is_meant));
         texts.extend(of_list(number, name, call, session));
         let mut said: Vec<(String, Measures)> = Vec::new();
         for text in texts {
@@ -144,15 +147,27 @@ fn of_list(number: u32, name: Option<&str>, call: Loc, session: &Session) -> Vec
         .collect()
 }
 
-/// `T5`, `T05` or `TOOL 5` as a word of its own.
+/// Does it name this tool: `T5`, `T05` or `TOOL 5` as a word of its own?
 fn names_tool(line: &str, number: u32) -> bool {
+    numbers_in(line).contains(&number)
+}
+
+/// Does it name another tool, and not this one? Longer numbers are those of a tool management.
+fn names_another(line: &str, number: u32) -> bool {
+    let numbers = numbers_in(line);
+    !numbers.contains(&number) && numbers.iter().any(|other| *other <= MOST_NUMBER)
+}
+
+/// The numbers of tools in a text.
+fn numbers_in(line: &str) -> Vec<u32> {
     let line = line.to_uppercase();
-    line.match_indices('T').any(|(at, _)| {
+    let number = |(at, _): (usize, &str)| {
         let rest = line[at + 1..].strip_prefix("OOL ").unwrap_or(&line[at + 1..]);
         let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
         let is_word = !line[..at].ends_with(|c: char| c.is_alphanumeric());
-        is_word && rest[..digits].parse::<u32>().is_ok_and(|found| found == number)
-    })
+        rest[..digits].parse::<u32>().ok().filter(|_| is_word)
+    };
+    line.match_indices('T').filter_map(number).collect()
 }
 
 /// A word with the number behind it.
@@ -304,6 +319,9 @@ mod tests {
     #[test]
     fn tools_are_found_in_lists() {
         assert!(names_tool("T1 - L0 R5", 1) && names_tool("T01: SK40", 1) && names_tool("use tool 12 here", 12));
+        assert!(
+            names_another("T2 - L0 R3", 1) && !names_another("T2 and T1", 1) && !names_another("T188451270 | D12", 1)
+        );
         assert!(!names_tool("T12 D10", 1) && !names_tool("START1", 1) && !names_tool("T", 1));
     }
 

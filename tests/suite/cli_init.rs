@@ -327,7 +327,7 @@ fn what_no_configuration_can_say_is_a_finding_all_the_same() {
 /// What a program says of its tools stands beside the empty value, and is none.
 #[test]
 fn measures_in_names_and_comments_are_hints() {
-    let program = "0 BEGIN PGM A MM\n1 ; T5 - L0 R4 - finisher\n2 L X+0 Y+0 Z+50 R0 FMAX\n3 * - TOOL: T77 | GUH / DM=12 CR=0.5 TL=148\n\
+    let program = "0 BEGIN PGM A MM\n1 ; T5 - L0 R4 - finisher\n2 ; T9 - L0 R3 - other\n3 * - TOOL: T188451270 | GUH / DM=12 CR=0.5 TL=148\n\
                    4 TOOL CALL 7 Z S2000\n5 L X+0 Y+0 R0 FMAX M3\n6 L X+10 RL F200\n7 L X+60 R0\n8 TOOL CALL 5 Z S3000\n\
                    9 L X+0 Y+0 R0 FMAX M3\n10 L X+10 RL F200\n11 L X+60 R0\n12 TOOL CALL \"MILL_8\" Z S3000 DR+0.1\n13 L X+0 Y+0 R0 FMAX M3\n\
                    14 L X+10 RL F200\n15 L X+60 R0\n16 TOOL CALL 3 Z S3000 ; end mill 10 mm\n17 L X+0 Y+0 R0 FMAX M3\n\
@@ -337,7 +337,7 @@ fn measures_in_names_and_comments_are_hints() {
     let config = folder.read("partc.toml");
     for wanted in [
         "#7 = { radius =  } ",
-        "radius 6, corner radius 0.5, length 148 by \"TOOL: T77 | GUH / DM=12 CR=0.5 TL=148\"?; called in A.H:5 `4 TOOL CALL 7 Z S2000`, asked for by A.H:7 `6 L X+10 RL F200`",
+        "radius 6, corner radius 0.5, length 148 by \"TOOL: T188451270 | GUH / DM=12 CR=0.5 TL=148\"?; called in A.H:5 `4 TOOL CALL 7 Z S2000`, asked for by A.H:7 `6 L X+10 RL F200`",
         "radius 4 by \"T5 - L0 R4 - finisher\"?; called in A.H:9",
         "radius 4 by \"MILL_8\"?; ",
         "radius 5 by \"end mill 10 mm\"?; ",
