@@ -96,7 +96,7 @@ fn comment_of(line: &str) -> Option<&str> {
     if let Some(heading) = text.strip_prefix("* -").or_else(|| text.strip_prefix('*')) {
         return Some(heading.trim());
     }
-    let at = line.find([';', '('])?;
+    let at = line.find(';').or_else(|| line.find('('))?;
     // Brackets of an argument list are no comment.
     let is_call = line[at..].starts_with('(') && line[..at].ends_with(|c: char| c.is_ascii_alphanumeric() || c == '_');
     (!is_call).then(|| line[at + 1..].trim_matches([')', ' ', ';', '(']))
@@ -245,7 +245,9 @@ pub(super) fn measures_in(text: &str) -> Measures {
     };
     let named = || of(&["DM", "D", "DIA", "DIAM", "Ø", "DURCHMESSER", "DIAMETER"]);
     let by_word = || pairs.iter().find(|pair| is_cutter(&pair.word)).map(|pair| pair.value);
-    let diameter = named().or_else(by_word).or_else(by_unit).filter(small);
+    // Behind `Anbohrer 90°` stands no diameter.
+    let is_length = |value: &f64| degrees(&text) != Some(*value);
+    let diameter = named().or_else(by_word).or_else(by_unit).filter(small).filter(is_length);
     let round = of(&["R", "RAD", "RADIUS"]).filter(small);
     let mut angles: Vec<f64> = Vec::new();
     if round.is_some() {
@@ -332,6 +334,7 @@ mod tests {
             ("36 * - TOOL: T1 / DM=12", Some("TOOL: T1 / DM=12")),
             ("N10 T1 M6 (MILL 6)", Some("MILL 6")),
             ("N10 TC(\"ROUGH\",1)", None),
+            ("N10 TC(1,0) ; D12", Some("D12")),
             ("5 TOOL CALL 5 Z S2000", None),
         ] {
             assert_eq!(comment_of(line), comment, "{line}");
