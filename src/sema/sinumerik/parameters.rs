@@ -44,7 +44,7 @@ impl Run<'_> {
                 }
                 match base {
                     Base::Letter(b'R') => Some(Reference::R(self.r_index(&values, *span)?)),
-                    Base::Name(name) => match self.vars.find(*name) {
+                    Base::Name(name) => match self.known_variable(*name) {
                         Some(slot) => self.element(slot, &values, *span)?,
                         None => None,
                     },
