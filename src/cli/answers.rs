@@ -1,5 +1,6 @@
 //! Keys of `partc.toml` that findings ask for: gathered over programs, merged, and written as lines of the file.
 
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
@@ -8,7 +9,8 @@ use crate::driver::Session;
 use crate::machine::keys::{Key, Kind, SECTIONS, choices};
 use crate::text::Loc;
 
-use super::tool_lines::{radius_in, tool_lines};
+use super::tool_hints::Hint;
+use super::tool_lines::tool_lines;
 
 /// Column of the remarks.
 pub(super) const WIDTH: usize = 34;
@@ -102,6 +104,8 @@ pub(super) struct Needs {
     given: BTreeMap<NeedKey, String>,
     /// Tools that are called by name, in the order in which they were met.
     names: Vec<String>,
+    /// What programs say of tools, by number or name.
+    hints: BTreeMap<String, Hint>,
 }
 
 /// A key, and what a user has to know to answer.
@@ -182,6 +186,23 @@ impl Needs {
         given
     }
 
+    /// Takes what a program says of a tool, unless another one said something before.
+    pub fn hint(&mut self, tool: String, hint: Hint) {
+        match self.hints.entry(tool) {
+            Entry::Vacant(free) => drop(free.insert(hint)),
+            Entry::Occupied(mut known) if known.get().words().is_empty() && !hint.words().is_empty() => {
+                known.insert(hint);
+            }
+            Entry::Occupied(_) => {}
+        }
+    }
+
+    /// What is said of the tool that a key belongs to. Edges of a tool are `5.2`.
+    pub fn hint_of(&self, need: &Need) -> Option<&Hint> {
+        let tool = need.answer.path.first().filter(|_| need.answer.section == "tools")?;
+        self.hints.get(tool).or_else(|| self.hints.get(tool.split_once('.')?.0))
+    }
+
     /// What the user said of a field of a tool.
     pub fn of_tool(&self, need: &Need) -> Option<&str> {
         let found = self.given.iter().find(|(key, _)| key.1 == need.answer.path && self.map.contains_key(*key));
@@ -199,12 +220,15 @@ impl Needs {
         let mut about = Vec::new();
         match &choices[..] {
             [_, _, ..] => about.push(choices.join(" or ")),
+            [only] if is_promise(need) => about.push(format!("{only}, if that is so")),
             _ => about.push(need.wanted().trim_end_matches("; ").to_owned()),
         }
-        let by_name = || Some(radius_in(need).filter(|_| name == "radius")?.to_string());
+        let hint = self.hint_of(need).filter(|_| section.starts_with("tools."));
+        about.extend(hint.map(Hint::words).filter(|words| !words.is_empty()));
+        let by_name = || Some(hint?.radius().filter(|_| name == "radius")?.to_string());
         let offered = match (&need.answer.values, &choices[..]) {
             (Values::Item(_), _) => Some(format!("[{}]", need.items().join(", "))),
-            (_, [only]) => Some(only.clone()),
+            (_, [only]) if !is_promise(need) => Some(only.clone()),
             _ => by_name(),
         };
         Question { key: format!("[{section}] {name}"), name, about, offered, choices, places: need.places() }
@@ -252,6 +276,9 @@ impl Needs {
                     self.map.insert(key.clone(), need.clone());
                 }
             }
+        }
+        for (tool, hint) in &other.hints {
+            self.hint(tool.clone(), hint.clone());
         }
         for name in &other.names {
             if !self.names.contains(name) {
@@ -426,6 +453,11 @@ impl Need {
     }
 }
 
+/// What a program of the machine builder does is a promise of the user, also where only one can be made.
+fn is_promise(need: &Need) -> bool {
+    need.answer.section == "programs"
+}
+
 /// One line of a key, with what it is and what asks for it. `choice` is the one that is tried, `given` what the user said.
 fn line(
     text: &mut String,
@@ -446,12 +478,13 @@ fn line(
             items.extend(need.items().into_iter().filter(|item| !items.contains(item)).collect::<Vec<_>>());
             (format!("[{}]", items.join(", ")), String::new())
         }
-        (_, [only]) => (only.clone(), String::new()),
+        (_, [only]) if form == Form::Tried || !is_promise(need) => (only.clone(), String::new()),
         (_, [first, ..]) if form == Form::Tried => {
             // What a block behind the call asks for comes on top of what the call asked for.
             let further = choices.iter().find(|choice| choice.contains("motion = ")).filter(|_| choice == 0);
             (further.or(choices.get(choice)).unwrap_or(first).clone(), String::new())
         }
+        (_, [only]) => (String::new(), format!("{only}, if that is so; ")),
         (_, [_, ..]) => (String::new(), format!("{}; ", choices.join(" or "))),
         (_, []) if form == Form::Tried => match tried(&need.answer) {
             Some(value) => (value.to_owned(), String::new()),

@@ -6,10 +6,11 @@ use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Component, Path, PathBuf};
 
-use crate::machine::tree::did_you_mean;
-use crate::text::{FileError, Files, Memory, Opened, ReadAt, Request, Within};
+use crate::text::{ControlFolder, FileError, Files, Memory, Opened, ReadAt, Request, Within};
 
 use super::Trouble;
+use super::backup::{Backup, Sought};
+use super::listed::{Listings, find, like};
 use super::stamp::{CHANGED, Stamp};
 
 use super::regular::{is_pipe, metadata, open_regular};
@@ -179,6 +180,8 @@ pub(super) struct IncludeRoots {
     base: PathBuf,
     /// Prefix of the control's path, and folder.
     roots: BTreeMap<String, PathBuf>,
+    /// Folders beside the program's own that are called as those of its control.
+    backup: Backup,
     /// Files that were looked for.
     looked: RefCell<BTreeMap<PathBuf, Looked>>,
     /// Files that are read, each as it was when it was opened.
@@ -188,9 +191,6 @@ pub(super) struct IncludeRoots {
     /// Names that similar ones were looked for.
     missed: Cell<u32>,
 }
-
-/// The names in each folder, by how they are written in capitals; none for a folder that cannot be listed.
-type Listings = RefCell<BTreeMap<PathBuf, Option<BTreeMap<String, Vec<String>>>>>;
 
 /// What came of looking for a file.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -205,11 +205,22 @@ impl IncludeRoots {
         IncludeRoots {
             base,
             roots,
+            backup: Backup::default(),
             looked: RefCell::default(),
             read: RefCell::default(),
             listed: RefCell::default(),
             missed: Cell::new(0),
         }
+    }
+
+    /// The same with the folders of a backup in which the program lies; `folders` are those of its control.
+    pub(super) fn of_control(
+        base: PathBuf,
+        roots: BTreeMap<String, PathBuf>,
+        folders: &'static [ControlFolder],
+    ) -> IncludeRoots {
+        let backup = Backup::around(&base, folders, roots.keys());
+        IncludeRoots { backup, ..IncludeRoots::new(base, roots) }
     }
 
     /// Every file that was looked for so far: those that were found as they are called, the others as they would be.
@@ -239,8 +250,8 @@ impl IncludeRoots {
         }
     }
 
-    fn note(&self, path: PathBuf, name: &[String], found: bool) {
-        self.looked.borrow_mut().insert(path, Looked { name: name.join("/"), found });
+    fn note(&self, path: PathBuf, name: String, found: bool) {
+        self.looked.borrow_mut().insert(path, Looked { name, found });
     }
 
     /// The root whose prefix fits, and the rest of the name.
@@ -282,9 +293,9 @@ impl IncludeRoots {
 
     /// The file of a folder that the name means. A name without extension that is a file as it stands has no order among
     /// those with one.
-    fn of_folder(&self, folder: &Path, parts: &[String], extensions: &[&str]) -> Result<Option<Hit>, FileError> {
+    fn of_folder(&self, folder: &Path, asked: &Asked<'_>) -> Result<Option<Hit>, FileError> {
         let mut hits: Vec<Hit> = Vec::new();
-        for name in with_extensions(parts, extensions) {
+        for name in with_extensions(&asked.parts, asked.extensions) {
             match find(folder, &name, &self.listed)? {
                 Some(path) => {
                     let (opened, stamp) = open_inside(&path, folder)?;
@@ -292,13 +303,70 @@ impl IncludeRoots {
                         hits.push(Hit { path, name, opened, stamp });
                     }
                 }
-                None => self.note(folder.join(name.iter().collect::<PathBuf>()), &name, false),
+                None => self.note(folder.join(name.iter().collect::<PathBuf>()), asked.named(&name), false),
             }
         }
-        if hits.len() > 1 && hits[0].name == parts {
+        if hits.len() > 1 && hits[0].name == asked.parts {
             return Err(ambiguous(&hits));
         }
         Ok(hits.into_iter().next())
+    }
+
+    /// The file that `asked` means in the folders; where it lies in none, what was tried, and what is similar.
+    fn of_folders(&self, folders: &[PathBuf], asked: &Asked<'_>) -> Result<Opened, FileError> {
+        let mut hits: Vec<Hit> = Vec::new();
+        let mut similar = Vec::new();
+        for folder in folders {
+            match self.of_folder(folder, asked)? {
+                // One folder may be known by two names.
+                Some(hit) if hits.iter().any(|known| known.opened.identity == hit.opened.identity) => {}
+                Some(hit) => hits.push(hit),
+                None if self.missed.get() > MOST_MISSED => {}
+                None => {
+                    self.missed.set(self.missed.get() + 1);
+                    let name = asked.parts.last().map_or("", String::as_str);
+                    similar.extend(like(folder, name, asked.extensions, &self.listed));
+                }
+            }
+        }
+        if hits.len() > 1 {
+            return Err(ambiguous(&hits));
+        }
+        let Some(Hit { path, name, opened, stamp }) = hits.pop() else {
+            let tried = with_extensions(&asked.parts, asked.extensions);
+            return Err(FileError::NotFound { tried: tried.iter().map(|name| name.join("/")).collect(), similar });
+        };
+        self.reads(&path, stamp);
+        self.note(path, asked.named(&name), true);
+        Ok(opened)
+    }
+
+    /// The file that a name of the control means in the backup in which the program lies; `None` where it has no such folder.
+    fn of_backup(&self, name: &str, extensions: &[&str]) -> Option<Result<Opened, FileError>> {
+        let forbidden = |why: String| Some(Err(FileError::Forbidden { why }));
+        let (folders, rest) = match self.backup.seek(name)? {
+            Sought::In(folder, rest) => (vec![folder], rest),
+            Sought::InSeveral(folders, rest) => (folders, rest),
+            Sought::LeadsOut(link) => {
+                let why = format!("`{}` is a link that leads out of the folder in which the others lie", shown(&link));
+                return forbidden(why);
+            }
+            Sought::Absent(files) => {
+                files.into_iter().for_each(|file| self.note(file, name.to_owned(), false));
+                return None;
+            }
+        };
+        let parts = match parts_of(rest) {
+            Ok(parts) => parts,
+            Err(why) => return forbidden(why.to_owned()),
+        };
+        let asked = Asked { parts, extensions, root: &name[..name.len() - rest.len()] };
+        let found = self.of_folders(&folders, &asked);
+        if folders.len() > 1 && !matches!(found, Err(FileError::NotFound { .. })) {
+            let names: Vec<String> = folders.iter().map(|folder| format!("`{}`", shown(folder))).collect();
+            return forbidden(format!("{} stand for one folder of the control", names.join(" and ")));
+        }
+        Some(found)
     }
 
     /// The file that the configuration names.
@@ -306,7 +374,7 @@ impl IncludeRoots {
         let path = Path::new(name);
         let tried = vec![name.to_owned()];
         // Where it lies is not what it is.
-        self.note(path.to_path_buf(), &[file_name(path)], path.is_file());
+        self.note(path.to_path_buf(), file_name(path), path.is_file());
         if ordinary(path)?.is_none() {
             return Err(FileError::NotFound { tried, similar: Vec::new() });
         }
@@ -314,6 +382,22 @@ impl IncludeRoots {
         let (opened, stamp) = open_inside(path, folder)?;
         self.reads(path, stamp);
         Ok(opened)
+    }
+}
+
+/// A file that is asked for, of some folders.
+struct Asked<'r> {
+    /// Its name below each of them.
+    parts: Vec<String>,
+    extensions: &'r [&'r str],
+    /// The folder of the control, as the name begins; empty for a name without one.
+    root: &'r str,
+}
+
+impl Asked<'_> {
+    /// As it is called, whatever the folder of this computer is.
+    fn named(&self, name: &[String]) -> String {
+        self.root.to_ascii_uppercase() + &name.join("/")
     }
 }
 
@@ -349,42 +433,26 @@ impl Files for IncludeRoots {
                 if let Some(at) = name.find(':') {
                     return Err(FileError::NoRoot { prefix: request.name[..=at].to_owned() });
                 }
+                if let Some(found) = self.of_backup(&name, request.extensions) {
+                    return found;
+                }
                 if let Some(rest) = name.strip_prefix('/') {
                     let first = rest.split('/').next().unwrap_or(rest);
                     return Err(FileError::NoRoot { prefix: format!("/{first}") });
                 }
-                (self.folders(request), name)
+                (self.folders(request), name.clone())
             }
         };
         let parts = match parts_of(&rest) {
             Ok(parts) => parts,
             Err(why) => return forbidden(why),
         };
-        let mut hits: Vec<Hit> = Vec::new();
-        let mut similar = Vec::new();
-        for folder in &folders {
-            match self.of_folder(folder, &parts, request.extensions)? {
-                // One folder may be known by two names.
-                Some(hit) if hits.iter().any(|known| known.opened.identity == hit.opened.identity) => {}
-                Some(hit) => hits.push(hit),
-                None if self.missed.get() > MOST_MISSED => {}
-                None => {
-                    self.missed.set(self.missed.get() + 1);
-                    let name = parts.last().map_or("", String::as_str);
-                    similar.extend(like(folder, name, request.extensions, &self.listed));
-                }
-            }
-        }
-        if hits.len() > 1 {
-            return Err(ambiguous(&hits));
-        }
-        let Some(Hit { path, name, opened, stamp }) = hits.pop() else {
-            let tried = with_extensions(&parts, request.extensions);
-            return Err(FileError::NotFound { tried: tried.iter().map(|name| name.join("/")).collect(), similar });
-        };
-        self.reads(&path, stamp);
-        self.note(path, &name, true);
-        Ok(opened)
+        let root = &name[..name.len() - rest.len()];
+        self.of_folders(&folders, &Asked { parts, extensions: request.extensions, root })
+    }
+
+    fn copy_of(&self, folder: &str) -> Option<(String, &'static str)> {
+        self.backup.copy_of(folder).map(|(copy, control)| (shown(copy), control))
     }
 }
 
@@ -427,39 +495,11 @@ fn with_extensions(parts: &[String], extensions: &[&str]) -> Vec<Vec<String>> {
     candidates
 }
 
-/// Finds the file below `folder`; upper and lower case do not matter where one name fits. Names that differ in nothing else are one
-/// name on a control, so that none of them is the right one.
-fn find(folder: &Path, parts: &[String], listed: &Listings) -> Result<Option<PathBuf>, FileError> {
-    let mut path = folder.to_path_buf();
-    for part in parts {
-        let mut listed = listed.borrow_mut();
-        let names = listed.entry(path.clone()).or_insert_with(|| names_in(&path)).as_ref();
-        let fitting = names.and_then(|names| names.get(&part.to_ascii_uppercase())).map_or(&[][..], Vec::as_slice);
-        match fitting {
-            [one] => path = path.join(one),
-            // A folder that cannot be listed, or a file that came after.
-            [] if path.join(part).symlink_metadata().is_ok() => path = path.join(part),
-            [] => return Ok(None),
-            _ => return Err(FileError::Ambiguous { names: fitting.to_vec() }),
-        }
-    }
-    Ok(ordinary(&path)?.map(|()| path))
-}
-
-fn names_in(folder: &Path) -> Option<BTreeMap<String, Vec<String>>> {
-    let mut names: BTreeMap<String, Vec<String>> = BTreeMap::new();
-    for name in fs::read_dir(folder).ok()?.filter_map(|entry| entry.ok()?.file_name().into_string().ok()) {
-        names.entry(name.to_ascii_uppercase()).or_default().push(name);
-    }
-    names.values_mut().for_each(|fitting| fitting.sort());
-    Some(names)
-}
-
 /// Is there an ordinary file? A folder of this name is none.
 ///
 /// # Errors
 /// A pipe, a device, a link that leads nowhere: somebody put it there, and it cannot be called.
-fn ordinary(path: &Path) -> Result<Option<()>, FileError> {
+pub(super) fn ordinary(path: &Path) -> Result<Option<()>, FileError> {
     match metadata(path) {
         Ok(meta) if meta.is_file() => Ok(Some(())),
         Ok(meta) if meta.is_dir() => Ok(None),
@@ -490,30 +530,6 @@ pub(super) fn shown(path: &Path) -> String {
     let below = here.as_deref().and_then(|here| path.strip_prefix(here).ok()).unwrap_or(path);
     let plain: PathBuf = below.components().filter(|part| *part != Component::CurDir).collect();
     text_of(&plain)
-}
-
-/// Fewest letters of a name that another one may be near to.
-const SHORTEST_LIKE: usize = 3;
-
-/// A program in the folder with a name near to this one. Of very short names any other would be near.
-fn like(folder: &Path, name: &str, extensions: &[&str], listed: &Listings) -> Option<String> {
-    let (stem, extension) = name.rsplit_once('.').map_or((name, None), |(stem, extension)| (stem, Some(extension)));
-    if stem.chars().count() < SHORTEST_LIKE {
-        return None;
-    }
-    let program = |name: &String| {
-        name.rsplit_once('.').is_some_and(|(stem, found)| {
-            let kind = extensions.iter().chain(&extension).any(|wanted| wanted.eq_ignore_ascii_case(found));
-            kind && stem.chars().count() >= SHORTEST_LIKE
-        })
-    };
-    let mut listed = listed.borrow_mut();
-    let known = listed.entry(folder.to_path_buf()).or_insert_with(|| names_in(folder)).as_ref()?;
-    let mut names: Vec<&String> = known.values().flatten().filter(|name| program(name)).collect();
-    names.sort();
-    let stems = names.iter().filter_map(|name| name.rsplit_once('.')).map(|(stem, _)| stem);
-    let near = did_you_mean(stem, stems)?;
-    names.iter().find(|name| name.rsplit_once('.').is_some_and(|(stem, _)| stem == near)).map(|name| (*name).clone())
 }
 
 #[cfg(test)]

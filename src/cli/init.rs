@@ -19,6 +19,7 @@ use super::output::Destination;
 use super::pool::in_order;
 use super::report::{Reporter, Stdout, counted};
 use super::run::{is_output, is_program};
+use super::tool_hints::Hint;
 use super::trial::{Base, Called, Lists, Trial, Tried, index, offset};
 use super::update::merged;
 use super::{Exit, Trouble, config};
@@ -170,7 +171,7 @@ struct Programs {
     cut_off: Vec<(String, String)>,
     dialects: BTreeMap<&'static str, u32>,
     needs: Needs,
-    tools: BTreeMap<Called, (Place, BTreeSet<String>, u32)>,
+    tools: BTreeMap<Called, (Hint, BTreeSet<String>, u32)>,
     offsets: Seen<u8>,
     missing: Seen<String>,
     left: BTreeMap<&'static str, (Vec<Place>, u32)>,
@@ -211,8 +212,9 @@ impl Programs {
         }
         self.cut_off.extend(trial.cut_off.map(|trouble| (trial.name, trouble)));
         self.needs.join(&trial.needs);
-        for (called, place, what) in trial.tools {
-            let tool = self.tools.entry(called).or_insert_with(|| (place, BTreeSet::new(), 0));
+        for (called, hint, what) in trial.tools {
+            self.needs.hint(called.to_string(), hint.clone());
+            let tool = self.tools.entry(called).or_insert_with(|| (hint, BTreeSet::new(), 0));
             tool.1.extend(what.split(", ").filter(|what| !what.is_empty()).map(str::to_owned));
             tool.2 += 1;
         }
@@ -290,10 +292,10 @@ impl Programs {
         if !self.tools.is_empty() {
             *text += "#\n# Tools that are called:\n";
         }
-        for (called, (place, what, programs)) in &self.tools {
+        for (called, (hint, what, programs)) in &self.tools {
             let what = what.iter().cloned().collect::<Vec<_>>().join(", ");
             let what = if what.is_empty() { "moves only".to_owned() } else { what };
-            let _ = writeln!(text, "#   {called}: {what}; {}{}", at(place), more(*programs));
+            let _ = writeln!(text, "#   {called}: {what}; {}{}", at(&hint.call), more(*programs));
         }
         if !self.offsets.is_empty() {
             *text += "#\n# Work offsets that are selected; their values are set on the machine:\n";

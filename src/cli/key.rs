@@ -23,7 +23,7 @@ use super::run::{Loaded, is_program, load};
 use super::{Exit, Trouble, config, say};
 
 /// Raised where the same inputs shall have another key.
-const VERSION: &str = "2";
+const VERSION: &str = "3";
 
 /// Prints a line for each program: its key and its path, as `sha256sum` would.
 pub(super) fn key(args: &Key) -> Result<Exit, Trouble> {

@@ -115,7 +115,8 @@ impl World for OnDisk<'_> {
         let said = said_dialect(&identity, &settings)?.or_else(|| dialect::find(said));
         let Some(dialect) = said.or_else(|| dialect::read_as(&name, head)) else { return Ok(None) };
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let files = IncludeRoots::new(folder.to_path_buf(), settings.include.roots.clone());
+        let roots = settings.include.roots.clone();
+        let files = IncludeRoots::of_control(folder.to_path_buf(), roots, dialect.folders);
         Ok(Some(Setting { name, identity, dialect, settings, files: Box::new(files) }))
     }
 

@@ -75,7 +75,7 @@ pub(super) fn load_with(path: &Path, common: &Common, settings: Settings) -> Res
         Some(folder) if !folder.as_os_str().is_empty() => folder.to_path_buf(),
         _ => PathBuf::from("."),
     };
-    let files = IncludeRoots::new(base, settings.include.roots.clone());
+    let files = IncludeRoots::of_control(base, settings.include.roots.clone(), dialect.folders);
     stamp.into_iter().for_each(|stamp| files.reads(path, stamp));
     Ok(Loaded { session, dialect, settings, files, place })
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use crate::diag::{Answer, Severity, codes};
-use crate::dialect::Dialect;
+use crate::dialect::{self, Dialect};
 use crate::driver::Session;
 use crate::machine::tree::{Table, Value, overlay, parse};
 use crate::machine::{MachineKind, Settings};
@@ -14,6 +14,7 @@ use super::answers::{Form, Needs, Place, Request, can_be_tried, requests};
 use super::inputs::{Ignored, walk};
 use super::options::Common;
 use super::run::{Loaded, load_with};
+use super::tool_hints::Hint;
 use super::{Trouble, config};
 
 /// Most times that a program is tried: what is answered lets the run go on to what else is missing.
@@ -45,38 +46,52 @@ impl Base {
     fn root_of(&self, file: &str) -> Option<(String, String)> {
         let folders = self.lies_in.get(&file.to_uppercase())?;
         let (_, extension) = file.rsplit_once('.')?;
+        let extension = extension.to_ascii_lowercase();
         let below = |folder: &Path| folder.to_string_lossy().replace('\\', "/");
-        if extension.eq_ignore_ascii_case("spf") {
-            let rank = |folder: &Path| SEARCHED.iter().position(|name| is_copy_of(folder, name));
-            // Of two copies of one folder nobody knows which is meant.
-            let copies = |at: usize| folders.iter().filter(move |folder| rank(folder) == Some(at)).collect::<Vec<_>>();
-            if let Some((at, list)) = (0..SEARCHED.len()).map(|at| (at, copies(at))).find(|(_, list)| !list.is_empty())
-            {
-                let [folder] = list[..] else { return None };
-                return Some((format!("/_N_{}_DIR", SEARCHED[at]), below(folder)));
-            }
+        // Definitions count in one folder of the control only.
+        let searched = match &extension[..] {
+            "spf" => SEARCHED,
+            "def" => DEFINITIONS,
+            _ => &[],
+        };
+        // Of two copies of one folder nobody knows which is meant.
+        let copies = |path: &str| folders.iter().filter(|folder| is_copy_of(folder, path)).collect::<Vec<_>>();
+        if let Some((path, list)) = searched.iter().map(|path| (path, copies(path))).find(|(_, list)| !list.is_empty())
+        {
+            let [folder] = list[..] else { return None };
+            return Some(((*path).to_owned(), below(folder)));
         }
         let mut folders = folders.iter();
         let (Some(folder), None) = (folders.next(), folders.next()) else { return None };
         let name = folder.file_name()?.to_string_lossy().to_uppercase();
-        let root = match &extension.to_ascii_lowercase()[..] {
-            "h" => format!("TNC:/{}", below(folder)),
-            // No other folder and no workpiece is searched for a subprogram, and none for a main program.
-            "spf" if !name.ends_with(".WPD") && !name.ends_with("_WPD") => format!("/_N_{}_DIR", SEARCHED[0]),
-            "spf" | "mpf" => return None,
-            _ => format!("/_N_{name}_DIR"),
+        let root = match (&extension[..], searched.first()) {
+            ("h", _) => format!("TNC:/{}", below(folder)),
+            // No workpiece is searched for a subprogram, and a folder that stands for another one stays what it is.
+            (_, Some(_)) if name.ends_with(".WPD") || name.ends_with("_WPD") => return None,
+            (_, Some(first)) if self.holds_copy_of(first) => return None,
+            (_, Some(first)) => (*first).to_owned(),
+            ("mpf", None) => return None,
+            (_, None) => format!("/_N_{}_DIR", name.strip_suffix(".DIR").unwrap_or(&name)),
         };
         Some((root, below(folder)))
+    }
+
+    /// Is one of the folders a copy of this one of the control?
+    fn holds_copy_of(&self, path: &str) -> bool {
+        self.lies_in.values().flatten().any(|folder| is_copy_of(folder, path))
     }
 }
 
 /// Folders in which a SINUMERIK looks for a subprogram beside that of the main program, in its order.
-const SEARCHED: [&str; 4] = ["SPF", "CUS", "CMA", "CST"];
+const SEARCHED: &[&str] = &["/_N_SPF_DIR", "/_N_CUS_DIR", "/_N_CMA_DIR", "/_N_CST_DIR"];
+/// The one in which it looks for definitions.
+const DEFINITIONS: &[&str] = &["/_N_DEF_DIR"];
 
-/// Is the folder called as a copy of `/_N_SPF_DIR` is, where the name is SPF?
-fn is_copy_of(folder: &Path, name: &str) -> bool {
-    let folder = folder.file_name().map(|folder| folder.to_string_lossy().to_uppercase()).unwrap_or_default();
-    [format!("{name}.DIR"), format!("_N_{name}_DIR"), format!("{name}_DIR")].contains(&folder)
+/// Is the folder called as a copy of this one of the control is?
+fn is_copy_of(folder: &Path, path: &str) -> bool {
+    let name = folder.file_name().map(|folder| folder.to_string_lossy()).unwrap_or_default();
+    let mut known = dialect::ALL.iter().flat_map(|dialect| dialect.folders);
+    known.any(|folder| folder.path == path && folder.is_copied_as(&name))
 }
 
 /// The files in folders below `folder`.
@@ -123,7 +138,7 @@ pub(super) struct Trial {
     pub dialect: &'static Dialect,
     pub needs: Needs,
     /// Its tools, with what they do.
-    pub tools: Vec<(Called, Place, String)>,
+    pub tools: Vec<(Called, Hint, String)>,
     pub offsets: Vec<(u8, Place)>,
     /// Called programs that no key stands for.
     pub missing: Vec<(String, Place)>,
@@ -235,7 +250,8 @@ impl<'a> Tried<'a> {
         let tools = uses.tools.iter().filter(|(number, _)| **number != 0).map(|(number, tool)| {
             let mut what: Vec<String> = tool.cycles.iter().map(|family| words(family)).collect();
             what.extend(tool.compensated.then(|| "radius compensation".to_owned()));
-            (Called::of(*number, needs), place(tool.first), what.join(", "))
+            let hint = Hint::new(*number, needs.name_of(*number), tool.first, &session);
+            (Called::of(*number, needs), hint, what.join(", "))
         });
         let offsets = uses.offsets.iter().filter(|(number, _)| !needs.is_tried_offset(&offset(**number)));
         Ok(Trial {

@@ -9,6 +9,7 @@ use std::time::{Duration, SystemTime};
 use crate::dialect;
 
 use super::args::Watch;
+use super::backup::Backup;
 use super::config;
 use super::inputs::inputs;
 use super::run::{check, is_program};
@@ -71,7 +72,13 @@ fn state(args: &Watch) -> Result<State, Trouble> {
             config::files_above(folder, &check.common).iter().for_each(|file| look_at(&mut files, file));
             // Called programs may lie in the include roots.
             if let Ok(settings) = config::settings(&input.path, &check.common) {
-                folders.extend(settings.include.roots.into_values());
+                let roots = settings.include.roots;
+                // Which language it is makes no difference to what may change.
+                for dialect in dialect::ALL {
+                    folders
+                        .extend(Backup::around(folder, dialect.folders, roots.keys()).folders().map(Path::to_path_buf));
+                }
+                folders.extend(roots.into_values());
             }
         }
     }

@@ -11,6 +11,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     recognizes,
     disowns: |_| false,
     turns: false,
+    folders: &[],
     run: gcode::run,
     check_form: gcode::check_form,
     check_unexecuted: None,

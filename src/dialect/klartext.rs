@@ -11,6 +11,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     recognizes,
     disowns: |_| false,
     turns: false,
+    folders: &[],
     run: klartext::run,
     check_form: klartext::check_form,
     check_unexecuted: Some(klartext::check_unexecuted),

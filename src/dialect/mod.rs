@@ -14,6 +14,7 @@ use crate::machine::{MachineKind, Settings};
 use crate::sema::Job;
 use crate::sema::cycle_table::Signature;
 use crate::sema::run::survey::Survey;
+use crate::text::ControlFolder;
 
 /// What the rest of the compiler knows of a control's language.
 pub struct Dialect {
@@ -28,6 +29,8 @@ pub struct Dialect {
     pub disowns: fn(&[u8]) -> bool,
     /// A language of lathes: whatever `[machine] kind` says, the output is one for a lathe.
     pub turns: bool,
+    /// Folders of the control, where copies of them are known by their names.
+    pub folders: &'static [ControlFolder],
     /// Runs the main program; returns the hash of its text.
     pub run: fn(&Job<'_>, &mut dyn Sink) -> u64,
     /// Reads every block, whether it runs or not.

@@ -11,6 +11,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     recognizes,
     disowns: |_| false,
     turns: false,
+    folders: &[],
     run: mtc200::run,
     check_form: mtc200::check_form,
     check_unexecuted: None,

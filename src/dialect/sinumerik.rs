@@ -11,6 +11,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     recognizes,
     disowns: |_| false,
     turns: false,
+    folders: sinumerik::FOLDERS,
     run: sinumerik::run,
     check_form: sinumerik::check_form,
     check_unexecuted: Some(sinumerik::check_unexecuted),

@@ -11,6 +11,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     recognizes,
     disowns,
     turns: true,
+    folders: &[],
     run: turning::run,
     check_form: turning::check_form,
     check_unexecuted: None,

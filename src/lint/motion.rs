@@ -216,7 +216,7 @@ impl<'d> Say<'d> {
         self.diags.any(|found| {
             found.code.id == codes::S2025.id
                 && found.message.split(' ').next().is_some_and(|name| {
-                    let name = name.trim_matches('`');
+                    let name = name.trim_matches('`').split('[').next().unwrap_or_default();
                     block
                         .split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
                         .any(|word| word.eq_ignore_ascii_case(name))

@@ -80,6 +80,10 @@ impl Files for WithOpen<'_> {
         }
         Ok(opened)
     }
+
+    fn copy_of(&self, folder: &str) -> Option<(String, &'static str)> {
+        self.files.copy_of(folder)
+    }
 }
 
 /// The state of a session with an editor.

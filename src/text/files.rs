@@ -107,6 +107,31 @@ pub trait Files {
     /// # Errors
     /// See [`FileError`].
     fn open(&self, request: &Request<'_>) -> Result<Opened, FileError>;
+
+    /// The folder of this computer that stands for `folder` of the control, or for one in which it lies, because it is called so, and
+    /// not because a configuration says it; and that folder of the control.
+    fn copy_of(&self, folder: &str) -> Option<(String, &'static str)> {
+        let _ = folder;
+        None
+    }
+}
+
+/// A folder of a control, and what a copy of it is called on a computer.
+#[derive(Debug, Clone, Copy)]
+pub struct ControlFolder {
+    /// As programs write it: `/_N_SPF_DIR`.
+    pub path: &'static str,
+    /// Names of its copies, in capitals.
+    pub copies: [&'static str; 4],
+    /// Programs lie in folders of it whose names end so; where there is none, in itself.
+    pub below: &'static [&'static str],
+}
+
+impl ControlFolder {
+    /// Is a folder of this name a copy of it?
+    pub fn is_copied_as(&self, name: &str) -> bool {
+        self.copies.iter().any(|copy| copy.eq_ignore_ascii_case(name))
+    }
 }
 
 /// No program can be called.

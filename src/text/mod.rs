@@ -13,7 +13,7 @@ pub mod sources;
 
 pub use block_numbers::BlockNumbers;
 pub use blocks::{Cursor, Next, SplitRules};
-pub use files::{FileError, Files, Folder, Memory, Opened, ReadAt, Request, Within};
+pub use files::{ControlFolder, FileError, Files, Folder, Memory, Opened, ReadAt, Request, Within};
 pub use sources::{FileId, Sources};
 
 /// A range of bytes in one file; `end` is exclusive. Files are at most 4 GiB.

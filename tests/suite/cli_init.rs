@@ -1,5 +1,8 @@
 //! `partc init`, and what check and compile say of keys that a configuration lacks.
 
+use partc::diagnostics::{Diagnostic, Severity};
+
+use super::book;
 use super::cli_run::{Folder, PART, RADIUS, WRONG};
 
 /// Everything that `partc init` wrote with its blanks filled in, as nobody should do who has a machine.
@@ -318,5 +321,99 @@ fn what_no_configuration_can_say_is_a_finding_all_the_same() {
             let said = format!("{}{}", ran.out, ran.err);
             assert!(ran.code == Some(1) && said.contains("A.H:3") && said.contains(code), "{block}: {ran:?}");
         }
+    }
+}
+
+/// What a program says of its tools stands beside the empty value, and is none.
+#[test]
+fn measures_in_names_and_comments_are_hints() {
+    let program = "0 BEGIN PGM A MM\n1 ; T5 - L0 R4 - finisher\n2 ; T9 - L0 R3 - other\n3 * - TOOL: T188451270 | GUH / DM=12 CR=0.5 TL=148\n\
+                   4 TOOL CALL 7 Z S2000\n5 L X+0 Y+0 R0 FMAX M3\n6 L X+10 RL F200\n7 L X+60 R0\n8 TOOL CALL 5 Z S3000\n\
+                   9 L X+0 Y+0 R0 FMAX M3\n10 L X+10 RL F200\n11 L X+60 R0\n12 TOOL CALL \"MILL_8\" Z S3000 DR+0.1\n13 L X+0 Y+0 R0 FMAX M3\n\
+                   14 L X+10 RL F200\n15 L X+60 R0\n16 TOOL CALL 3 Z S3000 ; end mill 10 mm\n17 L X+0 Y+0 R0 FMAX M3\n\
+                   18 L X+10 RL F200\n19 L X+60 R0\n20 L Z+50 FMAX M30\n21 END PGM A MM\n";
+    let folder = Folder::new("init_hints").with(&[("A.H", program)]);
+    folder.run(&["init", "."]).exits(0);
+    let config = folder.read("partc.toml");
+    for wanted in [
+        "#7 = { radius =  } ",
+        "radius 6, corner radius 0.5, length 148 by \"TOOL: T188451270 | GUH / DM=12 CR=0.5 TL=148\"?; called in A.H:5 `4 TOOL CALL 7 Z S2000`, asked for by A.H:7 `6 L X+10 RL F200`",
+        "radius 4 by \"T5 - L0 R4 - finisher\"?; called in A.H:9",
+        "radius 4 by \"MILL_8\"?; ",
+        "radius 5 by \"end mill 10 mm\"?; ",
+    ] {
+        assert!(config.contains(wanted), "{wanted} is missing in:\n{config}");
+    }
+    // Taking the marks away gives no tool a measure.
+    let bare = |line: &str| line.strip_prefix('#').filter(|rest| !rest.starts_with(' ')).unwrap_or(line).to_owned();
+    folder.write("partc.toml", &config.lines().map(|line| bare(line) + "\n").collect::<String>());
+    folder.run(&["compile", "A.H", "-o", "-"]).exits(2);
+    // They are offered in a conversation, and taken by nobody but the user.
+    let said = folder.run_with(&["init", ".", "-i", "--force"], "-\n-\n-\n-\n-\n").exits(0).err;
+    assert!(said.contains("radius 5 by \"end mill 10 mm\"?") && said.contains("  radius [5]: "), "{said}");
+}
+
+/// Of no program of the machine builder a line says what it does before the user has: also where there is one choice only.
+#[test]
+fn no_line_makes_a_promise() {
+    let mut asked = 0;
+    for name in book::files("book") {
+        for case in book::of(&name) {
+            let asks = |finding: &Diagnostic| finding.answers.iter().any(|answer| answer.section == "programs");
+            let is_flat = !case.called.keys().any(|name| name.contains(['/', '\\']));
+            if !is_flat || !case.compile().findings.iter().any(|found| found.severity == Severity::Error && asks(found))
+            {
+                continue;
+            }
+            asked += 1;
+            let folder = Folder::new("init_promises");
+            std::fs::write(folder.0.join(&case.file), &case.program).expect("a program");
+            for (name, bytes) in &case.called {
+                std::fs::write(folder.0.join(name), bytes).expect("a program");
+            }
+            folder.write("partc.toml", &case.config);
+            let config = folder.run(&["init", &case.file, "-o", "-", "--dialect", &case.dialect]).exits(0).out;
+            let lines =
+                config.lines().skip_while(|line| *line != "[programs]").skip(1).take_while(|line| !line.is_empty());
+            for line in lines {
+                let (entry, _) = line.split_once(" # ").expect("a remark");
+                assert!(line.starts_with('#') && entry.trim_end().ends_with('='), "{}: {line}", case.name);
+            }
+        }
+    }
+    assert!(asked >= 10, "{asked}");
+}
+
+/// A folder of a lathe course: tools by name, a tool changer, axes and spindles of the builder. A tool is one line.
+#[test]
+fn a_course_is_asked_for_in_few_lines() {
+    let folder = Folder::new("init_course");
+    let tools = [
+        "DR_R0.8K95E80",
+        "DR_R0.4K93E35",
+        "SR_R0.8K95E80",
+        "SR_R0.2K93E35",
+        "GR_3.0",
+        "TH_1.5",
+        "FS_D10",
+        "DRILL_D8.5",
+    ];
+    for n in 0..24 {
+        let [rough, fine] = [tools[n % 8], tools[(n + 3) % 8]];
+        let part = format!(
+            "; PART {n}\nN10 G18 G54 G90 DIAMON\nN15 LIMS=3000\nN20 T=\"{rough}\"\nN25 TC(1,0,0,2,90,0) ; change\nN30 B1=90\n\
+             N35 G96 S200 M4\nN40 G0 X62 Z2\nN45 G42 G1 X20 Z0 F0.2\nN50 G1 X30 Z-5 RND=1\nN55 G1 Z-30\nN60 G40 G1 X66\nN65 G0 X150 Z150\n\
+             N70 T=\"{fine}\"\nN75 TC(1,0,0,2,90,0)\nN80 G96 S200 M4\nN85 G0 X62 Z2\nN90 G1 X-1.6 F0.2\nN95 G0 X150 Z150\nN100 TIME_OFF\nN105 M{}\nN110 M30\n",
+            60 + n % 5
+        );
+        folder.write(&format!("P{n}.MPF"), &part);
+    }
+    folder.run(&["init", "."]).exits(0);
+    let config = folder.read("partc.toml");
+    let asked =
+        config.lines().filter(|line| line.starts_with('#') && !line.starts_with("# ") && line.contains(" = ")).count();
+    assert!(asked <= 20, "{asked} lines:\n{config}");
+    for tool in tools {
+        assert_eq!(config.matches(&format!("{{ name = \"{tool}\"")).count(), 1, "{config}");
     }
 }

@@ -222,8 +222,9 @@ fn lists_of_files_name_what_would_go_before() {
 #[test]
 fn init_names_folders_of_a_backup_as_the_control_does() {
     let call = "N10 G17 G90 G54 G0 X0 Y0 Z10\nN20 DRILL\nN25 MILL\nN30 M30\n";
+    // The program lies in no folder of the backup, so that nothing is found without a root.
     let folder = Folder::new("names_init").with(&[
-        ("MPF.DIR/A.MPF", call),
+        ("parts/A.MPF", call),
         ("SPF.DIR/DRILL.SPF", "G0 Z1\nM17\n"),
         ("CMA.DIR/DRILL.SPF", "G0 Z3\nM17\n"),
         ("CMA.DIR/MILL.SPF", "G0 Z4\nM17\n"),
@@ -237,7 +238,7 @@ fn init_names_folders_of_a_backup_as_the_control_does() {
     assert!(!config.contains("ignore") && !config.contains("WPD"), "{config}");
     let filled: String = config.lines().map(|line| line.replace("#roots", "roots") + "\n").collect();
     folder.write("partc.toml", &filled);
-    let ran = folder.run(&["compile", "MPF.DIR/A.MPF", "-o", "-"]).exits(0).quietly();
+    let ran = folder.run(&["compile", "parts/A.MPF", "-o", "-"]).exits(0).quietly();
     assert!(ran.out.contains("\nG0 Z1\nG0 Z4\n"), "{}", ran.out);
 }
 

@@ -22,8 +22,12 @@ const CYCLES: [&str; 5] = ["CYCLE", "HOLES", "POCKET", "SLOT", "LONGHOLE"];
 
 impl Files for Short {
     fn open(&self, request: &Request<'_>) -> Result<Opened, FileError> {
-        // The same program lies in all folders, with whatever ending.
+        // The same program lies in all folders, with whatever ending, and by the name that it has on the control.
         let name = request.name.rsplit('/').next().unwrap_or(request.name).to_ascii_uppercase();
+        let name = match name.strip_prefix("_N_").and_then(|name| name.rsplit_once('_')) {
+            Some((stem, ending)) => format!("{stem}.{ending}"),
+            None => name,
+        };
         if CYCLES.iter().any(|cycle| name.starts_with(cycle)) {
             return Err(FileError::NotFound { tried: Vec::new(), similar: Vec::new() });
         }

@@ -127,7 +127,7 @@ books! {
     sinumerik_undercut_cycles = "sinumerik/undercut_cycles":
         cycle94 cycle940 cycle940_a cycle940_b cycle940_c cycle940_d cycle940_e cycle940_f cycle940_t cycle96 noses written_edges;
     sinumerik_variables = "sinumerik/variables":
-        arrays;
+        arrays kept;
     targets_klartext = "targets/klartext":
         compensation feeds rigid_taps;
     targets_sinumerik = "targets/sinumerik":

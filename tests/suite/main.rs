@@ -8,6 +8,7 @@ mod book;
 mod boundaries;
 mod captured;
 mod cli;
+mod cli_backup;
 mod cli_builds;
 mod cli_ci;
 mod cli_config;

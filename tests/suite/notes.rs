@@ -81,6 +81,7 @@ const NOTES: &[(&str, Proof)] = &[
     ("S8029", Same(&[("CYCLE800(0,\"TC1\",200000,57,0,0,0,0,0,0,0,0,0,-1)\n", "")])),
     ("S8035", Same(&[("0.3,7,,,80", "0.3,,,,80")])),
     ("S8037", Same(&[("CALLPATH(\"/_N_WKS_DIR/_N_SHAFT_WPD\")\n", "")])),
+    ("S8039", Free("docs/sinumerik.md", "MPF.DIR")),
     ("S8041", Worked),
     ("S8049", Worked),
     ("S8103", Same(&[("STOPRE\n", "")])),

@@ -175,6 +175,9 @@ S8038 Warning "siemens-mcall-open" "modal call that is never ended"
 "MCALL with a program or a cycle calls it behind each block that moves, up to an MCALL without a name. The program ends before: \
 every move behind the last hole, the retraction to the tool change included, has drilled again."
 
+S8039 Note "siemens-copied-folder" "folder beside the program's own stands for one of the control"
+"The program lies in a folder that is called as one of the control (`MPF.DIR`, `_N_MPF_DIR` or `MPF`; `WKS.DIR/A.WPD`), so that the folders beside it that are called so are copies of the control's others: `SPF.DIR` is `/_N_SPF_DIR`. A program or the definitions were taken from the one named. `[include] roots` goes before the names: `roots = { \"/_N_SPF_DIR\" = \"other\" }`."
+
 S8040 Warning "siemens-block-not-run" "block that does not run could not be compiled"
 "`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing calls, behind a \
 jump, in a branch not taken. The output does not depend on this one, so it is no error; if it ever runs, it will be refused. `partc explain` \

@@ -200,7 +200,7 @@ impl Run<'_> {
         {
             *element = value;
             var.lost = false;
-            var.written = true;
+            var.kept.knows(at);
         }
         Ok(())
     }
@@ -396,7 +396,6 @@ impl Core<'_> {
 
     pub(super) fn filled(&self, var: &Var, start: usize, fill: &Fill, span: Span) -> Outcome<Var> {
         let mut made = var.clone();
-        made.written = true;
         let room = made.values.len() - start.min(made.values.len());
         match fill {
             Fill::Set(list) => {
@@ -406,6 +405,7 @@ impl Core<'_> {
                 }
                 for (at, value) in list.iter().enumerate().filter(|(_, value)| **value != Val::Missing) {
                     made.values[start + at] = self.converted(value, made.kind, span)?;
+                    made.kept.knows(start + at);
                 }
             }
             Fill::Repeat(value, count) => {
@@ -414,8 +414,9 @@ impl Core<'_> {
                 if count > room {
                     return self.fail(codes::S2017.alarm(12260), span, format!("{count} values for {room} elements"));
                 }
-                for element in made.values.iter_mut().skip(start).take(count) {
+                for (at, element) in made.values.iter_mut().enumerate().skip(start).take(count) {
                     *element = value.clone();
+                    made.kept.knows(at);
                 }
             }
         }

@@ -151,6 +151,7 @@ impl Run<'_> {
         let Some((name, at)) = found else { return Ok(first) };
         if let Some(folder) = &at.folder {
             self.units.lie_in(file, folder);
+            self.note_copy(folder, loc);
         }
         let plain = called_name(name);
         let named: Vec<usize> = self.units.of_file(file, without_extension(&plain)).collect();
@@ -163,6 +164,15 @@ impl Run<'_> {
                 self.go_on_in_doubt();
                 Err(Missing::Reported)
             }
+        }
+    }
+
+    /// Says once that a folder of this computer stands for one of the control because of its name.
+    pub(super) fn note_copy(&mut self, folder: &str, loc: Loc) {
+        let Some((copy, control)) = self.job.files.copy_of(folder) else { return };
+        if self.warned.copies.insert(control) {
+            let message = format!("`{copy}` stands for `{control}`, because of its name");
+            self.report(Diagnostic::new(codes::S8039, loc, message));
         }
     }
 

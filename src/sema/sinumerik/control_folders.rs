@@ -2,6 +2,30 @@
 //!
 //! Source: S 1.1 (docs/sources.md).
 
+use crate::text::ControlFolder;
+
+/// One folder of the root: its path, and the names of its copies.
+macro_rules! folder {
+    ($name:literal, $below:expr) => {
+        ControlFolder {
+            path: concat!("/_N_", $name, "_DIR"),
+            copies: [concat!($name, ".DIR"), concat!("_N_", $name, "_DIR"), concat!($name, "_DIR"), $name],
+            below: $below,
+        }
+    };
+}
+
+/// The folders of the control in which programs and definitions lie.
+pub(crate) const FOLDERS: &[ControlFolder] = &[
+    folder!("MPF", &[]),
+    folder!("SPF", &[]),
+    folder!("CUS", &[]),
+    folder!("CMA", &[]),
+    folder!("CST", &[]),
+    folder!("DEF", &[]),
+    folder!("WKS", &[".WPD", "_WPD"]),
+];
+
 /// The folder that a `;$PATH=` line names.
 pub(super) fn path_line(line: &[u8]) -> Option<String> {
     let (mark, path) = line.trim_ascii().split_at_checked(";$PATH=".len())?;
@@ -51,6 +75,12 @@ mod tests {
             "//NC:/WKS.DIR/A.WPD",
         ] {
             assert_eq!(control_path(path), "/_N_WKS_DIR/_N_A_WPD", "{path}");
+        }
+        for folder in FOLDERS {
+            assert!(folder.copies[..3].iter().all(|copy| {
+                let path = format!("/_N_{copy}").replace("_N__N_", "_N_").replace('.', "_");
+                path == folder.path
+            }));
         }
         assert_eq!(path_line(b";$PATH=/_N_SPF_DIR\r").as_deref(), Some("/_N_SPF_DIR"));
         assert_eq!(

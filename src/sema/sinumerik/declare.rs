@@ -6,14 +6,14 @@ use crate::diag::{Diagnostic, codes};
 use crate::parser::sinumerik::SPLIT;
 use crate::parser::sinumerik::ast::{Block, Formula, Stmt, TypeName, Variable};
 use crate::parser::sinumerik::parse_block;
-use crate::sema::run::{open_cursor, refused};
+use crate::sema::run::{not_opened, open_cursor, refused};
 use crate::text::blocks::Place;
-use crate::text::{Loc, Next, Opened, Request, Within};
+use crate::text::{FileError, Loc, Next, Opened, Request, Within};
 
 use super::control_folders::names_below;
 use super::formula_functions;
 use super::value::{MOST_TEXT, Val, whole};
-use super::vars::{MOST_ELEMENTS, Var};
+use super::vars::{Kept, MOST_ELEMENTS, Var};
 use super::vocabulary::Meaning;
 use super::{Outcome, Reported, Run};
 
@@ -152,12 +152,16 @@ impl Run<'_> {
             zero = self.converted_or(&Val::Real(0.0f64.max(least).min(most)), kind, variable.span, [12390, 12160])?;
         }
         let values = vec![zero; count as usize];
-        let mut var = Var { kind, sizes, values, length, defined, lost: false, written: false, limits };
+        let mut var = Var { kind, sizes, values, length, defined, lost: false, kept: Kept::default(), limits };
         if let Some(formula) = variable.value {
             if kind == TypeName::Frame {
                 return self.fail(codes::S2017.alarm(12261), formula.span, "a FRAME cannot be given a value by DEF");
             }
             var = self.started(var, formula, block, text)?;
+        }
+        if global {
+            var.kept = Kept::of_global(name);
+            var = self.with_kept_values(&word, var, variable.span)?;
         }
         if !self.vars.define(name, var, global) {
             return self.fail(codes::S2018.alarm(12380), variable.span, "the variables of the program are too large");
@@ -194,30 +198,55 @@ impl Run<'_> {
                 self.read_definitions(self.job.main, Some(start), end);
                 continue;
             }
-            let Some(opened) = self.definition_file(name) else { continue };
+            let from = Loc { line: 1, ..Loc::default() };
+            let (opened, of_control) = match self.definition_file(name) {
+                Ok(Some(found)) => found,
+                Ok(None) => continue,
+                // What it defines is not known, and may change the meaning of any word.
+                Err(error) => {
+                    self.job.diags.push(not_opened(error, &format!("{name}.DEF"), from));
+                    self.stop_run();
+                    break;
+                }
+            };
             let file = match self.job.sources.add(opened) {
                 Ok(file) => file,
                 Err(too_much) => {
-                    let from = Loc { line: 1, ..Loc::default() };
                     self.job.diags.push(refused(too_much, name, from));
                     continue;
                 }
             };
             any = true;
+            if of_control {
+                self.note_copy(DEFINITIONS, Loc { file, line: 1, ..Loc::default() });
+            }
             self.read_definitions(file, None, u32::MAX);
         }
         !any
     }
 
-    /// The file of definitions: in the folder of the control where they count, or beside the main program.
-    fn definition_file(&self, name: &str) -> Option<Opened> {
+    /// The file of definitions, and whether it lies in the folder of the control where they count; if not, beside the main program.
+    fn definition_file(&self, name: &str) -> Result<Option<(Opened, bool)>, FileError> {
         let from = self.job.sources.identity(self.job.main);
         let ask = |name: &str| {
             let request = Request { from: &from, name, extensions: &["DEF"], within: Within::Main };
-            self.job.files.open(&request).ok()
+            match self.job.files.open(&request) {
+                Ok(opened) => Ok(Some(opened)),
+                Err(FileError::NotFound { .. } | FileError::NoRoot { .. }) => Ok(None),
+                Err(error) => Err(error),
+            }
         };
-        let of_control = names_below(DEFINITIONS, name);
-        of_control.iter().find_map(|name| ask(name)).or_else(|| ask(name))
+        // `MGUD.DEF` is `_N_MGUD_DEF` on the control.
+        let file = format!("_N_{name}_DEF");
+        let names = names_below(DEFINITIONS, name).into_iter().chain(names_below(DEFINITIONS, &file));
+        for of_control in names {
+            if let Some(opened) = ask(&of_control)? {
+                return Ok(Some((opened, true)));
+            }
+        }
+        let beside = ask(name)?;
+        let beside = if beside.is_some() { beside } else { ask(&file)? };
+        Ok(beside.map(|opened| (opened, false)))
     }
 
     /// Reads a definition file, or the part of an archive from `start` to the offset `end`.

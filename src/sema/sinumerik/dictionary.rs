@@ -1,5 +1,7 @@
 //! All words of the language in one place: G codes, addresses, procedures, cycles, and those that are not compiled.
 
+use std::sync::OnceLock;
+
 use rustc_hash::FxHashMap;
 
 use crate::diag::codes;
@@ -12,7 +14,12 @@ use super::vocabulary::{
 };
 
 /// Every word of the language by name.
-pub(super) fn words() -> FxHashMap<&'static str, Meaning> {
+pub(super) fn words() -> &'static FxHashMap<&'static str, Meaning> {
+    static WORDS: OnceLock<FxHashMap<&'static str, Meaning>> = OnceLock::new();
+    WORDS.get_or_init(all)
+}
+
+fn all() -> FxHashMap<&'static str, Meaning> {
     let mut map = FxHashMap::default();
     for (list, code) in [(TRANSFORMATIONS, codes::S9006), (REFUSED, codes::S9005)] {
         for (what, names) in list {
@@ -74,10 +81,10 @@ pub(super) fn words() -> FxHashMap<&'static str, Meaning> {
 pub fn all_words() -> Vec<(String, Option<u8>)> {
     let mut list: Vec<(String, Option<u8>)> = words()
         .into_iter()
-        .filter(|(name, _)| *name != "-")
+        .filter(|(name, _)| **name != "-")
         .map(|(name, meaning)| match meaning {
-            Meaning::Code(code) => (name.to_owned(), Some(code.group.number())),
-            _ => (name.to_owned(), None),
+            Meaning::Code(code) => ((*name).to_owned(), Some(code.group.number())),
+            _ => ((*name).to_owned(), None),
         })
         .collect();
     list.sort();

@@ -126,6 +126,7 @@ impl Formulas for Run<'_> {
     }
 
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
+        let is_zero = matches!(fault, Fault::Zero(_));
         let (code, message) = match fault {
             Fault::Misfit(what) => (codes::S2005.alarm(12150), format!("the operator does not fit {what}")),
             Fault::Mismatch(a, b) => (codes::S2005.alarm(12150), format!("{a} and {b} do not go together here")),
@@ -137,7 +138,15 @@ impl Formulas for Run<'_> {
                 (codes::S2006.alarm(14051), "the result is too large".to_owned())
             }
         };
-        self.report(Diagnostic::new(code, self.loc(at.span), message));
+        let found = Diagnostic::new(code, self.loc(at.span), message);
+        let unset = if is_zero { &self.warned.unset[..] } else { &[] };
+        self.report(match unset {
+            [] => found,
+            [first, rest @ ..] => found.help(rest.iter().fold(
+                Answer::key("variables", first).help("give the values that the control keeps under [variables]"),
+                |help, name| help.and(Answer::key("variables", name)),
+            )),
+        });
         Reported
     }
 }
@@ -193,6 +202,7 @@ impl Run<'_> {
             [] => return Ok(Val::Missing),
             _ => {}
         }
+        self.warned.unset.clear();
         evaluate(self, ops, At { span: formula.span, text })
     }
 
@@ -219,6 +229,9 @@ impl Run<'_> {
             return self.fail(codes::S2018.alarm(17020), span, format!("there is no parameter R{n}"));
         }
         let (value, set) = self.vars.r(n).ok_or(Reported)?;
+        if !set {
+            self.warned.unset.push(format!("R{n}"));
+        }
         if !set && self.warned.r.insert(n) {
             let message = format!("R{n} is read before the program sets it; it counts as 0");
             let found = Diagnostic::new(codes::S2025, self.loc(span), message);
@@ -312,19 +325,8 @@ impl Run<'_> {
         self.fail_help(codes::S9133, span, message, help)
     }
 
-    /// A global variable keeps its value from run to run, so its start value is a guess.
-    fn warn_of_global(&mut self, slot: Slot, span: Span) {
-        let Slot::Global(name) = slot else { return };
-        if self.vars.get(slot).is_some_and(|var| !var.written) && self.warned.globals.insert(name) {
-            let word = self.symbols.name(name);
-            let message = format!("`{word}` is read before the program sets it; it counts as its start value");
-            let found = Diagnostic::new(codes::S2025, self.loc(span), message);
-            self.report(found.help("set it in the program: what the control keeps in it is not known here"));
-        }
-    }
-
     pub(super) fn variable_value(&mut self, slot: Slot, indices: &[i32], span: Span) -> Outcome<Val> {
-        self.warn_of_global(slot, span);
+        self.warn_of_kept(slot, indices, span);
         let Some(var) = self.vars.get(slot) else { return Err(Reported) };
         if var.lost {
             return Err(Reported);
@@ -360,8 +362,8 @@ impl Run<'_> {
     }
 
     fn indexed_variable(&mut self, slot: Slot, args: &[Val], span: Span) -> Outcome<Val> {
-        self.warn_of_global(slot, span);
         if let Some(Val::Frame(frame)) = self.vars.get(slot).and_then(|var| var.values.first()).cloned() {
+            self.warn_of_kept(slot, &[], span);
             return self.frame_component(&frame, args, span);
         }
         let indices = self.indices(args, span)?;
@@ -374,6 +376,7 @@ impl Run<'_> {
             && let ([index], [], Some(Val::Text(text))) = (indices, var.sizes.as_slice(), var.values.first())
         {
             let found = usize::try_from(*index).ok().and_then(|at| text.get(at)).copied();
+            self.warn_of_kept(slot, &[], span);
             return match found {
                 Some(c) => Ok(Val::Char(c)),
                 None => self.fail(codes::S2018.alarm(12400), span, format!("the text has no character {index}")),

@@ -35,6 +35,7 @@ mod frame_statements;
 mod frames;
 mod g_functions;
 mod g_groups;
+mod kept;
 mod known_words;
 mod lane;
 mod left_out;
@@ -104,6 +105,7 @@ use vars::Vars;
 use vocabulary::Meaning;
 use words::Words;
 
+pub(crate) use control_folders::FOLDERS;
 pub use cycles::signatures as cycle_signatures;
 pub use dictionary::all_words;
 pub use survey::survey;
@@ -182,7 +184,12 @@ impl Language for Sinumerik {
 #[derive(Debug, Default)]
 struct Warned {
     r: FxHashSet<u32>,
-    globals: FxHashSet<Symbol>,
+    /// Elements of global variables.
+    kept: FxHashSet<(Symbol, usize)>,
+    /// Folders of the control of which it was said what stands for them.
+    copies: FxHashSet<&'static str>,
+    /// Variables without a value that the formula at hand has read.
+    unset: Vec<String>,
 }
 
 /// Files, call stack and findings of a run.
@@ -193,7 +200,7 @@ struct Run<'a> {
     channel: Channel<'a>,
     vars: Vars,
     meanings: Vec<Option<Meaning>>,
-    vocabulary: FxHashMap<&'static str, Meaning>,
+    vocabulary: &'static FxHashMap<&'static str, Meaning>,
     gcodes: GCodes,
     units: Units,
     definitions_read: bool,

@@ -10,7 +10,7 @@ use crate::text::Span;
 use super::calls::FrameKind;
 use super::value::{Val, type_name};
 use super::vars::{Argument, Reference};
-use super::vars::{Slot, Var};
+use super::vars::{Kept, Slot, Var};
 use super::{Core, Outcome, Reported, Run};
 
 impl Run<'_> {
@@ -44,7 +44,7 @@ impl Run<'_> {
                 }
                 match base {
                     Base::Letter(b'R') => Some(Reference::R(self.r_index(&values, *span)?)),
-                    Base::Name(name) => match self.vars.find(*name) {
+                    Base::Name(name) => match self.known_variable(*name) {
                         Some(slot) => self.element(slot, &values, *span)?,
                         None => None,
                     },
@@ -76,24 +76,29 @@ impl Run<'_> {
         let Ok(value) = Val::Int(value).converted(var.kind) else { return };
         if let Some(element) = var.values.get_mut(at) {
             *element = value;
-            var.written = true;
+            var.kept.knows(at);
             var.lost = false;
         }
     }
 
     pub(super) fn give_back(&mut self, references: &[(Symbol, Reference)]) {
         for (name, reference) in references {
-            let Some(value) = self.vars.of_level(*name).and_then(|var| var.values.first()).cloned() else { continue };
+            let Some(own) = self.vars.of_level(*name) else { continue };
+            let Some(value) = own.values.first().cloned() else { continue };
             match *reference {
                 Reference::R(n) => self.vars.set_r(n, value.number().unwrap_or(0.0)),
                 Reference::Variable(slot) => {
-                    if let Some(first) = self.vars.get_mut(slot).and_then(|var| var.values.first_mut()) {
-                        *first = value;
+                    let (values, kept) = (own.values.clone(), own.kept.clone());
+                    if let Some(var) = self.vars.get_mut(slot) {
+                        (var.values, var.kept) = (values, kept);
                     }
                 }
                 Reference::Element(slot, at) => {
-                    if let Some(element) = self.vars.get_mut(slot).and_then(|var| var.values.get_mut(at)) {
+                    if let Some(var) = self.vars.get_mut(slot)
+                        && let Some(element) = var.values.get_mut(at)
+                    {
                         *element = value;
+                        var.kept.knows(at);
                     }
                 }
             }
@@ -218,7 +223,7 @@ impl Run<'_> {
             length,
             defined: self.loc(variable.span),
             lost: false,
-            written: true,
+            kept: Kept::default(),
             limits: [None; 2],
         };
         self.vars.define(name, var, false);
@@ -235,7 +240,7 @@ impl Run<'_> {
             length: super::value::MOST_TEXT,
             defined: self.loc(variable.span),
             lost: true,
-            written: true,
+            kept: Kept::default(),
             limits: [None; 2],
         };
         self.vars.define(name, var, false);
@@ -311,7 +316,7 @@ impl Run<'_> {
             length: super::value::MOST_TEXT,
             defined: argument.loc,
             lost: false,
-            written: true,
+            kept: Kept::default(),
             limits: [None; 2],
         });
         self.vars.define(name, var, false);

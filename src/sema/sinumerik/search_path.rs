@@ -188,7 +188,8 @@ impl SearchPath<'_, '_> {
     pub fn is_there(&self, name: &str) -> bool {
         match self.look(name) {
             Found::Nowhere(_) => false,
-            Found::Fails(error, _) => matches!(error, FileError::Ambiguous { .. }),
+            // What cannot be opened is there.
+            Found::Fails(error, _) => !matches!(error, FileError::NotFound { .. } | FileError::NoRoot { .. }),
             Found::One(_)
             | Found::Unplaced(..)
             | Found::BesideByLine(..)
@@ -357,7 +358,8 @@ impl Search<'_, '_, '_> {
         candidates
     }
 
-    /// Asks for a file; upper and lower case of its ending may matter to who keeps the files.
+    /// Asks for a file, also by the name that it has on the control: `_N_DRILL_SPF` is DRILL.SPF. Upper and lower case of its ending
+    /// may matter to who keeps the files.
     fn ask(
         &mut self,
         ending: Ending,
@@ -366,21 +368,24 @@ impl Search<'_, '_, '_> {
         folder: Option<&str>,
         candidates: &mut Vec<Candidate>,
     ) {
-        let lower = match ending {
-            Ending::None => None,
-            Ending::Sub => name.strip_suffix("SPF").map(|stem| format!("{stem}spf")),
-            Ending::Main => name.strip_suffix("MPF").map(|stem| format!("{stem}mpf")),
+        let (lower, of_control) = match ending {
+            Ending::None => (None, None),
+            Ending::Sub => (name.strip_suffix("SPF").map(|stem| format!("{stem}spf")), of_control(name)),
+            Ending::Main => (name.strip_suffix("MPF").map(|stem| format!("{stem}mpf")), of_control(name)),
         };
-        for name in std::iter::once(name.to_owned()).chain(lower) {
+        let mut is_found = false;
+        for (name, is_usual) in [(Some(name.to_owned()), true), (lower, true), (of_control, false)] {
+            let Some(name) = name.filter(|_| !(is_found && is_usual)) else { continue };
             match self.path.open(&name, within) {
                 Ok(Opened { name: shown, identity, .. }) => {
+                    is_found = true;
                     let folder = folder.map(str::to_owned);
                     let file = FileAt { name, within, shown, identity, folder };
                     if !self.is_stray(&file) && !self.is_known(&file, candidates) {
                         add(Candidate { ending, at: At::File(file) }, candidates);
                     }
-                    return;
                 }
+                Err(FileError::NotFound { .. }) if !is_usual => {}
                 Err(FileError::NotFound { tried, similar }) => {
                     let tried = tried.iter().map(|name| name.rsplit('/').next().unwrap_or(name).to_owned());
                     let fresh: Vec<_> = tried.filter(|name| !self.nowhere.tried.contains(name)).collect();
@@ -521,6 +526,13 @@ impl Search<'_, '_, '_> {
             self.nowhere.elsewhere.extend(names.iter().map(|name| format!("as `{name}`")));
         }
     }
+}
+
+/// The name of a file as the control has it: `/_N_SPF_DIR/DRILL.SPF` is `/_N_SPF_DIR/_N_DRILL_SPF`.
+fn of_control(name: &str) -> Option<String> {
+    let (folder, last) = name.rsplit_once('/').map_or(("", name), |(folder, _)| name.split_at(folder.len() + 1));
+    let (stem, ending) = last.rsplit_once('.')?;
+    Some(format!("{folder}_N_{stem}_{ending}"))
 }
 
 /// A file may be reached by two names.

@@ -27,7 +27,7 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
         notes.clear();
         notes.comments.extend(block.comment);
         if visitor.items() {
-            Noting { block, symbols: &symbols, words: &words, notes: &mut notes }.note();
+            Noting { block, symbols: &symbols, words, notes: &mut notes }.note();
         }
         let surveyed = Surveyed {
             text,

@@ -54,7 +54,7 @@ struct Unexecuted<'a> {
     symbols: Symbols,
     files: Vec<Program<Sinumerik>>,
     units: Units,
-    vocabulary: FxHashMap<&'static str, Meaning>,
+    vocabulary: &'static FxHashMap<&'static str, Meaning>,
     gcodes: GCodes,
     /// Offsets of reported errors.
     reported: Vec<u32>,

@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.1 (docs/sources.md).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -35,10 +35,38 @@ pub(super) struct Var {
     pub defined: Loc,
     /// The value could not be computed, which was reported.
     pub lost: bool,
-    /// The program gave it a value.
-    pub written: bool,
+    /// Elements whose value is the control's own.
+    pub kept: Kept,
     /// LLI and ULI.
     pub limits: [Option<f64>; 2],
+}
+
+/// Elements of a variable whose values the control keeps; of a variable of the program none.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Kept {
+    /// The variable of the definition files, also where a parameter stands for it.
+    name: Option<Symbol>,
+    /// Elements that the program or the configuration gave a value.
+    known: BTreeSet<usize>,
+}
+
+impl Kept {
+    /// All elements of the global variable `name`.
+    pub fn of_global(name: Symbol) -> Kept {
+        Kept { name: Some(name), known: BTreeSet::new() }
+    }
+
+    /// The element has a value from now on.
+    pub fn knows(&mut self, element: usize) {
+        if self.name.is_some() {
+            self.known.insert(element);
+        }
+    }
+
+    /// The variable, where nobody gave the element a value.
+    pub fn open(&self, element: usize) -> Option<Symbol> {
+        self.name.filter(|_| !self.known.contains(&element))
+    }
 }
 
 /// Names of one program level.

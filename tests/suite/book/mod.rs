@@ -65,18 +65,29 @@ impl Case {
     }
 }
 
+/// The folders of a backup that stand beside that of the main program, and those of the control that they are.
+const BESIDE: [(&str, &str); 3] =
+    [("../SPF.DIR", "/_N_SPF_DIR"), ("../CMA.DIR", "/_N_CMA_DIR"), ("../DEF.DIR", "/_N_DEF_DIR")];
+
+/// The folder of the control that a folder of a case is.
+fn control_folder(of_case: &str) -> &str {
+    BESIDE.iter().find(|(copy, _)| *copy == of_case).map_or(of_case, |(_, control)| control)
+}
+
 /// Programs that are called lie in one place, whatever folder is asked for; where one of them has a path of the control,
-/// `/_N_SPF_DIR/X.SPF`, each lies in its own folder, and those without a path beside the main program.
+/// `/_N_SPF_DIR/X.SPF` or `../SPF.DIR/X.SPF`, each lies in its own folder, and those without a path beside the main program.
 impl Files for Case {
     fn open(&self, request: &Request<'_>) -> Result<Opened, FileError> {
-        let placed = self.called.keys().any(|name| name.starts_with('/'));
+        let placed = self.called.keys().any(|name| name.starts_with('/') || name.starts_with("../"));
         let (folder, last) = request.name.rsplit_once(['/', '\\']).unwrap_or(("", request.name));
         let extended = request.extensions.iter().map(|extension| format!("{last}.{extension}"));
         let names: Vec<String> = std::iter::once(last.to_owned()).chain(extended).collect();
         let is_there = |key: &&String| match (placed, key.rsplit_once('/')) {
             (false, _) => true,
             (true, None) => folder.is_empty(),
-            (true, Some((of_key, _))) => of_key == folder || folder.is_empty() && request.within == Within::Anywhere,
+            (true, Some((of_key, _))) => {
+                control_folder(of_key) == folder || folder.is_empty() && request.within == Within::Anywhere
+            }
         };
         for name in &names {
             let fits = |key: &&String| key.rsplit('/').next() == Some(name.as_str());
@@ -85,11 +96,17 @@ impl Files for Case {
                 return Ok(Opened { name: key.clone(), identity: key.clone(), text });
             }
         }
-        let knows = |key: &String| key.rsplit_once('/').is_some_and(|(of_key, _)| of_key == folder);
+        let knows = |key: &String| key.rsplit_once('/').is_some_and(|(of_key, _)| control_folder(of_key) == folder);
         if placed && folder.starts_with('/') && !self.called.keys().any(knows) {
             return Err(FileError::NoRoot { prefix: folder.to_owned() });
         }
         Err(FileError::NotFound { tried: vec![last.to_owned()], similar: Vec::new() })
+    }
+
+    fn copy_of(&self, folder: &str) -> Option<(String, &'static str)> {
+        let (copy, control) = BESIDE.iter().find(|(_, control)| *control == folder)?;
+        let holds = |key: &String| key.rsplit_once('/').is_some_and(|(of_key, _)| of_key == *copy);
+        self.called.keys().any(holds).then(|| ((*copy).to_owned(), *control))
     }
 }
 
