@@ -106,6 +106,7 @@ const fn stands_for(name: &'static str) -> Dialect {
         id: ID,
         name,
         extensions: &[],
+        folders: &[],
         recognizes: |_| false,
         disowns: |_| false,
         turns: false,

@@ -259,7 +259,7 @@ impl Run<'_> {
             if in_main {
                 self.lose_parameter(variable);
                 // One of them says it for all.
-                if !self.job.diags.first_time(codes::S2021) {
+                if !self.job.diags.first_time(codes::S2021, ()) {
                     return Err(Reported);
                 }
                 return self.fail_help(
