@@ -73,6 +73,8 @@ impl Channel<'_> {
             && !self.st.corners.open.is_open()
             && self.st.corners.rounding() == 0.0
             && self.cut_is_known()
+            && self.curve_table.is_none()
+            && self.st.touched.is_none()
     }
 
     /// Executes the next block where it stands, if it is one of X, Y, Z, I, J and F while nothing else is on.
