@@ -31,7 +31,7 @@ books! {
     errors_mtc200 = "errors/mtc200":
         G L M0 M100 M1006 M101 M1012 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O P P0205 P0206;
     errors_sinumerik = "errors/sinumerik":
-        G G330 G332 L1 L2 O O4006 P P000 P0107 P0205 P0206 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S8171 S821 S822 S823 S824 S825 S900 S901 S902 S91 S9133;
+        G G330 G332 L1 L2 O O4006 P P000 P0107 P0205 P0206 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S8165 S8166 S8167 S8168 S8169 S817 S8171 S821 S822 S823 S824 S825 S900 S901 S902 S9022 S9023 S9024 S91 S9133;
     gcode = "gcode":
         lines modes path_control percents rigid_taps speeds tap_reasons;
     heidenhain_turning = "heidenhain-turning":
@@ -88,6 +88,8 @@ books! {
         angles axes calls circles contour_cycles contours corners diameter drilling edges examples feeds flow frames functions lexical machine_coordinates offsets output path_control patterns polar rigid_taps rotary settings tap_functions tapping threads tools transformations undercut_corners undercut_cycles units variables;
     sinumerik_approach = "sinumerik/approach":
         lines;
+    sinumerik_beside = "sinumerik/beside":
+        actions couplings;
     sinumerik_calls = "sinumerik/calls":
         external left_behind left_out left_technology numbered own_cycles parameters passes reserved save search_path;
     sinumerik_circles = "sinumerik/circles":
@@ -116,12 +118,16 @@ books! {
         skip words;
     sinumerik_machining = "sinumerik/machining":
         contour_pockets contour_starts contour_ties cycle92 cycle93 cycle930 cycle95 cycle951 cycle952 cycle_modes described groove_rims grooves_refused milling milling_alarms milling_parameters normal_offset paths pocket_alarms pockets removal_readings rests slots thread_milling;
+    sinumerik_measuring = "sinumerik/measuring":
+        blocks cycles;
     sinumerik_offsets = "sinumerik/offsets":
         g500 g53;
     sinumerik_patterns = "sinumerik/patterns":
         cycle801 cycle802 holes1 holes2 mcall;
     sinumerik_thread_cycles = "sinumerik/thread_cycles":
         cycle97 cycle98 cycle99;
+    sinumerik_tool_data = "sinumerik/tool_data":
+        questions;
     sinumerik_undercut_corners = "sinumerik/undercut_corners":
         form_e form_f threads;
     sinumerik_undercut_cycles = "sinumerik/undercut_cycles":

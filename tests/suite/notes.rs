@@ -74,6 +74,8 @@ const NOTES: &[(&str, Proof)] = &[
     ("S8014", Worked),
     ("S8015", Same(&[("WAITM(1,1,2)\n", "")])),
     ("S8016", Same(&[("DISABLE(1)\n", "")])),
+    ("S8168", Same(&[("_MVAR=100 _KNUM=0\nCYCLE978\n", "CYCLE978(100,0)\n")])),
+    ("S8170", Same(&[("CANCEL(1)\n", "")])),
     ("S8017", Same(&[("WRITE(ERROR,\"LOG\",\"START\")\n", "")])),
     ("S8023", Free("docs/undercuts.md", "roughs")),
     ("S8027", Worked),

@@ -12,10 +12,11 @@ S9003 Error "siemens-iso" "ISO dialect"
 "G291 and ISOCALL switch to ISO dialect, which is another language with other rules. Translate that part, or compile it by itself."
 
 S9004 Error "siemens-synchronized" "synchronized action"
-"WHEN, WHENEVER, EVERY, FROM, DO, ID and IDS run beside the program, as signals of the machine come. What they would do cannot be known here."
+"WHEN, WHENEVER, EVERY, FROM, DO, ID and IDS run beside the program, as signals of the machine come. What they would do cannot be known here. Those that set outputs, markers or the feed only are left out by \
+`[control] synchronized_actions = \"leave-out\"`; those that move axes, act on the spindle or call a program never."
 
 S9005 Error "siemens-cycle" "cycle is not supported"
-"The cycle or procedure of the control is known by name and not built. Nothing is left out in silence, so the program is refused."
+"The cycle or procedure of the control is known by name and not built. Nothing is left out in silence, so the program is refused. Where a key leaves it out, the message names it."
 
 S9006 Error "siemens-transformation" "transformation is not supported"
 "TRAORI, TRAANG, CYCLE800 and others turn programmed coordinates into other axes, which needs the kinematics of the machine. TRANSMIT and TRACYL are \
@@ -106,5 +107,16 @@ instead. Nothing is left out in silence, so the program is refused."
 
 S9133 Error "siemens-measuring-data" "data of the measuring cycles"
 "Measuring cycles take their arguments from global variables of the control (`_MVAR`, `_SETVAL`, `_PRNUM` …) and put their results into others (`_OVR`, `_OVI`). They are not defined in the \
-program, and no DEF answers: what is measured is known at the machine only. Leave the measuring out of the copy that is compiled, and put values in place of its results."
+program, and no DEF answers: what is measured is known at the machine only. Leave the measuring out: `[control] probing = \"leave-out\"`; results are asked for under [variables] then."
+
+S9022 Error "siemens-value-of-action" "value that a left-out synchronized action sets"
+"The program reads a variable that a synchronized action sets beside it. The action is left out, and when it would have set the value is known at the machine only. Compute the value in the program."
+
+S9023 Error "siemens-move-from-probe" "move from where a probe stopped"
+"A block with MEAS is left out with its move, so the target does not stand where the probe stopped. A move that does not name these axes would go on at another place than on the control. Behind a measuring \
+cycle the same holds for moves that cut. Program these axes in absolute coordinates first."
+
+S9024 Error "siemens-measured-offset" "measuring cycle corrects a work offset"
+"The cycle corrects a work offset by what it measures, so that blocks behind it count from another place than those in front of it. If the work offset of the target is set as the cycle sets it \
+before the program runs, and nothing but the probe has worked in front of it, say so: `[control] probing_datum = \"set\"`."
 }

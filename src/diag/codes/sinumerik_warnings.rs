@@ -309,4 +309,25 @@ message says; compare with what the machine does."
 S8164 Warning "siemens-cycle-from-unknown-place" "cycle begins at a place that is not known"
 "In front of the cycle the tool was changed, and no block has placed it since, so that where it stands is not known. The cycle goes to the front of the part in one rapid move, \
 as to any first position, and comes back there; on the control it may end where it came from. Behind it the position counts as not known again. Position the tool in front of the cycle."
+
+S8165 Warning "siemens-action-left-out" "synchronized action is left out"
+"`[control] synchronized_actions = \"leave-out\"` leaves out actions that set outputs, markers, the feed or a wait only. The path is the same; when outputs come and how fast the \
+axes move is not. Actions that move an axis, act on the spindle or set a value that the program reads are refused all the same."
+
+S8166 Warning "siemens-coupling-left-out" "coupling or oscillation is left out"
+"`[control] couplings` and `oscillation` leave out words whose axis is left out by `[machine] axes`, and what ends a coupling that the output does not have. \
+Where an axis of the output follows or swings they are refused all the same."
+
+S8167 Warning "siemens-measuring-left-out" "measuring is left out"
+"`[control] probing = \"leave-out\"` leaves out measuring cycles, and blocks with MEAS together with their moves. Where the probe left the axes is known at the machine only: increments and arcs \
+behind it are refused until the program says where the tool is. MEAW and MEAWA go their whole way, so their moves are printed. What is measured is asked for by its name where the program reads it."
+
+S8168 Note "siemens-measuring-arguments" "arguments of measuring cycles are left out"
+"`_MVAR`, `_SETVAL`, `_KNUM` and others tell a measuring cycle what to do. They have no effect on anything else, and are left out with the cycle."
+
+S8169 Warning "siemens-measured-value-given" "value of the configuration stands for a measured one"
+"The program computes with what a probe found, and `[variables]` gives a number for it. One number stands for all measurings of the program: check that it is right for the one that the message names."
+
+S8170 Note "siemens-action-words" "words that act on synchronized actions are left out"
+"CANCEL, LOCK, UNLOCK and RESET end, hold, free and reset synchronized actions, none of which is in the output."
 }

@@ -98,15 +98,18 @@ pub const KEYS: &[Key] = &[
         |s, v| put(&mut s.control.klartext_choices.open_subprogram_ends, is(v, "end")),
     )
     .or(r#""refuse""#),
-    key("probing", Kind::Choice(&["refuse", "leave-out"]), "touch probe cycles", |s, v| {
-        put(&mut s.control.klartext_choices.probing_left_out, is(v, "leave-out"))
-    })
+    key(
+        "probing",
+        Kind::Choice(&["refuse", "leave-out"]),
+        "touch probe cycles; SINUMERIK: measuring cycles (CYCLE978 …), MEAS and MEAW",
+        |s, v| put(&mut s.control.klartext_choices.probing_left_out, is(v, "leave-out")),
+    )
     .or(r#""refuse""#),
     key(
         "probing_datum",
         Kind::Choice(&["set", "refuse"]),
         "touch probe cycles that are left out and set a datum or a basic rotation; set: the work offset of the target is \
-         set as they set it; without it they warn",
+         set as they set it; without it they warn; SINUMERIK: measuring cycles that correct a work offset, refused without it",
         |s, v| put(&mut s.control.klartext_choices.probing_datum, Some(is(v, "set"))),
     ),
     key(

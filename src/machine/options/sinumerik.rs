@@ -69,6 +69,18 @@ pub const KEYS: &[Key] = &[
     let main = is(v, "mpf");
     put(&mut s.control.sinumerik.called_first, Some(if main { CalledFirst::Main } else { CalledFirst::Sub }))
 }),
+    key(
+                "synchronized_actions",
+                Kind::Choice(&["refuse", "leave-out"]),
+                "SINUMERIK: synchronized actions (WHEN … DO, ID=, IDS=); leave-out: those that set outputs, markers or the feed only", |s, v| put(&mut s.control.sinumerik.beside.synchronized, is(v, "leave-out"))).or(r#""refuse""#),
+    key(
+                "oscillation",
+                Kind::Choice(&["refuse", "leave-out"]),
+                "SINUMERIK: oscillation (OS, OSP1, OSCILL …); leave-out: that of axes that are left out by `axes` of [machine]", |s, v| put(&mut s.control.sinumerik.beside.oscillation, is(v, "leave-out"))).or(r#""refuse""#),
+    key(
+                "couplings",
+                Kind::Choice(&["refuse", "leave-out"]),
+                "SINUMERIK: couplings and curve tables (TRAILON, LEADON, TANG, EGON, CTABDEF …); leave-out: those whose following axis is left out by `axes` of [machine]", |s, v| put(&mut s.control.sinumerik.beside.couplings, is(v, "leave-out"))).or(r#""refuse""#),
     key("md11120", Kind::Flag, "variables of the main program are seen in subprograms", |s, v| put(&mut s.control.sinumerik.main_variables_visible, flag(v))).or("false"),
 ];
 
@@ -125,6 +137,18 @@ pub struct Sinumerik {
     pub thread_flank: Option<FlankReference>,
     /// Which program runs where two of one name lie in the folder of the main program; `None` refuses the call.
     pub called_first: Option<CalledFirst>,
+    /// What stands beside the path and is left out instead of being refused.
+    pub beside: LeftOutBeside,
+}
+
+/// Words beside the path that are left out where nothing of them reaches it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct LeftOutBeside {
+    /// Synchronized actions.
+    pub synchronized: bool,
+    pub oscillation: bool,
+    /// Couplings and curve tables.
+    pub couplings: bool,
 }
 
 /// What a call of a name runs where a subprogram and a main program have it.
@@ -187,6 +211,7 @@ impl Default for Sinumerik {
             cycle86_lift: None,
             thread_flank: None,
             called_first: None,
+            beside: LeftOutBeside::default(),
         }
     }
 }

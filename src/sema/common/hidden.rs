@@ -13,6 +13,10 @@ pub enum By {
     Edge,
     /// A call that is left out moved the axis.
     Call,
+    /// A probe moved the axis, and its block or cycle is left out.
+    Probe,
+    /// A curve table names the axis, and is left out.
+    Table,
     /// The axis went to this machine coordinate, or with an axis that did, and where the work offset lies is not known.
     Machine(Option<f64>),
 }
@@ -64,6 +68,8 @@ pub fn because(hidden: Option<(By, Loc)>, here: Loc) -> String {
         By::ToolChange => "the tool change",
         By::Edge => "the change of the cutting edge",
         By::Call => "the call",
+        By::Probe => "the measuring",
+        By::Table => "the curve table",
         By::Machine(_) => "the move in machine coordinates",
     };
     if loc.file == here.file { format!(" after {what} in line {}", loc.line) } else { format!(" after {what}") }

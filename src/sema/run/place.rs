@@ -75,7 +75,7 @@ impl<L: Language> Core<'_, L> {
         let counts = match hidden {
             Some((By::Machine(_), _)) => true,
             Some((By::ToolChange, _)) => position.after_change().1 && position.after_change().0.get(axis).is_some(),
-            Some((By::Edge | By::Call, _)) | None => false,
+            Some((By::Edge | By::Call | By::Probe | By::Table, _)) | None => false,
         };
         let help = if counts { lack().help(axis, usual) } else { position.help(axis, usual) };
         let mut found = Diagnostic::new(code, loc, format!("{message}{why}")).help(help);
@@ -102,6 +102,8 @@ fn label(by: By) -> &'static str {
         By::ToolChange => "the tool changes here, and its tip stands elsewhere",
         By::Edge => "another cutting edge is selected here, and its tip stands elsewhere",
         By::Call => "what is called here moves the axis, as `[programs]` says",
+        By::Probe => "a probe moves the axis here, and what it does is left out",
+        By::Table => "a curve table names the axis here, and is left out",
         By::Machine(_) => "the axis goes to a machine coordinate here",
     }
 }

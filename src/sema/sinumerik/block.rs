@@ -15,7 +15,7 @@ use super::words::Words;
 use super::{Channel, Core, Outcome, Reported, Run};
 
 /// Addresses that shape an arc.
-const ARC_ADDRESSES: [Address; 9] = [
+pub(super) const ARC_ADDRESSES: [Address; 9] = [
     Address::I,
     Address::J,
     Address::K,
@@ -99,6 +99,12 @@ impl Run<'_> {
         }
         let triggers = self.st.modal_call.cycle().is_some()
             && (w.code_of(Group::Motion).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
+        if let Some(probe) = w.probe
+            && let Some((_, span)) =
+                [Group::Nonmodal, Group::Frame, Group::Buffer].into_iter().find_map(|group| w.code_of(group))
+        {
+            return self.measures_beside(probe, span);
+        }
         if !w.codes.is_empty() || w.diameter.is_some() || w.dynamics.is_some() || w.smoothing.is_given() {
             self.check_codes(w)?;
             if let Some((code, span)) = w.code_of(Group::Nonmodal) {
@@ -121,7 +127,14 @@ impl Run<'_> {
         self.technology(w)?;
         self.early_functions(w)?;
         let corner_before = self.st.corners.open.site();
-        let moved = self.motion(w, block)?;
+        let moved = match w.probe {
+            Some(probe) if !probe.whole_way => self.probe_block(w, probe).map(|()| false)?,
+            Some(probe) => {
+                self.may_leave_probe_out(probe)?;
+                self.motion(w, block)? && self.measured_on_the_way(probe)
+            }
+            None => self.motion(w, block)?,
+        };
         if moved && self.st.corners.open.site() == corner_before {
             self.st.corners.open.close();
         }

@@ -12,11 +12,14 @@ use crate::text::Loc;
 
 use super::Core;
 use super::axis_names::AxisNames;
+use super::beside_path::CurveTable;
 use super::capture::Capture;
 use super::lane::Lane;
 use super::lost_change::LeftOut;
+use super::probe_state::Measured;
 use super::soft_approach::Soft;
 use super::state::State;
+use super::synchronized::SetBeside;
 
 /// Modal state, and the machine that it is carried out on.
 pub(super) struct Channel<'a> {
@@ -41,6 +44,12 @@ pub(super) struct Channel<'a> {
     pub call_left: Option<Box<(String, Loc)>>,
     /// The call that leaves a speed that is not known, until S is programmed.
     pub speed_lost: Option<Box<(String, Loc)>>,
+    /// Values that synchronized actions set, which are left out.
+    pub set_beside: SetBeside,
+    /// The curve table that is described now.
+    pub curve_table: Option<Box<CurveTable>>,
+    /// Blocks and cycles that measure and are left out.
+    pub measured: Measured,
 }
 
 impl<'a> Channel<'a> {
@@ -58,6 +67,9 @@ impl<'a> Channel<'a> {
             motion_left: None,
             call_left: None,
             speed_lost: None,
+            set_beside: SetBeside::default(),
+            curve_table: None,
+            measured: Measured::default(),
         }
     }
 }
@@ -90,6 +102,17 @@ impl Channel<'_> {
     /// Nobody knows where the tool is.
     pub(super) fn lost(&mut self) {
         self.core.send_lost(&self.st.ctx);
+    }
+
+    /// Some axes are not known any more: the output says the next place of each of them, whatever it was before.
+    pub(super) fn only_known_axes_stand(&mut self) {
+        self.lost();
+        // Behind a transformation the output has other axes than the program: none of them is known better.
+        if self.st.transformation.is_some() {
+            self.st.position.forget(crate::machine::AxisSet::ALL);
+        }
+        let known = *self.st.position.at();
+        self.core.stands_at(&known, &self.st.ctx);
     }
 
     /// Nothing is known behind this block; what only suffers from it is not worth another error.

@@ -9,8 +9,8 @@ use crate::diag::codes;
 use super::g_groups::named_codes;
 use super::known_words::KNOWN;
 use super::vocabulary::{
-    ADDRESS_NAMES, CHANNEL, DYNAMICS, FILES, INDEXED_NAMES, INTERRUPT, Meaning, NO_EFFECT, OnSurface, Procedure,
-    REFUSED, Refusal, TRANSFORMATIONS, WITHOUT_MOVES,
+    ACTIONS, ADDRESS_NAMES, CHANNEL, DYNAMICS, FILES, INDEXED_NAMES, INTERRUPT, Meaning, NO_EFFECT, OnSurface,
+    Procedure, REFUSED, Refusal, TRANSFORMATIONS, WITHOUT_MOVES,
 };
 
 /// Every word of the language by name.
@@ -38,6 +38,7 @@ fn all() -> FxHashMap<&'static str, Meaning> {
         (NO_EFFECT, Procedure::NoEffect),
         (CHANNEL, Procedure::Channel),
         (INTERRUPT, Procedure::Interrupt),
+        (ACTIONS, Procedure::Actions),
         (FILES, Procedure::FileAccess),
         (DYNAMICS, Procedure::Dynamics),
         ("GWPSON", Procedure::WheelSpeed),

@@ -1,8 +1,11 @@
 //! Entries of `[programs]` that would make a word of the language vanish.
 
 use crate::machine::StandIn;
+use crate::text::Span;
 
 use super::Run;
+use super::beside_path::Beside;
+use super::probe_state;
 use super::vocabulary::{Address, Indexed, Meaning, Procedure};
 
 impl Run<'_> {
@@ -35,6 +38,8 @@ impl Run<'_> {
 fn takes_program(name: &str, meaning: Meaning) -> bool {
     match meaning {
         Meaning::Code(_) | Meaning::Axis(_) => false,
+        // A program in their place would drop the axis that follows, or what is measured.
+        _ if Beside::find(name).is_some() || probe_state::word(name, Span::default()).is_some() => false,
         Meaning::Procedure(Procedure::Refused(_) | Procedure::Transformation(_)) => true,
         Meaning::Procedure(_) => super::cycles::is_program(name),
         Meaning::Address(_) | Meaning::Indexed(_) | Meaning::Known(_) | Meaning::Unknown => true,
@@ -71,6 +76,7 @@ fn of_procedure(procedure: Procedure) -> Option<&'static str> {
         | Procedure::SetAlarm
         | Procedure::Channel
         | Procedure::Interrupt
+        | Procedure::Actions
         | Procedure::FileAccess
         | Procedure::CallPath => None,
     }

@@ -228,6 +228,7 @@ impl Run<'_> {
         if n > MOST_R {
             return self.fail(codes::S2018.alarm(17020), span, format!("there is no parameter R{n}"));
         }
+        self.r_is_own(n, span)?;
         let (value, set) = self.vars.r(n).ok_or(Reported)?;
         if !set {
             self.warned.unset.push(format!("R{n}"));
@@ -246,6 +247,9 @@ impl Run<'_> {
     }
 
     fn name_value(&mut self, name: Symbol, span: Span) -> Outcome<Val> {
+        if let Some(value) = self.found_by_cycle(name, &[], span)? {
+            return Ok(value);
+        }
         if let Some(slot) = self.known_variable(name) {
             return self.variable_value(slot, &[], span);
         }
@@ -262,6 +266,19 @@ impl Run<'_> {
             return Ok(Val::text(word.as_bytes()));
         }
         self.undefined(name, span)
+    }
+
+    /// A result of the measuring cycles: their own, where one is left out or no variable has the name.
+    fn found_by_cycle(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Option<Val>> {
+        let word = self.symbols.name(name);
+        if !word.starts_with('_') || super::measuring_data::find(word).is_none() {
+            return Ok(None);
+        }
+        let word = word.to_owned();
+        if !self.is_found_by_cycle(&word) && self.known_variable(name).is_some() {
+            return Ok(None);
+        }
+        self.measuring_value(&word, args, span)
     }
 
     /// A variable; the definition files are read when a name is not known otherwise.
@@ -316,16 +333,18 @@ impl Run<'_> {
 
     /// The control has these in its own definition files.
     fn data_of_measuring<T>(&self, word: &str, result: bool, span: Span) -> Outcome<T> {
-        let (what, help) = if result {
-            ("a result", "put the value itself in its place, and leave the measuring out of the copy that is compiled")
+        let what = if result { "a result" } else { "an argument" };
+        let help = if self.job.settings.control.klartext_choices.probing_left_out {
+            "give it a value in front of the cycle that it is for".into()
         } else {
-            ("an argument", "leave it out of the copy that is compiled, together with the measuring cycle it is for")
+            super::measuring::leave_out()
         };
         let message = format!("`{word}` is {what} of the measuring cycles, which the control keeps in its global data");
         self.fail_help(codes::S9133, span, message, help)
     }
 
     pub(super) fn variable_value(&mut self, slot: Slot, indices: &[i32], span: Span) -> Outcome<Val> {
+        self.variable_is_own(slot, span)?;
         self.warn_of_kept(slot, indices, span);
         let Some(var) = self.vars.get(slot) else { return Err(Reported) };
         if var.lost {
@@ -355,6 +374,9 @@ impl Run<'_> {
             },
             Base::System(name) => self.system_value(name, args, span),
             Base::Name(name) => {
+                if let Some(value) = self.found_by_cycle(name, args, span)? {
+                    return Ok(value);
+                }
                 let Some(slot) = self.known_variable(name) else { return self.undefined(name, span) };
                 self.indexed_variable(slot, args, span)
             }
@@ -386,6 +408,9 @@ impl Run<'_> {
     }
 
     fn function_value(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Val> {
+        if self.symbols.name(name) == "GETT" {
+            return self.number_of_named_tool(args, span);
+        }
         let Some((word, function)) = formula_functions::find(self.symbols.name(name)) else {
             if !matches!(self.meaning(name), Meaning::Unknown) {
                 return self.undefined_word(name, span);

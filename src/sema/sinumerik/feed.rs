@@ -200,7 +200,10 @@ impl Channel<'_> {
                         "program F in this block or before, again after G94, G95 and G96; a contour by itself takes `[control] feed`",
                     ),
                 };
-                let help = self.or_left_at_rapid(help);
+                let help = match self.feed_of_measuring() {
+                    Some(help) => help.into(),
+                    None => self.or_left_at_rapid(help),
+                };
                 self.fail_help(codes::S2040.alarm(10860), Where::Block, "no feed is programmed", help)
             }
         }

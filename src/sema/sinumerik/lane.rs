@@ -75,6 +75,8 @@ impl Channel<'_> {
             && self.cut_is_known()
             && self.st.feed.is_the_programs()
             && self.speed_lost.is_none()
+            && self.curve_table.is_none()
+            && self.st.touched.is_none()
     }
 
     /// Executes the next block where it stands, if it is one of X, Y, Z, I, J and F while nothing else is on.

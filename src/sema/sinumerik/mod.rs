@@ -9,6 +9,7 @@ mod archive;
 mod assign;
 mod axis_names;
 mod axis_words;
+mod beside_path;
 mod block;
 mod callee;
 mod calls;
@@ -42,6 +43,7 @@ mod left_out;
 mod lost_change;
 mod machine_place;
 mod macros;
+mod measuring;
 mod measuring_data;
 mod modal_call;
 mod moves;
@@ -52,6 +54,7 @@ mod parameters;
 mod path_control;
 mod place;
 mod polar;
+mod probe_state;
 mod procedures;
 mod programs;
 mod report;
@@ -64,13 +67,16 @@ mod stand_in;
 mod state;
 mod survey;
 mod swivel;
+mod synchronized;
 mod system;
+mod system_meanings;
 mod system_variables;
 mod tangent;
 mod tapping;
 mod technology;
 mod threads;
 mod tool;
+mod tool_questions;
 mod transformation;
 mod undercut_sizes;
 mod unexecuted;
@@ -317,6 +323,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     fn finish(&mut self) {
         self.report_lost_change();
         self.report_no_change();
+        self.report_open_table();
         self.report_open();
     }
 }
@@ -339,6 +346,10 @@ impl Run<'_> {
         }
         if self.st.stored.is_some() {
             self.note_stored_block();
+        }
+        if self.curve_table.is_some() {
+            let _ = self.table_block(block);
+            return;
         }
         // What went wrong was reported; the next block may show more.
         if self.statement(block, text).is_err() {
@@ -433,12 +444,7 @@ impl Run<'_> {
                 }
                 result
             }
-            Stmt::Sync(span) => self.fail_help(
-                codes::S9004,
-                span,
-                "synchronized actions run beside the program, as the machine's signals come",
-                "leave the action out, or replace it by blocks of the program",
-            ),
+            Stmt::Sync(span) => self.synchronized_action(block, text, span),
             _ => self.structure(block, text),
         }
     }

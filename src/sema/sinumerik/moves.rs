@@ -23,6 +23,9 @@ impl Channel<'_> {
         if !matches!(path, Path::Rapid) {
             self.cuts_in_between();
         }
+        if self.st.touched.is_some() && self.leaves_touched(end.known(), matches!(path, Path::Rapid)).is_err() {
+            return;
+        }
         if self.st.offsets.in_machine() {
             return self.send_in_machine(end, path);
         }
@@ -119,6 +122,7 @@ impl Channel<'_> {
             }
             end.set(axis, value);
         }
+        self.leaves_touched(end.known(), code == GCode::G0)?;
         self.st.offsets.moves_in_machine();
         self.machine_moves_beside_g500(span);
         let mv = Move { end, path: Path::straight(feed), side: Side::None, coords: Coords::Machine };

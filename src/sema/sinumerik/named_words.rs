@@ -8,7 +8,9 @@ use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
 use super::axis_names::NamedAxis;
+use super::beside_path::Beside;
 use super::g_groups::{GCode, Group};
+use super::probe_state;
 use super::value::{Val, whole};
 use super::vocabulary::{Address, Indexed, Meaning, Procedure, Refusal};
 use super::words::{CallWord, MachineAxis, Positioning, SWord, Words};
@@ -91,13 +93,27 @@ impl Run<'_> {
                 let given = self.given(word, block, text)?;
                 self.axis_word(words, named, given)?;
             }
+            Meaning::Procedure(Procedure::Refused(_))
+                if probe_state::word(self.symbols.name(name), word.span).is_some() =>
+            {
+                let probe = probe_state::word(self.symbols.name(name), word.span);
+                if let Some(probe) = probe {
+                    self.probe_word(words, probe, word, block, text)?;
+                }
+            }
+            Meaning::Procedure(Procedure::Refused(_)) | Meaning::Known(_)
+                if Beside::find(self.symbols.name(name)).is_some() =>
+            {
+                let own = self.symbols.name(name).to_owned();
+                self.oscillation_word(&own, word, block, text)?;
+            }
             Meaning::Procedure(Procedure::Refused(Refusal { what, .. })) => {
                 let message = format!("{} ({what}) is not supported", self.symbols.name(name));
                 return self.fail_help(codes::S9005, word.span, message, "replace it by plain moves");
             }
             _ => {
                 if self.definitions_known() {
-                    return self.undefined_word(name, word.span);
+                    return self.measuring_word(name, None, word, block, text);
                 }
                 return self.name_word(words, name, word, block, text);
             }
@@ -191,13 +207,53 @@ impl Run<'_> {
                 let given = self.given(word, block, text)?;
                 words.set_address(&self.core, address, given).map(|()| false)
             }
+            Meaning::Procedure(Procedure::Refused(_))
+                if probe_state::word(self.symbols.name(name), word.span).is_some() =>
+            {
+                self.axis_index(args, block, text)?;
+                if let Some(probe) = probe_state::word(self.symbols.name(name), word.span) {
+                    self.probe_word(words, probe, word, block, text)?;
+                }
+                Ok(false)
+            }
+            Meaning::Procedure(Procedure::Refused(_)) | Meaning::Known(_)
+                if Beside::find(self.symbols.name(name)).is_some() =>
+            {
+                let own = self.symbols.name(name).to_owned();
+                self.oscillation_word(&own, word, block, text).map(|()| false)
+            }
             _ => {
                 if self.definitions_known() {
-                    return self.undefined_word(name, word.span);
+                    return self.measuring_word(name, Some(args), word, block, text);
                 }
                 self.indexed_word(words, base, args, word, block, text)
             }
         }
+    }
+
+    /// `_MVAR=100`, `_SETV[0]=10`: what a measuring cycle is told; any other name is not known.
+    fn measuring_word(
+        &mut self,
+        name: Symbol,
+        args: Option<Args>,
+        word: &Word,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome<bool> {
+        let own = self.symbols.name(name);
+        if super::measuring_data::find(own).is_none() || !self.job.settings.control.klartext_choices.probing_left_out {
+            return self.undefined_word(name, word.span);
+        }
+        let own = own.to_owned();
+        let mut indices = Vec::new();
+        for formula in args.map(|args| block.arguments(args).to_vec()).unwrap_or_default() {
+            indices.push(self.eval(formula, block, text)?);
+        }
+        let Value::Formula(formula) = word.value else { return self.undefined_word(name, word.span) };
+        let list = self.list_of(formula, block, text)?.is_some();
+        let value = if list { None } else { Some(self.eval(formula, block, text)?) };
+        self.keeps_measuring_data(&own, &indices, value, word.span);
+        Ok(true)
     }
 
     /// `S[2]=`, `M[1]=`, `G[8]=`, `T[1]=`

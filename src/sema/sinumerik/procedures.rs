@@ -4,7 +4,7 @@
 
 use crate::diag::{Answer, codes};
 use crate::ir::Function;
-use crate::machine::AxisSet;
+use crate::machine::{AxisSet, StandIn};
 use crate::parser::sinumerik::ast::{Block, Formula};
 use crate::text::Span;
 
@@ -13,6 +13,9 @@ use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure, Refusal};
 use super::words::{CallWord, Words};
 use super::{Core, Outcome, Run};
+
+/// Words of the tool management that give no value and change no tool.
+const LEFT_OUT_BY_ENTRY: [&str; 2] = ["SETPIECE", "RESETMON"];
 
 impl Run<'_> {
     /// A block with a call: of a procedure of the language or of a program.
@@ -29,6 +32,18 @@ impl Run<'_> {
             return self.call_program(&name, span, None, passes, block, text);
         }
         let Some(call) = w.calls.word else { return Ok(()) };
+        if let Some(probe) = w.probe {
+            return self.call_not_alone(probe.span);
+        }
+        if let (Some(beside), Meaning::Procedure(_) | Meaning::Known(_)) = (self.stands_beside_path(w), call.meaning) {
+            if self.has_other_words(w) || passes.is_some() {
+                return self.call_not_alone(call.span);
+            }
+            self.begins_executing();
+            let name = self.symbols.name(call.name).to_owned();
+            let formulas: Vec<Formula> = call.args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
+            return self.coupling(beside, (&name, call), &formulas, block, text);
+        }
         if let Meaning::Procedure(procedure) = call.meaning {
             w.calls.passes = passes;
             let alone = matches!(
@@ -179,7 +194,14 @@ impl Run<'_> {
             }
             return result;
         }
+        let by_file = matches!(self.job.settings.programs.get(&name), Some(StandIn::File(_)));
         match procedure {
+            Procedure::Refused(_) if super::cycles::measures(&name) && !by_file && !self.is_here(&name) => {
+                self.measuring_cycle((&name, call.span), &formulas, block, text)
+            }
+            Procedure::Refused(_) if matches!(&name[..], "GETEXET" | "GETSELT") => {
+                self.asks_for_tool(&name, &formulas, call.span, block, text)
+            }
             Procedure::Refused(_) | Procedure::Transformation(_) if self.own_program(&name) => {
                 self.call_program(&name, call.span, Some(call), None, block, text)
             }
@@ -214,6 +236,11 @@ impl Run<'_> {
                     call.span,
                     "words that synchronize channels are left out: the output has one channel",
                 );
+                Ok(())
+            }
+            Procedure::Actions => {
+                let message = format!("{name} acts on synchronized actions, and is left out like them");
+                self.note_word(codes::S8170, call.span, message);
                 Ok(())
             }
             Procedure::Interrupt => {
@@ -296,12 +323,18 @@ impl Run<'_> {
         self.st.position.lose(AxisSet::ALL);
         self.lost();
         let help = super::cycles::instead(name);
-        let help = if code.id == codes::S9005.id {
+        let help = if code.id != codes::S9005.id {
+            help.into()
+        } else if super::cycles::is_program(name) {
             let file = format!("{{ file = \"stubs/{name}.SPF\" }}");
             let text = format!("{help}; or say what runs instead: `[programs] {name} = {file}`");
             Answer::key("programs", name).one_of(&[file]).help(text)
+        } else if LEFT_OUT_BY_ENTRY.contains(&name) {
+            let text =
+                format!("leave it out, where the target manages its tools: `[programs] {name} = {{ ignore = true }}`");
+            Answer::key("programs", name).one_of(&["{ ignore = true }"]).help(text)
         } else {
-            help.into()
+            "take it out of the copy that is compiled, or program what it does in blocks".into()
         };
         self.fail_help(code, span, format!("{name} ({what}) is not supported"), &help)
     }
@@ -409,6 +442,7 @@ impl Core<'_> {
             || w.h.is_some()
             || w.axis_word_left().is_some()
             || w.diameter.is_some()
+            || w.probe.is_some()
     }
 
     pub(super) fn call_not_alone<T>(&self, span: Span) -> Outcome<T> {

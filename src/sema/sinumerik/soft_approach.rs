@@ -428,6 +428,9 @@ impl Channel<'_> {
     }
 
     fn soft_move(&mut self, end: Pos, path: Path, side: Side) {
+        if self.leaves_touched(end.known(), matches!(path, Path::Rapid)).is_err() {
+            return;
+        }
         self.cuts_in_between();
         let mv = Move { end, path, side, coords: Coords::Frame };
         self.core.send_move(&mv, &self.st.ctx);

@@ -37,8 +37,8 @@ impl Run<'_> {
                     arguments: !arguments.is_empty(),
                     tool_waits: self.st.tool.waiting().is_some() || self.st.tool.waits_unnamed,
                 };
-                let by_file = self.vocabulary.get(call.name).is_some_and(|known| reserved(*known).is_some());
-                let help = if by_file { call.help_by_file() } else { call.help() };
+                let known = self.vocabulary.get(call.name).is_some_and(|known| reserved(*known).is_some());
+                let help = if known { call.help_of_word() } else { call.help() };
                 self.program_missing(&plain, nowhere, &help, span)
             }
         });
@@ -72,6 +72,7 @@ impl Run<'_> {
         }
         let done = match change {
             Some(change) => self.change_by_program(name, &change, span, arguments, passes),
+            None if super::cycles::measures(name) => self.measuring_is_ignored(name, span, arguments),
             None => {
                 self.leave_call_out(name, span, arguments);
                 Ok(())
@@ -124,8 +125,17 @@ impl Run<'_> {
             let help = "call it without MCALL; or look at what `[programs]` says of it";
             return Some(self.fail_help(codes::S2043, span, message, help));
         }
+        if super::cycles::measures(name) {
+            return Some(self.measuring_is_ignored(name, span, arguments));
+        }
         self.leave_call_out(name, span, arguments);
         Some(self.leave_technology(name, span))
+    }
+
+    /// What a measuring cycle sets, and where it leaves the probe, is as open as where the key leaves it out.
+    fn measuring_is_ignored(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome {
+        let values: Vec<Val> = arguments.iter().map(|argument| argument.value.clone()).collect();
+        self.leave_cycle_out(name, &values, span)
     }
 }
 
@@ -325,9 +335,12 @@ impl NameOfCall<'_> {
         self.answer().help(text)
     }
 
-    /// The same for a word of the language: only a file may stand for it.
-    pub fn help_by_file(&self) -> Help {
+    /// The same for a word of the language: only for a cycle may a file stand.
+    pub fn help_of_word(&self) -> Help {
         let name = self.name;
+        if !super::cycles::is_program(name) {
+            return Help::from("put the program beside this one or into an include root");
+        }
         let file = format!("{{ file = \"stubs/{name}.SPF\" }}");
         let text = format!(
             "put the program beside this one or into an include root; or say which file runs: `[programs] {name} = {file}`"

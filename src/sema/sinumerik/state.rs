@@ -23,6 +23,7 @@ use super::modal_call::ModalCall;
 use super::offsets::OffsetUse;
 use super::path_control::Smoothing;
 use super::polar::Polar;
+use super::probe_state::Touched;
 use super::spindle_state::Spindles;
 use super::system_variables::SystemVariables;
 use super::tangent::Heading;
@@ -64,6 +65,8 @@ pub(super) struct State {
     pub smoothing: Smoothing,
     /// System variables that the program wrote.
     pub system: SystemVariables,
+    /// Axes that stand where a probe left them.
+    pub touched: Option<Touched>,
 }
 
 /// What the machine is, as far as programs depend on it.
@@ -115,6 +118,7 @@ impl State {
             stored: None,
             smoothing: Smoothing::default(),
             system: SystemVariables::of_edges(&settings.tools.edges),
+            touched: None,
         }
     }
 
@@ -125,6 +129,7 @@ impl State {
         self.position.not_lost(AxisSet::ALL);
         self.modal_call = ModalCall::default();
         self.stored = None;
+        self.touched = None;
         self.threads.forget_lead();
         self.corners.open.close();
         self.spindles.close_cut_speed();

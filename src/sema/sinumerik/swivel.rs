@@ -229,6 +229,7 @@ impl Channel<'_> {
         let Some(at) = self.st.position.get(Axis::Z) else { return self.unknown_axis(Axis::Z, span) };
         let mut end = Pos::UNKNOWN;
         end.set(Axis::Z, at + way);
+        self.leaves_touched(end.known(), true)?;
         let mv = Move { end, path: Path::Rapid, side: Side::None, coords: Coords::Frame };
         self.core.send_move(&mv, &self.st.ctx);
         self.st.position.move_to(&end);

@@ -13,6 +13,7 @@ use super::control_folders::control_path;
 use super::frames::{Component, FrameValue};
 use super::offsets::offset_word;
 use super::state::State;
+use super::system_meanings::{is_measured, meaning_of, said_meaning};
 use super::value::{Val, whole};
 use super::{Channel, Core, Outcome, Reported, Run};
 
@@ -20,9 +21,8 @@ impl State {
     /// Millimetres in the unit of a system variable: lengths and radii of edges follow G700 and G710.
     fn tool_data_unit(&self, word: &str) -> f64 {
         match word {
-            "$TC_DP3" | "$TC_DP4" | "$TC_DP5" | "$TC_DP6" | "$TC_DP12" | "$TC_DP13" | "$TC_DP14" | "$TC_DP15" => {
-                self.feed_unit()
-            }
+            "$TC_DP3" | "$TC_DP4" | "$TC_DP5" | "$TC_DP6" | "$TC_DP7" | "$TC_DP12" | "$TC_DP13" | "$TC_DP14"
+            | "$TC_DP15" => self.feed_unit(),
             _ => 1.0,
         }
     }
@@ -122,6 +122,9 @@ impl Channel<'_> {
     /// Reads `$NAME[args]`.
     pub(super) fn system_value(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Val> {
         let word = self.symbols.name(name).to_owned();
+        if !self.set_beside.is_empty() {
+            self.system_is_own(&word, &system_key(&word, args), span)?;
+        }
         if let Some(value) = self.known_value(&word, args, span)? {
             return Ok(value);
         }
@@ -133,15 +136,18 @@ impl Channel<'_> {
                 _ => value.clone(),
             });
         }
-        if let Some(value) = self.job.settings.variables.get(&key) {
-            return Ok(Val::Real(*value));
+        if let Some(value) = self.job.settings.variables.get(&key).copied() {
+            if is_measured(&word) {
+                self.says_given(&key, value, false, span);
+            }
+            return Ok(Val::Real(value));
         }
-        self.fail_help(
-            codes::S2028,
-            span,
-            format!("the value of `{key}` is known on the machine only"),
-            Answer::key("variables", &key).help(format!("give it under [variables]: \"{key}\" = value")),
-        )
+        let message = format!("the value of `{key}` is known on the machine only{}", said_meaning(&word, args));
+        let help = self.tool_is_asked(&word, args, &key).unwrap_or_else(|| {
+            let meaning = meaning_of(&word, args).unwrap_or_default();
+            Answer::variable(&key, meaning).help(format!("give it under [variables]: \"{key}\" = value"))
+        });
+        self.fail_help(codes::S2028, span, message, help)
     }
 
     fn known_value(&mut self, word: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
@@ -163,16 +169,23 @@ impl Channel<'_> {
                 None => return Ok(None),
             },
             "$P_TOOL" => Val::Int(i32::try_from(self.st.tool.edge_or_first()).unwrap_or(1)),
-            "$TC_DP3" | "$TC_DP6" | "$P_AD" | "$P_TOOLL" if !self.st.system.is_written(&system_key(word, args)) => {
+            "$TC_DP2" | "$TC_DP3" | "$TC_DP6" | "$TC_DP7" | "$TC_DP12" | "$TC_DP15" | "$P_AD" | "$P_TOOLL"
+                if !self.st.system.is_written(&system_key(word, args)) =>
+            {
                 if let Some(written) = self.written_parameter(word, args) {
                     return Ok(Some(written));
                 }
+                let is_number = word == "$TC_DP2" || word == "$P_AD" && args.first().and_then(Val::number) == Some(2.0);
                 match self.table_value(word, args) {
+                    Some(value) if is_number => Val::Int(value as i32),
                     Some(value) => Val::Real(value / self.st.feed_unit()),
                     None => return Ok(None),
                 }
             }
-            "$P_TOOLR" => match self.active_tool().and_then(|tool| tool.radius) {
+            "$TC_TP2" | "$P_TOOLEXIST" if !self.st.system.is_written(&system_key(word, args)) => {
+                return Ok(self.told_of_tool(word, args));
+            }
+            "$P_TOOLR" => match self.known_radius() {
                 Some(radius) => Val::Real(radius / self.st.feed_unit()),
                 None => return Ok(None),
             },
@@ -243,26 +256,6 @@ impl Channel<'_> {
         let parameter = parameter.number().and_then(whole)?;
         let (tool, edge) = (self.st.tool.active()?, self.st.tool.edge_or_first());
         self.st.system.get(&format!("$TC_DP{parameter}[{tool},{edge}]")).cloned()
-    }
-
-    /// Length and radius of a tool in the tool table: `$TC_DP3[t,1]`, `$P_AD[6]`, `$P_TOOLL[1]`.
-    fn table_value(&self, word: &str, args: &[Val]) -> Option<f64> {
-        let numbers: Vec<i32> = args.iter().map(|arg| arg.number().and_then(whole)).collect::<Option<_>>()?;
-        let active = (self.st.tool.active().unwrap_or(0), self.st.tool.edge_or_first());
-        let edge_of = |edge: i32| u32::try_from(edge).ok().filter(|edge| *edge == 1);
-        let (number, parameter) = match (word, numbers.as_slice()) {
-            ("$TC_DP3", [t, d]) => (edge_of(*d).and(u32::try_from(*t).ok())?, 3),
-            ("$TC_DP6", [t, d]) => (edge_of(*d).and(u32::try_from(*t).ok())?, 6),
-            ("$P_AD", [parameter]) if active.1 == 1 => (active.0, *parameter),
-            ("$P_TOOLL", [1]) if active.1 == 1 => (active.0, 3),
-            _ => return None,
-        };
-        let tool = self.job.settings.tools.called(number)?;
-        match parameter {
-            3 => tool.length,
-            6 => tool.radius,
-            _ => None,
-        }
     }
 
     fn frame_or_component(&self, frame: &Rc<FrameValue>, args: &[Val], span: Span) -> Outcome<Val> {
@@ -555,7 +548,7 @@ fn frame(value: FrameValue) -> Val {
 }
 
 /// `$TC_DP6[1,1]`
-fn system_key(word: &str, args: &[Val]) -> String {
+pub(super) fn system_key(word: &str, args: &[Val]) -> String {
     if args.is_empty() {
         return word.to_owned();
     }

@@ -44,6 +44,15 @@ impl SystemVariables {
         self.written.insert(key, value);
     }
 
+    /// What the program wrote is no more what the control has.
+    pub fn forget(&mut self, key: &str) {
+        self.written.remove(key);
+    }
+
+    pub fn forget_where(&mut self, is_it: impl Fn(&str) -> bool) {
+        self.written.retain(|key, _| !is_it(key));
+    }
+
     pub fn is_written(&self, key: &str) -> bool {
         self.written.contains_key(key)
     }

@@ -30,6 +30,8 @@ pub(super) struct ToolInUse {
     /// D that was programmed between T and M6, and the doubt after M6 whether it counts (MD 20270).
     edge_before_change: Option<u32>,
     edge_in_doubt: bool,
+    /// Another tool than the one in use was in use before.
+    others_worked: bool,
     /// The program wrote the radius, or where the edge lies, behind the selection.
     rewritten: bool,
 }
@@ -50,6 +52,11 @@ impl ToolInUse {
 
     pub fn edge(&self) -> Option<u32> {
         self.edge
+    }
+
+    /// Did another tool than the one in use work before?
+    pub fn others_worked(&self) -> bool {
+        self.others_worked
     }
 
     /// The edge whose data count: D1 where none was said.
@@ -75,6 +82,7 @@ impl ToolInUse {
 
     /// The chosen tool comes into use, by its first edge.
     fn change_to(&mut self, number: u32) {
+        self.others_worked |= self.active.is_some_and(|active| active != 0 && active != number);
         (self.active, self.edge) = (Some(number), Some(1));
         self.edge_in_doubt = self.edge_before_change.take().is_some_and(|edge| edge != 1);
         self.rewritten = false;

@@ -16,7 +16,8 @@ use crate::sema::run::unexecuted::{Blocks, Passed};
 use crate::sema::run::{Program, Site};
 use crate::text::{Loc, Span};
 
-use super::cycles::{is_built, is_taken};
+use super::beside_path::Beside;
+use super::cycles::{is_built, is_taken, measures};
 use super::dictionary;
 use super::entries::reserved;
 use super::foreign_codes::in_place_of;
@@ -138,6 +139,7 @@ impl<'a> Unexecuted<'a> {
             }
             Stmt::RepeatBlock { label, .. } => self.label(label, block, at, here),
             Stmt::Call(form) => self.call(form, block, text, here),
+            Stmt::Sync(_) if self.job.settings.control.sinumerik.beside.synchronized => None,
             Stmt::Sync(span) => Some(refused(self.job, here, span, codes::S9004)),
             _ => None,
         };
@@ -220,6 +222,12 @@ impl<'a> Unexecuted<'a> {
         self.job.settings.programs.contains_key(name)
     }
 
+    /// Does `[control]` leave this word of the language out?
+    fn is_left_out(&self, name: &str) -> bool {
+        let beside = || Beside::find(name).is_some_and(|beside| beside.is_left_out(self.job.settings));
+        measures(name) && self.job.settings.control.klartext_choices.probing_left_out || beside()
+    }
+
     /// A warning for a program that is not here. `text` is the first argument that is a text, if there are arguments.
     fn program(&mut self, name: &str, text: Option<Option<usize>>, span: Span, here: &Site) -> Option<Diagnostic> {
         let upper = name.to_ascii_uppercase();
@@ -246,7 +254,7 @@ impl<'a> Unexecuted<'a> {
                 tool_waits: false,
             };
             let known = self.vocabulary.get(call.name).is_some_and(|known| reserved(*known).is_some());
-            let help = if known { call.help_by_file() } else { call.help() };
+            let help = if known { call.help_of_word() } else { call.help() };
             Diagnostic::new(codes::S8040, here.loc(self.job, span), message).help(help)
         })
     }
@@ -327,7 +335,7 @@ impl<'a> Unexecuted<'a> {
             }
             (Target::Name(name), Value::None | Value::Call(_)) => {
                 let shown = self.symbols.name(name).to_owned();
-                if self.stands_for(&shown) {
+                if self.stands_for(&shown) || self.is_left_out(&shown) {
                     return None;
                 }
                 match self.vocabulary.get(shown.as_str()) {

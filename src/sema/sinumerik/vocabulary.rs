@@ -117,6 +117,8 @@ pub(super) enum Procedure {
     Channel,
     /// Interrupts.
     Interrupt,
+    /// CANCEL and its kin: synchronized actions.
+    Actions,
     /// Files of the control.
     FileAccess,
     CallPath,
@@ -191,7 +193,8 @@ pub(super) const NO_EFFECT: &str = "STOPRE SBLON SBLOF DISPLOF DISPLON ACTBLOCNO
     EXTCLOSE EXTOPEN PROTOCOL STARTFIFO MMC FPRAOF AUXFUDEL AUXFUDELG AUXFUSYNC AUXFUMSEQ WAITENC";
 
 pub(super) const CHANNEL: &str = "INIT START WAITM WAITMC WAITE SETM CLEARM GET GETD RELEASE AXTOCHAN CLEAR";
-pub(super) const INTERRUPT: &str = "SETINT DISABLE ENABLE CLRINT CANCEL LOCK UNLOCK RESET";
+pub(super) const INTERRUPT: &str = "SETINT DISABLE ENABLE CLRINT";
+pub(super) const ACTIONS: &str = "CANCEL LOCK UNLOCK RESET";
 pub(super) const FILES: &str = "WRITE READ DELETE CHECKSUM FILEDATE FILETIME FILESIZE FILESTAT FILEINFO";
 pub(super) const DYNAMICS: &str = "FGROUP SOFTA BRISKA DRIVEA JERKA CYCLE832 COMPPATH IPOBRKA ADISPOSA";
 

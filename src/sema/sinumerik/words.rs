@@ -12,6 +12,7 @@ use crate::text::Span;
 use super::axis_names::NamedAxis;
 use super::foreign_codes::in_place_of;
 use super::g_groups::{GCode, Group};
+use super::probe_state::ProbeWord;
 use super::value::Val;
 use super::vocabulary::{ADDRESSES, Address, Indexed, Meaning};
 use super::{Core, Outcome, Run};
@@ -175,6 +176,8 @@ pub(super) struct Words {
     pub diameter: Option<(Indexed, Axis, Span)>,
     /// D in the block of M6.
     pub edge_of_new_tool: Option<Given>,
+    /// A word that measures while the block moves.
+    pub probe: Option<ProbeWord>,
     /// An assignment, and a word that is none.
     assigned: Option<Span>,
     other: Option<Span>,
@@ -199,6 +202,7 @@ impl Words {
             smoothing: SmoothingWords::default(),
             diameter: None,
             edge_of_new_tool: None,
+            probe: None,
             assigned: None,
             other: None,
         }
@@ -222,6 +226,7 @@ impl Words {
         self.smoothing = SmoothingWords::default();
         self.diameter = None;
         self.edge_of_new_tool = None;
+        self.probe = None;
         self.assigned = None;
         self.other = None;
     }

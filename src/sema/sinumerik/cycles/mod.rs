@@ -306,6 +306,9 @@ impl Channel<'_> {
     }
 
     fn send_cycle(&mut self, cycle: Cycle) {
+        if self.leaves_touched(AxisSet::of(self.st.roles()[2]), false).is_err() {
+            return;
+        }
         self.length_acts_along_z();
         self.cuts_in_between();
         let end = cycle.leaves(self.st.position.at());
@@ -523,6 +526,11 @@ pub(super) fn is_taken(name: &str) -> bool {
 /// builder goes before.
 pub(super) fn is_program(name: &str) -> bool {
     find(name).is_some() || name.starts_with("CYCLE")
+}
+
+/// Is this the name of a measuring cycle?
+pub(super) fn measures(name: &str) -> bool {
+    find(name).is_some_and(Row::measures)
 }
 
 /// Is this the name of a cycle that is compiled?

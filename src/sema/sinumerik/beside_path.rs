@@ -1,0 +1,339 @@
+//! Couplings, curve tables and oscillation: left out where the axis that they move is none of the output's.
+//!
+//! Comes in: the words and their arguments. Goes out: a warning, or an error. The axis that follows, or swings, is looked at first:
+//! where it is printed, or where a spindle follows, nothing takes the word away.
+//!
+//! Source: S 6 (docs/sources.md). The blocks between CTABDEF and CTABEND describe a table and move nothing; behind it the
+//! state of the program is that of before.
+
+use crate::diag::{Answer, Diagnostic, codes};
+use crate::machine::AxisSet;
+use crate::parser::sinumerik::ast::{Base, Block, Formula, Op, Stmt, Target, Value, Word};
+use crate::sema::common::hidden::By;
+use crate::text::{Loc, Span};
+
+use super::value::Val;
+use super::vocabulary::{Indexed, Meaning};
+use super::words::{CallWord, Words};
+use super::{Outcome, Reported, Run};
+
+/// What stands beside the path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Beside {
+    /// Its first argument follows.
+    Couples,
+    /// All its arguments follow.
+    CouplesAll,
+    /// All but its last argument follow.
+    CouplesAllButLast,
+    /// Ends, deletes or locks a coupling or table.
+    Ends,
+    /// Begins a curve table, whose first argument follows.
+    Table,
+    /// Ends it.
+    TableEnds,
+    /// `OSP1[U]=`: the axis in brackets swings.
+    Oscillates,
+}
+
+const WORDS: &[(Beside, &str)] = &[
+    (Beside::Couples, "TRAILON LEADON COUPDEF COUPON COUPONC COUPRES EGDEF EGON EGONSYN EGONSYNE TANG TANGON TLIFT"),
+    (Beside::CouplesAll, "MASLON"),
+    (Beside::CouplesAllButLast, "MASLDEF"),
+    (
+        Beside::Ends,
+        "TRAILOF LEADOF COUPOF COUPOFS COUPDEL EGOFS EGOFC EGDEL TANGOF TANGDEL MASLOF MASLOFS MASLDEL CTABDEL CTABLOCK CTABUNLOCK",
+    ),
+    (Beside::Table, "CTABDEF"),
+    (Beside::TableEnds, "CTABEND"),
+    (Beside::Oscillates, "OS OSCILL OSP1 OSP2 OST1 OST2 OSCTRL OSNSC OSE OSB"),
+];
+
+impl Beside {
+    pub fn find(name: &str) -> Option<Beside> {
+        let has = |names: &str| names.split(' ').any(|known| known == name);
+        WORDS.iter().find(|(_, names)| has(names)).map(|(beside, _)| *beside)
+    }
+
+    /// The key that leaves it out.
+    fn key(self) -> &'static str {
+        if self == Beside::Oscillates { "oscillation" } else { "couplings" }
+    }
+
+    pub fn is_left_out(self, settings: &crate::machine::Settings) -> bool {
+        let beside = settings.control.sinumerik.beside;
+        if self == Beside::Oscillates { beside.oscillation } else { beside.couplings }
+    }
+}
+
+/// What to do about an axis that the output has.
+const STANDS_IN_THE_OUTPUT: &str =
+    "program its moves as blocks; an axis that the target does not have is left out by `axes` under [machine]";
+
+/// A curve table that is described.
+pub(super) struct CurveTable {
+    /// Where CTABDEF stands.
+    loc: Loc,
+    /// Printed axes that its blocks name.
+    axes: AxisSet,
+    /// What stands in it was refused.
+    refused: bool,
+}
+
+/// What follows another axis.
+enum Follower {
+    LeftOut,
+    /// A printed axis: its name.
+    Printed(String),
+    Spindle(String),
+}
+
+impl Run<'_> {
+    /// TRAILON and its kin.
+    pub(super) fn coupling(
+        &mut self,
+        beside: Beside,
+        (name, call): (&str, CallWord),
+        formulas: &[Formula],
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        let result = self.couple(beside, (name, call), formulas, block, text);
+        if beside == Beside::Table {
+            self.curve_table =
+                Some(Box::new(CurveTable { loc: self.loc(call.span), axes: AxisSet::EMPTY, refused: false }));
+        }
+        if result.is_err() {
+            self.lose_all();
+        }
+        result
+    }
+
+    fn couple(
+        &mut self,
+        beside: Beside,
+        (name, call): (&str, CallWord),
+        formulas: &[Formula],
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        self.pending_must_be_done(call.span)?;
+        match beside {
+            Beside::TableEnds => {
+                let help = "write CTABDEF in front of its first point";
+                return self.fail_help(codes::S9005, call.span, "CTABEND ends no curve table", help);
+            }
+            Beside::Oscillates => {
+                let message = format!("{name} lacks the axis in brackets");
+                return self.fail_help(codes::S1001.alarm(12080), call.span, message, format!("write {name}[X]=…"));
+            }
+            Beside::Couples | Beside::CouplesAll | Beside::CouplesAllButLast | Beside::Ends | Beside::Table => {}
+        }
+        let following = match beside {
+            Beside::Couples | Beside::Table => formulas.get(..1).unwrap_or_default(),
+            Beside::CouplesAll => formulas,
+            Beside::CouplesAllButLast => formulas.split_last().map_or(&[][..], |(_, slaves)| slaves),
+            Beside::Ends | Beside::TableEnds | Beside::Oscillates => &[],
+        };
+        let couples = beside != Beside::Ends;
+        if couples && following.is_empty() {
+            let message = format!("{name} lacks the axis that follows");
+            return self.fail(codes::S2021.alarm(14020), call.span, message);
+        }
+        for formula in following {
+            match self.follower(*formula, block, text)? {
+                Follower::LeftOut => {}
+                Follower::Printed(axis) => {
+                    let message = format!(
+                        "{name} lets {axis} follow, and {axis} is in the output: without the coupling it would stand still"
+                    );
+                    return self.fail_help(codes::S9005, formula.span, message, STANDS_IN_THE_OUTPUT);
+                }
+                Follower::Spindle(spindle) => {
+                    let message = format!("{name} lets {spindle} follow: a spindle that follows is never left out");
+                    return self.fail_help(
+                        codes::S9005,
+                        formula.span,
+                        message,
+                        "program its speed and sense as blocks",
+                    );
+                }
+            }
+        }
+        let what = if couples { "moves no axis of the output" } else { "ends no coupling of the output" };
+        self.is_left_out_beside(beside, name, call.span, what)
+    }
+
+    /// What a coupling moves.
+    fn follower(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<Follower> {
+        let name = match block.formula(formula) {
+            [Op::Name(name, _)] => Some(self.symbols.name(*name).to_owned()),
+            [.., Op::Call(name, _, _)] if self.symbols.name(*name) == "SPI" => Some("the spindle".to_owned()),
+            _ => None,
+        };
+        let digits = |name: &str| {
+            name.strip_prefix('S')
+                .is_some_and(|digits| !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()))
+        };
+        if let Some(spindle) = name.filter(|name| name == "the spindle" || digits(name)) {
+            return Ok(Follower::Spindle(spindle));
+        }
+        match self.eval(formula, block, text)? {
+            Val::Axis(named) => Ok(match self.printed_axis(named, formula.span)? {
+                None => Follower::LeftOut,
+                Some(_) => Follower::Printed(named.text().to_owned()),
+            }),
+            other => {
+                let message = format!("an axis is needed, this is {}", other.what());
+                self.fail(codes::S2031.alarm(12040), formula.span, message)
+            }
+        }
+    }
+
+    /// Only the key leaves it out, and each is named.
+    fn is_left_out_beside(&mut self, beside: Beside, name: &str, span: Span, what: &str) -> Outcome {
+        let kind = if beside == Beside::Oscillates { "oscillation" } else { "coupling of axes" };
+        if !beside.is_left_out(self.job.settings) {
+            let key = beside.key();
+            let help = format!("it {what}: leave such words out, `[control] {key} = \"leave-out\"`");
+            let help = Answer::key("control", key).one_of(&["\"leave-out\""]).help(help);
+            return self.fail_help(codes::S9005, span, format!("{name} ({kind}) is not supported"), help);
+        }
+        let found = Diagnostic::new(codes::S8166, self.loc(span), format!("{name} is left out: it {what}"));
+        if !self.job.diags.knows(&found) {
+            self.report(found.help("check that the part does not depend on it"));
+        }
+        Ok(())
+    }
+
+    /// `OSP1[U]=10`, `OS[U]=1`, `OSCILL[U]=(X,Y)`
+    pub(super) fn oscillation_word(&mut self, name: &str, word: &Word, block: &Block, text: &[u8]) -> Outcome {
+        let result = self.oscillates(name, word, block, text);
+        if result.is_err() {
+            self.lose_all();
+        }
+        result
+    }
+
+    fn oscillates(&mut self, name: &str, word: &Word, block: &Block, text: &[u8]) -> Outcome {
+        let Target::Indexed(_, args) = word.target else {
+            let message = format!("{name} lacks the axis in brackets");
+            return self.fail_help(codes::S1001.alarm(12080), word.span, message, format!("write {name}[X]=…"));
+        };
+        let named = self.axis_index(args, block, text)?;
+        let mut printed = self.printed_axis(named, word.span)?.map(|_| named);
+        if let Value::Formula(formula) = word.value {
+            let values = match self.eval(formula, block, text)? {
+                Val::List(list) => list.to_vec(),
+                one => vec![one],
+            };
+            // Axes whose infeed waits for the turning points.
+            for value in values {
+                if let Val::Axis(infeed) = value
+                    && self.printed_axis(infeed, word.span)?.is_some()
+                {
+                    printed = printed.or(Some(infeed));
+                }
+            }
+        }
+        if let Some(axis) = printed {
+            let axis = axis.text();
+            let message = format!("{name} (oscillation) moves {axis} beside the path, and {axis} is in the output");
+            return self.fail_help(codes::S9005, word.span, message, STANDS_IN_THE_OUTPUT);
+        }
+        self.is_left_out_beside(Beside::Oscillates, name, word.span, "moves no axis of the output")
+    }
+
+    // Curve tables.
+
+    /// A block between CTABDEF and CTABEND: no axis moves, and what it switches ends with the table.
+    pub(super) fn table_block(&mut self, block: &Block) -> Outcome {
+        if block.stmt == Stmt::Empty {
+            return Ok(());
+        }
+        let ends =
+            |run: &Self, word: &Word| matches!(word.target, Target::Name(name) if run.symbols.name(name) == "CTABEND");
+        if block.stmt == Stmt::Words && block.words.iter().any(|word| ends(self, word)) {
+            let Some(table) = self.curve_table.take() else { return Ok(()) };
+            let loc = self.here.origin.loc;
+            self.st.position.forget(table.axes);
+            self.st.position.hide(table.axes, By::Table, loc);
+            self.only_known_axes_stand();
+            return match block.words.iter().find(|word| !ends(self, word)) {
+                Some(other) => self.call_not_alone(other.span),
+                None => Ok(()),
+            };
+        }
+        let other = if block.stmt == Stmt::Words {
+            block.words.iter().find(|word| !self.describes(word)).map(|word| word.span)
+        } else {
+            Some(block.span)
+        };
+        let Some(span) = other else {
+            let axes: Vec<_> = block.words.iter().filter_map(|word| self.axis_of(word)).collect();
+            if let Some(table) = &mut self.curve_table {
+                axes.into_iter().for_each(|axis| table.axes.insert(axis));
+            }
+            return Ok(());
+        };
+        let Some(table) = self.curve_table.as_mut().filter(|table| !table.refused) else { return Ok(()) };
+        table.refused = true;
+        let begun = table.loc;
+        self.lose_all();
+        let message = "in a curve table only positions of axes are left out";
+        let found = Diagnostic::new(codes::S9005, self.loc(span), message).also(begun, "the table begins here");
+        self.report(found.help("take the table out of the copy that is compiled"));
+        Err(Reported)
+    }
+
+    /// Is the word one of the points of a table, or of the way between them?
+    fn describes(&mut self, word: &Word) -> bool {
+        match word.target {
+            Target::Letter(b'M' | b'S' | b'T' | b'D' | b'H' | b'L' | b'P' | b'R') => false,
+            Target::Letter(letter) => self.letter_variable(letter).is_none(),
+            Target::Numbered(_, _, name) | Target::Name(name) if self.vars.find(name).is_some() => false,
+            Target::Numbered(letter, ..) => letter != b'R' && self.axis_of(word).is_some(),
+            Target::Name(name) => {
+                let polynomial = matches!(self.symbols.name(name), "PL" | "PW" | "SD");
+                polynomial
+                    || matches!(
+                        (self.meaning(name), word.value),
+                        (Meaning::Code(_), Value::None) | (Meaning::Axis(_), _)
+                    )
+            }
+            Target::Indexed(Base::Name(name), _) => {
+                matches!(self.meaning(name), Meaning::Indexed(Indexed::Polynomial | Indexed::Ax))
+            }
+            Target::Indexed(..) | Target::System(_) => false,
+        }
+    }
+
+    /// The printed axis that a word names.
+    fn axis_of(&mut self, word: &Word) -> Option<crate::machine::Axis> {
+        match word.target {
+            Target::Letter(letter) => self.axis_names.letter(letter).and_then(|named| named.axis),
+            Target::Name(name) | Target::Numbered(_, _, name) => match self.meaning(name) {
+                Meaning::Axis(named) => named.axis,
+                _ => None,
+            },
+            Target::Indexed(..) | Target::System(_) => None,
+        }
+    }
+
+    /// The program ends in a table.
+    pub(super) fn report_open_table(&mut self) {
+        if let Some(table) = self.curve_table.take() {
+            let found = Diagnostic::new(
+                codes::S9005,
+                table.loc,
+                "the curve table has no CTABEND: all blocks behind it belong to it",
+            );
+            self.report(found.help("write CTABEND behind the last point of the table"));
+        }
+    }
+
+    /// A word beside the path that stands alone in its block, like a call.
+    pub(super) fn stands_beside_path(&self, w: &Words) -> Option<Beside> {
+        Beside::find(self.symbols.name(w.calls.word?.name))
+    }
+}

@@ -1,0 +1,386 @@
+//! Measuring: MEAS and MEAW, the measuring cycles, and what they find.
+//!
+//! Comes in: blocks and calls that measure. Goes out: an error, or under `[control] probing = "leave-out"` a warning and nothing
+//! else; only MEAW, which goes its whole way whatever the probe does, is printed as the plain move that it is. Where the probe left
+//! the axes is known at the machine only, and so is what it found: each value is asked for under `[variables]` by its name.
+//!
+//! Source: S 6, P 3.1 and 3.2 (docs/sources.md).
+
+use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::ir::Side;
+use crate::machine::{Axis, AxisSet, StandIn};
+use crate::parser::sinumerik::ast::{Block, Formula, Value, Word};
+use crate::sema::common::hidden::By;
+use crate::text::{Loc, Span};
+
+use super::block::ARC_ADDRESSES;
+use super::measuring_data;
+use super::probe_state::{ProbeWord, Touched};
+use super::system_meanings::{is_measured, meaning_of, said_meaning};
+use super::value::{Val, whole};
+use super::vocabulary::Address;
+use super::words::Words;
+use super::{Channel, Outcome, Reported, Run};
+
+/// What a cycle sets by what it measures.
+enum Sets {
+    Nothing,
+    /// A work offset, by its KNUM where that is known.
+    Offset(Option<i32>),
+    Tool,
+}
+
+impl Run<'_> {
+    /// MEAS=±1 and its kin, with their value.
+    pub(super) fn probe_word(
+        &mut self,
+        words: &mut Words,
+        probe: ProbeWord,
+        word: &Word,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        if let Value::Formula(formula) = word.value {
+            self.eval(formula, block, text)?;
+        }
+        words.probe = Some(probe);
+        Ok(())
+    }
+
+    /// A call of a measuring cycle.
+    pub(super) fn measuring_cycle(
+        &mut self,
+        (name, span): (&str, Span),
+        formulas: &[Formula],
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        let mut values = Vec::with_capacity(formulas.len());
+        for formula in formulas {
+            values.push(self.eval(*formula, block, text)?);
+        }
+        self.leave_cycle_out(name, &values, span)
+    }
+
+    // Global data of the cycles.
+
+    /// `_MVAR=100`: kept for the cycle that follows, where measuring is left out and nothing else has the name.
+    pub(super) fn keeps_measuring_data(&mut self, name: &str, args: &[Val], value: Option<Val>, span: Span) {
+        let key = super::system::system_key(name, args);
+        match value {
+            Some(value) => self.st.system.set(key, value),
+            None => self.st.system.forget(&key),
+        }
+        let message = "the arguments of the measuring cycles, which the control keeps in its global data, are left out";
+        self.note_once(codes::S8168, span, message);
+    }
+
+    /// The value of one of their names in a formula: what the program wrote, or what `[variables]` says; `None` for another name.
+    pub(super) fn measuring_value(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
+        let Some(result) = measuring_data::find(name) else { return Ok(None) };
+        let key = super::system::system_key(name, args);
+        if let Some(value) = self.st.system.get(&key) {
+            return Ok(Some(value.clone()));
+        }
+        if !result {
+            return Ok(None);
+        }
+        let Some(value) = self.job.settings.variables.get(&key).copied() else {
+            let help = format!(
+                "give it under [variables]: \"{key}\" = value; the measuring cycles keep it in the global data of the control"
+            );
+            let help = Answer::variable(&key, meaning_of(name, args).unwrap_or_default()).help(help);
+            let message = format!("`{key}` is a result of the measuring cycles{}", said_meaning(name, args));
+            return self.fail_help(codes::S9133, span, message, help);
+        };
+        self.says_given(&key, value, true, span);
+        Ok(Some(Val::Real(value)))
+    }
+
+    /// May a variable of this name hold what a left-out cycle found?
+    pub(super) fn is_found_by_cycle(&self, name: &str) -> bool {
+        self.measured.cycle.is_some() && measuring_data::find(name) == Some(true)
+    }
+}
+
+pub(super) fn leave_out() -> Help {
+    Answer::key("control", "probing").one_of(&["\"leave-out\""]).help(
+        "leave out what measures: `[control] probing = \"leave-out\"`; what the program computes with afterwards is asked for",
+    )
+}
+
+impl Channel<'_> {
+    /// Leaves a measuring cycle out, however it is called, or refuses it.
+    pub(super) fn leave_cycle_out(&mut self, name: &str, values: &[Val], span: Span) -> Outcome {
+        let result = self.cycle_left_out(name, values, span);
+        if result.is_err() {
+            self.lose_all();
+        }
+        result
+    }
+
+    fn cycle_left_out(&mut self, name: &str, values: &[Val], span: Span) -> Outcome {
+        self.pending_must_be_done(span)?;
+        let ignored = self.job.settings.programs.get(name) == Some(&StandIn::Ignored);
+        if !ignored && !self.job.settings.control.klartext_choices.probing_left_out {
+            return self.fail_help(
+                codes::S9005,
+                span,
+                format!("{name} (measuring cycle) is not supported"),
+                leave_out(),
+            );
+        }
+        if self.st.side() != Side::None || self.is_capturing() {
+            let message = format!("{name} stands under radius compensation or in a contour");
+            return self.fail_help(
+                codes::S9005,
+                span,
+                message,
+                "program G40 before it, and measure outside the contour",
+            );
+        }
+        let what = match self.set_by(name, values) {
+            Sets::Nothing => "",
+            Sets::Tool => "; the data of tools stay those of the tool table",
+            Sets::Offset(number) => {
+                self.offset_by_probe(name, number, span)?;
+                "; the work offset of the target has to be as it sets it, before the program runs"
+            }
+        };
+        let loc = self.loc(span);
+        let message = format!("{name} is left out: what it measures is known at the machine only{what}");
+        let found = Diagnostic::new(codes::S8167, loc, message);
+        if !self.job.diags.knows(&found) {
+            self.report(found.help("set up on the target what this cycle measures, before the program runs"));
+        }
+        self.st.position.forget(AxisSet::ALL);
+        self.st.position.hide(AxisSet::ALL, By::Probe, loc);
+        let lathe = self.st.machine.lathe;
+        let geometry: AxisSet = if lathe {
+            [Axis::X, Axis::Z].into_iter().collect()
+        } else {
+            self.st.machine.geometry_axes.into_iter().collect()
+        };
+        let all = self.st.touched.map_or(AxisSet::EMPTY, |touched| touched.all);
+        self.st.touched = Some(Touched { all, cuts: geometry, loc });
+        // The cycle programs feeds of its own.
+        self.st.feed.end();
+        self.has_measured(name, loc);
+        self.measured.cycle = Some((name.to_owned(), loc));
+        self.lost();
+        Ok(())
+    }
+
+    /// What the cycle sets: its arguments MVAR and KNUM, or the global data of the old form.
+    fn set_by(&self, name: &str, values: &[Val]) -> Sets {
+        let old = values.is_empty();
+        let argument = |at: usize, global: &str| {
+            let value = if old { self.st.system.number(global) } else { values.get(at).and_then(Val::number) };
+            value.and_then(whole)
+        };
+        let (variant, number) = (argument(0, "_MVAR"), argument(1, "_KNUM"));
+        match name {
+            "CYCLE971" | "CYCLE972" | "CYCLE982" => Sets::Tool,
+            "CYCLE973" | "CYCLE976" | "CYCLE995" => Sets::Nothing,
+            _ if number == Some(0) => Sets::Nothing,
+            "CYCLE974" | "CYCLE977" | "CYCLE978" | "CYCLE979" | "CYCLE994"
+                if variant.is_some_and(|variant| variant / 100 % 10 == 0) =>
+            {
+                Sets::Tool
+            }
+            _ => Sets::Offset(number),
+        }
+    }
+
+    /// A work offset that a left-out cycle corrects by what it measures.
+    fn offset_by_probe(&mut self, name: &str, number: Option<i32>, span: Span) -> Outcome {
+        let which = number.map_or_else(String::new, |number| format!(" (KNUM {number})"));
+        let message = format!("{name} corrects a work offset{which} by what it measures");
+        match self.job.settings.control.klartext_choices.probing_datum {
+            Some(true) if self.st.tool.others_worked() => self.fail_help(
+                codes::S9024,
+                span,
+                format!("{message}, and another tool worked before it: one work offset cannot be both"),
+                "split the program before the cycle",
+            ),
+            Some(true) if self.st.offsets.is_basic_said() => self.fail_help(
+                codes::S9024,
+                span,
+                format!("{message}, and the coordinates count from the basic system, or from an offset that the program writes"),
+                "select a work offset of the machine: G54",
+            ),
+            Some(true) => Ok(()),
+            Some(false) => {
+                let help = Answer::key("control", "probing_datum").one_of(&["\"set\""]);
+                let help = help.help("`[control] probing_datum = \"refuse\"` compiles no such program");
+                self.fail_help(codes::S9024, span, message, help)
+            }
+            None => {
+                let help = Answer::key("control", "probing_datum").one_of(&["\"set\""]).help(
+                    "if the work offset of the target is already as this cycle sets it when the program starts, set \
+                     `[control] probing_datum = \"set\"`",
+                );
+                self.fail_help(codes::S9024, span, message, help)
+            }
+        }
+    }
+
+    /// A block with MEAS: no axis of it moves, and where the probe left them is not known.
+    pub(super) fn probe_block(&mut self, w: &mut Words, probe: ProbeWord) -> Outcome {
+        let mut axes = w.axes;
+        let plane = w.take(Address::Ap).is_some() | w.take(Address::Rp).is_some() | w.take(Address::Ang).is_some();
+        for address in ARC_ADDRESSES {
+            w.take(address);
+        }
+        if plane {
+            let [first, second, _] = self.st.roles();
+            axes.insert(first);
+            axes.insert(second);
+        }
+        for positioning in w.beside.positioning.drain(..) {
+            axes.insert(positioning.axis);
+        }
+        let result = self.may_leave_probe_out(probe);
+        if result.is_err() {
+            self.st.position.lose(axes);
+            self.lost();
+            return result;
+        }
+        let loc = self.loc(probe.span);
+        let letters: Vec<String> = axes.iter().map(|axis| axis.letter().to_string()).collect();
+        let letters = letters.join(" and ");
+        let stops = if axes.len() > 1 { "stop" } else { "stops" };
+        let message = if axes.is_empty() {
+            format!("{} is left out: its block moves no axis of the output", probe.name)
+        } else {
+            format!("{} is left out with its move: where {letters} {stops} is known at the machine only", probe.name)
+        };
+        let found = Diagnostic::new(codes::S8167, loc, message);
+        if !self.job.diags.knows(&found) {
+            self.report(found.help("check what follows: no move of the target stands for this one"));
+        }
+        self.st.threads.end_chain();
+        self.st.heading = super::tangent::Heading::None;
+        let axes = self.hidden_with(axes);
+        self.st.position.forget(axes);
+        self.st.position.hide(axes, By::Probe, loc);
+        let before = self.st.touched;
+        let all = before.map_or(axes, |touched| touched.all.union(axes));
+        let cuts = before.map_or(AxisSet::EMPTY, |touched| touched.cuts);
+        self.st.touched = (!all.union(cuts).is_empty()).then_some(Touched { all, cuts, loc });
+        self.has_measured(probe.name, loc);
+        self.only_known_axes_stand();
+        Ok(())
+    }
+
+    /// In a turned frame each axis of the program moves several of the machine.
+    fn hidden_with(&self, axes: AxisSet) -> AxisSet {
+        if self.st.ctx.frame.is_shift() || axes.common(AxisSet::MAIN).is_empty() {
+            axes
+        } else {
+            axes.union(AxisSet::MAIN)
+        }
+    }
+
+    /// MEAW: its move was printed.
+    pub(super) fn measured_on_the_way(&mut self, probe: ProbeWord) -> bool {
+        let loc = self.loc(probe.span);
+        let message =
+            format!("{} is left out, its move is not: what it measures is known at the machine only", probe.name);
+        let found = Diagnostic::new(codes::S8167, loc, message);
+        if !self.job.diags.knows(&found) {
+            self.report(
+                found.help("the block goes its whole way, whatever the probe does: check that nothing stands in it"),
+            );
+        }
+        self.has_measured(probe.name, loc);
+        true
+    }
+
+    /// G4, TRANS and their kin take no words of moves.
+    pub(super) fn measures_beside(&self, probe: ProbeWord, span: Span) -> Outcome {
+        let found =
+            Diagnostic::new(codes::S2013.alarm(12120), self.loc(probe.span), format!("{} needs a move", probe.name));
+        self.report(
+            found
+                .also(self.loc(span), "this word moves no axis along a path")
+                .help("give it a block with G1 and an axis"),
+        );
+        Err(Reported)
+    }
+
+    pub(super) fn may_leave_probe_out(&mut self, probe: ProbeWord) -> Outcome {
+        if !self.job.settings.control.klartext_choices.probing_left_out {
+            return self.fail_help(
+                codes::S9005,
+                probe.span,
+                format!("{} (measuring) is not supported", probe.name),
+                leave_out(),
+            );
+        }
+        self.pending_must_be_done(probe.span)?;
+        let open = self.st.side() != Side::None || self.st.compensation.waits() || self.soft.is_some();
+        if open || self.is_capturing() || self.st.modal_call.is_on() {
+            let message = format!("{} stands under radius compensation, in a contour or behind MCALL", probe.name);
+            return self.fail_help(
+                codes::S9005,
+                probe.span,
+                message,
+                "program G40 before it, and measure outside of contours and modal calls",
+            );
+        }
+        Ok(())
+    }
+
+    fn has_measured(&mut self, name: &str, loc: Loc) {
+        self.measured.last = Some((name.to_owned(), loc));
+        self.st.system.forget_where(|key| {
+            let word = key.split('[').next().unwrap_or(key);
+            is_measured(word) || measuring_data::find(word) == Some(true)
+        });
+    }
+
+    /// A move to these axes, in front of it: those that stand where a probe left them have to be named.
+    pub(super) fn leaves_touched(&mut self, axes: AxisSet, rapid: bool) -> Outcome {
+        let Some(touched) = self.st.touched else { return Ok(()) };
+        let (all, cuts) = (touched.all.without(axes), touched.cuts.without(axes));
+        let missing = if rapid { all } else { all.union(cuts) };
+        if missing.is_empty() {
+            self.st.touched = (!all.union(cuts).is_empty()).then_some(Touched { all, cuts, ..touched });
+            return Ok(());
+        }
+        self.st.touched = None;
+        let letters: Vec<String> = missing.iter().map(|axis| axis.letter().to_string()).collect();
+        let letters = letters.join(" and ");
+        let message = format!(
+            "this block moves without {letters}, and where a probe left {letters} is known at the machine only"
+        );
+        let found = Diagnostic::new(codes::S9023, self.here.origin.loc, message)
+            .also(touched.loc, "the measuring is left out here");
+        self.report(found.help(format!("program {letters} in this block, in absolute coordinates")));
+        self.lose_all();
+        Err(Reported)
+    }
+
+    /// What a feed move lacks behind a cycle that is left out.
+    pub(super) fn feed_of_measuring(&self) -> Option<String> {
+        let (name, at) = self.measured.cycle.as_ref()?;
+        Some(format!(
+            "program F in this block: {name} in line {} runs at feeds of its own, and the one before it ends",
+            at.line
+        ))
+    }
+
+    /// A value of `[variables]` stands for what was measured.
+    pub(super) fn says_given(&mut self, key: &str, value: f64, by_cycle: bool, span: Span) {
+        let last = if by_cycle { self.measured.cycle.as_ref() } else { self.measured.last.as_ref() };
+        let Some((name, at)) = last else { return };
+        let message = format!("`{key}` = {value} of `[variables]` is taken for what {name} in line {} finds", at.line);
+        let found = Diagnostic::new(codes::S8169, self.loc(span), message).also(*at, "it is measured here");
+        if self.job.diags.first_text(codes::S8169, &found.message) {
+            self.report(
+                found.help("one value stands for all measurings of the program: check that it is right for this one"),
+            );
+        }
+    }
+}
