@@ -126,7 +126,7 @@ fn levels_up(real: &Path, folder: &ControlFolder) -> Option<usize> {
     if folder.below.is_empty() {
         folder.is_copied_as(&own).then_some(1)
     } else {
-        (folder.below.iter().any(|ending| is_below(&ending)) && folder.is_copied_as(&above?)).then_some(2)
+        (folder.below.iter().any(is_below) && folder.is_copied_as(&above?)).then_some(2)
     }
 }
 

@@ -342,8 +342,8 @@ impl Diags {
     /// The findings, in the order of file and place; those of one place as they were found.
     pub fn into_sorted(self) -> Vec<Diagnostic> {
         let Inner { mut list, told, .. } = self.inner.into_inner();
-        let mut last: FxHashMap<&'static str, &mut Diagnostic> = FxHashMap::default();
-        list.iter_mut().for_each(|found| drop(last.insert(found.code.id, found)));
+        let last: FxHashMap<&'static str, &mut Diagnostic> =
+            list.iter_mut().map(|found| (found.code.id, found)).collect();
         for (code, found) in last {
             if let Some((more, at_least)) = told.unlisted(code) {
                 let least = if at_least { "at least " } else { "" };

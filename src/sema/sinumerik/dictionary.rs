@@ -81,7 +81,7 @@ fn all() -> FxHashMap<&'static str, Meaning> {
 /// Every word that the compiler knows, with its G group if it is a code of one; in order.
 pub fn all_words() -> Vec<(String, Option<u8>)> {
     let mut list: Vec<(String, Option<u8>)> = words()
-        .into_iter()
+        .iter()
         .filter(|(name, _)| **name != "-")
         .map(|(name, meaning)| match meaning {
             Meaning::Code(code) => ((*name).to_owned(), Some(code.group.number())),

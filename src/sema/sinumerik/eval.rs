@@ -126,7 +126,6 @@ impl Formulas for Run<'_> {
     }
 
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
-        let is_zero = matches!(fault, Fault::Zero(_));
         let (code, message) = match fault {
             Fault::Misfit(what) => (codes::S2005.alarm(12150), format!("the operator does not fit {what}")),
             Fault::Mismatch(a, b) => (codes::S2005.alarm(12150), format!("{a} and {b} do not go together here")),
@@ -138,15 +137,7 @@ impl Formulas for Run<'_> {
                 (codes::S2006.alarm(14051), "the result is too large".to_owned())
             }
         };
-        let found = Diagnostic::new(code, self.loc(at.span), message);
-        let unset = if is_zero { &self.warned.unset[..] } else { &[] };
-        self.report(match unset {
-            [] => found,
-            [first, rest @ ..] => found.help(rest.iter().fold(
-                Answer::key("variables", first).help("give the values that the control keeps under [variables]"),
-                |help, name| help.and(Answer::key("variables", name)),
-            )),
-        });
+        self.report(Diagnostic::new(code, self.loc(at.span), message));
         Reported
     }
 }
@@ -170,7 +161,13 @@ impl Run<'_> {
             None => "division by zero".to_owned(),
         };
         let found = Diagnostic::new(codes::S2006.alarm(14051), loc, message);
-        self.report(found.help(ZERO[usize::from(divisor.is_none())]));
+        self.report(match &self.warned.unset[..] {
+            [] => found.help(ZERO[usize::from(divisor.is_none())]),
+            [first, rest @ ..] => found.help(rest.iter().fold(
+                Answer::key("variables", first).help("give the values that the control keeps under [variables]"),
+                |help, name| help.and(Answer::key("variables", name)),
+            )),
+        });
         Reported
     }
 }
