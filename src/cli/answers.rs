@@ -225,11 +225,11 @@ impl Needs {
         }
         let hint = self.hint_of(need).filter(|_| section.starts_with("tools."));
         about.extend(hint.map(Hint::words).filter(|words| !words.is_empty()));
-        let by_name = || Some(hint?.radius().filter(|_| name == "radius")?.to_string());
         let offered = match (&need.answer.values, &choices[..]) {
             (Values::Item(_), _) => Some(format!("[{}]", need.items().join(", "))),
             (_, [only]) if !is_promise(need) => Some(only.clone()),
-            _ => by_name(),
+            // What a comment says is a hint; what is offered would be a guess.
+            _ => None,
         };
         Question { key: format!("[{section}] {name}"), name, about, offered, choices, places: need.places() }
     }

@@ -84,7 +84,16 @@ pub(super) fn init(args: &Init) -> Result<Exit, Trouble> {
     }
     // Names of files and texts of programs stand in comments.
     let text = match old {
-        Some(old) => merged(&old, &harmless(&all.asked())),
+        Some(old) => {
+            let text = merged(&old, &harmless(&all.asked()));
+            if crate::machine::tree::parse(&text, &shown.to_string()).is_err() {
+                return Err(format!(
+                    "{shown}: what is asked for does not fit in: a table stands there in one line or by dotted keys; write it as \
+                     `[tools]`, `[output]` and so on with a line for each key, and try again"
+                ));
+            }
+            text
+        }
         None => harmless(&all.toml()),
     };
     if target == Path::new("-") {

@@ -67,6 +67,10 @@ impl Hint {
         texts.extend(around(call, session).into_iter().filter(is_meant));
         texts.extend(of_list(number, name, call, session));
         let mut said: Vec<(String, Measures)> = Vec::new();
+        texts.retain(|text| !is_in_inches(text));
+        if is_inch_program(call, session) {
+            texts.clear();
+        }
         for text in texts {
             let measures = measures_in(&text);
             let tells_more = said.iter().all(|(_, known)| known.radius != measures.radius);
@@ -77,16 +81,34 @@ impl Hint {
         Hint { call: Place::new(call, session), said }
     }
 
-    /// The radius that the nearest text tells.
-    pub fn radius(&self) -> Option<f64> {
-        self.said.iter().find_map(|(_, measures)| measures.radius)
-    }
-
     /// `radius 5 by "MILL_D10"?`; two texts that differ are both named.
     pub fn words(&self) -> String {
         let said = self.said.iter().take(2).map(|(text, measures)| format!("{} by \"{text}\"?", measures.words()));
         said.collect::<Vec<_>>().join(" or ")
     }
+}
+
+/// Measures in inches, or fractions of them.
+fn is_in_inches(text: &str) -> bool {
+    let upper = text.to_uppercase();
+    let word = |word: &str| matches!(word, "INCH" | "INCHES" | "IN" | "ZOLL");
+    let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    let between =
+        |(at, _): (usize, char)| digit(upper[..at].chars().next_back()) && digit(upper[at + 1..].chars().next());
+    upper.split(|c: char| !c.is_alphabetic()).any(word)
+        || upper.char_indices().filter(|(_, c)| *c == '"').any(|(at, _)| digit(upper[..at].chars().next_back()))
+        || upper.char_indices().filter(|(_, c)| *c == '/').any(between)
+}
+
+/// Does the head of the program say inches? The keys are in mm.
+fn is_inch_program(call: Loc, session: &Session) -> bool {
+    let bytes = session.sources.bytes(call.file, Span { start: 0, end: HEAD.min(call.span.start) });
+    let text = String::from_utf8_lossy(&bytes).to_uppercase();
+    let is_word = |word: &str| matches!(word, "INCH" | "G70" | "G700" | "G20");
+    text.lines().any(|line| {
+        let code = line.split([';', '(']).next().unwrap_or_default();
+        code.split(|c: char| !c.is_ascii_alphanumeric()).any(is_word)
+    })
 }
 
 /// The comment of a block, or of a line that is nothing but one.
@@ -176,6 +198,8 @@ struct Pair {
     value: f64,
     /// It begins a word: `L120`, not the one of `W6L65`.
     is_apart: bool,
+    /// It counts: `4 FLUTE`, `4-SCHNEIDER`.
+    counts: bool,
 }
 
 /// Words with numbers: `D=6.00`, `TL 145`, `R0.8K95`.
@@ -200,7 +224,10 @@ fn pairs(text: &str) -> Vec<Pair> {
         }
         if let Some((value, end)) = number_at(&chars, digits) {
             let is_apart = start == 0 || matches!(chars[start - 1], ' ' | ',' | ';' | '(' | '/' | '=' | '\t');
-            found.push(Pair { word, value, is_apart });
+            let behind: String = chars[end..].iter().skip_while(|c| matches!(c, ' ' | '-')).take(7).collect();
+            let counts =
+                ["FL", "SCHNEID", "ZAEHN", "ZÄHN", "TEETH", "TOOTH"].iter().any(|word| behind.starts_with(word));
+            found.push(Pair { word, value, is_apart, counts });
             at = end;
         }
     }
@@ -244,7 +271,7 @@ pub(super) fn measures_in(text: &str) -> Measures {
         (0..chars.len()).filter(begins).find_map(number).map(|(value, _)| value).filter(|_| cutter)
     };
     let named = || of(&["DM", "D", "DIA", "DIAM", "Ø", "DURCHMESSER", "DIAMETER"]);
-    let by_word = || pairs.iter().find(|pair| is_cutter(&pair.word)).map(|pair| pair.value);
+    let by_word = || pairs.iter().find(|pair| is_cutter(&pair.word) && !pair.counts).map(|pair| pair.value);
     // Behind `Anbohrer 90°` stands no diameter.
     let is_length = |value: &f64| degrees(&text) != Some(*value);
     let diameter = named().or_else(by_word).or_else(by_unit).filter(small).filter(is_length);
@@ -295,6 +322,9 @@ mod tests {
             ("FACEMILL 63", Some(31.5)),
             ("DRILL 8.5", Some(4.25)),
             ("DRILL", None),
+            ("END MILL 4 FLUTE 12 MM", Some(6.0)),
+            ("END MILL 6 FLUTE", None),
+            ("FRAESER 4-SCHNEIDER", None),
             ("Ø8.5 BOHRER", Some(4.25)),
             ("POCKETING , TOOL : FR-D10AL", Some(5.0)),
             ("DRILLING , TOOL : SV-D4,2", Some(2.1)),
@@ -304,6 +334,20 @@ mod tests {
             ("T1 - L0 R5 - Schaftfr", Some(5.0)),
         ] {
             assert_eq!(radius(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn inches_are_no_hint() {
+        for text in
+            ["END MILL 0.5 IN", "END MILL D0.5\"", "R 5 INCH", "END MILL 1/2\"", "3/8 END MILL", "BOHRER 1 Zoll"]
+        {
+            assert!(is_in_inches(text), "{text}");
+        }
+        for text in
+            ["FRAESER D12", "T1 - L0 R5", "D=6.00 / CR=0", "end mill in holder".replace(" in ", " with ").as_str()]
+        {
+            assert!(!is_in_inches(text), "{text}");
         }
     }
 

@@ -77,7 +77,7 @@ books! {
     klartext_text = "klartext/text":
         bytes continuation numbers;
     klartext_tools = "klartext/tools":
-        builders_cycles compensation m6 oversizes places;
+        builders_cycles compensation left_places m6 oversizes places;
     mtc200 = "mtc200":
         arcs compensation corners corrections flow functions manual offsets path path_control programs text tools units variables;
     mtc200_words = "mtc200/words":
@@ -91,7 +91,7 @@ books! {
     sinumerik_beside = "sinumerik/beside":
         actions couplings;
     sinumerik_calls = "sinumerik/calls":
-        external left_behind left_out left_technology numbered own_cycles parameters passes reserved save search_path;
+        external left_behind left_out left_places left_technology numbered own_cycles parameters passes reserved save search_path;
     sinumerik_circles = "sinumerik/circles":
         cip_and_ct helices;
     sinumerik_compensation = "sinumerik/compensation":

@@ -28,6 +28,8 @@ pub struct Hidden {
     /// Axes that somebody may have moved by hand since.
     doubtful: AxisSet,
     by: [Option<(By, Loc)>; AXES],
+    /// Those that a call moved.
+    called: AxisSet,
 }
 
 impl Hidden {
@@ -37,6 +39,14 @@ impl Hidden {
             self.by[axis.index()] = Some((by, loc));
         }
         self.axes = self.axes.union(axes);
+        let rest = self.called.without(axes);
+        self.called = if by == By::Call { rest.union(axes) } else { rest };
+    }
+
+    /// Axes that a left-out call moved, until they are named.
+    #[inline]
+    pub fn by_calls(&self) -> AxisSet {
+        self.called
     }
 
     /// The program stops: any axis may be moved by hand.
@@ -52,6 +62,7 @@ impl Hidden {
     #[inline]
     pub fn show(&mut self, axes: AxisSet) {
         self.axes = self.axes.without(axes);
+        self.called = self.called.without(axes);
         self.doubtful = self.doubtful.without(axes);
     }
 

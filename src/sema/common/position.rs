@@ -123,6 +123,12 @@ impl Position {
         self.hidden.of(axis)
     }
 
+    /// Axes that stand where a left-out call moved them.
+    #[inline]
+    pub fn left_by_calls(&self) -> AxisSet {
+        self.hidden.by_calls()
+    }
+
     /// Somebody may have moved the axis by hand since it moved by a block.
     pub fn may_be_moved(&self, axis: Axis) -> bool {
         self.hidden.is_doubtful(axis)

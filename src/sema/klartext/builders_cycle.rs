@@ -66,8 +66,23 @@ impl Run<'_> {
             if self.job.diags.first_text(codes::K2413, &text) {
                 self.report(Diagnostic::new(codes::K2413, here, text));
             }
-            self.st.position.forget(moved);
-            self.st.position.hide(moved, By::Call, here);
+            if !moved.is_empty() {
+                if self.st.compensation.is_on() {
+                    self.lose_all();
+                    let message = format!("{name} moves axes under radius compensation, as `[programs]` says");
+                    return self.fail_help(
+                        codes::K2001,
+                        self.block_span(),
+                        message,
+                        "end the contour with R0 before it",
+                    );
+                }
+                self.st.position.forget(moved);
+                self.st.position.hide(moved, By::Call, here);
+                self.lost();
+                let known = *self.st.position.at();
+                self.core.stands_at(&known, &self.st.ctx);
+            }
             return self.leave_technology(&name);
         }
         let help = Answer::key("programs", &name).one_of(&["{ ignore = true }"]).help(format!(

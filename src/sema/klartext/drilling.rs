@@ -19,7 +19,7 @@ use super::cycles::drilling::{
 };
 use super::cycles::{CLEARANCE, Cut, DEPTH};
 use super::machining::Needs;
-use super::{Outcome, Run};
+use super::{Outcome, Reported, Run};
 
 /// Way by which cycle 202 lifts the edge off the wall, in mm.
 const LIFT: f64 = 0.2;
@@ -44,6 +44,9 @@ impl Run<'_> {
         let Some(hole) = self.hole(cycle, call)? else { return Ok(()) };
         if let Err(fault) = hole.check() {
             return self.cycle_value(cycle, &fault.to_string());
+        }
+        if self.cuts_where_a_call_left(AxisSet::of(self.st.axis())) {
+            return Err(Reported);
         }
         let cycle = Cycle::Drilling(hole);
         let end = cycle.leaves(self.st.position.at());

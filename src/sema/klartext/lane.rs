@@ -29,6 +29,7 @@ impl Run<'_> {
             && !st.feed.is_per_revolution()
             && self.contour_is_plain()
             && !st.compensation.is_lost()
+            && st.position.left_by_calls().is_empty()
             && !self.contour_waits()
             && !self.is_capturing()
     }

@@ -58,6 +58,9 @@ impl Run<'_> {
                 end.forget(Axis::ALL[axis]);
             }
         }
+        if self.cuts_where_a_call_left(AxisSet::of(self.st.axis())) {
+            return Err(Reported);
+        }
         self.core.send_cycle(&made, &self.st.ctx);
         self.st.polar.forget_last();
         self.st.position.cycle_leaves(&end, AxisSet::MAIN);

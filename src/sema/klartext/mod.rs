@@ -73,7 +73,7 @@ mod words;
 
 use crate::diag::{CallPath, Code, Diagnostic, Help, codes};
 use crate::ir::Function;
-use crate::ir::contour::{Move, Sink};
+use crate::ir::contour::{Move, Path, Sink};
 use crate::machine::{AxisSet, Proposed, Unit};
 use crate::parser::klartext::ast::{Block, Stmt};
 use crate::parser::klartext::{SPLIT, parse_block, straight};
@@ -86,6 +86,7 @@ pub use cycles::signatures as cycle_signatures;
 pub use survey::survey;
 pub use unexecuted::check_unexecuted;
 
+use super::run::place::cut_where_a_call_left;
 use super::run::unexecuted::Blocks;
 use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
 use super::value::Machine;
@@ -468,7 +469,23 @@ impl Run<'_> {
             // Another side of the part may lie under the tool.
             self.contours.roughed = contour_data::Known::Nothing;
         }
+        if !matches!(mv.path, Path::Rapid) && self.cuts_where_a_call_left(mv.end.known()) {
+            return;
+        }
         self.core.send_move(mv, &self.st.ctx);
+    }
+
+    /// Reports a cut that does not name the axes that a left-out cycle moved.
+    pub(in crate::sema) fn cuts_where_a_call_left(&mut self, named: AxisSet) -> bool {
+        if self.st.position.left_by_calls().is_empty() || self.is_capturing() {
+            return false;
+        }
+        let (position, frame) = (&self.st.position, &self.st.ctx.frame);
+        let found = cut_where_a_call_left(codes::K2001, position, named, frame, self.here.origin.loc);
+        let Some(found) = found else { return false };
+        self.report(found);
+        self.lose_all();
+        true
     }
 
     fn function(&mut self, function: Function) {

@@ -1,12 +1,14 @@
 //! Where axes stand as the configuration says it: behind a tool change, and behind moves in machine coordinates.
 
-use crate::diag::{Answer, Diagnostic, Help, Raised};
+use crate::diag::{Answer, Code, Diagnostic, Help, Raised};
 use crate::ir::Pos;
-use crate::machine::Axis;
+use crate::ir::frame::Frame;
 use crate::machine::settings::Datums;
+use crate::machine::{Axis, AxisSet};
 use crate::sema::common::hidden::{By, because};
 use crate::sema::common::position::Position;
 use crate::sema::{Outcome, Reported};
+use crate::text::Loc;
 
 use super::Language;
 use super::core::Core;
@@ -16,6 +18,27 @@ use super::report::Where;
 pub const ACTIVE: &str = "active";
 /// The name of the basic frame of a SINUMERIK.
 pub const BASIC: &str = "basic";
+
+/// What is wrong with a cut that names only `named` where a left-out call moved other axes: the control cuts at another place.
+/// In a frame that turns or mirrors, an axis of the program moves several of the machine.
+pub fn cut_where_a_call_left(
+    code: &'static Code,
+    position: &Position,
+    named: AxisSet,
+    frame: &Frame,
+    here: Loc,
+) -> Option<Diagnostic> {
+    let left = position.left_by_calls();
+    let axes = if frame.is_shift() { left } else { left.union(AxisSet::MAIN) };
+    let missing = axes.without(named);
+    let first = left.iter().next().filter(|_| !missing.is_empty())?;
+    let letters: Vec<String> = missing.iter().map(|axis| axis.letter().to_string()).collect();
+    let letters = letters.join(" and ");
+    let why = because(position.hidden(first), here);
+    let message = format!("this block cuts without {letters}, and where {letters} stands is not known{why}");
+    let help = format!("program {letters} in absolute coordinates before this block, or in it");
+    Some(Diagnostic::new(code, here, message).help(help))
+}
 
 /// Machine coordinate of the zero of nested systems, by their names under `[datums]`; the name of one that is not known.
 ///

@@ -77,6 +77,7 @@ impl Channel<'_> {
             && self.speed_lost.is_none()
             && self.curve_table.is_none()
             && self.st.touched.is_none()
+            && self.st.position.left_by_calls().is_empty()
     }
 
     /// Executes the next block where it stands, if it is one of X, Y, Z, I, J and F while nothing else is on.

@@ -11,6 +11,7 @@ use crate::ir::Side;
 use crate::machine::{Axis, AxisSet, StandIn};
 use crate::parser::sinumerik::ast::{Block, Formula, Value, Word};
 use crate::sema::common::hidden::By;
+use crate::sema::run::place::cut_where_a_call_left;
 use crate::text::{Loc, Span};
 
 use super::block::ARC_ADDRESSES;
@@ -342,8 +343,17 @@ impl Channel<'_> {
 
     /// A move to these axes, in front of it: those that stand where a probe left them have to be named.
     pub(super) fn leaves_touched(&mut self, axes: AxisSet, rapid: bool) -> Outcome {
+        if !rapid && !self.st.position.left_by_calls().is_empty() && !self.is_capturing() {
+            let (position, frame) = (&self.st.position, &self.st.ctx.frame);
+            if let Some(found) = cut_where_a_call_left(codes::S2042, position, axes, frame, self.here.origin.loc) {
+                self.report(found);
+                self.lose_all();
+                return Err(Reported);
+            }
+        }
         let Some(touched) = self.st.touched else { return Ok(()) };
-        let (all, cuts) = (touched.all.without(axes), touched.cuts.without(axes));
+        let of = |axes: AxisSet| if axes.is_empty() { axes } else { self.hidden_with(axes) };
+        let (all, cuts) = (of(touched.all).without(axes), of(touched.cuts).without(axes));
         let missing = if rapid { all } else { all.union(cuts) };
         if missing.is_empty() {
             self.st.touched = (!all.union(cuts).is_empty()).then_some(Touched { all, cuts, ..touched });

@@ -23,7 +23,8 @@ impl Channel<'_> {
         if !matches!(path, Path::Rapid) {
             self.cuts_in_between();
         }
-        if self.st.touched.is_some() && self.leaves_touched(end.known(), matches!(path, Path::Rapid)).is_err() {
+        let somewhere = self.st.touched.is_some() || !self.st.position.left_by_calls().is_empty();
+        if somewhere && self.leaves_touched(end.known(), matches!(path, Path::Rapid)).is_err() {
             return;
         }
         if self.st.offsets.in_machine() {

@@ -90,6 +90,7 @@ impl Channel<'_> {
         let seconds = match (w.take(Address::F), w.s.pop()) {
             (Some(f), None) => f.value,
             (None, Some(s)) => {
+                self.left_speed_is_known("this waits for turns of the spindle")?;
                 let turns = self.st.spindles.fixed_turns(s.spindle);
                 let speed = turns.filter(|speed| *speed > 0.0);
                 match speed {

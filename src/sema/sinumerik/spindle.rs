@@ -105,20 +105,24 @@ impl Channel<'_> {
 
     /// Refuses a cut at a speed that a turning spindle kept since G96 and that is not known here.
     pub(super) fn speed_is_known(&mut self) -> Outcome {
-        if let Some(lost) = self.speed_lost.take().filter(|_| !self.is_capturing()) {
-            let (name, call) = *lost;
-            let message = format!("this block cuts, and {name} in line {} leaves a speed that is not known", call.line);
-            let help = format!(
-                "program S behind {name}; or say the speed: `speed = 1000` in place of \"lost\" under `[programs]`"
-            );
-            return self.fail_help(codes::S2045, Where::Block, message, help);
-        }
+        self.left_speed_is_known("this block cuts")?;
         if !self.st.spindles.turns_unknown() {
             return Ok(());
         }
         // Once is enough.
         self.st.spindles.end_cutting_speed();
         self.unknown_speed(Where::Block, "this block cuts at the speed that the spindle happens to have kept since G96")
+    }
+
+    /// Refuses what needs a speed where a left-out call leaves another one.
+    pub(super) fn left_speed_is_known(&mut self, needs: &str) -> Outcome {
+        let Some(lost) = self.speed_lost.take().filter(|_| !self.is_capturing()) else { return Ok(()) };
+        let (name, call) = *lost;
+        let message = format!("{needs}, and {name} in line {} leaves a speed that is not known", call.line);
+        let help = format!(
+            "program S behind {name}; or say the speed: `speed = 1000` in place of \"lost\" under `[programs]`"
+        );
+        self.fail_help(codes::S2045, Where::Block, message, help)
     }
 
     /// Refuses to start spindle `n` without a speed that is known.

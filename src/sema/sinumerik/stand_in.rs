@@ -1,6 +1,8 @@
 //! Programs of the machine builder that are found nowhere: what `[programs]` says stands for them.
 
 use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::ir::Side;
+use crate::machine::settings::Leaves;
 use crate::machine::{AxisSet, ChangeCall, Left, LeftSpindle, StandIn};
 use crate::sema::common::hidden::By;
 use crate::text::Span;
@@ -73,10 +75,7 @@ impl Run<'_> {
         let done = match change {
             Some(change) => self.change_by_program(name, &change, span, arguments, passes),
             None if super::cycles::measures(name) => self.measuring_is_ignored(name, span, arguments),
-            None => {
-                self.leave_call_out(name, span, arguments);
-                Ok(())
-            }
+            None => self.leave_call_out(name, span, arguments),
         };
         Some(done.and_then(|()| self.leave_technology(name, span)))
     }
@@ -128,8 +127,14 @@ impl Run<'_> {
         if super::cycles::measures(name) {
             return Some(self.measuring_is_ignored(name, span, arguments));
         }
-        self.leave_call_out(name, span, arguments);
-        Some(self.leave_technology(name, span))
+        let left = self.job.settings.left_by(name);
+        if left != Leaves::default() {
+            let message =
+                format!("MCALL calls {name} behind each move, and `[programs]` says what it leaves behind a call");
+            let help = "call it without MCALL; or look at what `[programs]` says of it";
+            return Some(self.fail_help(codes::S2043, span, message, help));
+        }
+        Some(self.leave_call_out(name, span, arguments).and_then(|()| self.leave_technology(name, span)))
     }
 
     /// What a measuring cycle sets, and where it leaves the probe, is as open as where the key leaves it out.
@@ -141,24 +146,32 @@ impl Run<'_> {
 
 impl Channel<'_> {
     /// `name` does nothing.
-    fn leave_call_out(&mut self, name: &str, span: Span, arguments: &[Argument]) {
+    fn leave_call_out(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome {
         self.says_stand_in(span, format!("{name} is left out, as `[programs]` says"));
         self.may_have_changed(name, span, arguments);
-        self.leave_behind(name, span);
         self.motion_left = Some(Box::new((name.to_owned(), self.loc(span))));
+        self.leave_behind(name, span)
     }
 
     /// What `[programs]` says that the call leaves behind.
-    fn leave_behind(&mut self, name: &str, span: Span) {
+    fn leave_behind(&mut self, name: &str, span: Span) -> Outcome {
         let left = self.job.settings.left_by(name);
         if let Some(rapid) = left.rapid {
             self.st.codes.activate(if rapid { GCode::G0 } else { GCode::G1 });
         }
         if !left.lost.is_empty() {
             let loc = self.loc(span);
+            if self.st.side() != Side::None {
+                let message = format!("{name} moves axes under radius compensation, as `[programs]` says");
+                let refused = self.fail_help(codes::S2042, span, message, "program G40 before the call");
+                self.lose_all();
+                return refused;
+            }
             self.st.position.forget(left.lost);
             self.st.position.hide(left.lost, By::Call, loc);
+            self.only_known_axes_stand();
         }
+        Ok(())
     }
 
     /// What a feed move lacks: `usual`, and where no G code of the path stands between it and a call that stands for a program of
@@ -272,8 +285,9 @@ impl Channel<'_> {
         self.st.position.clear();
         let loc = self.loc(span);
         self.st.position.hide(AxisSet::MAIN, By::ToolChange, loc);
+        self.only_known_axes_stand();
         self.stand_after_change();
-        self.leave_behind(name, span);
+        self.leave_behind(name, span)?;
         self.motion_left = Some(Box::new((name.to_owned(), self.loc(span))));
         let left = left_out(change, arguments);
         self.says_stand_in(span, format!("{name} changes the tool, as `[programs]` says; {left} left out"));

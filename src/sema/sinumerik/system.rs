@@ -164,6 +164,11 @@ impl Channel<'_> {
                 Some(number) => Val::Int(i32::try_from(number).unwrap_or(0)),
                 None => return Ok(None),
             },
+            "$P_AD" | "$P_TOOLL" | "$P_TOOLR" if self.edge_was_rewritten() => {
+                let number = self.st.tool.active().unwrap_or(0);
+                self.edge_is_as_selected(number, self.st.tool.edge_or_first(), span)?;
+                return Ok(None);
+            }
             "$P_TOOLP" => match self.st.tool.next().or(self.st.tool.active()) {
                 Some(number) => Val::Int(i32::try_from(number).unwrap_or(0)),
                 None => return Ok(None),
@@ -204,6 +209,10 @@ impl Channel<'_> {
                 Some(feed) => Val::Real(feed.value() / self.st.feed_unit()),
                 None => Val::Real(0.0),
             },
+            "$P_S" if self.speed_lost.is_some() => {
+                self.left_speed_is_known("this reads the speed")?;
+                return Ok(None);
+            }
             "$P_S" => match self.st.spindles.speed() {
                 Some(speed) => Val::Real(speed),
                 None => Val::Real(0.0),

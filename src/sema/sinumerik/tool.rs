@@ -419,6 +419,10 @@ impl Channel<'_> {
         Ok(())
     }
 
+    pub(super) fn edge_was_rewritten(&self) -> bool {
+        self.st.tool.rewritten
+    }
+
     /// What the program wrote for the edge in use counts from its next selection on: whether it does before, is open.
     pub(super) fn edge_is_as_selected(&self, number: u32, edge: u32, span: Span) -> Outcome {
         if !self.st.tool.rewritten {
