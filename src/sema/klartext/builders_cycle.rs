@@ -68,14 +68,11 @@ impl Run<'_> {
             }
             if !moved.is_empty() {
                 if self.st.compensation.is_on() {
-                    self.lose_all();
                     let message = format!("{name} moves axes under radius compensation, as `[programs]` says");
-                    return self.fail_help(
-                        codes::K2001,
-                        self.block_span(),
-                        message,
-                        "end the contour with R0 before it",
-                    );
+                    let help = "end the contour with R0 before it";
+                    let refused = self.fail_help(codes::K2001, self.block_span(), message, help);
+                    self.lose_all();
+                    return refused;
                 }
                 self.st.position.forget(moved);
                 self.st.position.hide(moved, By::Call, here);
