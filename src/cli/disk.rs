@@ -9,7 +9,7 @@ use std::path::{Component, Path, PathBuf};
 use crate::text::{ControlFolder, FileError, Files, Memory, Opened, ReadAt, Request, Within};
 
 use super::Trouble;
-use super::backup::{Backup, Sought};
+use super::backup::{Backup, Sought, no_folder};
 use super::listed::{Listings, find, like};
 use super::stamp::{CHANGED, Stamp};
 
@@ -342,15 +342,12 @@ impl IncludeRoots {
     }
 
     /// The file that a name of the control means in the backup in which the program lies; `None` where it has no such folder.
-    fn of_backup(&self, name: &str, extensions: &[&str]) -> Option<Result<Opened, FileError>> {
+    fn of_backup(&self, sought: Sought<'_>, name: &str, extensions: &[&str]) -> Option<Result<Opened, FileError>> {
         let forbidden = |why: String| Some(Err(FileError::Forbidden { why }));
-        let (folders, rest) = match self.backup.seek(name)? {
+        let (folders, rest) = match sought {
             Sought::In(folder, rest) => (vec![folder], rest),
             Sought::InSeveral(folders, rest) => (folders, rest),
-            Sought::LeadsOut(link) => {
-                let why = format!("`{}` is a link that leads out of the folder in which the others lie", shown(&link));
-                return forbidden(why);
-            }
+            Sought::Unfit(path, why) => return forbidden(format!("`{}` {why}", shown(&path))),
             Sought::Absent(files) => {
                 files.into_iter().for_each(|file| self.note(file, name.to_owned(), false));
                 return None;
@@ -428,12 +425,19 @@ impl Files for IncludeRoots {
             return forbidden("it names a network share");
         }
         let (folders, rest) = match self.rooted(&name) {
-            Some((folder, rest)) => (vec![folder.to_path_buf()], rest.to_owned()),
+            Some((folder, rest)) => {
+                if let Some(why) = no_folder(folder) {
+                    return forbidden(&format!("`{}` {why}", shown(folder)));
+                }
+                (vec![folder.to_path_buf()], rest.to_owned())
+            }
             None => {
                 if let Some(at) = name.find(':') {
                     return Err(FileError::NoRoot { prefix: request.name[..=at].to_owned() });
                 }
-                if let Some(found) = self.of_backup(&name, request.extensions) {
+                let beside = || self.backup.seek_beside(&name).filter(|_| request.within == Within::Main);
+                let sought = if name.starts_with('/') { self.backup.seek(&name) } else { beside() };
+                if let Some(found) = sought.and_then(|sought| self.of_backup(sought, &name, request.extensions)) {
                     return found;
                 }
                 if let Some(rest) = name.strip_prefix('/') {
@@ -453,6 +457,10 @@ impl Files for IncludeRoots {
 
     fn copy_of(&self, folder: &str) -> Option<(String, &'static str)> {
         self.backup.copy_of(folder).map(|(copy, control)| (shown(copy), control))
+    }
+
+    fn home(&self) -> Option<&str> {
+        self.backup.home()
     }
 }
 

@@ -84,6 +84,10 @@ impl Files for WithOpen<'_> {
     fn copy_of(&self, folder: &str) -> Option<(String, &'static str)> {
         self.files.copy_of(folder)
     }
+
+    fn home(&self) -> Option<&str> {
+        self.files.home()
+    }
 }
 
 /// The state of a session with an editor.

@@ -114,6 +114,12 @@ pub trait Files {
         let _ = folder;
         None
     }
+
+    /// The folder of the control in which the main program lies, because its folder on this computer is called so; the last part as it is
+    /// called there.
+    fn home(&self) -> Option<&str> {
+        None
+    }
 }
 
 /// A folder of a control, and what a copy of it is called on a computer.

@@ -243,6 +243,137 @@ fn init_asks_for_nothing_that_the_backup_holds() {
     }
 }
 
+#[test]
+fn a_line_that_contradicts_the_folder_is_refused() {
+    let of = |line: &str| format!("{line}{DRILL}");
+    // The main program: by its line another program runs than by its folder.
+    for head in ["", "%_N_A_MPF\n"] {
+        let folder = Folder::new("backup_line_main").with(&[
+            ("MPF.DIR/A.MPF", &of(&format!("{head};$PATH=/_N_WKS_DIR/_N_A_WPD\n"))),
+            ("SPF.DIR/DRILL.SPF", &sub(4)),
+            ("WKS.DIR/A.WPD/DRILL.SPF", &sub(5)),
+        ]);
+        let said = folder.run(&["check", "MPF.DIR/A.MPF", "--format", "concise"]).exits(1).says("S2046");
+        assert!(said.err.contains("`/_N_MPF_DIR`") && said.err.contains("`/_N_WKS_DIR/_N_A_WPD`"), "{}", said.err);
+        // Also where the folder of the line lacks it.
+        std::fs::remove_file(folder.0.join("WKS.DIR/A.WPD/DRILL.SPF")).expect("a file");
+        folder.run(&["check", "MPF.DIR/A.MPF"]).exits(1).says("S2046");
+        // The other way.
+        folder.write("WKS.DIR/A.WPD/B.MPF", &of(&format!("{head};$PATH=/_N_MPF_DIR\n")));
+        folder.write("WKS.DIR/A.WPD/DRILL.SPF", &sub(1));
+        folder.write("MPF.DIR/DRILL.SPF", &sub(2));
+        folder.run(&["check", "WKS.DIR/A.WPD/B.MPF"]).exits(1).says("S2046");
+        // Both readings lead to the program beside it.
+        std::fs::remove_file(folder.0.join("MPF.DIR/DRILL.SPF")).expect("a file");
+        assert_eq!(moves(&folder, "WKS.DIR/A.WPD/B.MPF"), ["G0 Z1"]);
+        // The line and the folder agree, whatever the spelling.
+        for (at, line) in [("WKS.DIR/A.WPD", "/_N_WKS_DIR/_N_A_WPD"), ("WKS/A_WPD", "/WKS.DIR/a.wpd")] {
+            let folder = Folder::new("backup_line_agrees").with(&[("SPF.DIR/DRILL.SPF", &sub(4))]);
+            folder.write(&format!("{at}/A.MPF"), &of(&format!("{head};$PATH={line}\n")));
+            assert_eq!(moves(&folder, &format!("{at}/A.MPF")), ["G0 Z4"], "{at}");
+        }
+    }
+    // The program that is called.
+    for head in ["", "%_N_DRILL_SPF\n"] {
+        let folder = Folder::new("backup_line_called").with(&[
+            ("MPF.DIR/A.MPF", DRILL),
+            ("SPF.DIR/DRILL.SPF", &format!("{head};$PATH=/_N_CST_DIR\n{}", sub(4))),
+            ("CMA.DIR/DRILL.SPF", &sub(5)),
+        ]);
+        let said = folder.run(&["check", "MPF.DIR/A.MPF", "--format", "concise"]).exits(1).says("S2046");
+        assert!(said.err.contains("`SPF.DIR/DRILL.SPF` lies in `/_N_SPF_DIR`"), "{}", said.err);
+        folder.write("SPF.DIR/DRILL.SPF", &format!("{head};$PATH=/_N_SPF_DIR\n{}", sub(4)));
+        assert_eq!(moves(&folder, "MPF.DIR/A.MPF"), ["G0 Z4"]);
+        // Beside the main program: another one would run by the line.
+        folder.write("MPF.DIR/DRILL.SPF", &format!("{head};$PATH=/_N_CST_DIR\n{}", sub(3)));
+        folder.run(&["check", "MPF.DIR/A.MPF"]).exits(1).says("S2046");
+        // Nothing looks there by the line.
+        std::fs::remove_file(folder.0.join("SPF.DIR/DRILL.SPF")).expect("a file");
+        folder.write("MPF.DIR/DRILL.SPF", &format!("{head};$PATH=/_N_WKS_DIR/_N_X_WPD\n{}", sub(3)));
+        std::fs::remove_file(folder.0.join("CMA.DIR/DRILL.SPF")).expect("a file");
+        folder.run(&["check", "MPF.DIR/A.MPF"]).exits(1).says("S2046");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn what_is_no_folder_is_refused() {
+    use std::os::unix::fs::symlink;
+    let read = "N10 G17 G90 G54 G0 X0 Y0 Z10\nN20 G0 Z=HEIGHT\nN30 M30\n";
+    for is_link in [true, false] {
+        let folder = Folder::new("backup_no_folder").with(&[
+            ("MPF.DIR/A.MPF", DRILL),
+            ("MPF.DIR/B.MPF", read),
+            ("MPF.DIR/GUD4.DEF", "DEF CHAN REAL HEIGHT=8\nM30\n"),
+            ("CST.DIR/DRILL.SPF", &sub(5)),
+        ]);
+        let make = |name: &str| {
+            if is_link { symlink("nowhere", folder.0.join(name)).expect("a link") } else { folder.write(name, "x") }
+        };
+        make("SPF.DIR");
+        let said = folder.run(&["check", "MPF.DIR/A.MPF", "--format", "concise"]).exits(1).says("P0102");
+        let why = if is_link { "`SPF.DIR` is a link that leads nowhere" } else { "`SPF.DIR` is no folder" };
+        assert!(said.err.contains(why), "{}", said.err);
+        // Nothing comes to it.
+        folder.write("MPF.DIR/DRILL.SPF", &sub(6));
+        assert_eq!(moves(&folder, "MPF.DIR/A.MPF"), ["G0 Z6"]);
+        make("DEF.DIR");
+        folder.run(&["check", "MPF.DIR/B.MPF"]).exits(1).says("P0102");
+        // A root of the configuration.
+        folder.write("parts/A.MPF", DRILL);
+        folder
+            .write("parts/partc.toml", "[include]\nroots = { \"/_N_SPF_DIR\" = \"SPF\", \"/_N_CST_DIR\" = \"CST\" }\n");
+        folder.write("parts/CST/DRILL.SPF", &sub(5));
+        make("parts/SPF");
+        folder.run(&["check", "parts/A.MPF"]).exits(1).says("P0102");
+    }
+}
+
+#[test]
+fn two_copies_of_the_own_folder_are_refused() {
+    for (own, other) in [
+        ("MPF.DIR", "MPF"),
+        ("WKS.DIR/A.WPD", "WKS.DIR/_N_A_WPD"),
+        ("WKS.DIR/A.WPD", "WKS/A.WPD"),
+        #[cfg(target_os = "linux")]
+        ("WKS.DIR/A.WPD", "WKS.DIR/a.wpd"),
+    ] {
+        let folder = Folder::new("backup_own_twice").with(&[("SPF.DIR/DRILL.SPF", &sub(2))]);
+        let program = format!("{own}/A.MPF");
+        folder.write(&program, DRILL);
+        folder.write(&format!("{other}/OTHER.SPF"), &sub(8));
+        // It is in neither.
+        assert_eq!(moves(&folder, &program), ["G0 Z2"], "{other}");
+        folder.write(&format!("{other}/DRILL.SPF"), &sub(9));
+        let said = folder.run(&["check", &program, "--format", "concise"]).exits(1).says("P0102");
+        assert!(said.err.contains("stand for one folder of the control"), "{}", said.err);
+        folder.write(&format!("{own}/DRILL.SPF"), &sub(1));
+        folder.run(&["check", &program]).exits(1).says("P0102");
+        // Another workpiece is no copy.
+        std::fs::remove_dir_all(folder.0.join(other)).expect("a folder");
+        folder.write("WKS.DIR/B.WPD/DRILL.SPF", &sub(7));
+        assert_eq!(moves(&folder, &program), ["G0 Z1"], "{other}");
+    }
+}
+
+#[test]
+fn a_variable_of_two_definition_files_is_refused() {
+    let folder = Folder::new("backup_defined_twice").with(&[
+        ("MPF.DIR/A.MPF", "N10 G17 G90 G54 G0 X0 Y0 Z10\nN20 G0 Z=HEIGHT\nN30 M30\n"),
+        ("DEF.DIR/GUD4.DEF", "DEF CHAN REAL HEIGHT=7\nM30\n"),
+        ("DEF.DIR/UGUD.DEF", "DEF CHAN REAL HEIGHT=8\nM30\n"),
+    ]);
+    let said = folder.run(&["check", "MPF.DIR/A.MPF"]).exits(1).says("S2016");
+    for file in ["GUD4.DEF", "UGUD.DEF"] {
+        assert!(said.err.contains(file), "{}", said.err);
+    }
+    folder.write("DEF.DIR/UGUD.DEF", "DEF CHAN REAL SAFE=8\nM30\n");
+    assert_eq!(moves(&folder, "MPF.DIR/A.MPF"), ["G0 Z7"]);
+    // A variable of the program hides it.
+    folder.write("MPF.DIR/B.MPF", "DEF REAL HEIGHT=3\nN10 G17 G90 G54 G0 X0 Y0 Z10\nN20 G0 Z=HEIGHT+SAFE\nN30 M30\n");
+    assert_eq!(moves(&folder, "MPF.DIR/B.MPF"), ["G0 Z11"]);
+}
+
 /// Paths of a configuration count from the file that names them, wherever the programs lie.
 #[test]
 fn paths_count_from_the_file_that_names_them() {

@@ -171,7 +171,8 @@ S2045 Error "siemens-spindle" "spindle word cannot be carried out"
 S2046 Error "siemens-programs-of-one-name" "several programs of one name and rank"
 "The call names a program, and more than one has that name in the same folder of the control: two in an archive with the same `;$PATH=` line or none, one in an archive and \
 one on the disk, or one in each of two folders that stand for it. So it is where a file beside the main program lies in another folder by its own `;$PATH=` line, and another program of that name would run \
-by one of the two. A control keeps one of them, which depends on what was read in last.\n\
+by one of the two. A control keeps one of them, which depends on what was read in last. The same is said where a folder of a backup is called as one folder of the control and the `;$PATH=` \
+line of a program in it names another one: nothing says which of the two is out of date.\n\
 Delete or rename all but one, place a program by a `;$PATH=` line behind its head, or call it by its path."
 
 S2047 Error "siemens-spf-beside-mpf" "subprogram and main program of one name"

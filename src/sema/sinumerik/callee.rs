@@ -6,6 +6,7 @@ use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::sema::run::{Wanted, no_root, not_opened, open_program};
 use crate::text::{FileError, Loc, Request, Span, Within};
 
+use super::placed_twice::TwoPlaces;
 use super::programs::{Unit, bare_name, without_extension};
 use super::search_path::{At, FileAt, Found, Nowhere, SearchPath};
 use super::{Outcome, Reported, Run};
@@ -92,6 +93,7 @@ impl Run<'_> {
                 self.stop_run();
                 return Err(Missing::Reported);
             }
+            Found::TwoPlaces(places) => in_two_places(&places, loc),
             Found::Several(places) => self.several(name, &places, loc),
             Found::BothKinds(sub, main) => self.both_kinds(name, [&sub, &main], loc),
             Found::BehindUnknown(folder) => {
@@ -302,4 +304,14 @@ pub(super) fn called_name(name: &str) -> String {
     let (bare, _) = bare_name(&name.to_ascii_uppercase());
     let last = bare.rsplit(['/', '\\']).next().unwrap_or(&bare);
     bare_name(last).0
+}
+
+/// A folder of a backup and a `;$PATH=` line that contradict each other.
+fn in_two_places(places: &TwoPlaces, loc: Loc) -> Diagnostic {
+    let TwoPlaces { shown, by_name, by_line } = places;
+    let message = format!(
+        "`{shown}` lies in `{by_name}` by the name of its folder, and in `{by_line}` by its `;$PATH=` line: which program this call means depends on it"
+    );
+    let help = "move the file to the folder of the line, or correct the line; `[include] roots` says which folder stands for which one of the control";
+    Diagnostic::new(codes::S2046, loc, message).help(help)
 }

@@ -33,6 +33,23 @@ pub(super) fn path_line(line: &[u8]) -> Option<String> {
     is_path.then(|| control_path(&String::from_utf8_lossy(path)))
 }
 
+/// The folder that a `;$PATH=` line names above the first block of a program, also where no head stands above it.
+pub(super) fn path_line_on_top(text: &[u8]) -> Option<String> {
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+    let lines = text.split(|b| matches!(b, b'\n' | b'\r')).map(<[u8]>::trim_ascii);
+    let mut top = lines.take_while(|line| line.is_empty() || line.starts_with(b";") || line.starts_with(b"%"));
+    top.find_map(path_line)
+}
+
+/// The folder in which a program lies by the name of its folder on this computer: `SHAFT.WPD`, `_N_SHAFT_WPD` or `SHAFT_WPD`.
+pub(super) fn home_path(home: &str) -> String {
+    let path = control_path(home);
+    match path.rsplit_once('/') {
+        Some((above, last)) if !last.starts_with("_N_") => format!("{above}/_N_{last}"),
+        _ => path,
+    }
+}
+
 /// A folder of the control in one spelling: `/_N_WKS_DIR/_N_A_WPD`, which it may also call `/WKS.DIR/A.WPD`.
 pub(super) fn control_path(path: &str) -> String {
     let upper = path.trim().to_ascii_uppercase().replace('\\', "/");
@@ -82,6 +99,11 @@ mod tests {
                 path == folder.path
             }));
         }
+        for home in ["/_N_WKS_DIR/A.WPD", "/_N_WKS_DIR/_N_A_WPD", "/_N_WKS_DIR/A_WPD"] {
+            assert_eq!(home_path(home), "/_N_WKS_DIR/_N_A_WPD", "{home}");
+        }
+        assert_eq!(path_line_on_top(b"; a\n\n;$PATH=/SPF.DIR\nG0 X1\n").as_deref(), Some("/_N_SPF_DIR"));
+        assert_eq!(path_line_on_top(b"G0 X1\n;$PATH=/SPF.DIR\n"), None);
         assert_eq!(path_line(b";$PATH=/_N_SPF_DIR\r").as_deref(), Some("/_N_SPF_DIR"));
         assert_eq!(
             (path_line(b"; $PATH=/_N_SPF_DIR"), path_line(b";$PATH=SPF"), path_line(b";$P")),

@@ -13,7 +13,7 @@ use crate::text::{FileError, Loc, Next, Opened, Request, Within};
 use super::control_folders::names_below;
 use super::formula_functions;
 use super::value::{MOST_TEXT, Val, whole};
-use super::vars::{Kept, MOST_ELEMENTS, Var};
+use super::vars::{Kept, MOST_ELEMENTS, Slot, Var};
 use super::vocabulary::Meaning;
 use super::{Outcome, Reported, Run};
 
@@ -93,7 +93,9 @@ impl Run<'_> {
             return self.fail_help(codes::S1014.alarm(12420), variable.span, message, "shorten it to 31");
         }
         let defined = self.loc(variable.span);
-        if let Some(first) = self.vars.of_level(name).map(|var| var.defined).filter(|first| *first != defined) {
+        // Those of the definition files are one level, in whichever of them they stand.
+        let known = if global { self.vars.get(Slot::Global(name)) } else { self.vars.of_level(name) };
+        if let Some(first) = known.map(|var| var.defined).filter(|first| *first != defined) {
             let found = Diagnostic::new(codes::S2016.alarm(12170), defined, format!("`{word}` is defined twice"));
             self.report(found.also(first, "the first definition").help("rename one of them"));
             return Err(Reported);

@@ -53,6 +53,7 @@ mod offsets;
 mod parameters;
 mod path_control;
 mod place;
+mod placed_twice;
 mod polar;
 mod probe_state;
 mod procedures;

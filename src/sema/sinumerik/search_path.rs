@@ -9,7 +9,8 @@ use crate::machine::options::sinumerik::CalledFirst;
 use crate::sema::Job;
 use crate::text::{FileError, FileId, Opened, Request, Within};
 
-use super::control_folders::{control_path, names_below, path_line};
+use super::control_folders::{control_path, names_below, path_line, path_line_on_top};
+use super::placed_twice::TwoPlaces;
 use super::programs::{UnitKind, Units, bare_name, header_name, without_extension};
 
 /// Where programs lie whose folder no line names.
@@ -18,8 +19,6 @@ const MAIN_PROGRAMS: &str = "/_N_MPF_DIR";
 const SUBPROGRAMS: &str = "/_N_SPF_DIR";
 /// Cycles of the user, of the machine builder and of the control, in the order of the search.
 const CYCLES: [&str; 3] = ["/_N_CUS_DIR", "/_N_CMA_DIR", "/_N_CST_DIR"];
-/// Bytes of a file in which its head stands.
-const HEAD: usize = 512;
 
 /// What is searched for one call.
 pub(super) struct SearchPath<'r, 'a> {
@@ -60,6 +59,8 @@ pub(super) enum Found {
     /// By its own `;$PATH=` line the file lies in this folder, where nothing looks; it lies beside the main program, which names no
     /// folder, and is taken.
     BesideByLine(FileAt, String),
+    /// The name of a folder of this computer and a `;$PATH=` line place a program in two folders of the control.
+    TwoPlaces(TwoPlaces),
     /// Programs of one rank.
     Several(Vec<At>),
     /// NAME_SPF and NAME_MPF beside each other.
@@ -146,7 +147,7 @@ struct Search<'s, 'r, 'a> {
     path: &'s SearchPath<'r, 'a>,
     called: Called,
     /// The folder of the main program by its `;$PATH=` line.
-    main: Option<&'r str>,
+    main: Option<&'s str>,
     /// Files beside the main program that lie in another folder by their own line.
     strays: Vec<(String, Candidate)>,
     /// The same beside a main program without such a line.
@@ -158,7 +159,9 @@ struct Search<'s, 'r, 'a> {
 impl SearchPath<'_, '_> {
     /// Looks for the program `name`.
     pub fn look(&self, name: &str) -> Found {
-        let main = self.units.main().and_then(|unit| self.units.list[unit].folder.as_deref());
+        let contradicted = self.main_in_two_places();
+        let line = self.units.main().and_then(|unit| self.units.list[unit].folder.as_deref());
+        let main = contradicted.as_ref().map_or(line, |places| Some(places.by_line.as_str()));
         let mut search = Search {
             path: self,
             called: Called::of(name),
@@ -175,7 +178,7 @@ impl SearchPath<'_, '_> {
             Some(folder) => search.by_relative_path(&folder),
         };
         match (found, search.failed.take()) {
-            (Some(found), _) => found,
+            (Some(found), _) => self.unless_in_two_places(found, contradicted.as_ref()),
             (None, Some((error, name))) => Found::Fails(error, name),
             (None, None) => {
                 search.look_elsewhere();
@@ -193,6 +196,7 @@ impl SearchPath<'_, '_> {
             Found::One(_)
             | Found::Unplaced(..)
             | Found::BesideByLine(..)
+            | Found::TwoPlaces(_)
             | Found::Several(_)
             | Found::BothKinds(..)
             | Found::BehindUnknown(_) => true,
@@ -206,7 +210,7 @@ impl SearchPath<'_, '_> {
         holds || names_below(folder, "").iter().any(ask)
     }
 
-    fn open(&self, name: &str, within: Within) -> Result<Opened, FileError> {
+    pub(super) fn open(&self, name: &str, within: Within) -> Result<Opened, FileError> {
         let from = self.job.sources.identity(self.files[1].1);
         self.job.files.open(&Request { from: &from, name, extensions: &[], within })
     }
@@ -318,10 +322,11 @@ impl Search<'_, '_, '_> {
     /// The folder that the head of a file names.
     fn own_line(&self, candidate: &Candidate) -> Option<String> {
         let At::File(file) = &candidate.at else { return None };
-        let mut opened = self.path.open(&file.name, file.within).ok()?;
-        let mut head = vec![0; HEAD];
-        let read = opened.text.read_at(0, &mut head).ok()?;
-        let mut lines = head[..read].split(|b| matches!(b, b'\n' | b'\r')).filter(|line| !line.trim_ascii().is_empty());
+        let head = self.path.head_of(file)?;
+        if self.path.job.files.home().is_some() {
+            return path_line_on_top(&head);
+        }
+        let mut lines = head.split(|b| matches!(b, b'\n' | b'\r')).filter(|line| !line.trim_ascii().is_empty());
         header_name(lines.next()?)?;
         path_line(lines.next()?)
     }
