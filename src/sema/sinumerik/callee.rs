@@ -6,7 +6,7 @@ use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::sema::run::{Wanted, no_root, not_opened, open_program};
 use crate::text::{FileError, Loc, Request, Span, Within};
 
-use super::placed_twice::TwoPlaces;
+use super::control_folders::TwoPlaces;
 use super::programs::{Unit, bare_name, without_extension};
 use super::search_path::{At, FileAt, Found, Nowhere, SearchPath};
 use super::{Outcome, Reported, Run};

@@ -26,6 +26,16 @@ pub(crate) const FOLDERS: &[ControlFolder] = &[
     folder!("WKS", &[".WPD", "_WPD"]),
 ];
 
+/// A program in two folders of the control.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct TwoPlaces {
+    /// Its name for people.
+    pub shown: String,
+    /// By the name of its folder here.
+    pub by_name: String,
+    pub by_line: String,
+}
+
 /// The folder that a `;$PATH=` line names.
 pub(super) fn path_line(line: &[u8]) -> Option<String> {
     let (mark, path) = line.trim_ascii().split_at_checked(";$PATH=".len())?;

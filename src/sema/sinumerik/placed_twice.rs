@@ -4,21 +4,11 @@
 
 use crate::text::Span;
 
-use super::control_folders::{home_path, path_line_on_top};
+use super::control_folders::{TwoPlaces, home_path, path_line_on_top};
 use super::search_path::{At, FileAt, Found, SearchPath};
 
 /// Bytes of a file in which its head stands.
 const HEAD: u32 = 512;
-
-/// A program in two folders of the control.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct TwoPlaces {
-    /// Its name for people.
-    pub shown: String,
-    /// By the name of its folder here.
-    pub by_name: String,
-    pub by_line: String,
-}
 
 impl SearchPath<'_, '_> {
     /// The main program, where its line names another folder than the one in which it is found.

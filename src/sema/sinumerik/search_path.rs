@@ -9,8 +9,8 @@ use crate::machine::options::sinumerik::CalledFirst;
 use crate::sema::Job;
 use crate::text::{FileError, FileId, Opened, Request, Within};
 
+use super::control_folders::TwoPlaces;
 use super::control_folders::{control_path, names_below, path_line, path_line_on_top};
-use super::placed_twice::TwoPlaces;
 use super::programs::{UnitKind, Units, bare_name, header_name, without_extension};
 
 /// Where programs lie whose folder no line names.
