@@ -46,6 +46,7 @@ const WRONG: &[(&str, &str)] = &[
     ("m9_at_the_end_of_the_block_of_g332.MPF", "stands between two blocks of one tap"),
     // Each step of ours leaves the hole.
     ("chip_breaking.MPF", "breaks the chip of a tap within the hole"),
+    ("the_tool_in_use_and_the_one_that_is_chosen.MPF", "answers 0 for the number of each tool"),
     ("file_access.MPF", "leaves the error variable of WRITE and DELETE as it was"),
 ];
 /// Largest difference of two end points.
