@@ -1,7 +1,7 @@
 //! What a program says of its tools in names and comments: beside the values that are asked for, as a hint, never as a value.
 //!
 //! In: where a tool is called first. Out: the comment that tells most of it, with the numbers in it that look like its measures.
-//! Looked at are the name of the tool, the comment of the call, the comment lines in front of it, and the list of tools at the head
+//! Looked at are the name of the tool, the comment of the call, the comment lines before it, and the list of tools at the head
 //! of the file.
 
 use crate::driver::Session;
@@ -130,7 +130,7 @@ fn is_remark(line: &str) -> bool {
     text.is_empty() || text.starts_with([';', '(', '*'])
 }
 
-/// The comment of the call, and those in front of it.
+/// The comment of the call, and those before it.
 fn around(call: Loc, session: &Session) -> Vec<String> {
     let own = session.sources.line(call).text;
     let mut texts: Vec<String> = comment_of(&own).map(str::to_owned).into_iter().collect();

@@ -400,6 +400,11 @@ impl Reader {
         if offsets == [None, None] {
             return Err(Fault::new("an arc without a centre"));
         }
+        // FreeCAD writes the third offset, too: 0 has no effect.
+        let outside = b"IJK"[third];
+        if block.take(outside).is_some_and(|units| units != 0) {
+            return Err(Fault::new(format!("{} lies outside the plane of the arc", char::from(outside))));
+        }
         let Some(absolute) = self.modes.absolute_centers else {
             return Err(Fault::unsaid("where centres count from: nobody has said it", Lack::Mode));
         };

@@ -23,7 +23,7 @@ macro_rules! books {
 
 books! {
     errors_gcode = "errors/gcode":
-        P0206 R R1004 R4;
+        P0206 R R1004 R1005 R4;
     errors_heidenhain_turning = "errors/heidenhain-turning":
         G L T0 T1 T200 T201 T202 T203 T205 T207 T3 T8 T9;
     errors_klartext = "errors/klartext":
@@ -33,7 +33,7 @@ books! {
     errors_sinumerik = "errors/sinumerik":
         G G330 G332 L1 L2 O O4006 P P000 P0107 P0205 P0206 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S8165 S8166 S8167 S8168 S8169 S817 S8171 S821 S822 S823 S824 S825 S900 S901 S902 S9022 S9023 S9024 S91 S9133;
     gcode = "gcode":
-        lines modes path_control percents rigid_taps speeds tap_reasons;
+        heads lines modes path_control percents rigid_taps speeds tap_reasons;
     heidenhain_turning = "heidenhain-turning":
         angles arcs calls compensation contours corners drilling exact_stop finishing flow modal moves noses oversizes program recess
         recess_turning roughing shifts threads tools undercut variables;

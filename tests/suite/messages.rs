@@ -14,7 +14,7 @@ const SAID: &[(&str, &str, &[&str], &[&str])] = &[
     (
         "AXIS.H",
         "0 BEGIN PGM A MM\n1 L X+0 Y+0 Z+0 R0 FMAX\n80 Z DR+0.0 ; Tool\n3 END PGM A MM\n",
-        &["K1002", "a path function is missing in front of it, as in `L Z… R0 F500`"],
+        &["K1002", "a path function is missing before it, as in `L Z… R0 F500`"],
         &["comment"],
     ),
     (
@@ -98,7 +98,7 @@ fn programs_that_call_each_other_are_named() {
         ("TWO.SPF", "ONE\nM17\n"),
     ]);
     let ran = folder.run(&["check", "MAIN.MPF", "--isolated", "--format", "concise"]).exits(1).says("P4003");
-    ran.says("these blocks call each other without end").says("line 1 of `TWO.SPF`").says("line 2 of `ONE.SPF`");
+    ran.says("these blocks call each other: ").says("line 1 of `TWO.SPF`").says("line 2 of `ONE.SPF`");
 }
 
 /// A table of the configuration is explained by its name, before keys that are called alike.

@@ -42,7 +42,6 @@ const NOTES: &[(&str, Proof)] = &[
     ("K2704", Asked),
     ("K2708", Worked),
     ("K2805", Same(&[("1 FN 20: WAIT FOR SYNC\n", ""), ("2 FN 16: F-PRINT TNC:\\MASK.A / TNC:\\PROT.TXT\n", "")])),
-    ("K2851", Asked),
     (
         "K2853",
         Same(&[

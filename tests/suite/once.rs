@@ -32,6 +32,17 @@ const ROWS: &[Row] = &[
     },
     Row {
         dialect: "klartext",
+        code: "K2011",
+        settings: "",
+        head: "BEGIN PGM D MM\n",
+        facts: [
+            ("TOOL CALL 1 Z S2000 F500 DL+0.5\nL X+0 Y+0 Z+5 R0 FMAX M3", "of tool 1"),
+            ("TOOL CALL 2 Z S2000 F500 DL+0.5\nL X+0 Y+0 Z+5 R0 FMAX M3", "of tool 2"),
+        ],
+        tail: "END PGM D MM\n",
+    },
+    Row {
+        dialect: "klartext",
         code: "K2706",
         settings: "[output]\npass_m = [38, 39]\n",
         head: "BEGIN PGM D MM\nL X+0 Y+0 Z+5 R0 FMAX\n",

@@ -19,6 +19,11 @@ R1004 Warning "gcode-after-percent" "lines after the closing %"
 "The file begins with a line of a single `%`, so the second one ends the program, as it ended a paper tape: LinuxCNC reads nothing after it, and neither does partc. There was no M2 or M30 before it, \
 so the lines behind it may be part of the program, and a `%` too many may stand in the middle, where files were joined. If they belong to the program, delete the `%` in front of them; otherwise delete them."
 
+R1005 Warning "gcode-program-number" "program number of another control"
+"The program begins with a number such as O1001, as on a Fanuc or Haas control; LinuxCNC has none. The number is left out, and the lines after it are read as LinuxCNC reads them. Two things may mean \
+another value on the control that the program is for: G4 P may count thousandths of a second, and a number without a decimal point may count thousandths of a millimetre. Cycles, calls and variables are \
+refused. Compare the output with the program; if it holds no such numbers, nothing is to be done."
+
 R2001 Error "gcode-tool-length" "tool length that the output does not have"
 "G43 H adds the length of a tool, G49 takes it away, and all positions along Z count with it or without it. The output has G43 behind each tool change with the number \
 of the tool where `[output] tool_length = \"G43\"` is set, and nowhere else. A program that does it in another way cannot be printed."

@@ -421,7 +421,7 @@ M103 keeps the feeds of its own parameters."
 K2710 Warning "basic-rotation-not-ended" "M143 does not end a basic rotation of the target"
 "M143 ends the basic rotation. One of TCH PROBE 404 is computed, and ends with M143; one that was set up at the machine, in the row of the preset table, is part of the work offset \
 of the target, and the output has no word that ends it. If the offset of the target has a rotation, blocks after M143 would be turned, which they are not on the control; \
-blocks in front of it would be turned on both. Set up the target without a rotation where M143 stands in front of the first move; otherwise split the program there."
+blocks before it would be turned on both. Set up the target without a rotation where M143 stands before the first move; otherwise split the program there."
 
 K8001 Warning "block-not-run" "block that does not run could not be compiled"
 "`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing calls, behind a \
@@ -492,10 +492,11 @@ K2850 Warning "open-subprogram" "END PGM inside a called label ends the program"
 "A label is called whose section runs to END PGM without LBL 0. The manuals do not say whether the control takes this for the end of the \
 program; `[control] open_subprogram = \"end\"` says that it does. Nothing behind the call runs then."
 
-K2851 Note "probing-left-out" "touch probe cycle is left out"
+K2851 Warning "probing-left-out" "touch probe cycle is left out"
 "`[control] probing = \"leave-out\"` leaves touch probe cycles out. What they would have measured is unknown from there on: the results in \
 Q115 to Q199 and in the parameters they name, the positions of all axes, and the data of tools that were measured. A block that needs \
-one of these is refused. The datum and the rotation that the cycle sets have to be set up on the target machine."
+one of these is refused, and so is a cut that does not name all axes. The target stays where it stood before the cycle, so a rapid move runs at that height until \
+the program names the tool axis. The datum and the rotation that the cycle sets have to be set up on the target machine."
 
 K2852 Error "shift-under-turned-plane" "datum shift and turned working plane are mixed"
 "A datum shift in front of PLANE or cycle 19 is measured along the axes of the part, one behind it along the turned ones. What becomes of the \

@@ -117,6 +117,6 @@ S9023 Error "siemens-move-from-probe" "move from where a probe stopped"
 cycle the same holds for moves that cut. Program these axes in absolute coordinates first."
 
 S9024 Error "siemens-measured-offset" "measuring cycle corrects a work offset"
-"The cycle corrects a work offset by what it measures, so that blocks behind it count from another place than those in front of it. If the work offset of the target is set as the cycle sets it \
-before the program runs, and nothing but the probe has worked in front of it, say so: `[control] probing_datum = \"set\"`."
+"The cycle corrects a work offset by what it measures, so that blocks after it count from another place than those before it. If the work offset of the target is set as the cycle sets it \
+before the program runs, and nothing but the probe has worked before it, say so: `[control] probing_datum = \"set\"`."
 }

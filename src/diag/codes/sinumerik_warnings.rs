@@ -251,7 +251,7 @@ something was cut, that may have been the cut of this tool, and it is. The same 
 
 S8171 Warning "siemens-feed-of-before-call" "cut takes the feed of before a call that is left out"
 "Between the last F and this cut stands a call that `[programs]` leaves out or takes for a tool change. If its program leaves another feed on the control, \
-the output cuts at the wrong one. Program F behind the call, or say what it leaves: `TC = { ignore = true, feed = 0.2 }`, in the unit that F \
+the output cuts at the wrong one. Program F after the call, or say what it leaves: `TC = { ignore = true, feed = 0.2 }`, in the unit that F \
 has there; `feed = \"lost\"` makes every cut without an F of its own an error. It is said once for each program that is called."
 
 S8190 Warning "siemens-g53-beside-g500" "machine coordinates beside positions under G500"
@@ -320,7 +320,7 @@ Where an axis of the output follows or swings they are refused all the same."
 
 S8167 Warning "siemens-measuring-left-out" "measuring is left out"
 "`[control] probing = \"leave-out\"` leaves out measuring cycles, and blocks with MEAS together with their moves. Where the probe left the axes is known at the machine only: increments and arcs \
-behind it are refused until the program says where the tool is. MEAW and MEAWA go their whole way, so their moves are printed. What is measured is asked for by its name where the program reads it."
+after it are refused until the program says where the tool is. MEAW and MEAWA go their whole way, so their moves are printed. What is measured is asked for by its name where the program reads it."
 
 S8168 Note "siemens-measuring-arguments" "arguments of measuring cycles are left out"
 "`_MVAR`, `_SETVAL`, `_KNUM` and others tell a measuring cycle what to do. They have no effect on anything else, and are left out with the cycle."

@@ -123,7 +123,8 @@ const FANUC_MARKS: &[Mark] = &[
 ];
 
 /// Each with the extensions under which it is looked for; the first that fits is it.
-pub(super) static ALL: &[&Kind] = &[&C, &PRINTER, &OKUMA, &OLD_SINUMERIK, &PHILIPS, &DIN_ISO, &ISO, &FANUC, &PLAIN];
+pub(super) static ALL: &[&Kind] =
+    &[&C, &SINUMERIK, &PRINTER, &OKUMA, &OLD_SINUMERIK, &PHILIPS, &DIN_ISO, &ISO, &FANUC, &PLAIN];
 
 static FANUC_DIALECT: Dialect = stands_for("Fanuc or Haas");
 const READ_PLAIN: &str = "partc does not read the language of these controls yet. Have the program made for a control that it reads, or, if \
@@ -147,6 +148,23 @@ static ISO: Kind = Kind {
     marks: &[half(marks::iso_switch), half(marks::iso_word)],
     sure: false,
     under: |own| own == Own::Sinumerik,
+};
+
+static SINUMERIK_DIALECT: Dialect = stands_for("SINUMERIK");
+static SINUMERIK: Kind = Kind {
+    dialect: &SINUMERIK_DIALECT,
+    is: "a program in the language of the SINUMERIK",
+    way_on: "partc reads it: `--dialect sinumerik`, or for all such files `[dialects]` with `\"**/*.nc\" = \"sinumerik\"` in partc.toml",
+    marks: &[
+        alone(marks::cycle_call),
+        alone(marks::declaration),
+        half(marks::radius_by_name),
+        half(marks::jump_by_direction),
+        half(marks::tool_by_name),
+        half(marks::stop_of_reading),
+    ],
+    sure: false,
+    under: |own| own == Own::Turning || own == Own::Plain,
 };
 
 static PLAIN_DIALECT: Dialect = stands_for("plain G-code");

@@ -118,6 +118,49 @@ pub fn safety_block(line: &Line<'_>, _: usize) -> Option<Span> {
     Some(first.span.to(last.span))
 }
 
+/// `CYCLE81(`: a cycle of the SINUMERIK.
+pub fn cycle_call(line: &Line<'_>, _: usize) -> Option<Span> {
+    let word = line.words.iter().find(|word| word.letters == b"CYCLE" && word.number.len() >= 2)?;
+    // Brackets are blanked out in `code`.
+    let behind = line.text.get(word.span.end as usize..)?.trim_ascii_start();
+    behind.starts_with(b"(").then_some(word.span)
+}
+
+/// `DEF REAL A`
+pub fn declaration(line: &Line<'_>, _: usize) -> Option<Span> {
+    let of = |letters: &'static [u8]| move |word: &Word| word.letters == letters;
+    [&b"REAL"[..], b"INT", b"BOOL", b"STRING", b"AXIS"].iter().find_map(|kind| both(line, of(b"DEF"), of(kind)))
+}
+
+/// `CR=20`
+pub fn radius_by_name(line: &Line<'_>, _: usize) -> Option<Span> {
+    assigned(line, b"CR")
+}
+
+/// `GOTOF END1`
+pub fn jump_by_direction(line: &Line<'_>, _: usize) -> Option<Span> {
+    named(line, &[b"GOTOF", b"GOTOB"])
+}
+
+/// `T="MILL10"`
+pub fn tool_by_name(line: &Line<'_>, _: usize) -> Option<Span> {
+    assigned(line, b"T").filter(|span| line.text.get(span.end as usize + 1) == Some(&b'"'))
+}
+
+/// `STOPRE`, `MCALL`
+pub fn stop_of_reading(line: &Line<'_>, _: usize) -> Option<Span> {
+    named(line, &[b"STOPRE", b"MCALL"])
+}
+
+fn named(line: &Line<'_>, names: &[&[u8]]) -> Option<Span> {
+    line.words.iter().find(|word| names.contains(&&word.letters[..])).map(|word| word.span)
+}
+
+fn assigned(line: &Line<'_>, letters: &[u8]) -> Option<Span> {
+    let word = line.words.iter().find(|word| word.letters == letters && word.number.is_empty())?;
+    (line.code.get(word.span.end as usize) == Some(&b'=')).then_some(word.span)
+}
+
 /// `G20`, `G21`: inches or millimetres.
 pub fn unit(line: &Line<'_>, _: usize) -> Option<Span> {
     line.words.iter().find(|word| is("G", &["20", "21"])(word)).map(|word| word.span)

@@ -149,7 +149,7 @@ fn no_statement(word: &str, span: Span, text: &[u8]) -> Problem {
         return problem.help(format!("the block looks like `{form}`"));
     }
     if is_axis(&upper) {
-        return problem.help(format!("a path function is missing in front of it, as in `L {word}… R0 F500`"));
+        return problem.help(format!("a path function is missing before it, as in `L {word}… R0 F500`"));
     }
     if let Some(function) = glued(&upper) {
         return problem.help(format!("write a blank behind the function: `{function} {}…`", &upper[function.len()..]));

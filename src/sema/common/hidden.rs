@@ -28,8 +28,9 @@ pub struct Hidden {
     /// Axes that somebody may have moved by hand since.
     doubtful: AxisSet,
     by: [Option<(By, Loc)>; AXES],
-    /// Those that a call moved.
+    /// Those that a left-out call moved, and those that a left-out probe moved.
     called: AxisSet,
+    probed: AxisSet,
 }
 
 impl Hidden {
@@ -39,14 +40,24 @@ impl Hidden {
             self.by[axis.index()] = Some((by, loc));
         }
         self.axes = self.axes.union(axes);
-        let rest = self.called.without(axes);
-        self.called = if by == By::Call { rest.union(axes) } else { rest };
+        (self.called, self.probed) = (self.called.without(axes), self.probed.without(axes));
+        match by {
+            By::Call => self.called = self.called.union(axes),
+            By::Probe => self.probed = self.probed.union(axes),
+            By::ToolChange | By::Edge | By::Table | By::Machine(_) => {}
+        }
     }
 
     /// Axes that a left-out call moved, until they are named.
     #[inline]
     pub fn by_calls(&self) -> AxisSet {
         self.called
+    }
+
+    /// Axes that a left-out probe moved, until they are named.
+    #[inline]
+    pub fn by_probes(&self) -> AxisSet {
+        self.probed
     }
 
     /// The program stops: any axis may be moved by hand.
@@ -62,7 +73,7 @@ impl Hidden {
     #[inline]
     pub fn show(&mut self, axes: AxisSet) {
         self.axes = self.axes.without(axes);
-        self.called = self.called.without(axes);
+        (self.called, self.probed) = (self.called.without(axes), self.probed.without(axes));
         self.doubtful = self.doubtful.without(axes);
     }
 

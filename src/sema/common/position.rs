@@ -123,10 +123,16 @@ impl Position {
         self.hidden.of(axis)
     }
 
-    /// Axes that stand where a left-out call moved them.
+    /// Axes that stand where a left-out call moved them: each move has to name them.
     #[inline]
     pub fn left_by_calls(&self) -> AxisSet {
         self.hidden.by_calls()
+    }
+
+    /// Axes that stand where a left-out probe moved them: each cut has to name them.
+    #[inline]
+    pub fn left_by_probes(&self) -> AxisSet {
+        self.hidden.by_probes()
     }
 
     /// Somebody may have moved the axis by hand since it moved by a block.

@@ -43,6 +43,8 @@ const ACTS: usize = 16;
 /// Begins the head of an output; so far it is looked for behind the number of the program, in bytes.
 const HEAD: &[u8] = b"(partc ";
 const NEXT: u32 = 100;
+/// Lines in which the number of a program stands.
+const HEAD_LINES: u32 = 3;
 
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
@@ -234,6 +236,23 @@ impl Run<'_> {
         next.trim_ascii_start().get(..HEAD.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(HEAD))
     }
 
+    /// `O1001` at the head of a program for a mill: the number of the program on a Fanuc and its like. LinuxCNC has none.
+    fn is_program_number(&mut self, words: &[u8]) -> bool {
+        let [b'O' | b'o', number @ ..] = words.trim_ascii() else { return false };
+        let is_number = !number.is_empty() && number.iter().all(u8::is_ascii_digit);
+        let is_head = self.here.origin.loc.line <= HEAD_LINES && self.job.settings.machine.kind == MachineKind::Mill;
+        if !is_number || !is_head {
+            return false;
+        }
+        let message = format!(
+            "program number {} of a Fanuc control or its like is left out, and the lines after it are read as plain G-code",
+            String::from_utf8_lossy(words.trim_ascii())
+        );
+        let help = "check dwells and numbers without a point: G4 P counts seconds and `X100` is 100 mm here, and on such a control they may be thousandths";
+        self.report(Diagnostic::new(codes::R1005, self.here.origin.loc, message).help(help));
+        true
+    }
+
     /// The head of an output names the receiver that it is for.
     fn check_receiver(&self, comment: &[u8]) {
         if !comment.get(..6).is_some_and(|begin| begin.eq_ignore_ascii_case(b"partc ")) {
@@ -260,6 +279,10 @@ impl Run<'_> {
         if words.trim_ascii_start().first() == Some(&b'%') && (line.skip.is_some() || !line.comments.is_empty()) {
             let found = Diagnostic::new(codes::R1001, self.here.origin.loc, "`%` has to stand in a line of its own");
             return self.give_up(found.help("write what stands beside it into another line"));
+        }
+        if matches!(words.trim_ascii_start().first(), Some(b'O' | b'o')) && self.is_program_number(&without(line, text))
+        {
+            return Ok(());
         }
         let nested = |comment: &Span| memchr::memchr(b'(', comment.of(text)).is_some();
         let done = if line.comments.iter().any(nested) {

@@ -45,7 +45,7 @@ impl Run<'_> {
         if let Err(fault) = hole.check() {
             return self.cycle_value(cycle, &fault.to_string());
         }
-        if self.cuts_where_a_call_left(AxisSet::of(self.st.axis())) {
+        if self.moves_beside(AxisSet::of(self.st.axis()), false) {
             return Err(Reported);
         }
         let cycle = Cycle::Drilling(hole);

@@ -26,7 +26,7 @@ pub(super) struct FrameState {
     preset_selected: bool,
     /// The row that it selected last.
     row: Option<u32>,
-    /// A touch probe cycle that is left out, behind which a basic rotation may be in force that nobody here knows.
+    /// A touch probe cycle that is left out, after which a basic rotation may be in force that nobody here knows.
     probed: Option<Loc>,
 }
 
@@ -119,16 +119,16 @@ impl Run<'_> {
                 "check the scaling factors and shifts in force",
             );
         };
-        let plane = self.st.plane();
-        if frame == self.st.ctx.frame && plane == self.st.ctx.plane {
-            return Ok(());
-        }
-        if lift != 0.0 {
+        if let Some(tool) = self.st.tool.active().filter(|_| lift != 0.0) {
             self.job.diags.push_once(Diagnostic::new(
                 codes::K2011,
                 self.here.origin.loc,
-                format!("the length oversize DL {lift} mm is added to {}", axis.letter()),
+                format!("the length oversize DL {lift} mm of tool {} is added to {}", tool.called, axis.letter()),
             ));
+        }
+        let plane = self.st.plane();
+        if frame == self.st.ctx.frame && plane == self.st.ctx.plane {
+            return Ok(());
         }
         if frame != self.st.ctx.frame {
             self.st.position.through_frame(&self.st.ctx.frame, &frame);

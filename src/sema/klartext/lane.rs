@@ -30,6 +30,7 @@ impl Run<'_> {
             && self.contour_is_plain()
             && !st.compensation.is_lost()
             && st.position.left_by_calls().is_empty()
+            && st.position.left_by_probes().is_empty()
             && !self.contour_waits()
             && !self.is_capturing()
     }

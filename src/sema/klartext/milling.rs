@@ -58,7 +58,7 @@ impl Run<'_> {
                 end.forget(Axis::ALL[axis]);
             }
         }
-        if self.cuts_where_a_call_left(AxisSet::of(self.st.axis())) {
+        if self.moves_beside(AxisSet::of(self.st.axis()), false) {
             return Err(Reported);
         }
         self.core.send_cycle(&made, &self.st.ctx);

@@ -86,7 +86,7 @@ pub use cycles::signatures as cycle_signatures;
 pub use survey::survey;
 pub use unexecuted::check_unexecuted;
 
-use super::run::place::cut_where_a_call_left;
+use super::run::place::move_beside;
 use super::run::unexecuted::Blocks;
 use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
 use super::value::Machine;
@@ -469,19 +469,21 @@ impl Run<'_> {
             // Another side of the part may lie under the tool.
             self.contours.roughed = contour_data::Known::Nothing;
         }
-        if !matches!(mv.path, Path::Rapid) && self.cuts_where_a_call_left(mv.end.known()) {
+        if self.moves_beside(mv.end.known(), matches!(mv.path, Path::Rapid)) {
             return;
         }
         self.core.send_move(mv, &self.st.ctx);
     }
 
-    /// Reports a cut that does not name the axes that a left-out cycle moved.
-    pub(in crate::sema) fn cuts_where_a_call_left(&mut self, named: AxisSet) -> bool {
-        if self.st.position.left_by_calls().is_empty() || self.is_capturing() {
+    /// Reports a move that does not name the axes that a left-out cycle moved; behind a left-out probe only cuts have to.
+    pub(in crate::sema) fn moves_beside(&mut self, named: AxisSet, rapid: bool) -> bool {
+        let position = &self.st.position;
+        let probed = if rapid { AxisSet::EMPTY } else { position.left_by_probes() };
+        let left = position.left_by_calls().union(probed);
+        if left.is_empty() || self.is_capturing() {
             return false;
         }
-        let (position, frame) = (&self.st.position, &self.st.ctx.frame);
-        let found = cut_where_a_call_left(codes::K2001, position, named, frame, self.here.origin.loc);
+        let found = move_beside(codes::K2001, position, left, named, &self.st.ctx.frame, self.here.origin.loc);
         let Some(found) = found else { return false };
         self.report(found);
         self.lose_all();

@@ -7,8 +7,9 @@ use crate::diag::{Diagnostic, codes};
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Block, Stmt};
-use crate::text::Span;
+use crate::sema::common::hidden::By;
 use crate::text::decode::readable;
+use crate::text::{Loc, Span};
 
 use super::cycles::find;
 use super::flow::innermost_locals;
@@ -128,7 +129,7 @@ impl Run<'_> {
             self.st.frames.may_be_turned(here);
         }
         self.tell_of_setting(&probe, &setting, span)?;
-        self.forget_positions(probe.turns());
+        self.forget_positions(probe.turns(), here);
         if probe.measures_tools() {
             self.st.tool.measure();
         }
@@ -140,7 +141,10 @@ impl Run<'_> {
             format!("{name} {} is left out: {what} that it would set are not known from here on", probe.number);
         self.report(
             Diagnostic::new(codes::K2851, self.loc(span), message)
-                .help("set up on the target machine what this cycle measures, before the program runs"),
+                .help(
+                    "set up on the target machine what this cycle measures, before the program runs; look at the next rapid move: the target \
+                     stands where it stood before the cycle",
+                ),
         );
         Ok(())
     }
@@ -155,9 +159,10 @@ impl Run<'_> {
     }
 
     /// The probe moved, and the datum may be another: the next block of each axis has to be absolute.
-    fn forget_positions(&mut self, turns: bool) {
+    fn forget_positions(&mut self, turns: bool, here: Loc) {
         let rotary = AxisSet::of(Axis::A).union(AxisSet::of(Axis::B)).union(AxisSet::of(Axis::C));
         self.st.position.clear();
+        self.st.position.hide(AxisSet::MAIN, By::Probe, here);
         self.st.polar.forget_last();
         self.st.contour = None;
         if turns {

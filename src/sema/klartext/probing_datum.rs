@@ -44,7 +44,7 @@ pub(super) enum Setting {
 }
 
 impl Setting {
-    /// May a basic rotation that is measured be in force behind the cycle, or wait for its preset?
+    /// May a basic rotation that is measured be in force after the cycle, or wait for its preset?
     pub(super) fn may_turn(&self, number: u32) -> bool {
         matches!(self, Setting::Rotation | Setting::Unknown) || matches!(number, 400..=405)
     }

@@ -146,6 +146,6 @@ impl<L: Language> Core<'_, L> {
         }
         let line = |loc: &Loc| format!("line {} of `{}`", loc.line, name(loc));
         let lines: Vec<String> = calls.iter().take(MOST_CALLS).map(line).collect();
-        Some(format!("these blocks call each other without end: {}", lines.join(", ")))
+        Some(format!("these blocks call each other: {}", lines.join(", ")))
     }
 }

@@ -19,23 +19,25 @@ pub const ACTIVE: &str = "active";
 /// The name of the basic frame of a SINUMERIK.
 pub const BASIC: &str = "basic";
 
-/// What is wrong with a cut that names only `named` where a left-out call moved other axes: the control cuts at another place.
+/// What is wrong with a move that names only `named` while what is left out moved the axes `left`: the control moves at another place.
 /// In a frame that turns or mirrors, an axis of the program moves several of the machine.
-pub fn cut_where_a_call_left(
+pub fn move_beside(
     code: &'static Code,
     position: &Position,
+    left: AxisSet,
     named: AxisSet,
     frame: &Frame,
     here: Loc,
 ) -> Option<Diagnostic> {
-    let left = position.left_by_calls();
-    let axes = if frame.is_shift() { left } else { left.union(AxisSet::MAIN) };
-    let missing = axes.without(named);
-    let first = left.iter().next().filter(|_| !missing.is_empty())?;
+    let first = left.iter().next()?;
+    let missing = if frame.is_shift() { left } else { left.union(AxisSet::MAIN) }.without(named);
+    if missing.is_empty() {
+        return None;
+    }
     let letters: Vec<String> = missing.iter().map(|axis| axis.letter().to_string()).collect();
-    let letters = letters.join(" and ");
+    let (letters, stand) = (letters.join(" and "), if missing.len() > 1 { "stand" } else { "stands" });
     let why = because(position.hidden(first), here);
-    let message = format!("this block cuts without {letters}, and where {letters} stands is not known{why}");
+    let message = format!("this block moves without {letters}, and where {letters} {stand} is not known{why}");
     let help = format!("program {letters} in absolute coordinates before this block, or in it");
     Some(Diagnostic::new(code, here, message).help(help))
 }

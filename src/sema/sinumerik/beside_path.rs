@@ -3,7 +3,7 @@
 //! Comes in: the words and their arguments. Goes out: a warning, or an error. The axis that follows, or swings, is looked at first:
 //! where it is printed, or where a spindle follows, nothing takes the word away.
 //!
-//! Source: S 6 (docs/sources.md). The blocks between CTABDEF and CTABEND describe a table and move nothing; behind it the
+//! Source: S 6 (docs/sources.md). The blocks between CTABDEF and CTABEND describe a table and move nothing; after it the
 //! state of the program is that of before.
 
 use crate::diag::{Answer, Diagnostic, codes};
@@ -120,7 +120,7 @@ impl Run<'_> {
         self.pending_must_be_done(call.span)?;
         match beside {
             Beside::TableEnds => {
-                let help = "write CTABDEF in front of its first point";
+                let help = "write CTABDEF before its first point";
                 return self.fail_help(codes::S9005, call.span, "CTABEND ends no curve table", help);
             }
             Beside::Oscillates => {
@@ -326,9 +326,9 @@ impl Run<'_> {
             let found = Diagnostic::new(
                 codes::S9005,
                 table.loc,
-                "the curve table has no CTABEND: all blocks behind it belong to it",
+                "the curve table has no CTABEND: all blocks after it belong to it",
             );
-            self.report(found.help("write CTABEND behind the last point of the table"));
+            self.report(found.help("write CTABEND after the last point of the table"));
         }
     }
 

@@ -197,7 +197,8 @@ impl Channel<'_> {
                 i if i == first => &mut point.x,
                 i if i == second => &mut point.y,
                 _ => {
-                    let message = format!("{} lies outside the plane of the circle", axis.letter());
+                    let message =
+                        format!("this word counts along {}, which lies outside the plane of the circle", axis.letter());
                     let help = "an arc in G17 takes I and J, in G18 K and I, in G19 J and K; a helix has `TURN=` for its whole turns, \
                                 and no pitch";
                     return self.fail_help(codes::S2012.alarm(12110), given.span, message, help);

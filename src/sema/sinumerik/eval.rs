@@ -173,7 +173,7 @@ impl Run<'_> {
 }
 
 /// Behind a variable, and where none is named.
-const ZERO: [&str; 2] = ["give it another value in front of this block", "check what stands behind `/`, DIV or MOD"];
+const ZERO: [&str; 2] = ["give it another value before this block", "check what stands behind `/`, DIV or MOD"];
 
 /// The variable behind the one division of a formula.
 fn only_divisor(formula: &str) -> Option<&str> {
@@ -332,7 +332,7 @@ impl Run<'_> {
     fn data_of_measuring<T>(&self, word: &str, result: bool, span: Span) -> Outcome<T> {
         let what = if result { "a result" } else { "an argument" };
         let help = if self.job.settings.control.klartext_choices.probing_left_out {
-            "give it a value in front of the cycle that it is for".into()
+            "give it a value before the cycle that it is for".into()
         } else {
             super::measuring::leave_out()
         };

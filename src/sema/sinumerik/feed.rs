@@ -132,7 +132,7 @@ impl Channel<'_> {
         if self.st.spindles.turn().is_none() && !self.is_capturing() && self.job.diags.first_time(codes::S8047, ()) {
             let message = "no block in front of this feed per revolution starts the spindle";
             let found = Diagnostic::new(codes::S8047, self.loc(Where::Block), message);
-            self.report(found.help(self.or_started_by_call("program M3 or M4 with a speed in front of it".into())));
+            self.report(found.help(self.or_started_by_call("program M3 or M4 with a speed before it".into())));
         }
     }
 
@@ -193,7 +193,7 @@ impl Channel<'_> {
                 self.st.feed.lose();
                 let help = match &self.st.feed.left {
                     Some(left) if left.lost => Help::from(format!(
-                        "program F behind {} in line {}, which leaves a feed that is not known, as `[programs]` says",
+                        "program F after {} in line {}, which leaves a feed that is not known, as `[programs]` says",
                         left.name, left.call.line
                     )),
                     _ => Answer::key("control", "feed").help(
@@ -209,7 +209,7 @@ impl Channel<'_> {
         }
     }
 
-    /// The first cut behind a call that is left out takes the feed of before the call.
+    /// The first cut after a call that is left out takes the feed of before the call.
     fn says_feed_of_before(&mut self) {
         if self.is_capturing() {
             return;
@@ -221,7 +221,7 @@ impl Channel<'_> {
             return;
         }
         let help = format!(
-            "program F behind {name}; or say under `[programs]` what it leaves: `feed = …` beside the rest of `{name} = {{ … }}`"
+            "program F after {name}; or say under `[programs]` what it leaves: `feed = …` beside the rest of `{name} = {{ … }}`"
         );
         let found = Diagnostic::new(codes::S8171, self.loc(Where::Block), message).also(left.call, "the call");
         self.report(found.help(help));

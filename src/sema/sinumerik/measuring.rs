@@ -11,7 +11,7 @@ use crate::ir::Side;
 use crate::machine::{Axis, AxisSet, StandIn};
 use crate::parser::sinumerik::ast::{Block, Formula, Value, Word};
 use crate::sema::common::hidden::By;
-use crate::sema::run::place::cut_where_a_call_left;
+use crate::sema::run::place::move_beside;
 use crate::text::{Loc, Span};
 
 use super::block::ARC_ADDRESSES;
@@ -152,7 +152,10 @@ impl Channel<'_> {
         let message = format!("{name} is left out: what it measures is known at the machine only{what}");
         let found = Diagnostic::new(codes::S8167, loc, message);
         if !self.job.diags.knows(&found) {
-            self.report(found.help("set up on the target what this cycle measures, before the program runs"));
+            self.report(found.help(
+                "set up on the target what this cycle measures, before the program runs; look at the next rapid move: the target stands \
+                 where it stood before the cycle",
+            ));
         }
         self.st.position.forget(AxisSet::ALL);
         self.st.position.hide(AxisSet::ALL, By::Probe, loc);
@@ -322,7 +325,7 @@ impl Channel<'_> {
         self.pending_must_be_done(probe.span)?;
         let open = self.st.side() != Side::None || self.st.compensation.waits() || self.soft.is_some();
         if open || self.is_capturing() || self.st.modal_call.is_on() {
-            let message = format!("{} stands under radius compensation, in a contour or behind MCALL", probe.name);
+            let message = format!("{} stands under radius compensation, in a contour or under MCALL", probe.name);
             return self.fail_help(
                 codes::S9005,
                 probe.span,
@@ -341,15 +344,14 @@ impl Channel<'_> {
         });
     }
 
-    /// A move to these axes, in front of it: those that stand where a probe left them have to be named.
+    /// A move to these axes, before it: those that stand where a probe left them have to be named.
     pub(super) fn leaves_touched(&mut self, axes: AxisSet, rapid: bool) -> Outcome {
-        if !rapid && !self.st.position.left_by_calls().is_empty() && !self.is_capturing() {
-            let (position, frame) = (&self.st.position, &self.st.ctx.frame);
-            if let Some(found) = cut_where_a_call_left(codes::S2042, position, axes, frame, self.here.origin.loc) {
-                self.report(found);
-                self.lose_all();
-                return Err(Reported);
-            }
+        let (position, here) = (&self.st.position, self.here.origin.loc);
+        let left = if self.is_capturing() { AxisSet::EMPTY } else { position.left_by_calls() };
+        if let Some(found) = move_beside(codes::S2042, position, left, axes, &self.st.ctx.frame, here) {
+            self.report(found);
+            self.lose_all();
+            return Err(Reported);
         }
         let Some(touched) = self.st.touched else { return Ok(()) };
         let of = |axes: AxisSet| if axes.is_empty() { axes } else { self.hidden_with(axes) };
@@ -372,7 +374,7 @@ impl Channel<'_> {
         Err(Reported)
     }
 
-    /// What a feed move lacks behind a cycle that is left out.
+    /// What a feed move lacks after a cycle that is left out.
     pub(super) fn feed_of_measuring(&self) -> Option<String> {
         let (name, at) = self.measured.cycle.as_ref()?;
         Some(format!(

@@ -119,9 +119,8 @@ impl Channel<'_> {
         let Some(lost) = self.speed_lost.take().filter(|_| !self.is_capturing()) else { return Ok(()) };
         let (name, call) = *lost;
         let message = format!("{needs}, and {name} in line {} leaves a speed that is not known", call.line);
-        let help = format!(
-            "program S behind {name}; or say the speed: `speed = 1000` in place of \"lost\" under `[programs]`"
-        );
+        let help =
+            format!("program S after {name}; or say the speed: `speed = 1000` in place of \"lost\" under `[programs]`");
         self.fail_help(codes::S2045, Where::Block, message, help)
     }
 

@@ -130,7 +130,7 @@ impl Run<'_> {
         let left = self.job.settings.left_by(name);
         if left != Leaves::default() {
             let message =
-                format!("MCALL calls {name} behind each move, and `[programs]` says what it leaves behind a call");
+                format!("MCALL calls {name} after each move, and `[programs]` says what one call of it leaves");
             let help = "call it without MCALL; or look at what `[programs]` says of it";
             return Some(self.fail_help(codes::S2043, span, message, help));
         }
@@ -219,7 +219,7 @@ impl Channel<'_> {
         Some(format!("{{ {what}{edge}{}{lost}{feed}{speed}, {more} }}", motion.unwrap_or_default()))
     }
 
-    /// What a spindle lacks that does not turn: `usual`, and behind a call that stands for a program of the machine, that the call may
+    /// What a spindle lacks that does not turn: `usual`, and after a call that stands for a program of the machine, that the call may
     /// start it.
     pub(super) fn or_started_by_call(&self, usual: Help) -> Help {
         let Some((name, loc)) = self.call_left.as_deref() else { return usual };

@@ -212,7 +212,7 @@ impl Channel<'_> {
         for (address, axis) in [Address::I, Address::J, Address::K].into_iter().zip(axes) {
             let Some(lead) = w.take(address) else { continue };
             if lead.value == 0.0 {
-                let help = "write the lead, or give the variable behind the address its value in front of this block";
+                let help = "write the lead, or give the variable behind the address its value before this block";
                 return self.fail_help(codes::S2081.alarm(16720), lead.span, "the lead of the thread is 0", help);
             }
             if !w.axes.contains(axis) {

@@ -74,8 +74,7 @@ impl Run<'_> {
         let Some(number) = number.and_then(|number| i32::try_from(number).ok()).or_else(given) else {
             let meaning = meaning_of(variable_name, &[]).unwrap_or_default();
             let message = format!("{name} asks for the {meaning}, and the program has selected none");
-            let help =
-                format!("select a tool in front of it, or give it under [variables]: \"{variable_name}\" = number");
+            let help = format!("select a tool before it, or give it under [variables]: \"{variable_name}\" = number");
             return self.fail_help(codes::S2028, span, message, Answer::variable(variable_name, meaning).help(help));
         };
         match self.reference(*variable, block, text)? {
