@@ -22,6 +22,9 @@ pub struct Trail {
     /// Does anybody want to know the values of variables?
     watched: Cell<bool>,
     assigned: RefCell<Vec<Assigned>>,
+    /// The block that set a variable to zero last, by name, and how the program came to it.
+    zeros: RefCell<FxHashMap<String, (Loc, CallPath)>>,
+    returned: Cell<bool>,
 }
 
 /// Most assignments that are remembered.
@@ -68,13 +71,45 @@ impl Trail {
 
     /// A variable gets a number.
     #[inline]
-    pub fn assigns(&self, loc: Loc, name: impl FnOnce() -> String, value: f64) {
+    pub fn assigns(&self, loc: Loc, call: CallPath, name: impl Fn() -> String, value: f64) {
+        if value == 0.0 {
+            self.is_zero(loc, call, name());
+        }
         if self.watched.get() {
             let mut assigned = self.assigned.borrow_mut();
             if assigned.len() < MOST_ASSIGNED {
                 assigned.push(Assigned { step: self.steps.get(), loc, name: name(), value });
             }
         }
+    }
+
+    #[cold]
+    fn is_zero(&self, loc: Loc, call: CallPath, name: String) {
+        let mut zeros = self.zeros.borrow_mut();
+        if zeros.len() < MOST_ASSIGNED || zeros.contains_key(&name) {
+            zeros.insert(name, (loc, call));
+        }
+    }
+
+    /// The block that set the variable to zero last.
+    pub fn zero_of(&self, name: &str) -> Option<(Loc, CallPath)> {
+        self.zeros.borrow().get(name).copied()
+    }
+
+    /// A variable of this name begins.
+    pub fn forget_zero(&self, name: &str) {
+        self.zeros.borrow_mut().remove(name);
+    }
+
+    /// Variables get values that no block assigns: a call gives them back.
+    pub fn returns(&self) {
+        self.zeros.borrow_mut().clear();
+        self.returned.set(true);
+    }
+
+    /// Did a call give values back?
+    pub fn has_returned(&self) -> bool {
+        self.returned.get()
     }
 
     /// What was assigned since [`Trail::watch_values`], in order.

@@ -27,7 +27,7 @@ books! {
     errors_heidenhain_turning = "errors/heidenhain-turning":
         G L T0 T1 T200 T201 T202 T203 T205 T207 T3 T8 T9;
     errors_klartext = "errors/klartext":
-        G G305 G32 K0 K100 K1005 K101 K18 K20 K2014 K21 K22 K23 K24 K2412 K2413 K25 K26 K27 K2710 K28 K2854 K2855 K2856 K29 K294 K295 K30 K8 K8026 K8027 K81 K814 K900 K901 K903 K904 L1 L2 O P;
+        G G305 G32 K0 K100 K1005 K101 K18 K20 K2014 K21 K22 K23 K24 K2412 K2413 K2414 K25 K26 K27 K2710 K28 K2854 K2855 K2856 K29 K294 K295 K30 K8 K8026 K8027 K81 K814 K900 K901 K903 K904 L1 L2 O P;
     errors_mtc200 = "errors/mtc200":
         G L M0 M100 M1006 M101 M1012 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O P P0205 P0206;
     errors_sinumerik = "errors/sinumerik":
@@ -77,7 +77,7 @@ books! {
     klartext_text = "klartext/text":
         bytes continuation numbers;
     klartext_tools = "klartext/tools":
-        builders_cycles compensation left_places m6 oversizes places;
+        builders_cycles builders_programs compensation left_places m6 oversizes places;
     mtc200 = "mtc200":
         arcs compensation corners corrections flow functions manual offsets path path_control programs text tools units variables;
     mtc200_words = "mtc200/words":

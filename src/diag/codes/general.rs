@@ -121,7 +121,8 @@ P0205 Error "entry-takes-a-move-away" "entry of partc.toml would make a move van
 "An entry says of a word that it does nothing to the path: `[control] machine_words`, or `ignore` under `[programs]`. partc knows the word, and it moves the tool, or says where it goes: a tapping \
 function, a machining cycle, mirror, scale, a transformation. Left out, what follows would be another path: a tap would go into its hole at rapid. Take the entry out. What cannot be compiled has to \
 be programmed another way; for a cycle, a program of your own may stand: `{ file = \"stubs/CYCLE952.SPF\" }`. No program can stand for another word of the language, such as TRANS, and no word of the machine may \
-be, or become, an M function that partc has to know of, such as M3, M6 or M30."
+be, or become, an M function that partc has to know of, such as M3, M6 or M30. Of a Klartext program or cycle an entry may not say what Klartext does not have: `motion`, \
+or an argument."
 
 P0206 Warning "tool-never-changed" "tool is chosen, and the program changes none"
 "T chooses a tool, the program cuts, and no word of it changes a tool. Where M6 changes tools, the tool that is in the spindle at the start cuts, on the control and here. Where T itself changes them, the output would cut with the wrong one: partc takes M6 for the word unless the machine is a lathe. Set `[control] tool_change = \"t\"` for a machine that changes with T, or \"m6\" where the program means the tool that is there."

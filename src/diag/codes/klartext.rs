@@ -301,9 +301,16 @@ K2412 Note "cycle-never-called" "cycle that is not supported is defined and neve
 "The definition of a cycle that partc does not compile is no fault as long as nothing calls it: it moves nothing. The same holds for definitions that only give data to such cycles (271, 285, \
 1271). Is a call missing? Otherwise remove the definition."
 
-K2413 Note "cycle-left-out" "cycle of the machine builder that `[programs]` leaves out"
-"No manual of the control has the cycle: it belongs to the machine builder. `[programs] \"CYCL DEF 392\" = { ignore = true }` says that it moves nothing and changes nothing that the \
-program relies on, so its definition is left out, and the machining cycle that was defined before stays defined. Where it moves axes, name them: `{ ignore = true, lost = [\"Z\"] }`."
+K2413 Note "cycle-left-out" "cycle or program of the machine builder that `[programs]` leaves out"
+"A cycle: no manual of the control has the cycle: it belongs to the machine builder. `[programs] \"CYCL DEF 392\" = { ignore = true }` says that it moves nothing and changes nothing that the \
+program relies on, so its definition is left out, and the machining cycle that was defined before stays defined. Where it moves axes, name them: `{ ignore = true, lost = [\"Z\"] }`. \
+A program that a block calls and that is found nowhere is left out in the same way by its name: `HEADCLEAN = { ignore = true }`, with `change = true` it changes to the tool of the TOOL CALL \
+before it. Q parameters that it would set keep what they were."
+
+K2414 Warning "feed-of-before-call" "cut takes the feed of before a program that is left out"
+"Between the last F and this cut stands the call of a program that `[programs]` leaves out. If that program leaves another feed on the control, the output cuts at the wrong one. \
+Program F after the call, or say what it leaves: `HEADCLEAN = { ignore = true, feed = 500 }`; `feed = \"lost\"` makes every cut without an F of its own an error. It is said once for each \
+program that is called."
 
 K2501 Warning "shift-while-turned" "datum shift while mirrored, rotated or scaled"
 "Manuals do not say whether a datum shift programmed under an active mirror, rotation or scaling is measured along the original axes. \

@@ -5,10 +5,8 @@
 //! a word that is left out.
 
 use crate::diag::{Answer, Diagnostic, codes};
-use crate::ir::function::Turn;
-use crate::machine::{AxisSet, Left, LeftSpindle, StandIn};
+use crate::machine::{AxisSet, StandIn};
 use crate::parser::klartext::ast::{Addr, Block};
-use crate::sema::common::hidden::By;
 use crate::text::Span;
 
 use super::cycle_definition::{Does, LeftWord, Open};
@@ -66,20 +64,7 @@ impl Run<'_> {
             if self.job.diags.first_text(codes::K2413, &text) {
                 self.report(Diagnostic::new(codes::K2413, here, text));
             }
-            if !moved.is_empty() {
-                if self.st.compensation.is_on() {
-                    let message = format!("{name} moves axes under radius compensation, as `[programs]` says");
-                    let help = "end the contour with R0 before it";
-                    let refused = self.fail_help(codes::K2001, self.block_span(), message, help);
-                    self.lose_all();
-                    return refused;
-                }
-                self.st.position.forget(moved);
-                self.st.position.hide(moved, By::Call, here);
-                self.lost();
-                let known = *self.st.position.at();
-                self.core.stands_at(&known, &self.st.ctx);
-            }
+            self.leave_axes(&name, "end the contour with R0 before it")?;
             return self.leave_technology(&name);
         }
         let help = Answer::key("programs", &name).one_of(&["{ ignore = true }"]).help(format!(
@@ -89,36 +74,6 @@ impl Run<'_> {
         let found = Diagnostic::new(codes::K9001, here, format!("cycle {number} is not known")).help(help);
         self.report(found);
         Err(Reported)
-    }
-
-    /// What the entry says of feed and spindle is done as the words of a block would do it.
-    fn leave_technology(&mut self, name: &str) -> Outcome {
-        let left = self.job.settings.left_by(name);
-        match left.feed {
-            Some(Left::Value(written)) => {
-                let feed = self.feed_of(written);
-                self.st.feed.program(feed, written);
-            }
-            Some(Left::Lost) => self.st.feed.forget(),
-            None => {}
-        }
-        match left.speed {
-            Some(Left::Value(speed)) => self.spindle_speed(speed, self.block_span())?,
-            Some(Left::Lost) => {
-                let help =
-                    format!("say the speed that the cycle leaves: `\"{name}\" = {{ ignore = true, speed = 1000 }}`");
-                let message = format!("{name} leaves a speed that is not known, as `[programs]` says");
-                return self.fail_help(codes::K9001, self.block_span(), message, help);
-            }
-            None => {}
-        }
-        match left.spindle {
-            Some(LeftSpindle::Clockwise) => self.start_spindle(Turn::Clockwise),
-            Some(LeftSpindle::CounterClockwise) => self.start_spindle(Turn::CounterClockwise),
-            Some(LeftSpindle::Stopped) => self.stop_spindle(),
-            None => {}
-        }
-        Ok(())
     }
 
     /// What is left out moves nothing, or the axes that the entry names.
@@ -144,13 +99,14 @@ impl Run<'_> {
     /// Entries of `[programs]` that would make a cycle vanish that partc knows, and those that no block of this language reads.
     pub(super) fn refuse_entries_of_cycles(&self) {
         let programs = &self.job.settings.programs;
+        let motion = |name: &str| self.job.settings.left_by(name).rapid.map(|_| "Klartext has no G0 and no G1 that holds on");
         let entries: Vec<(&str, &str)> = programs
             .iter()
             .filter(|(name, _)| is_of_klartext(name))
-            .filter_map(|(name, stands)| Some((name.as_str(), vain(cycle_of(name), stands)?)))
+            .filter_map(|(name, stands)| Some((name.as_str(), vain(cycle_of(name), stands).or_else(|| motion(name))?)))
             .collect();
-        let help = "take them out: only a cycle of the machine builder, which no manual of the control has, can be left out: \
-                    `\"CYCL DEF 392\" = { ignore = true }`; touch probe cycles are left out by the key `probing` of `[control]`";
+        let help = "take them out: only a program or a cycle of the machine builder, which no manual of the control has, can be \
+                    left out: `\"CYCL DEF 392\" = { ignore = true }`; touch probe cycles are left out by the key `probing` of `[control]`";
         self.refuse_entries("[programs]", &entries, help);
     }
 }
@@ -176,7 +132,8 @@ fn cycle_of(name: &str) -> Option<u32> {
 fn is_of_klartext(name: &str) -> bool {
     let number = name.strip_prefix('M').unwrap_or_default();
     let function = !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit());
-    function || name.starts_with("CYCL ") || name.contains(|c: char| c.is_whitespace())
+    let program = name.ends_with(".H") || name.ends_with(".I");
+    function || name.starts_with("CYCL ") || (!program && name.contains(|c: char| c.is_whitespace()))
 }
 
 #[cfg(test)]
@@ -192,6 +149,6 @@ mod tests {
                 .all(|name| cycle_of(name).is_none())
         );
         assert!(["TCH PROBE 412", "M128", "CYCL DEF", "PLANE SPATIAL"].iter().all(|name| is_of_klartext(name)));
-        assert!(!["TC", "CYCLE60", "M", "MYPROG"].iter().any(|name| is_of_klartext(name)));
+        assert!(!["TC", "CYCLE60", "M", "MYPROG", "HEAD CLEAN.H"].iter().any(|name| is_of_klartext(name)));
     }
 }

@@ -93,6 +93,11 @@ impl Run<'_> {
 
     /// M6: changes to the tool that was called, or announces the next TOOL CALL.
     pub(super) fn m6(&mut self, span: Span) -> Outcome {
+        self.change_at(span, "this M6")
+    }
+
+    /// The same of whatever the program changes the tool by.
+    pub(super) fn change_at(&mut self, span: Span, by: &str) -> Outcome {
         let text = match std::mem::take(&mut self.st.tool.change) {
             Change::Called { number, .. } => {
                 self.print_change(number);
@@ -102,7 +107,7 @@ impl Run<'_> {
                 return self.fail_help(
                     codes::K2802,
                     span,
-                    "this M6 stands after moves, and the change was printed at the TOOL CALL before them",
+                    format!("{by} stands after moves, and the change was printed at the TOOL CALL before them"),
                     Answer::key("control", "tool_change").help(
                         "set `[control] tool_change = \"m6\"` if M6 changes the tool, or \"t\" if TOOL CALL does",
                     ),
@@ -114,11 +119,11 @@ impl Run<'_> {
                 }
                 return Ok(());
             }
-            Change::InSpindle => "this M6 stops the spindle; the tool that was called is in it already",
-            Change::Printed { .. } => "this M6 belongs to the tool change printed for the TOOL CALL",
+            Change::InSpindle => format!("{by} stops the spindle; the tool that was called is in it already"),
+            Change::Printed { .. } => format!("{by} belongs to the tool change printed for the TOOL CALL"),
             Change::None | Change::Announced => {
                 self.st.tool.change = Change::Announced;
-                "this M6 stops the spindle and changes no tool; the next TOOL CALL of another tool prints its change"
+                format!("{by} stops the spindle and changes no tool; the next TOOL CALL of another tool prints its change")
             }
         };
         if self.st.spindle.turns() {

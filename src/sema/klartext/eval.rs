@@ -6,8 +6,8 @@ use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::function::Turn;
 use crate::lexer::klartext::{QKind, QRef, Value};
 use crate::machine::{Axis, Generation, Settings, Unit};
-use crate::parser::klartext::ast::{Block, LabelRef, Op, Operand, Operator, Relation, Test, TextFn};
-use crate::sema::value::{At, Fault, Formulas, Machine, Modulo, Never, Rules, Stop, evaluate, noun};
+use crate::parser::klartext::ast::{Block, Function, LabelRef, Op, Operand, Operator, Relation, Test, TextFn};
+use crate::sema::value::{At, Divisor, Fault, Formulas, Machine, Modulo, Never, Rules, SetBy, Stop, evaluate, noun};
 use crate::text::{Span, decode::readable};
 
 use super::flow::{FrameKind, innermost_locals};
@@ -67,6 +67,15 @@ impl Formulas for Run<'_> {
         })
     }
 
+    fn divisor(&self, operand: &[Op], _: At<'_>) -> Option<Divisor> {
+        let ([.., Op::Param(q)] | [.., Op::Param(q), Op::Unary(Function::Negate)]) = *operand else { return None };
+        let name = q.to_string();
+        let own = (q.kind == QKind::Ql).then_some(self.here.origin.call);
+        let set = SetBy::of(&self.job, &name, own);
+        let nobody = if self.vars.get(self.locals(), q).is_none() { SetBy::Nobody } else { SetBy::Unknown };
+        Some(Divisor { set: set.unwrap_or(nobody), name })
+    }
+
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
         let message = match fault {
             Fault::Domain(f, x) | Fault::Open(f, x) => format!("{} of {x} does not exist", noun(f)),
@@ -86,6 +95,9 @@ impl Formulas for Run<'_> {
             Fault::Outside(Operator::Power, a, b) => format!("{a} to the power of {b} does not exist"),
             Fault::Outside(_, a, b) => format!("there is no result for {a} and {b}"),
             Fault::Zero(a) => format!("{a} is divided by zero"),
+            Fault::ZeroBy(a, by) => {
+                format!("{a} is divided by zero: {}", by.said(&self.job, self.here.origin.loc))
+            }
             Fault::TooLarge | Fault::TooLargeInt => "the result is over 10 000 000 000".to_owned(),
             Fault::Misfit(_) | Fault::Mismatch(..) => "a number is needed, not a text".to_owned(),
             Fault::Missing => {
@@ -311,7 +323,8 @@ impl Run<'_> {
         let locals = innermost_locals(&mut self.core.levels);
         let locals = locals.expect("the main level has locals");
         if let Slot::Number(number) = value {
-            self.core.job.trail.assigns(self.core.here.origin.loc, || q.to_string(), number);
+            let origin = self.core.here.origin;
+            self.core.job.trail.assigns(origin.loc, origin.call, || q.to_string(), number);
         }
         self.vars.set(locals, q, value);
         Ok(())

@@ -47,6 +47,8 @@ pub(super) struct FeedState {
     of_tool: Option<ToolFeed>,
     /// The feed in force is one of FZ, which counts the teeth of the tool in the spindle.
     per_tooth: bool,
+    /// A program that is left out stands between F and here.
+    of_before_call: bool,
     /// M103: highest share of the feed in the negative tool axis.
     plunge_share: Option<f64>,
     /// M116: feed of rotary axes at the surface.
@@ -64,6 +66,7 @@ impl FeedState {
             written: feed.unwrap_or_default(),
             of_tool: feed.map(ToolFeed::minutes),
             per_tooth: false,
+            of_before_call: false,
             plunge_share: None,
             at_surface: false,
             at: FeedAt::Centre,
@@ -95,6 +98,7 @@ impl FeedState {
         self.modal.program(feed);
         self.written = written;
         self.per_tooth = false;
+        self.of_before_call = false;
     }
 
     /// F of a TOOL CALL: it holds until another one is programmed, in a block or a TOOL CALL.
@@ -121,6 +125,23 @@ impl FeedState {
     pub fn forget(&mut self) {
         self.modal = ModalFeed::new(None, Some(FeedKind::per_revolution(self.modal.is_per_revolution())));
         self.per_tooth = false;
+        self.of_before_call = false;
+    }
+
+    /// A program is left out that may leave another feed.
+    pub fn left_by_call(&mut self) {
+        self.of_before_call = true;
+    }
+
+    /// That the feed is one of before such a call was said.
+    pub fn took_left(&mut self) {
+        self.of_before_call = false;
+    }
+
+    /// Does such a program stand between F and here?
+    #[inline]
+    pub fn is_of_before_call(&self) -> bool {
+        self.of_before_call
     }
 
     /// Feeds do not count: one that is missing is not worth a report.
@@ -255,10 +276,25 @@ impl Run<'_> {
         if w.feed == FeedWord::Max && !self.is_capturing() {
             return Ok(None);
         }
-        match self.st.feed.word() {
-            Some(feed) => Ok(Some(feed)),
+        self.feed_in_force().map(Some)
+    }
+
+    /// The feed that holds on, for a cut.
+    #[inline]
+    pub(super) fn feed_in_force(&mut self) -> Outcome<Feed> {
+        match self.feed_before() {
+            Some(feed) => Ok(feed),
             None => self.feed_missing(),
         }
+    }
+
+    /// The same where a cut may need none.
+    #[inline]
+    pub(super) fn feed_before(&mut self) -> Option<Feed> {
+        if self.st.feed.is_of_before_call() {
+            self.says_feed_of_before();
+        }
+        self.st.feed.word()
     }
 
     #[cold]

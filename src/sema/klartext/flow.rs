@@ -3,7 +3,7 @@
 use crate::diag::{Answer, CallPath, Diagnostic, codes};
 use crate::ir::Function;
 use crate::lexer::klartext::{QKind, QRef};
-use crate::machine::{Generation, RepeatCount, Unit};
+use crate::machine::{Generation, RepeatCount, StandIn, Unit};
 use crate::parser::klartext::ast::{Block, LabelRef, Repeat};
 use crate::sema::Job;
 use crate::sema::run::{Level, Program, Wanted};
@@ -11,6 +11,7 @@ use crate::text::blocks::{Cursor, Place};
 use crate::text::{FileId, Loc, Next, Span, Within, decode::readable};
 
 use super::labels::{Label, Labels};
+use super::left_out::or_left_out;
 use super::vars::{Locals, Val};
 use super::{Outcome, ProgramHead, Reported, Run};
 
@@ -450,11 +451,23 @@ impl Run<'_> {
             );
             self.st.end_compensation();
         }
-        let opened = if name.to_ascii_uppercase().ends_with(".I") {
-            self.error(codes::K9009, format!("`{name}` is a DIN/ISO program"));
-            None
-        } else {
-            self.open_called(&Wanted { name, extensions: &["H", "h"], within: Within::Caller })
+        let opened = match self.stands_for(name) {
+            Some((_, StandIn::File(file))) => {
+                self.open_called(&Wanted { name: &file, extensions: &[], within: Within::Configured })
+            }
+            Some((key, StandIn::Change(change))) => return self.stand_in(name, &key, Some(change)),
+            Some((key, StandIn::Ignored)) => return self.stand_in(name, &key, None),
+            None if name.to_ascii_uppercase().ends_with(".I") => {
+                self.error(codes::K9009, format!("`{name}` is a DIN/ISO program"));
+                None
+            }
+            None => {
+                let found = self.find_called(&Wanted { name, extensions: &["H", "h"], within: Within::Caller });
+                found.unwrap_or_else(|found| {
+                    self.job.diags.push(or_left_out(found, name));
+                    None
+                })
+            }
         };
         let Some(program) = opened else {
             // What the program would have done is unknown: nothing after it can be trusted.

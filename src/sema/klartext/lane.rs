@@ -27,6 +27,7 @@ impl Run<'_> {
             && !st.polar.has_last()
             && st.feed.plunge_share().is_none()
             && !st.feed.is_per_revolution()
+            && !st.feed.is_of_before_call()
             && self.contour_is_plain()
             && !st.compensation.is_lost()
             && st.position.left_by_calls().is_empty()

@@ -36,6 +36,7 @@ mod help;
 mod holes;
 mod labels;
 mod lane;
+mod left_out;
 mod m_functions;
 mod m_table;
 mod machining;
@@ -115,6 +116,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         datum_table: datum_table::DatumTable::default(),
         globals: global_def::Globals::default(),
         selected: None,
+        feed_left: None,
         noted: Vec::new(),
         machine: Machine::new(eval::rules(job.settings)),
         words: None,
@@ -248,6 +250,8 @@ struct Run<'a> {
     globals: global_def::Globals,
     /// Program of SEL PGM.
     selected: Option<String>,
+    /// A program that is left out and may have left another feed.
+    feed_left: Option<Box<left_out::FeedLeft>>,
     /// M functions of which it was said that they are left out.
     noted: Vec<u32>,
     machine: Machine,

@@ -345,10 +345,7 @@ impl Run<'_> {
             return self.fail_help(codes::K1006, self.block_span(), what, help);
         };
         let feed = match w.feed {
-            FeedWord::None => match self.st.feed.word() {
-                Some(feed) => feed,
-                None => return self.feed_missing(),
-            },
+            FeedWord::None => self.feed_in_force()?,
             FeedWord::Value(f) if f > 0.0 => {
                 self.large_per_revolution(self.loc(w.feed_span), f);
                 self.feed_of(f)

@@ -6,7 +6,7 @@ use crate::diag::{Answer, Diagnostic, codes};
 use crate::lexer::formula::{Function, Operator};
 use crate::machine::options::mtc200::Reading;
 use crate::parser::mtc200::ast::{Block, Formula, Op, Target, Value, Word};
-use crate::sema::value::{At, Fault, Formulas, Machine, Modulo, Never, Rules, Stop, Val, evaluate};
+use crate::sema::value::{At, Divisor, Fault, Formulas, Machine, Modulo, Never, Rules, SetBy, Stop, Val, evaluate};
 use crate::text::Span;
 
 use super::{Outcome, Reported, Run};
@@ -45,6 +45,14 @@ impl Formulas for Run<'_> {
         })
     }
 
+    fn divisor(&self, operand: &[Op], _: At<'_>) -> Option<Divisor> {
+        let ([.., Op::Variable(n, _)] | [.., Op::Variable(n, _), Op::Unary(Function::Negate)]) = *operand else {
+            return None;
+        };
+        let set = SetBy::of(&self.job, &format!("@{n}"), None).unwrap_or(SetBy::Unknown);
+        Some(Divisor { set, name: format!("@{n:03}") })
+    }
+
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
         let (code, message, help) = match fault {
             Fault::Open(f, x) => (
@@ -59,6 +67,10 @@ impl Formulas for Run<'_> {
             }
             Fault::Domain(f, x) => (codes::M2302, format!("{}({x}) does not exist", name(f)), ""),
             Fault::Zero(_) => (codes::M2302, "the formula divides by zero".to_owned(), ""),
+            Fault::ZeroBy(_, by) => {
+                let said = by.said(&self.job, self.here.origin.loc);
+                (codes::M2302, format!("the formula divides by zero: {said}"), "")
+            }
             Fault::Missing => (codes::M1001, "the formula is empty".to_owned(), ""),
             Fault::TooLarge
             | Fault::TooLargeInt
@@ -134,7 +146,8 @@ impl Run<'_> {
             match self.variables.get_mut(variable as usize) {
                 Some(slot) => {
                     if let Ok(number) = value {
-                        self.core.job.trail.assigns(self.core.here.origin.loc, || format!("@{variable}"), number);
+                        let origin = self.core.here.origin;
+                        self.core.job.trail.assigns(origin.loc, origin.call, || format!("@{variable}"), number);
                     }
                     *slot = Some(value);
                 }

@@ -55,15 +55,28 @@ pub struct Wanted<'w> {
 
 /// Finds and opens the program that the block at `from` calls.
 pub fn open_program(job: &Job<'_>, wanted: &Wanted<'_>, from: Loc, call: CallPath) -> Option<FileId> {
+    find_program(job, wanted, from, call).map_err(|found| job.diags.push(found)).ok()
+}
+
+/// The same; a finding that is not reported yet where it cannot be opened.
+pub fn find_program(job: &Job<'_>, wanted: &Wanted<'_>, from: Loc, call: CallPath) -> Result<FileId, Diagnostic> {
     let found = match look_for(job, wanted, from, call) {
         Ok(opened) => match job.sources.add(opened) {
-            Ok(id) => return Some(id),
+            Ok(id) => return Ok(id),
             Err(too_much) => refused(too_much, wanted.name, from),
         },
         Err(error) => not_opened(error, wanted.name, from),
     };
-    job.diags.push(found.called(call));
-    None
+    Err(found.called(call))
+}
+
+/// Is the program that the block at `from` calls nowhere, so that what `[programs]` says may stand for it?
+pub fn is_nowhere(job: &Job<'_>, wanted: &Wanted<'_>, from: Loc) -> bool {
+    let caller = job.sources.identity(from.file);
+    let Wanted { name, extensions, within } = *wanted;
+    let opens = |within| job.files.open(&Request { from: &caller, name, extensions, within });
+    let misses = |within| matches!(opens(within), Err(FileError::NotFound { .. } | FileError::NoRoot { .. }));
+    misses(within) && (within != Within::Caller || misses(Within::Anywhere))
 }
 
 fn look_for(job: &Job<'_>, wanted: &Wanted<'_>, from: Loc, call: CallPath) -> Result<Opened, FileError> {

@@ -1,13 +1,13 @@
 //! The call stack: which program runs, where its caller goes on.
 
-use crate::diag::{CallPath, codes};
+use crate::diag::{CallPath, Diagnostic, codes};
 use crate::sema::{Job, Outcome};
 use crate::text::blocks::Place;
 use crate::text::{FileId, Loc, Request};
 
 use super::Language;
 use super::core::Core;
-use super::files::{Wanted, open_program};
+use super::files::{Wanted, find_program, is_nowhere, open_program};
 use super::source::Source;
 
 /// Calls of a cycle that are named.
@@ -77,6 +77,20 @@ impl<L: Language> Core<'_, L> {
         self.budget.search();
         let file: FileId = open_program(&self.job, wanted, origin.loc, origin.call)?;
         self.open(file, origin.loc)
+    }
+
+    /// The same; a finding that is not reported yet where it cannot be opened.
+    pub fn find_called(&mut self, wanted: &Wanted<'_>) -> Result<Option<usize>, Diagnostic> {
+        let origin = self.here.origin;
+        self.budget.search();
+        let file = find_program(&self.job, wanted, origin.loc, origin.call)?;
+        Ok(self.open(file, origin.loc))
+    }
+
+    /// Is the program that the block in hand calls nowhere?
+    pub fn is_nowhere(&mut self, wanted: &Wanted<'_>) -> bool {
+        self.budget.search();
+        is_nowhere(&self.job, wanted, self.here.origin.loc)
     }
 
     /// The file that the block in hand would call, as people know it.

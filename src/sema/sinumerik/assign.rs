@@ -60,7 +60,8 @@ impl Run<'_> {
         if n > MOST_R {
             return self.fail(codes::S2018.alarm(17020), span, format!("there is no parameter R{n}"));
         }
-        self.job.trail.assigns(self.here.origin.loc, || format!("R{n}"), value);
+        let origin = self.here.origin;
+        self.job.trail.assigns(origin.loc, origin.call, || format!("R{n}"), value);
         self.vars.set_r(n, value);
         Ok(())
     }
@@ -124,7 +125,8 @@ impl Run<'_> {
             Target::Numbered(_, _, name) | Target::Name(name) => {
                 let Some(slot) = self.vars.find(name) else { return self.undefined(name, span) };
                 if let Some(number) = value.number() {
-                    self.job.trail.assigns(self.here.origin.loc, || self.symbols.name(name).to_owned(), number);
+                    let origin = self.here.origin;
+                    self.job.trail.assigns(origin.loc, origin.call, || self.symbols.name(name).to_owned(), number);
                 }
                 self.write_element(slot, &[], value, span)
             }

@@ -165,6 +165,7 @@ impl Run<'_> {
             var.kept = Kept::of_global(name);
             var = self.with_kept_values(&word, var, variable.span)?;
         }
+        self.job.trail.forget_zero(self.symbols.name(name));
         if !self.vars.define(name, var, global) {
             return self.fail(codes::S2018.alarm(12380), variable.span, "the variables of the program are too large");
         }

@@ -6,9 +6,10 @@ use std::borrow::Cow;
 use std::rc::Rc;
 
 use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::lexer::formula::Function;
 use crate::parser::sinumerik::ast::{Base, Block, Formula, Op};
 use crate::parser::symbols::Symbol;
-use crate::sema::value::{At, Fault, Formulas, Stop, evaluate};
+use crate::sema::value::{At, Divisor, Fault, Formulas, SetBy, Stop, evaluate};
 use crate::text::Span;
 use crate::text::decode::readable;
 
@@ -125,13 +126,34 @@ impl Formulas for Run<'_> {
         })
     }
 
+    fn divisor(&self, operand: &[Op], at: At<'_>) -> Option<Divisor> {
+        let last = match operand {
+            [.., last, Op::Unary(Function::Negate)] | [.., last] => last,
+            [] => return None,
+        };
+        Some(match *last {
+            Op::R(n, _) => {
+                let never = self.vars.r(n).is_some_and(|(_, set)| !set);
+                let (name, nobody) = (format!("R{n}"), if never { SetBy::Nobody } else { SetBy::Unknown });
+                let set = if never { None } else { SetBy::of(&self.job, &name, None) };
+                Divisor { set: set.unwrap_or(nobody), name }
+            }
+            Op::Name(name, span) => Divisor { name: self.written(span, at), set: self.set_to_zero(name) },
+            Op::System(_, span) | Op::Index(_, _, span) => {
+                Divisor { name: self.written(span, at), set: SetBy::Unknown }
+            }
+            _ => return None,
+        })
+    }
+
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
         let (code, message) = match fault {
             Fault::Misfit(what) => (codes::S2005.alarm(12150), format!("the operator does not fit {what}")),
             Fault::Mismatch(a, b) => (codes::S2005.alarm(12150), format!("{a} and {b} do not go together here")),
             Fault::Missing => (codes::S2005.alarm(12150), "a value is missing".to_owned()),
             Fault::Said(why) => (codes::S2030.alarm(14099), why),
-            Fault::Zero(_) => return self.divided_by_zero(at),
+            Fault::Zero(_) => return self.divided_by_zero(None, at),
+            Fault::ZeroBy(_, by) => return self.divided_by_zero(Some(&by), at),
             Fault::TooLargeInt => (codes::S2006.alarm(14051), "the result is too large for an INT".to_owned()),
             Fault::TooLarge | Fault::Domain(..) | Fault::Open(..) | Fault::Outside(..) | Fault::OpenBetween(..) => {
                 (codes::S2006.alarm(14051), "the result is too large".to_owned())
@@ -143,26 +165,15 @@ impl Formulas for Run<'_> {
 }
 
 impl Run<'_> {
-    /// Names the divisor where the formula has one alone, and where it got its value.
-    fn divided_by_zero(&self, at: At<'_>) -> Reported {
-        let loc = self.loc(at.span);
-        // A block that was read as it stands in its file has its text there.
-        let written = match at.span.of(at.text) {
-            [] if !self.here.rewritten => self.job.sources.bytes(loc.file, loc.span),
-            text => text.to_vec(),
-        };
-        let formula = readable(&written).to_uppercase();
-        let divisor = only_divisor(&formula);
-        let number = divisor.and_then(|name| name.strip_prefix('R')).and_then(|digits| digits.parse::<u32>().ok());
-        let never = number.and_then(|n| self.vars.r(n)).is_some_and(|(_, set)| !set);
-        let message = match divisor {
-            Some(name) if never => format!("division by zero: `{name}` is set nowhere and counts as 0"),
-            Some(name) => format!("division by zero: `{name}` is 0"),
+    /// Names the divisor where it is a variable alone, and where it got its value.
+    fn divided_by_zero(&self, by: Option<&Divisor>, at: At<'_>) -> Reported {
+        let message = match by {
+            Some(by) => format!("division by zero: {}", by.said(&self.job, self.here.origin.loc)),
             None => "division by zero".to_owned(),
         };
-        let found = Diagnostic::new(codes::S2006.alarm(14051), loc, message);
+        let found = Diagnostic::new(codes::S2006.alarm(14051), self.loc(at.span), message);
         self.report(match &self.warned.unset[..] {
-            [] => found.help(ZERO[usize::from(divisor.is_none())]),
+            [] => found.help(ZERO[usize::from(by.is_none())]),
             [first, rest @ ..] => found.help(rest.iter().fold(
                 Answer::key("variables", first).help("give the values that the control keeps under [variables]"),
                 |help, name| help.and(Answer::key("variables", name)),
@@ -170,24 +181,34 @@ impl Run<'_> {
         });
         Reported
     }
+
+    /// As the block has it.
+    fn written(&self, span: Span, at: At<'_>) -> String {
+        let loc = self.loc(span);
+        // A block that was read as it stands in its file has its text there.
+        let written = match span.of(at.text) {
+            [] if !self.here.rewritten => self.job.sources.bytes(loc.file, loc.span),
+            text => text.to_vec(),
+        };
+        readable(&written).trim().to_uppercase()
+    }
+
+    /// Who set the variable that is zero.
+    fn set_to_zero(&self, name: Symbol) -> SetBy {
+        let Some(slot) = self.vars.find(name) else { return SetBy::Unknown };
+        let own = matches!(slot, Slot::Local(_)).then_some(self.here.origin.call);
+        let defined = self.vars.get(slot).map(|var| SetBy::Definition(var.defined));
+        let set = SetBy::of(&self.job, self.symbols.name(name), own);
+        match (set, slot) {
+            (Some(set), _) => set,
+            (None, Slot::Local(_)) if !self.job.trail.has_returned() => defined.unwrap_or(SetBy::Unknown),
+            (None, _) => SetBy::Unknown,
+        }
+    }
 }
 
 /// Behind a variable, and where none is named.
 const ZERO: [&str; 2] = ["give it another value before this block", "check what stands behind `/`, DIV or MOD"];
-
-/// The variable behind the one division of a formula.
-fn only_divisor(formula: &str) -> Option<&str> {
-    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '$';
-    let words = formula.split(|c: char| !is_word(c)).filter(|word| matches!(*word, "DIV" | "MOD")).count();
-    let divisions = formula.matches('/').count() + words;
-    let at = formula.find('/').map(|at| at + 1);
-    let at = at.or_else(|| formula.find("DIV").or_else(|| formula.find("MOD")).map(|at| at + 3))?;
-    let rest = formula[at..].trim_start();
-    let end = rest.find(|c: char| !is_word(c)).unwrap_or(rest.len());
-    let (name, behind) = rest.split_at(end);
-    let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
-    (divisions == 1 && is_name && !behind.trim_start().starts_with(['(', '['])).then_some(name)
-}
 
 impl Run<'_> {
     /// The value of a formula.

@@ -68,10 +68,14 @@ impl Run<'_> {
     /// Sets a variable that is given by reference to a whole number.
     pub(super) fn set_reference(&mut self, reference: Reference, value: i32) {
         let (slot, at) = match reference {
-            Reference::R(n) => return self.vars.set_r(n, f64::from(value)),
+            Reference::R(n) => {
+                self.job.trail.returns();
+                return self.vars.set_r(n, f64::from(value));
+            }
             Reference::Variable(slot) => (slot, 0),
             Reference::Element(slot, at) => (slot, at),
         };
+        self.job.trail.returns();
         let Some(var) = self.vars.get_mut(slot) else { return };
         let Ok(value) = Val::Int(value).converted(var.kind) else { return };
         if let Some(element) = var.values.get_mut(at) {
@@ -82,6 +86,9 @@ impl Run<'_> {
     }
 
     pub(super) fn give_back(&mut self, references: &[(Symbol, Reference)]) {
+        if !references.is_empty() {
+            self.job.trail.returns();
+        }
         for (name, reference) in references {
             let Some(own) = self.vars.of_level(*name) else { continue };
             let Some(value) = own.values.first().cloned() else { continue };

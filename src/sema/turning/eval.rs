@@ -3,7 +3,8 @@
 use crate::diag::{Answer, Diagnostic, codes};
 use crate::lexer::turning::{VarKind, VarRef};
 use crate::parser::turning::ast::{Block, Formula, Op};
-use crate::sema::value::{At, Fault, Formulas, Machine, Never, Rules, Stop, Val, evaluate, noun};
+use crate::lexer::formula::Function;
+use crate::sema::value::{At, Divisor, Fault, Formulas, Machine, Never, Rules, SetBy, Stop, Val, evaluate, noun};
 use crate::text::Span;
 
 use super::{Outcome, Reported, Run};
@@ -31,11 +32,22 @@ impl Formulas for Run<'_> {
         })
     }
 
+    fn divisor(&self, operand: &[Op], _: At<'_>) -> Option<Divisor> {
+        let ([.., Op::Var(var, _)] | [.., Op::Var(var, _), Op::Unary(Function::Negate)]) = *operand else { return None };
+        let own = matches!(var.kind, VarKind::Local | VarKind::Argument).then_some(self.here.origin.call);
+        let name = var.to_string();
+        Some(Divisor { set: SetBy::of(&self.job, &name, own).unwrap_or(SetBy::Unknown), name })
+    }
+
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
         let (code, message) = match fault {
             Fault::Domain(f, x) | Fault::Open(f, x) => (codes::T2009, format!("{} of {x}", noun(f))),
             Fault::Outside(_, a, b) => (codes::T2009, format!("square root of {a}² - {b}²")),
             Fault::Zero(a) => (codes::T2009, format!("{a} is divided by zero")),
+            Fault::ZeroBy(a, by) => {
+                let said = by.said(&self.job, self.here.origin.loc);
+                (codes::T2009, format!("{a} is divided by zero: {said}"))
+            }
             Fault::Missing => (codes::T1001, "a value is missing".to_owned()),
             Fault::TooLarge
             | Fault::TooLargeInt
@@ -118,7 +130,8 @@ impl Run<'_> {
     pub(super) fn assign(&mut self, var: VarRef, block: &Block, formula: Formula) -> Outcome {
         let value = self.formula(block, formula);
         if let Ok(number) = value {
-            self.core.job.trail.assigns(self.core.here.origin.loc, || var.to_string(), number);
+            let origin = self.core.here.origin;
+            self.core.job.trail.assigns(origin.loc, origin.call, || var.to_string(), number);
         }
         match var.kind {
             VarKind::Machine | VarKind::Interpreter => {

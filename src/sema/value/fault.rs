@@ -3,6 +3,8 @@
 use crate::lexer::formula::{Function, Operator};
 use crate::sema::Reported;
 
+use super::Divisor;
+
 /// A computation without a result.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Fault {
@@ -16,6 +18,8 @@ pub enum Fault {
     OpenBetween(Operator, f64, f64),
     /// The first number is divided by zero.
     Zero(f64),
+    /// The same by a variable alone.
+    ZeroBy(f64, Divisor),
     TooLarge,
     /// More than an INT holds.
     TooLargeInt,

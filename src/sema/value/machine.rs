@@ -4,7 +4,7 @@ use crate::lexer::formula::{Function, Operator};
 use crate::sema::{Outcome, Reported};
 use crate::text::Span;
 
-use super::{Fault, Never, Rules, Stop, Val};
+use super::{Divisor, Fault, Never, Rules, Stop, Val};
 
 /// Where a formula stands.
 #[derive(Debug, Clone, Copy)]
@@ -30,6 +30,9 @@ pub trait Formulas {
         at: At<'_>,
     ) -> Result<Val<Self::Axis, Self::Frame>, Stop>;
 
+    /// The variable that `operand` ends with, if it is all that an operator behind it takes.
+    fn divisor(&self, operand: &[Self::Op], at: At<'_>) -> Option<Divisor>;
+
     /// Reports a fault in the dialect's words.
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported;
 }
@@ -38,9 +41,11 @@ pub trait Formulas {
 pub fn evaluate<L: Formulas>(run: &mut L, ops: &[L::Op], at: At<'_>) -> Outcome<Val<L::Axis, L::Frame>> {
     // Reading a variable may compute another formula: that one finds an empty stack.
     let mut machine = run.machine().lend();
+    let mut done = 0;
     let made = ops.iter().try_for_each(|op| {
         let value = run.operation(op, &mut machine, at)?;
         machine.stack.push(value);
+        done += 1;
         Ok(())
     });
     let made = made.and_then(|()| machine.result());
@@ -48,6 +53,10 @@ pub fn evaluate<L: Formulas>(run: &mut L, ops: &[L::Op], at: At<'_>) -> Outcome<
     *run.machine() = machine;
     match made {
         Ok(value) => Ok(value),
+        Err(Stop::Fault(Fault::Zero(a))) => {
+            let divisor = run.divisor(&ops[..done.min(ops.len())], at);
+            Err(run.fault(divisor.map_or(Fault::Zero(a), |divisor| Fault::ZeroBy(a, divisor)), at))
+        }
         Err(Stop::Fault(fault)) => Err(run.fault(fault, at)),
         Err(Stop::Reported) => Err(Reported),
     }
@@ -217,6 +226,10 @@ mod tests {
                 Op::Unary(f) => machine.unary(f)?,
                 Op::Binary(f) => machine.binary(f)?,
             })
+        }
+
+        fn divisor(&self, operand: &[Op], _: At<'_>) -> Option<Divisor> {
+            matches!(operand, [.., Op::Nested]).then(|| Divisor { name: "N".to_owned(), set: super::super::SetBy::Nobody })
         }
 
         fn fault(&self, fault: Fault, _: At<'_>) -> Reported {

@@ -4,10 +4,12 @@
 //! brings its [`Rules`], where controls differ, and what only it can read: variables, names, calls. Nothing is
 //! allocated while numbers are computed; the stack is kept from formula to formula.
 
+mod divisor;
 mod fault;
 mod machine;
 mod number;
 
+pub use divisor::{Divisor, SetBy};
 pub use fault::{Fault, Stop};
 pub use machine::{At, Formulas, Machine, evaluate};
 pub use number::{Modulo, Rules, noun};

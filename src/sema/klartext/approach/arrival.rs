@@ -73,7 +73,7 @@ impl Run<'_> {
         let plane = self.st.plane();
         let from = self.start_in(plane, name)?;
         // LT, LN and CT go to PH as the block before went, LCT as its own block says.
-        let before = if self.st.feed.last_rapid { None } else { self.st.feed.word() };
+        let before = if self.st.feed.last_rapid { None } else { self.feed_before() };
         let own = matches!(shape, Shape::LineArc { .. });
         if before.is_none() && !self.st.feed.last_rapid && !own {
             return self.feed_missing();

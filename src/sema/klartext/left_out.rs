@@ -1,0 +1,200 @@
+//! Programs of the machine builder that are found nowhere: what `[programs]` says stands for their calls.
+//!
+//! Comes in: the name as a block writes it. Goes out: what the entry says that the program leaves behind, or the file that
+//! runs in its place. A program that is found runs, whatever the entry says.
+
+use crate::diag::{Answer, Diagnostic, codes};
+use crate::ir::function::Turn;
+use crate::machine::{AxisSet, ChangeCall, Left, LeftSpindle, StandIn};
+use crate::sema::common::hidden::By;
+use crate::sema::run::Wanted;
+use crate::text::{Loc, Span, Within};
+
+use super::active_tool::Change;
+use super::{Outcome, Run};
+
+/// A call that is left out, where nothing says what feed it leaves.
+#[derive(Debug)]
+pub(super) struct FeedLeft {
+    name: String,
+    call: Loc,
+}
+
+impl Run<'_> {
+    /// What stands for the program `name`: the name of its entry, and what it says. `None`: the program is here, or has no entry.
+    pub(super) fn stands_for(&mut self, name: &str) -> Option<(String, StandIn)> {
+        let (key, stands) = entry_of(&self.job.settings.programs, name)?;
+        let wanted = Wanted { name, extensions: &["H", "h"], within: Within::Caller };
+        self.is_nowhere(&wanted).then_some((key, stands))
+    }
+
+    /// Does what the entry `key` says in place of the call of `name`, which runs no file.
+    pub(super) fn stand_in(&mut self, name: &str, key: &str, change: Option<ChangeCall>) -> Outcome {
+        let span = self.block_span();
+        if self.job.settings.left_by(key).rapid.is_some() {
+            let message = format!("`[programs]` says that {key} leaves G0 or G1 active, and Klartext has neither");
+            return self.fail_help(codes::P0205, span, message, "take `motion` out of the entry");
+        }
+        match change {
+            None => {
+                let text =
+                    format!("`{name}` is left out, as `[programs]` says: the Q parameters keep what they were");
+                if self.job.diags.first_text(codes::K2413, &text) {
+                    self.report(Diagnostic::new(codes::K2413, self.here.origin.loc, text));
+                }
+            }
+            Some(ChangeCall { tool: None, edge: None }) => self.change_by_program(name, span)?,
+            Some(_) => {
+                let message = format!("`[programs]` says that an argument of {key} names the tool, and CALL PGM has none");
+                let help = format!("`\"{key}\" = {{ change = true }}` changes to the tool of the TOOL CALL before it");
+                return self.fail_help(codes::P0205, span, message, help);
+            }
+        }
+        self.leave_axes(key, "end the contour with R0 before the call")?;
+        self.leave_technology(key)?;
+        if self.job.settings.left_by(key).feed.is_none() && self.st.feed.word().is_some() {
+            self.feed_left = Some(Box::new(FeedLeft { name: name.to_owned(), call: self.here.origin.loc }));
+            self.st.feed.left_by_call();
+        }
+        Ok(())
+    }
+
+    /// The program changes to the tool that was called.
+    fn change_by_program(&mut self, name: &str, span: Span) -> Outcome {
+        if matches!(self.st.tool.change, Change::None | Change::Announced | Change::InSpindle) {
+            let message = format!("`{name}` changes the tool, as `[programs]` says, and no tool waits for it");
+            let help = Answer::key("control", "tool_change").one_of(&["\"m6\""]).help(
+                "program the TOOL CALL before it; where TOOL CALL only makes the tool ready, set `[control] tool_change = \"m6\"`",
+            );
+            return self.fail_help(codes::K2802, span, message, help);
+        }
+        let text = format!("`{name}` changes the tool, as `[programs]` says; whatever else it does is left out");
+        self.change_at(span, &format!("`{name}`"))?;
+        // Where it leaves the axes only the configuration knows.
+        let loc = self.here.origin.loc;
+        self.st.position.forget(AxisSet::MAIN);
+        self.st.position.hide(AxisSet::MAIN, By::ToolChange, loc);
+        self.lost();
+        self.stand_after_change();
+        if self.job.diags.first_text(codes::K2413, &text) {
+            self.report(Diagnostic::new(codes::K2413, loc, text));
+        }
+        Ok(())
+    }
+
+    /// Axes that stand at a place that nothing says behind what the entry `name` stands for.
+    pub(super) fn leave_axes(&mut self, name: &str, under_compensation: &'static str) -> Outcome {
+        let moved = self.job.settings.left_by(name).lost;
+        if moved.is_empty() {
+            return Ok(());
+        }
+        if self.st.compensation.is_on() {
+            let message = format!("{name} moves axes under radius compensation, as `[programs]` says");
+            let refused = self.fail_help(codes::K2001, self.block_span(), message, under_compensation);
+            self.lose_all();
+            return refused;
+        }
+        self.st.position.forget(moved);
+        self.st.position.hide(moved, By::Call, self.here.origin.loc);
+        self.lost();
+        let known = *self.st.position.at();
+        self.core.stands_at(&known, &self.st.ctx);
+        Ok(())
+    }
+
+    /// What the entry says of feed and spindle is done as the words of a block would do it.
+    pub(super) fn leave_technology(&mut self, name: &str) -> Outcome {
+        let left = self.job.settings.left_by(name);
+        match left.feed {
+            Some(Left::Value(written)) => {
+                let feed = self.feed_of(written);
+                self.st.feed.program(feed, written);
+            }
+            Some(Left::Lost) => self.st.feed.forget(),
+            None => {}
+        }
+        match left.speed {
+            Some(Left::Value(speed)) => self.spindle_speed(speed, self.block_span())?,
+            Some(Left::Lost) => {
+                let what = if name.starts_with("CYCL ") { "cycle" } else { "program" };
+                let help =
+                    format!("say the speed that the {what} leaves: `\"{name}\" = {{ ignore = true, speed = 1000 }}`");
+                let message = format!("{name} leaves a speed that is not known, as `[programs]` says");
+                return self.fail_help(codes::K9001, self.block_span(), message, help);
+            }
+            None => {}
+        }
+        match left.spindle {
+            Some(LeftSpindle::Clockwise) => self.start_spindle(Turn::Clockwise),
+            Some(LeftSpindle::CounterClockwise) => self.start_spindle(Turn::CounterClockwise),
+            Some(LeftSpindle::Stopped) => self.stop_spindle(),
+            None => {}
+        }
+        Ok(())
+    }
+
+    /// The first cut after a program that is left out takes the feed of before its call.
+    #[cold]
+    pub(super) fn says_feed_of_before(&mut self) {
+        if self.is_capturing() {
+            return;
+        }
+        self.st.feed.took_left();
+        let Some(left) = self.feed_left.take() else { return };
+        let FeedLeft { name, call } = *left;
+        let message = format!("this cut takes the feed of before `{name}`, which is left out and may leave another one");
+        if !self.job.diags.first_text(codes::K2414, &message) {
+            return;
+        }
+        let key = key_of(&name);
+        let help = format!(
+            "program F after the call; or say under `[programs]` what it leaves: `feed = …` beside the rest of `\"{key}\" = {{ … }}`"
+        );
+        self.report(Diagnostic::new(codes::K2414, self.here.origin.loc, message).also(call, "the call").help(help));
+    }
+}
+
+/// The finding for a program that is nowhere, with what may stand for it.
+pub(super) fn or_left_out(mut found: Diagnostic, name: &str) -> Diagnostic {
+    if !matches!(found.code.id, "P0101" | "P0104") || found.answers.is_empty() {
+        return found;
+    }
+    let key = key_of(name);
+    let more = format!("; a program of the machine builder that moves nothing is left out by `[programs] \"{key}\" = {{ ignore = true }}`");
+    found.help.get_or_insert_default().push_str(&more);
+    found.answers.push(Answer::key("programs", key).one_of(&["{ ignore = true }"]));
+    found
+}
+
+/// The entry for a program: by its name as written, without its folder, or without its extension, too.
+fn entry_of(
+    programs: &std::collections::BTreeMap<String, StandIn>,
+    name: &str,
+) -> Option<(String, StandIn)> {
+    let written = name.to_ascii_uppercase();
+    let last = written.rsplit(['/', '\\', ':']).next().unwrap_or(&written).to_owned();
+    [written, last, key_of(name)].into_iter().find_map(|key| {
+        let stands = programs.get(&key)?.clone();
+        Some((key, stands))
+    })
+}
+
+/// The name that an entry has: in capitals, without folder and extension.
+fn key_of(name: &str) -> String {
+    let name = name.to_ascii_uppercase();
+    let last = name.rsplit(['/', '\\', ':']).next().unwrap_or(&name);
+    last.strip_suffix(".H").or_else(|| last.strip_suffix(".I")).unwrap_or(last).to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_entries() {
+        for name in ["TNC:\\BUILDER\\Clean.h", "clean.H", "CLEAN", "oem/clean.i"] {
+            assert_eq!(key_of(name), "CLEAN", "{name}");
+        }
+        assert_eq!(key_of("A.B.H"), "A.B");
+    }
+}
