@@ -455,7 +455,12 @@ impl Need {
 
 /// What a program of the machine builder does is a promise of the user, also where only one can be made.
 fn is_promise(need: &Need) -> bool {
-    need.answer.section == "programs"
+    need.answer.section == "programs" || is_alternative(need)
+}
+
+/// A promise that stands beside another answer to the same finding.
+fn is_alternative(need: &Need) -> bool {
+    matches!(need.answer.path[0].as_str(), "tool_change_m" | "probing_contact")
 }
 
 /// One line of a key, with what it is and what asks for it. `choice` is the one that is tried, `given` what the user said.
@@ -470,6 +475,10 @@ fn line(
         "tools" => need.answer.path[1].clone(),
         _ => need.answer.place().1,
     };
+    // A trial takes the other answer: the number, or the function as it stands.
+    if form == Form::Tried && is_alternative(need) {
+        return;
+    }
     let choices = need.choices();
     let (value, remark) = match (&need.answer.values, &choices[..]) {
         _ if given.is_some() => (given.unwrap_or_default().to_owned(), String::new()),

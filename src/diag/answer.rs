@@ -78,6 +78,11 @@ impl Answer {
         Answer::item("output", "pass_m", number.to_string())
     }
 
+    /// An M function that changes the tool.
+    pub fn changing_m(number: impl Display) -> Answer {
+        Answer::key("control", "tool_change_m").one_of(&[format!("[{number}]")])
+    }
+
     /// One more item of a list.
     pub fn item(section: &'static str, key: &'static str, item: String) -> Answer {
         Answer { values: Values::Item(item), ..Answer::key(section, key) }

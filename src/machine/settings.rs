@@ -220,6 +220,8 @@ pub struct Control {
     pub heidenhain_turning: String,
     /// Skip levels that are switched on.
     pub skip_blocks: Vec<u8>,
+    /// M functions of the machine builder that change the tool as M6 does.
+    pub tool_change_m: Vec<u32>,
     /// Unit of a Klartext file without BEGIN PGM.
     pub unit: Option<Unit>,
     /// A main program without an end of program is taken.

@@ -27,11 +27,11 @@ books! {
     errors_heidenhain_turning = "errors/heidenhain-turning":
         G L T0 T1 T200 T201 T202 T203 T205 T207 T3 T8 T9;
     errors_klartext = "errors/klartext":
-        G G305 G32 K0 K100 K1005 K101 K18 K20 K2014 K21 K22 K23 K24 K2412 K2413 K2414 K25 K26 K27 K2710 K28 K2854 K2855 K2856 K29 K294 K295 K30 K8 K8026 K8027 K81 K814 K900 K901 K903 K904 L1 L2 O P;
+        G G305 G32 K0 K100 K1005 K101 K18 K20 K2014 K21 K22 K23 K24 K2412 K2413 K2414 K2415 K25 K26 K27 K2710 K28 K2854 K2855 K2856 K29 K294 K295 K30 K8 K8026 K8027 K81 K814 K900 K901 K903 K904 L1 L2 O P;
     errors_mtc200 = "errors/mtc200":
         G L M0 M100 M1006 M101 M1012 M105 M200 M201 M21 M22 M23 M24 M26 M27 M8 M9 O P P0205 P0206;
     errors_sinumerik = "errors/sinumerik":
-        G G330 G332 L1 L2 O O4006 P P000 P0107 P0205 P0206 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S8165 S8166 S8167 S8168 S8169 S817 S8171 S821 S822 S823 S824 S825 S900 S901 S902 S9022 S9023 S9024 S91 S9133;
+        G G330 G332 L1 L2 O O4006 P P000 P0107 P0205 P0206 S0 S1 S200 S201 S202 S203 S204 S2046 S2047 S205 S206 S207 S208 S209 S21 S220 S222 S224 S228 S3 S4 S800 S801 S802 S803 S804 S805 S81 S8164 S8165 S8166 S8167 S8168 S8169 S817 S8171 S8172 S821 S822 S823 S824 S825 S900 S901 S902 S9022 S9023 S9024 S91 S9133;
     gcode = "gcode":
         heads lines modes path_control percents rigid_taps speeds tap_reasons;
     heidenhain_turning = "heidenhain-turning":
@@ -45,6 +45,8 @@ books! {
         blanks words;
     heidenhain_turning_threads = "heidenhain-turning/threads":
         examples simple;
+    heidenhain_turning_variables = "heidenhain-turning/variables":
+        divisors;
     heidenhain_turning_words = "heidenhain-turning/words":
         refused;
     klartext = "klartext":
@@ -69,17 +71,19 @@ books! {
     klartext_machining = "klartext/machining":
         bores contours contours_refused faces finishing holes islands middle_line old_pockets patterns pockets rest slots studs threads ties tilts;
     klartext_parameters = "klartext/parameters":
-        functions system_data texts;
+        divisors functions system_data texts;
     klartext_path = "klartext/path":
         m_functions paraxial rotary;
     klartext_polar = "klartext/polar":
         arcs helices increments missing_words;
     klartext_text = "klartext/text":
-        bytes continuation numbers;
+        bytes continuation misprints numbers;
     klartext_tools = "klartext/tools":
-        builders_cycles builders_programs compensation left_places m6 oversizes places;
+        builders_cycles builders_programs change_by_m compensation left_places m6 oversizes places;
     mtc200 = "mtc200":
         arcs compensation corners corrections flow functions manual offsets path path_control programs text tools units variables;
+    mtc200_variables = "mtc200/variables":
+        divisors;
     mtc200_words = "mtc200/words":
         arguments entries left_side refused;
     same_part = "same_part":
@@ -89,9 +93,9 @@ books! {
     sinumerik_approach = "sinumerik/approach":
         lines;
     sinumerik_beside = "sinumerik/beside":
-        actions couplings;
+        actions couplings tables_of_numbered_axes;
     sinumerik_calls = "sinumerik/calls":
-        external left_behind left_out left_places left_technology numbered own_cycles parameters passes reserved save search_path;
+        change_by_m external left_behind left_out left_places left_technology numbered own_cycles parameters passes reserved save search_path;
     sinumerik_circles = "sinumerik/circles":
         cip_and_ct helices;
     sinumerik_compensation = "sinumerik/compensation":
@@ -105,7 +109,7 @@ books! {
     sinumerik_corners = "sinumerik/corners":
         chamfers rounding;
     sinumerik_drilling = "sinumerik/drilling":
-        boring cycle81 cycle82 cycle83 cycle84 cycle840 cycle840_techno lathe planes zone_signs zones;
+        boring cycle81 cycle82 cycle83 cycle84 cycle840 cycle840_pitches cycle840_techno lathe planes zone_signs zones;
     sinumerik_examples = "sinumerik/examples":
         arcs corners faults frames language;
     sinumerik_feeds = "sinumerik/feeds":
@@ -119,7 +123,7 @@ books! {
     sinumerik_machining = "sinumerik/machining":
         contour_pockets contour_starts contour_ties cycle92 cycle93 cycle930 cycle95 cycle951 cycle952 cycle_modes described groove_rims grooves_refused milling milling_alarms milling_parameters normal_offset paths pocket_alarms pockets removal_readings rests slots thread_milling;
     sinumerik_measuring = "sinumerik/measuring":
-        blocks cycles;
+        blocks contact cycles;
     sinumerik_offsets = "sinumerik/offsets":
         g500 g53;
     sinumerik_patterns = "sinumerik/patterns":
@@ -133,7 +137,7 @@ books! {
     sinumerik_undercut_cycles = "sinumerik/undercut_cycles":
         cycle94 cycle940 cycle940_a cycle940_b cycle940_c cycle940_d cycle940_e cycle940_f cycle940_t cycle96 noses written_edges;
     sinumerik_variables = "sinumerik/variables":
-        arrays kept;
+        arrays divisors kept;
     targets_klartext = "targets/klartext":
         compensation feeds rigid_taps;
     targets_sinumerik = "targets/sinumerik":

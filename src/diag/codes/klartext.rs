@@ -312,6 +312,10 @@ K2414 Warning "feed-of-before-call" "cut takes the feed of before a program that
 Program F after the call, or say what it leaves: `HEADCLEAN = { ignore = true, feed = 500 }`; `feed = \"lost\"` makes every cut without an F of its own an error. It is said once for each \
 program that is called."
 
+K2415 Warning "variable-unused" "value of `[variables]` is not used"
+"The program reads Q108 to Q114, which follow from the program itself or from the data of the tool, and `[variables]` gives another value. What partc computes goes first: \
+`[tools]` says the radius that Q108 holds, and that compensates. Take the entry out of `[variables]`, or correct the data of the tool."
+
 K2501 Warning "shift-while-turned" "datum shift while mirrored, rotated or scaled"
 "Manuals do not say whether a datum shift programmed under an active mirror, rotation or scaling is measured along the original axes. \
 partc measures it along the original axes; `[control] shift_axes = \"transformed\"` along the transformed ones. \

@@ -4,8 +4,8 @@
 super::codes! { KLARTEXT_READINGS:
 
 K0801 Error "no-number" "word has no number"
-"CAM systems and post-processors print NaN, inf or 1.#IND where they had no value to print. What the word should say cannot be known. \
-Only the first such word of a program is reported; write the program anew."
+"CAM systems and post-processors print NaN, -nan(ind), inf or 1.#IND where they had no value to print. What the word should say cannot be known. \
+A number with an exponent, 1e-05, is one that the control does not read. Only the first such word of a program is reported; write the program anew."
 
 K2801 Error "tool-not-changed" "called tool is not in the spindle yet"
 "The program writes M6 of its own, so M6 changes the tool, and TOOL CALL only makes it ready. Here something cuts after a TOOL CALL \

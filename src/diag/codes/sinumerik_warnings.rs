@@ -254,6 +254,10 @@ S8171 Warning "siemens-feed-of-before-call" "cut takes the feed of before a call
 the output cuts at the wrong one. Program F after the call, or say what it leaves: `TC = { ignore = true, feed = 0.2 }`, in the unit that F \
 has there; `feed = \"lost\"` makes every cut without an F of its own an error. It is said once for each program that is called."
 
+S8172 Warning "siemens-variable-unused" "value of `[variables]` is not used"
+"The program reads a value of the control that follows from the program itself or from the data of the tool, and `[variables]` gives another one. What partc computes goes first: \
+`[tools]` says the radius that `$P_TOOLR` reads, and that compensates. Take the entry out of `[variables]`, or correct the data of the tool."
+
 S8190 Warning "siemens-g53-beside-g500" "machine coordinates beside positions under G500"
 "Positions under G500 count from the basic system and are printed as they stand, in the offset that is active on the target at the start. Those of G53, G153 and SUPA \
 count from the machine zero. The way between the two is the basic frame of the machine: give it by `[datums] basic`, or see that the offset on the target lies where the \

@@ -63,11 +63,27 @@ pub const KEYS: &[Key] = &[
             put(&mut s.control.sinumerik.tool_change_by_t, Some(is(v, "t")))
         },
     ),
+    key(
+        "tool_change_m",
+        Kind::Wholes,
+        "Klartext and SINUMERIK: M functions of the machine builder that change the tool as M6 does, also where pass_m lists them",
+        |s, v| put(&mut s.control.tool_change_m, wholes(v).map(|n| changing(v, n)).collect::<Result<_, _>>()?),
+    )
+    .or("[]"),
 ];
 
 fn skip_levels(node: &Node) -> Result<Vec<u8>, ConfigError> {
     let level = |n| u8::try_from(n).ok().filter(|n| *n <= 9).ok_or_else(|| node.fail("skip levels are 0 to 9"));
     wholes(node).map(level).collect()
+}
+
+/// An M function that no manual of a control gives another meaning.
+fn changing(node: &Node, number: i64) -> Result<u32, ConfigError> {
+    let known = matches!(number, 0..=9 | 13 | 14 | 17 | 19 | 30 | 40..=45 | 70);
+    match u32::try_from(number).ok().filter(|n| *n < 10_000) {
+        Some(number) if !known => Ok(number),
+        _ => Err(node.fail(format!("M{number} is no M function of a machine builder"))),
+    }
 }
 
 fn feed(node: &Node) -> Result<f64, ConfigError> {

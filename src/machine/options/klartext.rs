@@ -113,6 +113,13 @@ pub const KEYS: &[Key] = &[
         |s, v| put(&mut s.control.klartext_choices.probing_datum, Some(is(v, "set"))),
     ),
     key(
+        "probing_contact",
+        Kind::Choice(&["none"]),
+        "SINUMERIK: what MEAS and MEAW find where probing is left out; none: the probe touches nothing, each of their moves goes its whole \
+         way and is printed; without it the moves of MEAS are left out, and $AC_MEA is asked for",
+        |s, v| put(&mut s.control.klartext_choices.never_touches, is(v, "none")),
+    ),
+    key(
         "system_unit",
         Kind::Choice(&["program", "mm"]),
         "unit of the lengths that FN 18 reads in an INCH program; without it mm on a TNC7, and refused on older controls",
@@ -250,6 +257,8 @@ pub struct KlartextChoices {
     pub open_subprogram_ends: bool,
     /// Probing cycles are left out instead of being refused.
     pub probing_left_out: bool,
+    /// The probe of MEAS and MEAW touches nothing.
+    pub never_touches: bool,
     /// Where probing cycles are left out, the datum that they set is there on the target (true), or they are refused (false);
     /// `None` where nobody said.
     pub probing_datum: Option<bool>,

@@ -8,7 +8,7 @@ pub mod literal;
 pub mod problem;
 pub mod straight;
 
-pub use problem::no_number;
+pub use problem::misprinted;
 
 #[allow(clippy::all, clippy::pedantic, clippy::unwrap_used, unreachable_pub, missing_debug_implementations, unused)]
 mod grammar {

@@ -10,7 +10,7 @@ use crate::text::decode::{named, readable};
 
 use super::build::Refusal;
 use super::cycle::{begins_line, dangling};
-use crate::parser::not_a_number::is_no_number;
+use crate::parser::not_a_number::{Misprint, misprint};
 use crate::parser::problem::{Problem, whole_character};
 
 /// How blocks look, by their first word.
@@ -79,12 +79,12 @@ fn named_parameter(text: &[u8], from: u32) -> Option<Span> {
 fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
     let span = whole_character(span, text);
     let word = readable(span.of(text)).into_owned();
+    if let Some(problem) = misprinted(text, span) {
+        return problem;
+    }
     if tok == Tok::Bad {
         return Problem::new(codes::K0001, span, format!("{} has no place in a block", named(span.of(text))))
             .help("a comment starts with `;`");
-    }
-    if is_no_number(span.of(text)) {
-        return no_number(&word, span);
     }
     if span.start > from && begins_line(text, span.start) {
         return dangling(text, span.start, "the block");
@@ -93,6 +93,21 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
         return no_statement(&word, span, text);
     }
     Problem::new(codes::K1001, span, format!("`{word}` cannot stand here")).form(text, from)
+}
+
+/// A word around `span` that is no number, or one with an exponent.
+pub fn misprinted(text: &[u8], span: Span) -> Option<Problem> {
+    let (kind, range) = misprint(text, span.start as usize)?;
+    let span = Span { start: range.start as u32, end: range.end as u32 };
+    let word = readable(span.of(text)).into_owned();
+    Some(match kind {
+        Misprint::Nothing => no_number(&word, span),
+        Misprint::Exponent => {
+            let message = format!("`{word}` has an exponent, which the control does not read");
+            let help = "let the post-processor write numbers in full: 0.00001 for 1e-05; further words of this kind are not listed";
+            Problem::new(codes::K0801, span, message).help(help)
+        }
+    })
 }
 
 /// A word that some program wrote instead of a number.

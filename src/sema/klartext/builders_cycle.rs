@@ -11,6 +11,7 @@ use crate::text::Span;
 
 use super::cycle_definition::{Does, LeftWord, Open};
 use super::cycles::{Nature, find};
+use super::m_table;
 use super::{Outcome, Reported, Run};
 
 impl Run<'_> {
@@ -99,7 +100,8 @@ impl Run<'_> {
     /// Entries of `[programs]` that would make a cycle vanish that partc knows, and those that no block of this language reads.
     pub(super) fn refuse_entries_of_cycles(&self) {
         let programs = &self.job.settings.programs;
-        let motion = |name: &str| self.job.settings.left_by(name).rapid.map(|_| "Klartext has no G0 and no G1 that holds on");
+        let motion =
+            |name: &str| self.job.settings.left_by(name).rapid.map(|_| "Klartext has no G0 and no G1 that holds on");
         let entries: Vec<(&str, &str)> = programs
             .iter()
             .filter(|(name, _)| is_of_klartext(name))
@@ -108,6 +110,12 @@ impl Run<'_> {
         let help = "take them out: only a program or a cycle of the machine builder, which no manual of the control has, can be \
                     left out: `\"CYCL DEF 392\" = { ignore = true }`; touch probe cycles are left out by the key `probing` of `[control]`";
         self.refuse_entries("[programs]", &entries, help);
+        let changing = &self.job.settings.control.tool_change_m;
+        let known: Vec<String> =
+            changing.iter().filter(|m| m_table::entry(**m).is_some()).map(|m| format!("M{m}")).collect();
+        let entries: Vec<(&str, &str)> = known.iter().map(|m| (m.as_str(), "a function of the control")).collect();
+        let help = "take them out: only an M function of the machine builder can change the tool as M6 does";
+        self.refuse_entries("[control] tool_change_m", &entries, help);
     }
 }
 

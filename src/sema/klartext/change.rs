@@ -8,7 +8,7 @@ use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos};
 use crate::machine::Axis;
-use crate::parser::klartext::ast::{Addr, Stmt};
+use crate::parser::klartext::ast::{Addr, Stmt, Word};
 use crate::parser::symbols::Symbols;
 use crate::sema::common::plane::plane_axes;
 use crate::sema::run::unexecuted::Blocks;
@@ -20,7 +20,7 @@ use super::state::State;
 use super::{Klartext, Outcome, Reported, Run};
 
 /// The number of the M function that changes the tool.
-const M6: u32 = 6;
+pub(super) const M6: u32 = 6;
 
 impl State {
     /// TOOL CALL of the tool that was called last: nothing is to change that is not under way already.
@@ -123,7 +123,9 @@ impl Run<'_> {
             Change::Printed { .. } => format!("{by} belongs to the tool change printed for the TOOL CALL"),
             Change::None | Change::Announced => {
                 self.st.tool.change = Change::Announced;
-                format!("{by} stops the spindle and changes no tool; the next TOOL CALL of another tool prints its change")
+                format!(
+                    "{by} stops the spindle and changes no tool; the next TOOL CALL of another tool prints its change"
+                )
             }
         };
         if self.st.spindle.turns() {
@@ -241,14 +243,16 @@ fn goes(from: &Pos, end: &Pos, axis: Axis) -> bool {
 fn writes_m6(job: &Job<'_>, file: FileId, from: Loc) -> bool {
     let Some(mut blocks) = Blocks::<Klartext>::open(job, file, from) else { return false };
     let mut symbols = Symbols::default();
-    let wanted = |text: &[u8]| may_hold_m6(text) || may_end(text);
+    let changing = &job.settings.control.tool_change_m;
+    let wanted = |text: &[u8]| may_hold_m6(text) || !changing.is_empty() || may_end(text);
     // END PGM holds an M, too.
     while let Some(passed) = blocks.next_that(job, &mut symbols, Some(b'M'), wanted) {
         if matches!(passed.block.stmt, Stmt::End { .. }) {
             return false;
         }
         let skipped = job.skips(passed.block.skip.then_some(0));
-        if !skipped && passed.block.words.iter().any(|word| word.addr == Addr::M(M6)) {
+        let changes = |word: &Word| matches!(word.addr, Addr::M(number) if number == M6 || changing.contains(&number));
+        if !skipped && passed.block.words.iter().any(changes) {
             return true;
         }
     }

@@ -121,7 +121,20 @@ impl Run<'_> {
     /// `Q200=+2`
     fn cycle_parameter(&mut self, q: QRef, word: Word, text: &[u8]) -> Outcome {
         let number = self.open_cycle().number;
-        if q.kind == QKind::Q && !find(number).takes(number, q) {
+        let takes = q.kind != QKind::Q || find(number).takes(number, q);
+        if !takes && q.number < 100 && matches!(find(number).nature, Nature::Unknown) {
+            let message = format!(
+                "`{}` in the definition of cycle {number}: Q0 to Q99 belong to the program, and whether the cycle changes {q} \
+                 there is up to the machine builder",
+                self.word_text(word.span)
+            );
+            let help = format!(
+                "if the program counts with this {q}, write it as a block of its own and end the line before it without `~`; \
+                 if only the cycle reads it, take the line out together with the cycle"
+            );
+            return self.fail_help(codes::K1005, word.span, message, help);
+        }
+        if !takes {
             return self.fail_help(
                 codes::K1005,
                 word.span,

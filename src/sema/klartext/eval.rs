@@ -166,6 +166,7 @@ impl Run<'_> {
             && (100..200).contains(&q.number)
             && let Some(value) = self.control_value(q.number, span)?
         {
+            self.says_unused(q, value, span);
             return Ok(Val::Real(value));
         }
         match self.vars.get(self.locals(), q) {
@@ -183,6 +184,23 @@ impl Run<'_> {
                 Err(Reported)
             }
             None => self.undefined(q, span),
+        }
+    }
+
+    /// What the program and `[tools]` determine goes before a value of `[variables]`.
+    fn says_unused(&self, q: QRef, taken: f64, span: Span) {
+        let variables = &self.job.settings.variables;
+        if variables.is_empty() {
+            return;
+        }
+        let key = q.to_string();
+        let Some(given) = variables.get(&key).filter(|given| **given != taken) else { return };
+        let message = format!(
+            "`{key}` = {given} of `[variables]` is not used: what the program and `[tools]` say makes it {taken}"
+        );
+        if self.job.diags.first_text(codes::K2415, &message) {
+            let help = format!("take `{key}` out of `[variables]`, or correct the data of the tool");
+            self.report(Diagnostic::new(codes::K2415, self.loc(span), message).help(help));
         }
     }
 

@@ -37,15 +37,15 @@ impl Run<'_> {
         }
         match change {
             None => {
-                let text =
-                    format!("`{name}` is left out, as `[programs]` says: the Q parameters keep what they were");
+                let text = format!("`{name}` is left out, as `[programs]` says: the Q parameters keep what they were");
                 if self.job.diags.first_text(codes::K2413, &text) {
                     self.report(Diagnostic::new(codes::K2413, self.here.origin.loc, text));
                 }
             }
             Some(ChangeCall { tool: None, edge: None }) => self.change_by_program(name, span)?,
             Some(_) => {
-                let message = format!("`[programs]` says that an argument of {key} names the tool, and CALL PGM has none");
+                let message =
+                    format!("`[programs]` says that an argument of {key} names the tool, and CALL PGM has none");
                 let help = format!("`\"{key}\" = {{ change = true }}` changes to the tool of the TOOL CALL before it");
                 return self.fail_help(codes::P0205, span, message, help);
             }
@@ -142,7 +142,8 @@ impl Run<'_> {
         self.st.feed.took_left();
         let Some(left) = self.feed_left.take() else { return };
         let FeedLeft { name, call } = *left;
-        let message = format!("this cut takes the feed of before `{name}`, which is left out and may leave another one");
+        let message =
+            format!("this cut takes the feed of before `{name}`, which is left out and may leave another one");
         if !self.job.diags.first_text(codes::K2414, &message) {
             return;
         }
@@ -160,17 +161,16 @@ pub(super) fn or_left_out(mut found: Diagnostic, name: &str) -> Diagnostic {
         return found;
     }
     let key = key_of(name);
-    let more = format!("; a program of the machine builder that moves nothing is left out by `[programs] \"{key}\" = {{ ignore = true }}`");
+    let more = format!(
+        "; a program of the machine builder that moves nothing is left out by `[programs] \"{key}\" = {{ ignore = true }}`"
+    );
     found.help.get_or_insert_default().push_str(&more);
     found.answers.push(Answer::key("programs", key).one_of(&["{ ignore = true }"]));
     found
 }
 
 /// The entry for a program: by its name as written, without its folder, or without its extension, too.
-fn entry_of(
-    programs: &std::collections::BTreeMap<String, StandIn>,
-    name: &str,
-) -> Option<(String, StandIn)> {
+fn entry_of(programs: &std::collections::BTreeMap<String, StandIn>, name: &str) -> Option<(String, StandIn)> {
     let written = name.to_ascii_uppercase();
     let last = written.rsplit(['/', '\\', ':']).next().unwrap_or(&written).to_owned();
     [written, last, key_of(name)].into_iter().find_map(|key| {

@@ -9,6 +9,7 @@ use crate::ir::{Function, Side};
 use crate::machine::Unit;
 use crate::text::Span;
 
+use super::active_tool::Change;
 use super::m_table::{Act, When, entry};
 use super::words::{Comp, MWord, Words};
 use super::{Outcome, Run};
@@ -93,15 +94,18 @@ impl Run<'_> {
                 Some(_) => {}
                 None if self.job.settings.output.pass_m.contains(&m.number) => {}
                 None => {
-                    return self.fail_help(
-                        codes::K2701,
-                        m.span,
-                        format!("M{} is a function of the machine builder", m.number),
-                        Answer::pass_m(m.number).help(format!(
-                            "if the target machine understands it, add `[output] pass_m = [{}]`",
-                            m.number
-                        )),
-                    );
+                    let number = m.number;
+                    let usual = format!("if the target machine understands it, add `[output] pass_m = [{number}]`");
+                    let help = match self.st.tool.change {
+                        Change::Called { .. } | Change::Printed { moved: false } => Answer::pass_m(number)
+                            .help(format!(
+                                "if it changes to the tool of the TOOL CALL, say so: `[control] tool_change_m = [{number}]`; {usual}"
+                            ))
+                            .and(Answer::changing_m(number)),
+                        _ => Answer::pass_m(number).help(usual),
+                    };
+                    let message = format!("M{number} is a function of the machine builder");
+                    return self.fail_help(codes::K2701, m.span, message, help);
                 }
             }
         }

@@ -347,7 +347,10 @@ impl Run<'_> {
         if self.cycles.is_open() && !self.continues_cycle(block) {
             self.finish_cycle();
         }
-        if self.contour_waits() && !fk::goes_on(block) && self.close_contour().is_err() {
+        if self.contour_waits()
+            && !fk::goes_on(block, &self.job.settings.control.tool_change_m)
+            && self.close_contour().is_err()
+        {
             self.lose_feed(block);
         }
         if self.approach.is_some()

@@ -7,8 +7,7 @@
 
 use crate::diag::{Code, Diagnostic, codes};
 use crate::parser::klartext::ast::{Addr, Block, LabelRef, Refused, Stmt, Word};
-use crate::parser::klartext::no_number;
-use crate::parser::not_a_number::is_no_number;
+use crate::parser::klartext::misprinted;
 use crate::parser::symbols::Symbols;
 use crate::sema::Job;
 use crate::sema::run::Site;
@@ -108,8 +107,8 @@ fn wrong_word(job: &Job<'_>, block: &Block, text: &[u8], here: &Site) -> Option<
         let loc = || here.loc(job, word.span);
         if !admits.takes(word) {
             // One finding of the program says that some words have no numbers.
-            if is_no_number(shown().as_bytes()) {
-                let found = here.diagnostic(job, no_number(&shown(), word.span));
+            if let Some(problem) = misprinted(text, word.span) {
+                let found = here.diagnostic(job, problem);
                 return (!job.diags.any(|known| known.code == codes::K0801)).then_some(found);
             }
             return Some(
@@ -169,9 +168,16 @@ fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
         }
         _ => None,
     };
+    let refused_m = |number: u32, job: &Job<'_>| {
+        let control = &job.settings.control;
+        if control.tool_change_m.contains(&number) {
+            return None;
+        }
+        m_table::refused_code(number, &job.settings.output.pass_m)
+    };
     code.or_else(|| {
         block.words.iter().find_map(|word| match word.addr {
-            Addr::M(number) => m_table::refused_code(number, &job.settings.output.pass_m),
+            Addr::M(number) => refused_m(number, job),
             Addr::FeedOther if !begins_with_fz(word.span.of(text)) => Some(codes::K9013),
             Addr::CuttingSpeed => Some(codes::K9011),
             _ => None,

@@ -5,10 +5,11 @@ use crate::ir::{Pos, Side};
 use crate::lexer::klartext::Value;
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Block, Stmt, Word};
-use crate::parser::klartext::no_number;
-use crate::parser::not_a_number::is_no_number;
+use crate::parser::klartext::misprinted;
+use crate::parser::problem::Problem;
 use crate::text::{Span, decode::readable};
 
+use super::change::M6;
 use super::m_table::{self, Args};
 use super::{Outcome, Run};
 
@@ -202,7 +203,9 @@ impl Run<'_> {
                     if w.m.len() == MOST_M {
                         return self.fail(codes::K1005, word.span, "too many M functions in one block");
                     }
-                    w.m.push(MWord { number, span: word.span, args });
+                    let changes =
+                        m_table::entry(number).is_none() && self.job.settings.control.tool_change_m.contains(&number);
+                    w.m.push(MWord { number: if changes { M6 } else { number }, span: word.span, args });
                 }
                 // Empty words of old listings mean "unchanged".
                 Addr::FeedEmpty | Addr::MEmpty | Addr::RadiusEmpty => {}
@@ -336,8 +339,8 @@ impl Run<'_> {
     #[cold]
     pub(super) fn not_admitted<T>(&self, word: Word, head: &str) -> Outcome<T> {
         let text = self.word_text(word.span);
-        if is_no_number(text.as_bytes()) || self.goes_on_without_number(word, &text) {
-            self.report_problem(no_number(&text, word.span));
+        if let Some(problem) = self.misprinted_word(word.span) {
+            self.report_problem(problem);
             return Err(super::Reported);
         }
         let help = match (word.addr, head) {
@@ -353,13 +356,15 @@ impl Run<'_> {
         self.fail_help(codes::K1005, word.span, format!("`{text}` has no place in {block}"), help)
     }
 
-    /// `X-1.#IND`: the mark belongs to the number in front of it.
-    fn goes_on_without_number(&self, word: Word, text: &str) -> bool {
-        let reaches = |more| {
-            let wider = Span { start: word.span.start, end: word.span.end + more };
-            is_no_number(self.word_text(wider).as_bytes())
-        };
-        text == "#" && (reaches(3) || reaches(4))
+    /// What is wrong with the number that a word belongs to: `X-1.#IND`, `X1e5`.
+    fn misprinted_word(&self, span: Span) -> Option<Problem> {
+        let block = self.block_span();
+        let text = self.word_text(block);
+        // Decoded text is as long as its bytes where a number stands in it.
+        let at = span.start.checked_sub(block.start)?;
+        let mut problem = misprinted(text.as_bytes(), Span::at(at, span.end - span.start))?;
+        problem.span = Span { start: problem.span.start + block.start, end: problem.span.end + block.start };
+        Some(problem)
     }
 
     /// A word as the programmer wrote it.

@@ -292,7 +292,7 @@ impl Run<'_> {
             Target::Letter(b'M' | b'S' | b'T' | b'D' | b'H' | b'L' | b'P' | b'R') => false,
             Target::Letter(letter) => self.letter_variable(letter).is_none(),
             Target::Numbered(_, _, name) | Target::Name(name) if self.vars.find(name).is_some() => false,
-            Target::Numbered(letter, ..) => letter != b'R' && self.axis_of(word).is_some(),
+            Target::Numbered(letter, _, name) => letter != b'R' && matches!(self.meaning(name), Meaning::Axis(_)),
             Target::Name(name) => {
                 let polynomial = matches!(self.symbols.name(name), "PL" | "PW" | "SD");
                 polynomial

@@ -128,7 +128,7 @@ impl Run<'_> {
         self.early_functions(w)?;
         let corner_before = self.st.corners.open.site();
         let moved = match w.probe {
-            Some(probe) if !probe.whole_way => self.probe_block(w, probe).map(|()| false)?,
+            Some(probe) if !probe.whole_way && !self.never_touches() => self.probe_block(w, probe).map(|()| false)?,
             Some(probe) => {
                 self.may_leave_probe_out(probe)?;
                 self.motion(w, block)? && self.measured_on_the_way(probe)

@@ -289,8 +289,14 @@ impl Channel<'_> {
     /// MEAW: its move was printed.
     pub(super) fn measured_on_the_way(&mut self, probe: ProbeWord) -> bool {
         let loc = self.loc(probe.span);
-        let message =
-            format!("{} is left out, its move is not: what it measures is known at the machine only", probe.name);
+        let message = if self.never_touches() {
+            format!(
+                "{} is left out, its move is not: the probe touches nothing, as `[control] probing_contact` says",
+                probe.name
+            )
+        } else {
+            format!("{} is left out, its move is not: what it measures is known at the machine only", probe.name)
+        };
         let found = Diagnostic::new(codes::S8167, loc, message);
         if !self.job.diags.knows(&found) {
             self.report(
@@ -299,6 +305,36 @@ impl Channel<'_> {
         }
         self.has_measured(probe.name, loc);
         true
+    }
+
+    /// Does the configuration say that the probe touches nothing, so that each move goes its whole way?
+    pub(super) fn never_touches(&self) -> bool {
+        self.job.settings.control.klartext_choices.never_touches
+    }
+
+    /// The probe touched nothing: what it measured has no value, and whether it touched is known.
+    pub(super) fn untouched_value(&mut self, word: &str, key: &str, span: Span) -> Outcome<Option<Val>> {
+        let Some((name, at)) = self.measured.last.clone().filter(|(name, _)| name.starts_with("MEA")) else {
+            return Ok(None);
+        };
+        if !self.never_touches() || !is_measured(word) || self.st.system.is_written(key) {
+            return Ok(None);
+        }
+        if word != "$AC_MEA" {
+            let message = format!(
+                "`{key}` has no value: {name} in line {} touches nothing, as `[control] probing_contact` says",
+                at.line
+            );
+            let help = "take `probing_contact` out of `[control]`: then each value is asked for";
+            return self.fail_help(codes::S2028, span, message, help);
+        }
+        let message =
+            format!("`{key}` is 0: {name} in line {} touches nothing, as `[control] probing_contact` says", at.line);
+        if self.job.diags.first_text(codes::S8169, &message) {
+            let found = Diagnostic::new(codes::S8169, self.loc(span), message).also(at, "it is measured here");
+            self.report(found.help("check that the control goes the same way through the program"));
+        }
+        Ok(Some(Val::Int(0)))
     }
 
     /// G4, TRANS and their kin take no words of moves.

@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::machine::Axis;
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
@@ -118,17 +118,43 @@ impl Run<'_> {
     }
 }
 
+/// A probe that only guards its move touches nothing.
+fn or_untouched(mut help: Help) -> Help {
+    help.text.push_str(
+        "; if the probe only guards its move and touches nothing, set `[control] probing_contact = \"none\"`",
+    );
+    help.and(Answer::key("control", "probing_contact").one_of(&["\"none\""]))
+}
+
 impl Channel<'_> {
+    /// What the program and `[tools]` determine goes before a value of `[variables]`.
+    fn says_unused(&self, key: &str, value: &Val, span: Span) {
+        let Some(given) = self.job.settings.variables.get(key).copied() else { return };
+        let Some(taken) = value.number().filter(|taken| *taken != given) else { return };
+        let message = format!(
+            "`{key}` = {given} of `[variables]` is not used: the program, `[tools]` or another key make it {taken}"
+        );
+        if self.job.diags.first_text(codes::S8172, &message) {
+            let help = format!("take `\"{key}\"` out of `[variables]`, or correct what says otherwise");
+            self.report(Diagnostic::new(codes::S8172, self.loc(span), message).help(help));
+        }
+    }
+
     /// Reads `$NAME[args]`.
     pub(super) fn system_value(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Val> {
         let word = self.symbols.name(name).to_owned();
         if !self.set_beside.is_empty() {
             self.system_is_own(&word, &system_key(&word, args), span)?;
         }
+        let key = system_key(&word, args);
         if let Some(value) = self.known_value(&word, args, span)? {
+            self.says_unused(&key, &value, span);
             return Ok(value);
         }
-        let key = system_key(&word, args);
+        if let Some(value) = self.untouched_value(&word, &key, span)? {
+            self.says_unused(&key, &value, span);
+            return Ok(value);
+        }
         if let Some(value) = self.st.system.get(&key) {
             let unit = self.st.tool_data_unit(&word);
             return Ok(match value.number() {
@@ -145,7 +171,8 @@ impl Channel<'_> {
         let message = format!("the value of `{key}` is known on the machine only{}", said_meaning(&word, args));
         let help = self.tool_is_asked(&word, args, &key).unwrap_or_else(|| {
             let meaning = meaning_of(&word, args).unwrap_or_default();
-            Answer::variable(&key, meaning).help(format!("give it under [variables]: \"{key}\" = value"))
+            let help = Answer::variable(&key, meaning).help(format!("give it under [variables]: \"{key}\" = value"));
+            if word == "$AC_MEA" { or_untouched(help) } else { help }
         });
         self.fail_help(codes::S2028, span, message, help)
     }

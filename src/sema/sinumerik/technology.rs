@@ -235,13 +235,17 @@ impl Channel<'_> {
                 );
             }
             number => {
-                return self.fail_help(
-                    codes::S2044,
-                    m.span,
-                    format!("what M{number} does is up to the machine builder"),
-                    Answer::pass_m(number)
-                        .help(format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`")),
-                );
+                let usual = format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`");
+                let help = match self.st.tool.waiting() {
+                    Some(tool) => Answer::pass_m(number)
+                        .help(format!(
+                            "if it changes to tool {tool}, say so: `[control] tool_change_m = [{number}]`; {usual}"
+                        ))
+                        .and(Answer::changing_m(number)),
+                    None => Answer::pass_m(number).help(usual),
+                };
+                let message = format!("what M{number} does is up to the machine builder");
+                return self.fail_help(codes::S2044, m.span, message, help);
             }
         }
         Ok(())

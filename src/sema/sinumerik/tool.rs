@@ -186,7 +186,8 @@ impl Channel<'_> {
         // A program that changes to the chosen tool would have nothing to do.
         let by_program =
             || settings.programs.values().any(|known| matches!(known, StandIn::Change(ChangeCall { tool: None, .. })));
-        settings.control.sinumerik.tool_change_by_t.unwrap_or_else(|| self.st.machine.lathe && !by_program())
+        let by_m = !settings.control.tool_change_m.is_empty();
+        settings.control.sinumerik.tool_change_by_t.unwrap_or_else(|| self.st.machine.lathe && !by_m && !by_program())
     }
 
     pub(super) fn tool_by_number(&mut self, number: u32, span: Span) -> Outcome<u32> {

@@ -330,7 +330,8 @@ impl<'a> Unexecuted<'a> {
             }
             (Target::Letter(b'M'), Value::Literal { value, .. }) => {
                 let known = value <= 9.0 || matches!(value as u32, 17 | 19 | 30 | 40..=45);
-                let passed = self.job.settings.output.pass_m.contains(&(value as u32));
+                let passed = self.job.settings.output.pass_m.contains(&(value as u32))
+                    || self.job.settings.control.tool_change_m.contains(&(value as u32));
                 (!known && !passed).then(|| refused(self.job, here, word.span, codes::S2044))
             }
             (Target::Name(name), Value::None | Value::Call(_)) => {

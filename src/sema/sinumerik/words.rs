@@ -385,12 +385,11 @@ impl Run<'_> {
             b'L' => words.set_subprogram(&self.core, word, given),
             _ => {
                 let message = format!("the address {} is not known", letter as char);
-                self.fail_help(
-                    codes::S2016.alarm(12050),
-                    word.span,
-                    message,
-                    "check the letter; axes are X Y Z A B C U V W",
-                )
+                let help = match letter {
+                    b'E' => "an exponent is written EX: 1EX5 for 1e5; axes are X Y Z A B C U V W",
+                    _ => "check the letter; axes are X Y Z A B C U V W",
+                };
+                self.fail_help(codes::S2016.alarm(12050), word.span, message, help)
             }
         }
     }
@@ -526,7 +525,11 @@ impl Words {
         if given.value < 0.0 || given.value > 1e9 || given.value.fract() != 0.0 {
             return core.fail(codes::S2044, given.span, format!("M{} is no M function", given.value));
         }
-        self.m.push(MWord { spindle, number: given.value as u32, span: given.span });
+        let mut number = given.value as u32;
+        if core.job.settings.control.tool_change_m.contains(&number) {
+            number = 6;
+        }
+        self.m.push(MWord { spindle, number, span: given.span });
         Ok(())
     }
 }

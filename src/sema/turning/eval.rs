@@ -1,9 +1,9 @@
 //! Variables and formulas: reading, computing, assigning.
 
 use crate::diag::{Answer, Diagnostic, codes};
+use crate::lexer::formula::Function;
 use crate::lexer::turning::{VarKind, VarRef};
 use crate::parser::turning::ast::{Block, Formula, Op};
-use crate::lexer::formula::Function;
 use crate::sema::value::{At, Divisor, Fault, Formulas, Machine, Never, Rules, SetBy, Stop, Val, evaluate, noun};
 use crate::text::Span;
 
@@ -33,7 +33,9 @@ impl Formulas for Run<'_> {
     }
 
     fn divisor(&self, operand: &[Op], _: At<'_>) -> Option<Divisor> {
-        let ([.., Op::Var(var, _)] | [.., Op::Var(var, _), Op::Unary(Function::Negate)]) = *operand else { return None };
+        let ([.., Op::Var(var, _)] | [.., Op::Var(var, _), Op::Unary(Function::Negate)]) = *operand else {
+            return None;
+        };
         let own = matches!(var.kind, VarKind::Local | VarKind::Argument).then_some(self.here.origin.call);
         let name = var.to_string();
         Some(Divisor { set: SetBy::of(&self.job, &name, own).unwrap_or(SetBy::Unknown), name })

@@ -229,7 +229,8 @@ mod tests {
         }
 
         fn divisor(&self, operand: &[Op], _: At<'_>) -> Option<Divisor> {
-            matches!(operand, [.., Op::Nested]).then(|| Divisor { name: "N".to_owned(), set: super::super::SetBy::Nobody })
+            matches!(operand, [.., Op::Nested])
+                .then(|| Divisor { name: "N".to_owned(), set: super::super::SetBy::Nobody })
         }
 
         fn fault(&self, fault: Fault, _: At<'_>) -> Reported {

@@ -102,9 +102,12 @@ impl Free {
 }
 
 /// May the block stand between elements of a free contour that wait for each other?
-pub(super) fn goes_on(block: &Block) -> bool {
+pub(super) fn goes_on(block: &Block, changing: &[u32]) -> bool {
     match block.stmt {
-        Stmt::Functions => !block.words.iter().any(|word| matches!(word.addr, Addr::M(2 | 6 | 30 | 89 | 99))),
+        Stmt::Functions => !block
+            .words
+            .iter()
+            .any(|word| matches!(word.addr, Addr::M(n) if matches!(n, 2 | 6 | 30 | 89 | 99) || changing.contains(&n))),
         Stmt::Empty
         | Stmt::Fk(_)
         | Stmt::Rounding

@@ -338,8 +338,10 @@ impl CycleCall<'_, '_> {
             20.0 => self.reading(ENC, "ENC 20 is tapping with an encoder and a dwell"),
             1.0 => {
                 if pitched {
+                    let given = if args.or_zero(PIT) != 0.0 { args.or_zero(PIT) } else { args.or_zero(MPIT) };
+                    let word = if args.or_zero(PIT) != 0.0 { "PIT" } else { "MPIT" };
                     let message = format!(
-                        "{}: without an encoder F and S make the thread, and the pitch of the call is not used",
+                        "{}: without an encoder F and S make the thread, and the pitch of the call, {word} {given}, is not used",
                         args.name()
                     );
                     self.note_once(codes::S8025, args.span_of(ENC), message);
