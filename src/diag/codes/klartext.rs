@@ -397,7 +397,7 @@ Write the function into the block that ends in the corner."
 
 K2701 Error "m-function-unknown" "M function is unknown"
 "The machine builder defines this M function, so what it does is not known, and it may move something. \
-If the target machine understands the same number, list it: `[output] pass_m = [25]`. Else take it out of the program."
+If the target machine understands the same number, list it: `[output] pass_m = [25]`; if it changes the tool as M6 does: `[control] tool_change_m = [25]`. Else take it out of the program."
 
 K2702 Note "tool-change-joined" "M6 changes no tool by itself"
 "Either the tool change was printed at the TOOL CALL already, because `[control] tool_change = \"t\"` says so or nobody knew of this M6, or no TOOL CALL \

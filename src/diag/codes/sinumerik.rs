@@ -163,7 +163,7 @@ S2043 Error "siemens-tool" "tool is not known"
 
 S2044 Error "siemens-m-unknown" "M function of the machine builder"
 "What this M function does, and whether it moves something, is up to the machine builder. If it may be printed as it stands, list it under \
-`[output] pass_m`."
+`[output] pass_m`; if it changes the tool as M6 does, under `[control] tool_change_m`."
 
 S2045 Error "siemens-spindle" "spindle word cannot be carried out"
 "The speed is negative or missing, the spindle does not exist, or a dwell in turns has no fixed speed to count with."

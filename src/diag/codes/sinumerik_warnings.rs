@@ -324,13 +324,14 @@ Where an axis of the output follows or swings they are refused all the same."
 
 S8167 Warning "siemens-measuring-left-out" "measuring is left out"
 "`[control] probing = \"leave-out\"` leaves out measuring cycles, and blocks with MEAS together with their moves. Where the probe left the axes is known at the machine only: increments and arcs \
-after it are refused until the program says where the tool is. MEAW and MEAWA go their whole way, so their moves are printed. What is measured is asked for by its name where the program reads it."
+after it are refused until the program says where the tool is. MEAW and MEAWA go their whole way, so their moves are printed; so do all where `[control] probing_contact = \"none\"` says that the probe touches nothing. What is measured is asked for by its name where the program reads it."
 
 S8168 Note "siemens-measuring-arguments" "arguments of measuring cycles are left out"
 "`_MVAR`, `_SETVAL`, `_KNUM` and others tell a measuring cycle what to do. They have no effect on anything else, and are left out with the cycle."
 
 S8169 Warning "siemens-measured-value-given" "value of the configuration stands for a measured one"
-"The program computes with what a probe found, and `[variables]` gives a number for it. One number stands for all measurings of the program: check that it is right for the one that the message names."
+"The program computes with what a probe found, and `[variables]` gives a number for it. One number stands for all measurings of the program: check that it is right for the one that the message names. \
+`[control] probing_contact = \"none\"` does the same for `$AC_MEA`, which it makes 0."
 
 S8170 Note "siemens-action-words" "words that act on synchronized actions are left out"
 "CANCEL, LOCK, UNLOCK and RESET end, hold, free and reset synchronized actions, none of which is in the output."

@@ -16,11 +16,9 @@ use crate::text::{FileId, Loc, Span};
 
 use super::super::Job;
 use super::active_tool::Change;
+use super::m_table::M6;
 use super::state::State;
 use super::{Klartext, Outcome, Reported, Run};
-
-/// The number of the M function that changes the tool.
-pub(super) const M6: u32 = 6;
 
 impl State {
     /// TOOL CALL of the tool that was called last: nothing is to change that is not under way already.

@@ -5,6 +5,9 @@ use crate::ir::compensation::FeedAt;
 use crate::ir::function::Turn;
 use crate::machine::{Axis, AxisSet};
 
+/// The number of the M function that changes the tool.
+pub(super) const M6: u32 = 6;
+
 /// What follows an M function.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Args {

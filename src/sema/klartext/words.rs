@@ -9,8 +9,7 @@ use crate::parser::klartext::misprinted;
 use crate::parser::problem::Problem;
 use crate::text::{Span, decode::readable};
 
-use super::change::M6;
-use super::m_table::{self, Args};
+use super::m_table::{self, Args, M6};
 use super::{Outcome, Run};
 
 /// Which words a head admits.

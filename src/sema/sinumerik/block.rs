@@ -131,7 +131,8 @@ impl Run<'_> {
             Some(probe) if !probe.whole_way && !self.never_touches() => self.probe_block(w, probe).map(|()| false)?,
             Some(probe) => {
                 self.may_leave_probe_out(probe)?;
-                self.motion(w, block)? && self.measured_on_the_way(probe)
+                let moved = self.motion(w, block)?;
+                self.measured_on_the_way(probe, moved)
             }
             None => self.motion(w, block)?,
         };

@@ -286,25 +286,31 @@ impl Channel<'_> {
         }
     }
 
-    /// MEAW: its move was printed.
-    pub(super) fn measured_on_the_way(&mut self, probe: ProbeWord) -> bool {
-        let loc = self.loc(probe.span);
-        let message = if self.never_touches() {
-            format!(
-                "{} is left out, its move is not: the probe touches nothing, as `[control] probing_contact` says",
-                probe.name
-            )
-        } else {
-            format!("{} is left out, its move is not: what it measures is known at the machine only", probe.name)
+    /// MEAW, and MEAS whose probe touches nothing: its move was printed, if there was one.
+    pub(super) fn measured_on_the_way(&mut self, probe: ProbeWord, moved: bool) -> bool {
+        let (loc, name) = (self.loc(probe.span), probe.name);
+        let (message, help) = match (moved, self.never_touches()) {
+            (true, true) => (
+                format!(
+                    "{name} is left out, its move is not: the probe touches nothing, as `[control] probing_contact` says"
+                ),
+                "the block goes its whole way, whatever the probe does: check that nothing stands in it",
+            ),
+            (true, false) => (
+                format!("{name} is left out, its move is not: what it measures is known at the machine only"),
+                "the block goes its whole way, whatever the probe does: check that nothing stands in it",
+            ),
+            (false, _) => (
+                format!("{name} is left out: its block moves no axis of the output"),
+                "check what follows: no move of the target stands for this one",
+            ),
         };
         let found = Diagnostic::new(codes::S8167, loc, message);
         if !self.job.diags.knows(&found) {
-            self.report(
-                found.help("the block goes its whole way, whatever the probe does: check that nothing stands in it"),
-            );
+            self.report(found.help(help));
         }
-        self.has_measured(probe.name, loc);
-        true
+        self.has_measured(name, loc);
+        moved
     }
 
     /// Does the configuration say that the probe touches nothing, so that each move goes its whole way?
