@@ -38,7 +38,7 @@ fn is_form(rest: &[u8]) -> bool {
     let in_brackets =
         |rest: &[u8]| rest.ends_with(b")") && rest[1..rest.len() - 1].iter().all(u8::is_ascii_alphanumeric);
     match rest.strip_prefix(b"NAN") {
-        Some([b'(', ..]) => rest.len() > 4 && in_brackets(&rest[3..]),
+        Some([b'(', ..]) => rest.len() > 5 && in_brackets(&rest[3..]),
         _ => FORMS.contains(&rest),
     }
 }
