@@ -26,8 +26,8 @@ use super::{Exit, Trouble, say};
 
 /// Characters in a line on the terminal.
 const WIDTH: usize = 100;
-/// Slower work, of many small programs, shows no speed, MB/s.
-const SLOWEST: f64 = 0.1;
+/// Fewer bytes show no speed: what they took was mostly the start.
+const LEAST_FOR_SPEED: u64 = 5_000_000;
 
 /// How findings shall look: all that a thread needs to know that makes them.
 #[derive(Debug, Clone, Copy)]
@@ -446,8 +446,11 @@ impl Reporter {
         }
         let counts = format!("{}, {}", counted(errors, "error", "errors"), counted(warnings, "warning", "warnings"));
         let time = self.started.elapsed();
-        let speed = self.bytes as f64 / 1e6 / time.as_secs_f64();
-        let speed = if time > QUIET && speed >= SLOWEST { format!(", {speed:.1} MB/s") } else { String::new() };
+        let speed = if time > QUIET && self.bytes >= LEAST_FOR_SPEED {
+            format!(", {:.1} MB/s", self.bytes as f64 / 1e6 / time.as_secs_f64())
+        } else {
+            String::new()
+        };
         let written = if self.written > 0 { format!("{} written, ", self.written) } else { String::new() };
         Some(if self.programs < 2 { counts } else { format!("{} programs, {written}{counts}{speed}", self.programs) })
     }
