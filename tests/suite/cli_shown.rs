@@ -61,3 +61,21 @@ fn a_folder_is_counted_from_the_configuration() {
     );
     assert!(!config.contains("left whatever"), "{config}");
 }
+
+/// Of many programs the errors of each stand first, and what is found in several blocks is told once, with how often.
+#[test]
+fn a_cause_is_told_once_and_errors_first() {
+    let part = "0 BEGIN PGM A MM\n1 TOOL CALL 5 Z S1000\n2 CC X+0\n3 L X+0 Y+0 R5 F300\n4 L X+1 R5\n5 L X+2 R5\n6 L X+3 R6\n7 M30\n\
+                8 END PGM A MM\n";
+    let folder = Folder::new("shown_causes").with(&[("A.H", part), ("B.H", &part.replace("PGM A", "PGM B"))]);
+    let said = folder.run(&["check", "."]).exits(1).err;
+    let of_a: Vec<&str> = said.lines().filter(|line| line.contains("A.H:")).collect();
+    let told: Vec<&&str> = of_a.iter().filter(|line| line.contains("`R5`")).collect();
+    assert!(
+        told.len() == 1 && told[0].contains("A.H:4:13: error[K1005]: ") && told[0].contains(" (3 times)"),
+        "{said}"
+    );
+    let severities: Vec<bool> = of_a.iter().map(|line| line.contains(": error[")).collect();
+    assert!(severities.is_sorted_by(|a, b| a >= b), "{said}");
+    assert!(said.contains("2 programs, 10 errors"), "{said}");
+}
