@@ -72,7 +72,10 @@ pub(super) fn requests(session: &Session, folder_of: &dyn Fn(&str) -> Option<(St
                 list.push(request(Answer::entry("include", "roots", root).one_of(&[folder])));
             }
             None => {
-                let known = found.answers.iter().filter(|answer| !matches!(answer.values, Values::FolderOf(_)));
+                // How far a run may go is no question of the machine, and a loop without an end asks for ever more.
+                let is_asked =
+                    |answer: &&Answer| !matches!(answer.values, Values::FolderOf(_)) && answer.section != "limits";
+                let known = found.answers.iter().filter(is_asked);
                 list.extend(known.cloned().map(request));
             }
         }
@@ -428,7 +431,7 @@ impl Need {
             return format!("number: {meaning}; ");
         }
         match (self.answer.section, key_of(&self.answer)) {
-            ("include", _) => "a folder; ".to_owned(),
+            ("include", _) => "a folder, counted from this file; ".to_owned(),
             ("datums", None) if self.answer.values == Values::Coordinates => {
                 "machine coordinates of its zero, as { X = …, Y = …, Z = … }; ".to_owned()
             }
@@ -551,6 +554,7 @@ fn tried(answer: &Answer) -> Option<&'static str> {
         ("output", "tool_offsets") => "999",
         ("control", "retract_max") | ("start" | "machine", _) => "0.0",
         ("include", _) => "\".\"",
+        ("undercut", _) => return None,
         ("control", "modulo") => "\"truncate\"",
         _ => match key_of(answer).map(|key| key.kind) {
             Some(Kind::Text | Kind::Texts | Kind::Words | Kind::Wholes | Kind::Digits) => return None,
@@ -566,7 +570,9 @@ fn tried(answer: &Answer) -> Option<&'static str> {
 pub(super) fn can_be_tried(answer: &Answer) -> bool {
     match &answer.values {
         Values::OneOf(values) if !values.is_empty() => true,
-        Values::Item(_) | Values::FolderOf(_) => true,
+        Values::Item(_) => true,
+        // No folder of these programs has the file.
+        Values::FolderOf(_) => false,
         _ => !choices(answer).is_empty() || tried(answer).is_some(),
     }
 }

@@ -161,6 +161,36 @@ impl Shop for Inputs<'_> {
 /// Something a program uses, with the place of its first use.
 type Seen<K> = BTreeMap<K, (Place, u32)>;
 
+/// What is left of one code: its places, each with the programs that come there, and all programs.
+#[derive(Default)]
+struct Left {
+    places: Vec<(Place, u32)>,
+    programs: u32,
+}
+
+impl Left {
+    fn take(&mut self, place: Place) {
+        self.programs += 1;
+        // Programs that call the same file meet in one place.
+        match self.places.iter_mut().find(|(known, _)| (&known.file, known.line) == (&place.file, place.line)) {
+            Some((_, programs)) => *programs += 1,
+            None => self.places.push((place, 1)),
+        }
+    }
+
+    /// The first places, those of most programs in front.
+    fn named(&self) -> String {
+        let mut places: Vec<&(Place, u32)> = self.places.iter().collect();
+        places.sort_by_key(|(_, programs)| std::cmp::Reverse(*programs));
+        let all = places.len() == 1;
+        let named = places.iter().take(MOST_NAMED).map(|(Place { file, line, .. }, programs)| match programs {
+            2.. if !all => format!("{file}:{line} ({programs} programs)"),
+            _ => format!("{file}:{line}"),
+        });
+        named.collect::<Vec<_>>().join(", ")
+    }
+}
+
 /// What all programs came to.
 #[derive(Default)]
 struct Programs {
@@ -183,7 +213,7 @@ struct Programs {
     tools: BTreeMap<Called, (Hint, BTreeSet<String>, u32)>,
     offsets: Seen<u8>,
     missing: Seen<String>,
-    left: BTreeMap<&'static str, (Vec<Place>, u32)>,
+    left: BTreeMap<&'static str, Left>,
     lists: Lists,
 }
 
@@ -234,11 +264,7 @@ impl Programs {
             self.missing.entry(name).or_insert_with(|| (place, 0)).1 += 1;
         }
         for (code, place) in trial.left {
-            let left = self.left.entry(code).or_default();
-            left.1 += 1;
-            if left.0.len() < MOST_NAMED {
-                left.0.push(place);
-            }
+            self.left.entry(code).or_default().take(place);
         }
         self.lists.extend(trial.lists);
     }
@@ -330,16 +356,11 @@ impl Programs {
         }
         *text += "\n# What is left whatever is filled in (`partc explain CODE` says why):\n";
         let mut left: Vec<_> = self.left.iter().collect();
-        left.sort_by_key(|(code, (_, programs))| (std::cmp::Reverse(*programs), **code));
-        for (code, (places, programs)) in left.iter().take(MOST_LEFT) {
+        left.sort_by_key(|(code, left)| (std::cmp::Reverse(left.programs), **code));
+        for (code, left) in left.iter().take(MOST_LEFT) {
             let title = codes::find(code).map_or("", |code| code.title);
-            let named: Vec<String> = places.iter().map(|place| format!("{}:{}", place.file, place.line)).collect();
-            let _ = writeln!(
-                text,
-                "#   {code} {title}: {}, {}",
-                counted(*programs, "program", "programs"),
-                named.join(", ")
-            );
+            let programs = counted(left.programs, "program", "programs");
+            let _ = writeln!(text, "#   {code} {title}: {programs}, {}", left.named());
         }
         if left.len() > MOST_LEFT {
             let _ = writeln!(text, "#   … and {} more codes", left.len() - MOST_LEFT);

@@ -8,7 +8,8 @@ use std::thread;
 #[cfg(target_os = "linux")]
 use std::time::{Duration, Instant};
 
-use crate::emit::{Output, is_printed, plot};
+use crate::emit::{Output, is_printed, made_for, plot};
+use crate::target::Target;
 
 use super::pending::{self, Pending, behind_links};
 #[cfg(target_os = "linux")]
@@ -301,9 +302,17 @@ fn is_ours(path: &Path, head: &[u8], made: Made) -> bool {
     begins(head, made) && (made != Made::Trace || trace::is_ours(path, head))
 }
 
+/// The target that the program in this file was made for, where partc made it.
+pub(super) fn target_of(path: &Path) -> Option<&'static Target> {
+    made_for(&head_of(path)?)
+}
+
+/// Bytes that tell what a file is.
+const HEAD: u64 = 128;
+
 fn head_of(path: &Path) -> Option<Vec<u8>> {
     let mut head = Vec::new();
-    open_regular(path).and_then(|file| file.take(64).read_to_end(&mut head)).ok().map(|_| head)
+    open_regular(path).and_then(|file| file.take(HEAD).read_to_end(&mut head)).ok().map(|_| head)
 }
 
 fn begins(head: &[u8], made: Made) -> bool {

@@ -1,5 +1,6 @@
 //! The findings of a command: on the terminal, as documents, and as an exit code.
 
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
@@ -26,8 +27,8 @@ use super::{Exit, Trouble, say};
 
 /// Characters in a line on the terminal.
 const WIDTH: usize = 100;
-/// Slower work, of many small programs, shows no speed, MB/s.
-const SLOWEST: f64 = 0.1;
+/// Fewer bytes show no speed: what they took was mostly the start.
+const LEAST_FOR_SPEED: u64 = 5_000_000;
 
 /// How findings shall look: all that a thread needs to know that makes them.
 #[derive(Debug, Clone, Copy)]
@@ -98,8 +99,7 @@ impl Look {
             }
             text
         };
-        let lines =
-            if self.list { list.iter().map(|found| line(found, &sources, &trail)).collect() } else { Vec::new() };
+        let lines = if self.list { lines(&list, &sources, &trail) } else { Vec::new() };
         let text = self.text.filter(|_| !self.list).map(|format| written(format, self.color)).unwrap_or_default();
         let human = if self.human { written(Format::Human, false) } else { String::new() };
         let concise = if self.concise { written(Format::Concise, false) } else { String::new() };
@@ -116,12 +116,33 @@ impl Look {
     }
 }
 
+/// The findings of one of many programs: errors first, and what is found again in other blocks told once, with how often.
+fn lines(list: &[Diagnostic], sources: &Sources, trail: &Trail) -> Vec<Line> {
+    let mut met: BTreeMap<(&str, u16, String, Option<&str>), usize> = BTreeMap::new();
+    let mut causes: Vec<(Diagnostic, u32)> = Vec::new();
+    for found in list {
+        let cause = (found.code.id, found.label.loc.file.0, found.text().into_owned(), found.help.as_deref());
+        match met.get(&cause).and_then(|at| causes.get_mut(*at)) {
+            Some((first, findings)) => {
+                first.times = first.times.saturating_add(found.times);
+                *findings += 1;
+            }
+            None => {
+                met.insert(cause, causes.len());
+                causes.push((found.clone(), 1));
+            }
+        }
+    }
+    causes.sort_by_key(|(found, _)| Reverse(found.severity));
+    causes.iter().map(|(found, findings)| line(found, *findings, sources, trail)).collect()
+}
+
 /// A finding as one of many: what a configuration answers stands below all of them.
-fn line(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Line {
+fn line(found: &Diagnostic, findings: u32, sources: &Sources, trail: &Trail) -> Line {
     let told = found.answers.iter().filter(|answer| !matches!(answer.values, Values::FolderOf(_)));
     let keys: Vec<String> = told.map(key).collect();
     let text = if keys.is_empty() { concise(found, sources, trail) } else { brief(found, sources, trail) };
-    Line { text, code: found.code.id, keys }
+    Line { text, code: found.code.id, keys, findings }
 }
 
 /// `[output] pass_m = [25]`
@@ -446,8 +467,11 @@ impl Reporter {
         }
         let counts = format!("{}, {}", counted(errors, "error", "errors"), counted(warnings, "warning", "warnings"));
         let time = self.started.elapsed();
-        let speed = self.bytes as f64 / 1e6 / time.as_secs_f64();
-        let speed = if time > QUIET && speed >= SLOWEST { format!(", {speed:.1} MB/s") } else { String::new() };
+        let speed = if time > QUIET && self.bytes >= LEAST_FOR_SPEED {
+            format!(", {:.1} MB/s", self.bytes as f64 / 1e6 / time.as_secs_f64())
+        } else {
+            String::new()
+        };
         let written = if self.written > 0 { format!("{} written, ", self.written) } else { String::new() };
         Some(if self.programs < 2 { counts } else { format!("{} programs, {written}{counts}{speed}", self.programs) })
     }
@@ -455,7 +479,7 @@ impl Reporter {
     /// The codes, the most frequent first.
     fn table(&self) -> String {
         let mut rows: Vec<_> = self.codes.iter().collect();
-        rows.sort_by_key(|(code, times)| (std::cmp::Reverse(**times), **code));
+        rows.sort_by_key(|(code, times)| (Reverse(**times), **code));
         let row = |(code, times): (&&str, &u32)| {
             let (severity, name, title) =
                 codes::find(code).map_or(("", "", ""), |code| (code.severity.word(), code.name, code.title));

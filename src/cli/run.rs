@@ -23,7 +23,7 @@ use super::disk::{IncludeRoots, file_name, noting_settings, open_main};
 use super::inputs::{Input, inputs, no_program};
 use super::listing::print;
 use super::options::Common;
-use super::output::{Destination, Group, Made, Replaces, is_foreign, set_aside};
+use super::output::{Destination, Group, Made, Replaces, is_foreign, set_aside, target_of};
 use super::pool::in_order;
 use super::progress::{Place, Ticker};
 use super::report::{Look, Presented, Reporter, Stdout, counted};
@@ -302,6 +302,7 @@ impl Work<'_> {
         if let Some(folder) = target.parent().filter(|_| args.out_dir.is_some()) {
             fs::create_dir_all(folder).map_err(trouble)?;
         }
+        let before = target_of(&target).filter(|before| before.name != settings.output.target.name);
         let replaces = Replaces::by(Made::Program, args.force);
         let mut out = Destination::open_for(&target, replaces).map_err(trouble)?;
         let mut map = match &args.map {
@@ -357,6 +358,13 @@ impl Work<'_> {
             match map {
                 Some(map) => map.and_then(|map| source_map::name_with(map, name_output)).map_err(map_trouble)?,
                 None => drop(name_output()),
+            }
+            if let Some(before) = before.filter(|_| !args.common.report.quiet) {
+                let now = settings.output.target.name;
+                said.push(format!(
+                    "partc: {shown} was made for {}, and is for {now} now; `-o` or `--out-dir` keeps both",
+                    before.name
+                ));
             }
             if group.written == 1
                 && self.alone

@@ -22,6 +22,8 @@ pub(super) struct Line {
     pub text: String,
     pub code: &'static str,
     pub keys: Vec<String>,
+    /// Blocks in which it was found.
+    pub findings: u32,
 }
 
 #[derive(Debug, Default)]
@@ -49,15 +51,15 @@ impl Summary {
         let mut met = BTreeSet::new();
         for line in lines {
             let row = self.rows.entry(line.code).or_default();
-            row.findings += 1;
+            row.findings += line.findings;
             row.programs += u32::from(met.insert(line.code));
             row.keys.extend(line.keys.iter().cloned());
             if !line.keys.is_empty() && line.keys.iter().all(|key| self.told.contains(key)) {
-                self.told_before += 1;
+                self.told_before += line.findings;
                 continue;
             }
             if shown == most {
-                hidden += 1;
+                hidden += line.findings;
                 continue;
             }
             self.told.extend(line.keys.iter().cloned());

@@ -7,6 +7,9 @@ use crate::text::decode::harmless_lines;
 
 use super::{Diagnostic, Trail};
 
+#[cfg(feature = "cli")]
+mod excerpt;
+
 /// `file:line:column: error[K1001]: message; help`
 pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
     one_line(found, found.help.as_deref(), sources, trail)
@@ -44,13 +47,12 @@ fn one_line(found: &Diagnostic, help: Option<&str>, sources: &Sources, trail: &T
 /// Renders for a terminal through miette.
 #[cfg(feature = "cli")]
 pub mod terminal {
-    use miette::{
-        GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents, SourceSpan, SpanContents,
-    };
+    use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan};
 
     use crate::diag::Severity;
     use crate::text::Loc;
 
+    use super::excerpt::Excerpt;
     use super::*;
 
     /// How findings look.
@@ -80,58 +82,30 @@ pub mod terminal {
         }
     }
 
-    /// One line of source as miette wants it.
-    #[derive(Debug)]
-    struct Excerpt {
-        name: String,
-        text: String,
-        number: usize,
-        /// 1-based column of the finding, for the line above the excerpt.
-        column: usize,
-    }
-
-    impl miette::SourceCode for Excerpt {
-        fn read_span<'a>(
-            &'a self,
-            _: &SourceSpan,
-            _: usize,
-            _: usize,
-        ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
-            let whole = SourceSpan::from((0, self.text.len()));
-            Ok(Box::new(MietteSpanContents::new_named(
-                self.name.clone(),
-                self.text.as_bytes(),
-                whole,
-                self.number.saturating_sub(1),
-                self.column.saturating_sub(1),
-                1,
-            )))
-        }
-    }
-
-    /// A finding, or one of its explaining places.
+    /// A finding, or a place in another file that explains it.
     #[derive(Debug)]
     struct Shown {
         title: String,
         severity: miette::Severity,
         help: Option<String>,
         excerpt: Excerpt,
-        label: LabeledSpan,
         related: Vec<Shown>,
     }
 
+    /// Blocks of a call that are shown, the innermost first.
+    const MOST_CALLS: usize = 4;
+
     impl Shown {
         fn of(found: &Diagnostic, sources: &Sources, trail: &Trail) -> Shown {
-            let (excerpt, label) = excerpt(found.label.loc, &found.label.text, sources);
+            let mut excerpt = Excerpt::new(found.label.loc, &found.label.text, sources);
             let mut title = format!("{}[{}]: {}", found.severity.word(), found.code.id, harmless_lines(&found.text()));
             if found.times > 1 {
                 let _ = write!(title, " ({} times)", found.times);
             }
-            let mut related: Vec<Shown> =
-                found.more.iter().map(|label| Shown::place(label.loc, &label.text, sources)).collect();
-            related.extend(
-                trail.sites(found.call).iter().take(4).map(|site| Shown::place(*site, "called from here", sources)),
-            );
+            let calls = trail.sites(found.call).into_iter().take(MOST_CALLS).map(|site| (site, "called from here"));
+            let places = found.more.iter().map(|label| (label.loc, label.text.as_str())).chain(calls);
+            let apart: Vec<(Loc, &str)> =
+                places.filter(|(loc, text)| !excerpt.takes(found.label.loc, *loc, text, sources)).collect();
             Shown {
                 title,
                 severity: match found.severity {
@@ -140,34 +114,20 @@ pub mod terminal {
                     Severity::Note => miette::Severity::Advice,
                 },
                 help: found.help.as_deref().map(harmless_lines),
-                excerpt,
-                label,
-                related,
+                excerpt: excerpt.in_pieces(),
+                related: apart.into_iter().map(|(loc, text)| Shown::place(loc, text, sources)).collect(),
             }
         }
 
         fn place(loc: Loc, text: &str, sources: &Sources) -> Shown {
-            let (excerpt, label) = excerpt(loc, "", sources);
             Shown {
                 title: text.to_owned(),
                 severity: miette::Severity::Advice,
                 help: None,
-                excerpt,
-                label,
+                excerpt: Excerpt::new(loc, "", sources).in_pieces(),
                 related: Vec::new(),
             }
         }
-    }
-
-    fn excerpt(loc: Loc, text: &str, sources: &Sources) -> (Excerpt, LabeledSpan) {
-        let line = sources.line(loc);
-        let label = (!text.is_empty()).then(|| harmless_lines(text));
-        let (start, end) = line.marked;
-        let span = LabeledSpan::new(label, start, end.saturating_sub(start).max(1));
-        // A blank more, so that a mark at the end of the line has something under it.
-        let text = if start < line.text.len() { line.text } else { format!("{} ", line.text) };
-        let (number, column) = (line.number as usize, line.column as usize);
-        (Excerpt { name: sources.shown(loc.file), text, number, column }, span)
     }
 
     impl std::fmt::Display for Shown {
@@ -192,7 +152,7 @@ pub mod terminal {
         }
 
         fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-            Some(Box::new(std::iter::once(self.label.clone())))
+            Some(Box::new(self.excerpt.labels()))
         }
 
         fn related<'a>(&'a self) -> Option<Box<dyn Iterator<Item = &'a dyn miette::Diagnostic> + 'a>> {

@@ -34,6 +34,16 @@ pub fn is_printed(head: &[u8]) -> bool {
     head.split(|b| *b == b'\n').take(MARKED).any(|line| begins(line, MADE))
 }
 
+/// The target that a printed program of this head was made for.
+#[cfg(feature = "cli")]
+pub fn made_for(head: &[u8]) -> Option<&'static target::Target> {
+    let line = head.split(|b| *b == b'\n').take(MARKED).find(|line| begins(line, MADE))?;
+    let line = String::from_utf8_lossy(line).to_ascii_lowercase();
+    let (_, name) = line.split_once("target ")?;
+    let end = name.find(|c: char| !c.is_ascii_alphanumeric() && c != '-').unwrap_or(name.len());
+    target::ALL.iter().find(|target| target.name == &name[..end]).copied()
+}
+
 /// Does this line of a printed program name the version of partc, or the source and its hash?
 #[cfg(feature = "cli")]
 pub fn names_source(line: &[u8]) -> bool {

@@ -246,7 +246,8 @@ impl<'a> Page<'a> {
         if !std::mem::replace(&mut self.full, true) {
             let message = format!("the output has more than {} lines, head and end included", self.most_lines);
             let found = Diagnostic::new(codes::P4002, origin.loc, message).called(origin.call);
-            self.diags.push(found.help("look for a loop that does not end, or raise `[limits] output_blocks`"));
+            let help = "look for a loop that does not end, or raise `[limits] output_blocks`";
+            self.diags.push(found.help(Answer::key("limits", "output_blocks").help(help)));
         }
     }
 

@@ -2,14 +2,27 @@
 //! finding know comes from there, never from the words.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
 
 use partc::diagnostics::{Answer, Severity};
 
 use super::book::{self, Case};
 use super::cli_run::Folder;
 
-const SECTIONS: [&str; 9] =
-    ["machine", "control", "tools", "datums", "include", "variables", "output", "start", "programs"];
+const SECTIONS: [&str; 12] = [
+    "machine",
+    "control",
+    "tools",
+    "datums",
+    "include",
+    "variables",
+    "output",
+    "start",
+    "programs",
+    "cycles",
+    "undercut",
+    "limits",
+];
 
 /// Sections and keys that a text names in backquotes: `[control] unit`, `[tools.5] radius`.
 fn named(text: &str) -> Vec<(String, String)> {
@@ -60,6 +73,70 @@ fn keys_that_findings_name_are_answers() {
         .map(|((code, key), cases)| format!("{code} names `{key}` without an answer, as in {}", cases[0]))
         .collect();
     assert!(lines.is_empty(), "{} findings:\n{}", lines.len(), lines.join("\n"));
+}
+
+/// Keys that texts name and no finding asks for.
+const NEVER_ASKED: [(&str, &str); 7] = [
+    // The meaning of a parameter of a cycle, which is no finding.
+    ("control", "klartext"),
+    // Notes of rules.
+    ("control", "skip_blocks"),
+    ("machine", "limits"),
+    // Notes of what an undercut rests on.
+    ("undercut", "din509_by_diameter"),
+    ("undercut", "din509_in_cycle"),
+    ("undercut", "internal_depth"),
+    ("undercut", "thread_length"),
+];
+
+/// Sources of the stages: what of them words findings.
+fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+    // Tables of keys and codes, tests, and what the commands say of themselves.
+    const OTHERS: [&str; 7] = ["machine", "codes", "tests", "cli", "lsp", "exhibit", "target"];
+    for entry in std::fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        let name = path.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        if OTHERS.contains(&name.as_str()) {
+            continue;
+        }
+        if path.is_dir() {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+/// Each key that the text of some finding may name is an answer of some case, or made in the file of the text: also where no case brings
+/// the text about.
+#[test]
+fn keys_that_texts_name_are_answers_somewhere() {
+    let mut asked: BTreeSet<(&'static str, String)> = BTreeSet::new();
+    for name in book::files("book") {
+        for finding in book::of(&name).iter().flat_map(|case| case.compile().findings) {
+            for answer in finding.answers {
+                asked.extend(
+                    answer.path.iter().map(|part| (answer.section, part.split('.').next().unwrap_or(part).to_owned())),
+                );
+            }
+        }
+    }
+    let (mut files, mut missing) = (Vec::new(), BTreeMap::new());
+    sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut files);
+    for file in files {
+        let text = std::fs::read_to_string(&file).expect("a source");
+        for line in text.lines().map(str::trim_start).filter(|line| !line.starts_with("//")) {
+            for (section, key) in named(&line.replace("\\\"", "")) {
+                let is_any = ["tools", "datums", "variables", "programs", "start"].contains(&section.as_str());
+                let is_met = asked.iter().any(|(of, part)| *of == section && (*part == key || is_any));
+                let is_made = text.contains(&format!("\"{section}\", \"{key}\""));
+                if !is_met && !is_made && !NEVER_ASKED.contains(&(section.as_str(), key.as_str())) {
+                    missing.entry(format!("[{section}] {key}")).or_insert_with(|| file.display().to_string());
+                }
+            }
+        }
+    }
+    assert!(missing.is_empty(), "{missing:#?}");
 }
 
 /// Keys that errors of the books ask for, each with the first case of each code.

@@ -46,6 +46,10 @@ fn value(section: &str, key: &str, remark: &str) -> String {
     if let Some((choice, _)) = remark.strip_prefix("{ ").and_then(|rest| rest.split_once(" }")) {
         return format!("{{ {choice} }}");
     }
+    // Programs of one folder may be of several machines: the order of the axes that is in force stands last, and stays.
+    if let Some(orders) = remark.split("; ").next().filter(|orders| orders.starts_with('[')) {
+        return orders.rsplit(" or ").next().unwrap_or(orders).to_owned();
+    }
     match key {
         "radius" => "1.0",
         "length" => "100.0",

@@ -59,7 +59,7 @@ books! {
     klartext_corners = "klartext/corners":
         chamfers;
     klartext_edges = "klartext/edges":
-        calls definitions feeds free_contours levels named planes probing system_data tools;
+        calls definitions feed_at_start feeds free_contours levels named planes probing system_data tools;
     klartext_fk = "klartext/fk":
         contours elements manual;
     klartext_flow = "klartext/flow":
@@ -97,7 +97,7 @@ books! {
     sinumerik_calls = "sinumerik/calls":
         change_by_m external left_behind left_out left_places left_technology numbered own_cycles parameters passes reserved save search_path;
     sinumerik_circles = "sinumerik/circles":
-        cip_and_ct helices;
+        axis_order cip_and_ct helices;
     sinumerik_compensation = "sinumerik/compensation":
         border corners nose search soft tools;
     sinumerik_contour_cycles = "sinumerik/contour_cycles":

@@ -24,6 +24,7 @@ mod cli_refused;
 mod cli_reports;
 mod cli_run;
 mod cli_schema;
+mod cli_shown;
 mod cli_tables;
 mod columns;
 mod common;

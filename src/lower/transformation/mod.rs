@@ -323,6 +323,7 @@ fn pole_is_far(closest: f64, origin: &Origin) -> Result<(), Box<Diagnostic>> {
     let what = format!("the way passes the axis of rotation at {closest:.4} mm: the workpiece would turn over at once");
     let help = "lead the tool around the centre of the face, or set `[cycles] transmit = \"cartesian\"` for a control that \
                 transforms by itself";
+    let help = Answer::key("cycles", "transmit").one_of(&["\"cartesian\""]).help(help);
     Err(refusal(codes::G3337, origin, what, help))
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Source: F B1 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{Deg, parts};
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, Place};
 use crate::ir::cycle::{BoreMilling, Cycle};
@@ -105,7 +105,11 @@ impl Run<'_> {
             self.report(
                 Diagnostic::new(codes::K9040, self.here.origin.loc, message)
                     .also(cycle.loc, "the cycle is defined here")
-                    .help("`[cycles] cycle_208_rings = true` mills them from inside out, as docs/cycles.md says"),
+                    .help(
+                        Answer::key("cycles", "cycle_208_rings").one_of(&["true"]).help(
+                            "`[cycles] cycle_208_rings = true` mills them from inside out, as docs/cycles.md says",
+                        ),
+                    ),
             );
             return Err(Reported);
         }

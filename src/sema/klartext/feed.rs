@@ -57,6 +57,8 @@ pub(super) struct FeedState {
     pub at: FeedAt,
     /// The last positioning block went at rapid traverse.
     pub last_rapid: bool,
+    /// What is in force, or missing, is the feed at the start.
+    is_of_start: bool,
 }
 
 impl FeedState {
@@ -71,6 +73,7 @@ impl FeedState {
             at_surface: false,
             at: FeedAt::Centre,
             last_rapid: false,
+            is_of_start: true,
         }
     }
 
@@ -99,6 +102,7 @@ impl FeedState {
         self.written = written;
         self.per_tooth = false;
         self.of_before_call = false;
+        self.is_of_start = false;
     }
 
     /// F of a TOOL CALL: it holds until another one is programmed, in a block or a TOOL CALL.
@@ -126,6 +130,7 @@ impl FeedState {
         self.modal = ModalFeed::new(None, Some(FeedKind::per_revolution(self.modal.is_per_revolution())));
         self.per_tooth = false;
         self.of_before_call = false;
+        self.is_of_start = false;
     }
 
     /// A program is left out that may leave another feed.
@@ -151,6 +156,7 @@ impl FeedState {
 
     /// M136 and M137
     pub fn switch(&mut self, per_revolution: bool) {
+        self.is_of_start &= !per_revolution && !self.modal.is_per_revolution();
         self.modal.switch(FeedKind::per_revolution(per_revolution));
     }
 
@@ -299,10 +305,14 @@ impl Run<'_> {
 
     #[cold]
     pub(super) fn feed_missing<T>(&mut self) -> Outcome<T> {
-        self.report(
-            Diagnostic::new(codes::K2002, self.here.origin.loc, "no feed rate is programmed before this cutting move")
-                .help("program F in this block, in an earlier one, or in the TOOL CALL"),
-        );
+        let usual = "program F in this block, in an earlier one, or in the TOOL CALL";
+        let help = match self.st.feed.is_of_start {
+            true => Answer::key("control", "feed")
+                .help(format!("{usual}; a contour by itself takes the feed at the start, `[control] feed`")),
+            false => usual.into(),
+        };
+        let message = "no feed rate is programmed before this cutting move";
+        self.report(Diagnostic::new(codes::K2002, self.here.origin.loc, message).help(help));
         // One report is enough.
         self.st.feed.modal.presume();
         Err(Reported)

@@ -4,7 +4,7 @@
 
 use core::f64::consts::PI;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::milling::{Heights, Mill, Place};
@@ -132,7 +132,11 @@ impl Run<'_> {
             self.report(
                 Diagnostic::new(codes::K8142, self.here.origin.loc, text)
                     .also(cycle.loc, "the cycle is defined here")
-                    .help("say which by `[cycles] q202 = \"stroke\"` or `\"pair\"`"),
+                    .help(
+                        Answer::key("cycles", "q202")
+                            .one_of(&["\"stroke\"", "\"pair\""])
+                            .help("say which by `[cycles] q202 = \"stroke\"` or `\"pair\"`"),
+                    ),
             );
         }
         infeed

@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::{CallPath, Diagnostic, Diags, codes};
+use crate::diag::{Answer, CallPath, Diagnostic, Diags, codes};
 use crate::ir::contour::Sink;
 use crate::sema::Job;
 use crate::text::Loc;
@@ -200,8 +200,9 @@ impl Budget {
             None => Diagnostic::new(codes::P4001, here, stopped).called(call),
         };
         found.help(match self.is_cut {
-            true => "mend the other errors first; then check the condition that ends this loop",
-            false => "check the condition that ends this loop, or raise `[limits] steps`",
+            true => "mend the other errors first; then check the condition that ends this loop".into(),
+            false => Answer::key("limits", "steps")
+                .help("check the condition that ends this loop, or raise `[limits] steps`"),
         })
     }
 }

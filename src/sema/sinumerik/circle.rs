@@ -26,7 +26,7 @@ const MOST_TURN_SQUARED: f64 = 1e-3;
 const MOST_TURNS: f64 = 999.0;
 
 /// Interpolation parameters of a centre and of an intermediate point, by geometry axis.
-const CENTER: [Address; 3] = [Address::I, Address::J, Address::K];
+pub(super) const CENTER: [Address; 3] = [Address::I, Address::J, Address::K];
 const VIA: [Address; 3] = [Address::I1, Address::J1, Address::K1];
 
 impl Channel<'_> {
@@ -64,6 +64,7 @@ impl Channel<'_> {
         let feed = self.cutting_feed(w)?;
         let turns = self.turns(w)?;
         let mut end = self.targets(w)?;
+        self.order_of_axes_fits(w, plane, &end)?;
         let start = self.start_in(plane, w)?;
         let named = self.plane_axes_named(w, plane);
         let to = self.end_in(&end, plane, start);
@@ -422,7 +423,7 @@ impl Core<'_> {
         control.sinumerik.circle_error.max(control.sinumerik.circle_error_factor * radius.abs())
     }
 
-    fn arc_span(&self, w: &Words) -> Span {
+    pub(super) fn arc_span(&self, w: &Words) -> Span {
         let words = CENTER.into_iter().chain([Address::Cr, Address::Ar]);
         words.filter_map(|address| w.get(address)).map(|given| given.span).reduce(Span::to).unwrap_or_default()
     }

@@ -8,6 +8,7 @@ mod angle_lines;
 mod archive;
 mod assign;
 mod axis_names;
+mod axis_order;
 mod axis_words;
 mod beside_path;
 mod block;

@@ -2,7 +2,7 @@
 //!
 //! Source: T 6.3 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::geo::Deg;
 use crate::geo::undercut::{Edge, Shape};
 use crate::machine::{Axis, RecessDepth, RecessWidth};
@@ -241,6 +241,7 @@ impl Run<'_> {
         let (r, t, source) = (size.radius, size.depth, range.source.0);
         let message = format!("the size of this undercut is {r} x {t} ({source}); {otherwise}");
         let help = "set `[undercut] din509_by_diameter`, or give the sizes of the drawing with I, K and R";
+        let help = Answer::key("undercut", "din509_by_diameter").help(help);
         self.job
             .diags
             .push_once(Diagnostic::new(codes::T8007, self.loc(span), message).help(help).called(self.here.origin.call));

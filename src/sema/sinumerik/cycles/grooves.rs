@@ -323,7 +323,13 @@ impl CycleCall<'_, '_> {
                 let message = "CYCLE930 waits at the floor for turns of the spindle, whose speed is not known: no dwell is printed";
                 if self.job.diags.first_time(codes::S8222, ()) {
                     let found = Diagnostic::new(codes::S8222, self.loc(args.span), message);
-                    self.report(found.help("program S before the cycle, or set `[cycles] groove_dwell = false`"));
+                    self.report(
+                        found.help(
+                            Answer::key("cycles", "groove_dwell")
+                                .one_of(&["false"])
+                                .help("program S before the cycle, or set `[cycles] groove_dwell = false`"),
+                        ),
+                    );
                 }
                 0.0
             }

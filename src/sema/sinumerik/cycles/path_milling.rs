@@ -2,7 +2,7 @@
 //!
 //! Source: M 7.3 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::geo::Element;
 use crate::geo::soft::Shape;
 use crate::ir::captured::Captured;
@@ -122,7 +122,9 @@ impl CycleCall<'_, '_> {
                 codes::S9015,
                 self.args.span_of(RL),
                 "CYCLE72 runs the contour backwards: whether `_RL` is seen in the direction of travel or of the contour is not confirmed",
-                "say it by `[cycles] backward_side = \"travel\"` or \"contour\", or turn the contour around",
+                Answer::key("cycles", "backward_side")
+                    .one_of(&["\"travel\"", "\"contour\""])
+                    .help("say it by `[cycles] backward_side = \"travel\"` or \"contour\", or turn the contour around"),
             ),
         }
     }

@@ -11,7 +11,7 @@ mod material;
 mod rebuild;
 mod solve;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::ir::Pos;
 use crate::ir::contour::{ArcShape, Corner, CornerShape, Path};
 use crate::ir::undercut::usual_pitch;
@@ -328,24 +328,33 @@ impl Core<'_> {
     }
 
     /// Where the records stop making sense, why, and what mends it.
-    fn unsolved(&self, why: &Unsolved, stored: &Stored) -> (Loc, String, String) {
+    fn unsolved(&self, why: &Unsolved, stored: &Stored) -> (Loc, String, Help) {
         let place = why.record().and_then(|at| stored.record_places.get(at)).copied().unwrap_or(stored.begin);
-        let again = "open the contour in the editor of the control and accept it again".to_owned();
-        let (what, help) = match why {
-            Unsolved::NoStart => ("they have no start point".to_owned(), again),
-            Unsolved::TooLong => ("there are too many of them".to_owned(), again),
+        let again = "open the contour in the editor of the control and accept it again";
+        let (what, help): (String, Help) = match why {
+            Unsolved::NoStart => ("they have no start point".to_owned(), again.into()),
+            Unsolved::TooLong => ("there are too many of them".to_owned(), again.into()),
             Unsolved::Unknown(at) => match stored.records.get(*at) {
                 Some(Record::Unknown(text)) => (
                     format!("`{text}` is not known as a record"),
                     "accept the contour in the editor again, or write it as blocks; how poles and polar elements are \
                      stored is not published"
-                        .to_owned(),
+                        .into(),
                 ),
-                _ => ("a key or a value of this one is not known, or stands twice".to_owned(), again),
+                _ => ("a key or a value of this one is not known, or stands twice".to_owned(), again.into()),
             },
-            Unsolved::Open(_) => ("this one does not determine its element".to_owned(), again),
-            Unsolved::Contradiction(_) => ("the values of this one contradict each other".to_owned(), again),
-            Unsolved::Undercut(_, why) => self.no_undercut(why),
+            Unsolved::Open(_) => ("this one does not determine its element".to_owned(), again.into()),
+            Unsolved::Contradiction(_) => ("the values of this one contradict each other".to_owned(), again.into()),
+            Unsolved::Undercut(_, why) => {
+                let (what, help) = self.no_undercut(why);
+                // A size that no table has is one of the user's own.
+                let help = match why {
+                    NoUndercut::Index(_) => Answer::key("undercut", "din509_in_editor").help(help),
+                    NoUndercut::Pitch(_) => Answer::key("undercut", "din76").help(help),
+                    _ => help.into(),
+                };
+                (what, help)
+            }
         };
         (place, what, help)
     }

@@ -1,6 +1,6 @@
 //! Contours of the contour editor of which only the records are left: their blocks are made anew.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, Help, codes};
 use crate::ir::contour::{Arc, ArcShape, Blocks, Corner, CornerShape, Path};
 use crate::ir::undercut::Surface;
 use crate::ir::{Feed, Pos};
@@ -47,20 +47,20 @@ impl Channel<'_> {
         if stored.diameter_said || wanted == taken {
             return Ok(());
         }
-        let (what, help) = if wanted && self.job.settings.machine.diameter_axis.is_none() {
+        let (what, help): (&str, Help) = if wanted && self.job.settings.machine.diameter_axis.is_none() {
             (
                 "the editor writes turned contours in diameters (DIAM90), and no diameter axis is configured",
-                "set `[machine] diameter_axis = \"X\"`",
+                Answer::key("machine", "diameter_axis").help("set `[machine] diameter_axis = \"X\"`"),
             )
         } else if wanted {
             (
                 "the editor writes turned contours in diameters (DIAM90), and DIAMOF is in force",
-                "program DIAM90 in front of the contour; where its values are radii, DIAMOF inside of it",
+                "program DIAM90 in front of the contour; where its values are radii, DIAMOF inside of it".into(),
             )
         } else {
             (
                 "the editor writes milled contours with DIAMOF, and diameters are in force",
-                "program DIAMOF in front of the contour",
+                "program DIAMOF in front of the contour".into(),
             )
         };
         self.not_rebuilt(what, help)
@@ -185,7 +185,7 @@ impl Channel<'_> {
 }
 
 impl Core<'_> {
-    fn not_rebuilt(&self, what: &str, help: &str) -> Outcome {
+    fn not_rebuilt(&self, what: &str, help: impl Into<Help>) -> Outcome {
         let message = format!("the contour has no blocks, and they are not made from its records: {what}");
         self.fail_help(codes::S9019, Where::Block, message, help)
     }
