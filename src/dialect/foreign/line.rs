@@ -13,6 +13,8 @@ pub struct Line<'a> {
     /// What stands in front of comments; those in round brackets are blanked out.
     pub code: Vec<u8>,
     pub words: Vec<Word>,
+    /// It stands between G291 and G290.
+    pub is_iso: bool,
 }
 
 /// `G43`, `X-1.5`, `#100`, `CYCLE81`: letters, upper case, and what stands behind them.
@@ -59,13 +61,18 @@ impl<'a> Line<'a> {
     fn new(number: u32, start: u32, text: &'a [u8]) -> Line<'a> {
         let code = without_comments(text);
         let words = words(&code);
-        Line { number, start, text, code, words }
+        Line { number, start, text, code, words, is_iso: false }
     }
 
     /// The whole of it.
     pub fn span(&self) -> Span {
         let blank = self.text.len() - self.text.trim_ascii_start().len();
         Span::at(blank as u32, self.text.trim_ascii().len() as u32)
+    }
+
+    /// From a word to the end of the code.
+    pub fn span_from(&self, word: &Word) -> Span {
+        Span { start: word.span.start, end: (self.code.trim_ascii_end().len() as u32).max(word.span.end) }
     }
 
     /// The words behind the number of the block.
