@@ -137,6 +137,11 @@ mod tests {
             "T1 M6\nG0 X1\n",
             "N5 T1 M06\n",
             "G0 G43 Z5. H1\n",
+            "G0 X1\nG1 Z-1 F100\n",
+            "N1 G0 X1\nN2 G1 Z-1 F100\n",
+            "G0 X1 Y1\n",
+            "G21\nG0 X1\n",
+            "G17\nG0 X1\n",
         ] {
             assert_eq!(guessed("PART.nc", head), None, "{head}");
         }

@@ -135,8 +135,9 @@ pub fn as_a_whole(own: Own, lines: &[Line<'_>]) -> Option<Found> {
     if matches!(own, Own::Nothing | Own::Plain) {
         return None;
     }
-    let found = |kind: &'static Kind, line: &Line<'_>| {
-        Found { kind, evidence: vec![(line.number, line.span().shifted(line.start))] }
+    let found = |kind: &'static Kind, line: &Line<'_>| Found {
+        kind,
+        evidence: vec![(line.number, line.span().shifted(line.start))],
     };
     if let Some(line) = lines.iter().find(|line| is_prose(line)).filter(|_| is_text(lines)) {
         return Some(found(&TEXT, line));
@@ -150,7 +151,7 @@ fn is_text(lines: &[Line<'_>]) -> bool {
     let fits = lines.iter().all(|line| is_prose(line) || is_heading(line));
     let is_sentence = |line: &Line<'_>| matches!(line.text.trim_ascii().last(), Some(b'.' | b'!' | b'?' | b':'));
     count >= 3 && count * 10 > lines.len() * 7
-        || fits && count * 3 > lines.len() && (lines.len() > 1 || lines.iter().all(is_sentence))
+        || fits && count * 5 >= lines.len() && (lines.len() > 1 || lines.iter().all(is_sentence))
 }
 
 /// Prose: four words of small letters, or three of a sentence.
@@ -195,7 +196,8 @@ fn is_table(lines: &[Line<'_>]) -> bool {
         let is_head = first.iter().all(|field| is_label(field));
         lines.len() > 1
             && first.len() >= least
-            && (is_head || lines.first().is_some_and(fits))
+            // Behind a semicolon stand comments, too.
+            && (is_head || *between != b';' && lines.first().is_some_and(fits))
             && lines.iter().skip(1).take(ROWS).all(fits)
     })
 }

@@ -93,7 +93,7 @@ static ISO: Kind = Kind {
     ..BASE
 };
 
-static KLARTEXT_DIALECT: Dialect = stands_for("HEIDENHAIN Klartext");
+static KLARTEXT_DIALECT: Dialect = stands_for("Klartext under another name");
 static KLARTEXT: Kind = Kind {
     dialect: &KLARTEXT_DIALECT,
     is: "a program in HEIDENHAIN Klartext",
@@ -105,7 +105,7 @@ static KLARTEXT: Kind = Kind {
     ..BASE
 };
 
-static SINUMERIK_DIALECT: Dialect = stands_for("SINUMERIK");
+static SINUMERIK_DIALECT: Dialect = stands_for("SINUMERIK under another name");
 static SINUMERIK: Kind = Kind {
     dialect: &SINUMERIK_DIALECT,
     is: "a program in the language of the SINUMERIK",
@@ -137,7 +137,7 @@ static LINUXCNC: Kind = Kind {
         "partc reads the plain G-code of LinuxCNC without O words and variables: resolve them first. For a program without them, say \
          `--dialect gcode`, or call it `.ngc`",
     ),
-    marks: &[alone(marks::o_word)],
+    marks: &[proof(marks::o_word)],
     under: but_plain,
     ..BASE
 };
@@ -169,6 +169,8 @@ static G_CODE: Kind = Kind {
     is: "G-code of another control (ISO code)",
     way_on: PLAIN_WAY_ON,
     marks: &[
+        proof(marks::set_any_variable),
+        alone(marks::unit_alone),
         half(marks::unit),
         half(marks::any_length),
         half(marks::any_cycle),
@@ -194,7 +196,7 @@ const PLAIN_WAY_ON: WayOn = WayOn::Tried {
 /// A file `.nc` in which no word shows the control; [`super::look`] asks for it last.
 pub(super) static UNDECIDED: Kind = Kind {
     dialect: &UNDECIDED_DIALECT,
-    is: "G-code without a word that shows the control, and many controls call their programs `.nc`",
+    is: "G-code that fits several controls, and no word shows which",
     way_on: WayOn::Tried {
         taken: "say which it is: `--dialect gcode`, as LinuxCNC reads it (X is a radius without G7), or `--dialect heidenhain-turning`; or for \
                 all such files `[dialects]` with `\"{pattern}\" = \"gcode\"` in partc.toml",
@@ -205,7 +207,7 @@ pub(super) static UNDECIDED: Kind = Kind {
     under: |own| own == Own::Nc,
     ..BASE
 };
-static UNDECIDED_DIALECT: Dialect = stands_for("G-code of which no word shows the control");
+static UNDECIDED_DIALECT: Dialect = stands_for("G-code of several controls");
 
 static PRINTER_DIALECT: Dialect = stands_for("3-D printer");
 static PRINTER: Kind = Kind {
@@ -244,7 +246,9 @@ static DIN_ISO_DIALECT: Dialect = stands_for("HEIDENHAIN DIN/ISO");
 static DIN_ISO: Kind = Kind {
     dialect: &DIN_ISO_DIALECT,
     is: "a HEIDENHAIN program in DIN/ISO (G-code)",
-    way_on: WayOn::Said("partc reads Klartext. Have the program made as Klartext (`.H`): the control or the CAM system can do it"),
+    way_on: WayOn::Said(
+        "partc reads Klartext. Have the program made as Klartext (`.H`): the control or the CAM system can do it",
+    ),
     marks: &[alone(marks::din_iso_head)],
     sure: true,
     under: but_plain,
@@ -280,7 +284,9 @@ static C_DIALECT: Dialect = stands_for("C or C++");
 static C: Kind = Kind {
     dialect: &C_DIALECT,
     is: "C or C++ source text",
-    way_on: WayOn::Said("no part program: leave such files out with a line in `.partcignore`, such as `*.h` in their folder"),
+    way_on: WayOn::Said(
+        "no part program: leave such files out with a line in `.partcignore`, such as `*.h` in their folder",
+    ),
     marks: &[
         alone(source::preprocessor),
         alone(source::type_declaration),

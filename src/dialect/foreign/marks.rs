@@ -112,7 +112,16 @@ pub fn set_variable(line: &Line<'_>, _: usize) -> Option<Span> {
     let word = line.behind_number().first().filter(|word| word.letters == b"#" && !word.number.is_empty())?;
     let behind = line.code.get(word.span.end as usize..)?.trim_ascii_start();
     let whole = word.number.iter().all(u8::is_ascii_digit);
-    (whole && word.number.len() >= 3 && behind.starts_with(b"=")).then_some(word.span)
+    let value = behind.strip_prefix(b"=")?.trim_ascii_start();
+    let is_value = value.first().is_some_and(|b| b.is_ascii_digit() || b"+-.#[".contains(b) || b.is_ascii_alphabetic());
+    (whole && word.number.len() >= 3 && is_value).then_some(word.span)
+}
+
+/// `#1=5` at the beginning of a block. A HEIDENHAIN turning control has such variables, too.
+pub fn set_any_variable(line: &Line<'_>, _: usize) -> Option<Span> {
+    let word = line.behind_number().first().filter(|word| word.letters == b"#" && !word.number.is_empty())?;
+    let behind = line.code.get(word.span.end as usize..)?.trim_ascii_start();
+    behind.starts_with(b"=").then_some(word.span)
 }
 
 /// `G65 P9000`, `M98 P1000`
@@ -150,15 +159,26 @@ pub fn turning_cycle(line: &Line<'_>, _: usize) -> Option<Span> {
 /// `O100 SUB`, `O<BORE> CALL`, `#<DEPTH> = 5`: subprograms and named variables of LinuxCNC.
 pub fn o_word(line: &Line<'_>, _: usize) -> Option<Span> {
     const FLOW: [&[u8]; 15] = [
-        b"SUB", b"ENDSUB", b"CALL", b"IF", b"ELSE", b"ELSEIF", b"ENDIF", b"WHILE", b"ENDWHILE", b"DO", b"REPEAT",
-        b"ENDREPEAT", b"BREAK", b"CONTINUE", b"RETURN",
+        b"SUB",
+        b"ENDSUB",
+        b"CALL",
+        b"IF",
+        b"ELSE",
+        b"ELSEIF",
+        b"ENDIF",
+        b"WHILE",
+        b"ENDWHILE",
+        b"DO",
+        b"REPEAT",
+        b"ENDREPEAT",
+        b"BREAK",
+        b"CONTINUE",
+        b"RETURN",
     ];
     let code = line.code.trim_ascii();
-    let named = code.windows(2).any(|two| two == b"#<" || two == b"O<");
+    let named = code.starts_with(b"#<") || code.starts_with(b"O<");
     let flow = match line.behind_number() {
-        [first, second, ..] => {
-            first.letters == b"O" && !first.number.is_empty() && FLOW.contains(&&second.letters[..])
-        }
+        [first, second, ..] => first.letters == b"O" && !first.number.is_empty() && FLOW.contains(&&second.letters[..]),
         _ => false,
     };
     (named || flow).then(|| line.span())
@@ -228,10 +248,11 @@ pub fn g_block(line: &Line<'_>, _: usize) -> Option<Span> {
     (of_g && (rest.iter().any(axis) || rest.iter().all(|word| word.letters == b"G"))).then(|| line.span())
 }
 
-/// Anything but a comment.
+/// A word of a letter and a number.
 pub fn any_word(line: &Line<'_>, _: usize) -> Option<Span> {
-    let is_word = !line.words.is_empty() && !line.code.trim_ascii_start().starts_with(b"%");
-    is_word.then(|| line.span())
+    let is_word = |word: &Word| matches!(&word.letters[..], [letter] if *letter != b'#') && !word.number.is_empty();
+    let is_block = line.words.first().is_some_and(is_word) && !line.code.trim_ascii_start().starts_with(b"%");
+    is_block.then(|| line.span())
 }
 
 /// Does the line come from a program for a lathe of Fanuc or its like, where X is a diameter?
@@ -268,7 +289,8 @@ pub fn axis_by_name(line: &Line<'_>, _: usize) -> Option<Span> {
 /// `X=10`, `F=VCUT`: a value behind a sign of equality, where other controls write it at once.
 pub fn value_assigned(line: &Line<'_>, _: usize) -> Option<Span> {
     let word = line.words.iter().find(|word| {
-        word.letters != b"#" && !matches!(&word.letters[..], b"CR" | b"T" | b"R")
+        word.letters != b"#"
+            && !matches!(&word.letters[..], b"CR" | b"T" | b"R")
             && line.code.get(word.span.end as usize) == Some(&b'=')
     })?;
     (!line.code.trim_ascii_start().starts_with(b"#")).then_some(word.span)

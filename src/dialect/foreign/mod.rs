@@ -119,7 +119,15 @@ impl Kind {
             }
             evidence.push((line.number, span.shifted(line.start)));
         }
-        evidence.sort_unstable_by_key(|(_, span)| span.start);
+        evidence.sort_unstable_by_key(|(_, span): &(u32, Span)| (span.start, u32::MAX - span.end));
+        // What lies in words that are named already says no more.
+        let mut named = 0;
+        evidence.retain(|(_, span)| {
+            span.start >= named && {
+                named = span.end;
+                true
+            }
+        });
         (weight >= marks::DECIDES).then_some(Found { kind: self, evidence })
     }
 }

@@ -173,7 +173,8 @@ fn is_numbered_by_one(lines: &[Line<'_>]) -> bool {
         }
         count += 1;
         per_minute |= line.words.iter().any(|word| word.is("G", "94"));
-        is_large |= line.words.iter().any(|word| word.letters == b"F" && feed(word).is_some_and(|feed| feed > MOST_A_TURN));
+        is_large |=
+            line.words.iter().any(|word| word.letters == b"F" && feed(word).is_some_and(|feed| feed > MOST_A_TURN));
     }
     let begins = count == 1 && last == Some(1) || count > 1;
     begins && (per_minute || !is_large)

@@ -36,10 +36,11 @@ pub fn prototype(line: &Line<'_>, _: usize) -> Option<Span> {
     let kind = words.find(|word| !BEFORE.contains(word))?;
     let is_type = TYPES.contains(&kind) || kind.ends_with(b"_t") && kind.iter().all(|b| is_of_name(*b));
     let name = words.next()?;
-    let ends = text.last().is_some_and(|last| b";{,".contains(last)) || text.ends_with(b")");
-    let is_list = text.contains(&b'(') || text.last() == Some(&b';');
-    (is_type && name.first().is_some_and(|b| b.is_ascii_alphabetic() || *b == b'_') && ends && is_list)
-        .then(|| line.span())
+    let letters = name.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
+    let behind = if letters < name.len() { &name[letters..] } else { words.next()? };
+    let is_declared = behind.first().is_some_and(|b| b"(=[;".contains(b));
+    let ends = text.last().is_some_and(|last| b";{,)".contains(last));
+    (is_type && letters > 0 && !name[0].is_ascii_digit() && is_declared && ends).then(|| line.span())
 }
 
 fn is_of_name(byte: u8) -> bool {

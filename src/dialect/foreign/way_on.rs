@@ -19,7 +19,10 @@ pub enum WayOn {
         refused: &'static str,
     },
     /// The same; a lathe counts X as a diameter, which is never advised to be read so.
-    TriedOnMill { taken: &'static str, refused: &'static str },
+    TriedOnMill {
+        taken: &'static str,
+        refused: &'static str,
+    },
 }
 
 impl WayOn {
@@ -28,10 +31,15 @@ impl WayOn {
         let text = match self {
             WayOn::Said(text) => text.to_owned(),
             WayOn::TriedOnMill { refused, .. } if turns => {
-                format!("{refused}; read as plain G-code, its X would be radii, and on a lathe of this kind they are diameters")
+                format!(
+                    "{refused}; read as plain G-code, its X would be radii, and on a lathe of this kind they are diameters"
+                )
             }
             WayOn::Tried { taken, refused } | WayOn::TriedOnMill { taken, refused } => tried(head, settings)
-                .map_or_else(|| taken.to_owned(), |line| format!("{refused}; read as plain G-code, {line} would be refused")),
+                .map_or_else(
+                    || taken.to_owned(),
+                    |line| format!("{refused}; read as plain G-code, {line} would be refused"),
+                ),
         };
         let extension = file_name.rsplit_once('.').map_or("nc", |(_, extension)| extension);
         text.replace("{pattern}", &format!("**/*.{extension}"))

@@ -27,9 +27,9 @@ use rustc_hash::FxHashSet;
 
 use crate::diag::{Answer, Diags, codes};
 use crate::geo::Plane;
+use crate::ir::Function;
 use crate::ir::contour::{Corner, Ctx, Move, Sink};
 use crate::ir::function::PathControl;
-use crate::ir::Function;
 use crate::machine::options::mtc200::Reading;
 use crate::machine::{Axis, Compensation};
 use crate::parser::mtc200::ast::{Block, Stmt, Target, Value};
