@@ -130,8 +130,9 @@ fn has_control_bytes(head: &[u8]) -> bool {
     count >= 16 && count * 20 > head.len()
 }
 
-/// Prose, or a table, in a file whose extension is one of ours.
-pub fn as_a_whole(own: Own, lines: &[Line<'_>]) -> Option<Found> {
+/// Prose, or a table, in a file whose extension is one of ours. Where a line looks like one of that language (`is_own`), as the
+/// head of a table may, only a table is looked for.
+pub fn as_a_whole(own: Own, lines: &[Line<'_>], is_own: bool) -> Option<Found> {
     if matches!(own, Own::Nothing | Own::Plain) {
         return None;
     }
@@ -139,7 +140,7 @@ pub fn as_a_whole(own: Own, lines: &[Line<'_>]) -> Option<Found> {
         kind,
         evidence: vec![(line.number, line.span().shifted(line.start))],
     };
-    if let Some(line) = lines.iter().find(|line| is_prose(line)).filter(|_| is_text(lines)) {
+    if let Some(line) = lines.iter().find(|line| is_prose(line)).filter(|_| !is_own && is_text(lines)) {
         return Some(found(&TEXT, line));
     }
     lines.first().filter(|_| is_table(lines)).map(|line| found(&TABLE, line))

@@ -167,7 +167,7 @@ static MILL: Kind = Kind {
 static G_CODE: Kind = Kind {
     dialect: &PLAIN_DIALECT,
     is: "G-code of another control (ISO code)",
-    way_on: PLAIN_WAY_ON,
+    way_on: RENAMED_WAY_ON,
     marks: &[
         proof(marks::set_any_variable),
         alone(marks::unit_alone),
@@ -187,10 +187,18 @@ static G_CODE: Kind = Kind {
 /// Blocks of G-code in a file that is called as Klartext is, and holds none.
 static G_BLOCKS: Kind = Kind { marks: &[alone(marks::g_block)], under: |own| own == Own::Klartext, ..G_CODE };
 
+const RENAMED_WAY_ON: WayOn = WayOn::Tried {
+    taken: "partc reads plain G-code as LinuxCNC does (G4 P counts seconds, `X100` is 100 mm): say `--dialect gcode`, or call the file \
+            `.ngc`",
+    refused: NOT_ALL,
+};
+
+const NOT_ALL: &str = "partc does not read all of this language yet: have the program made for a control that it reads";
+
 const PLAIN_WAY_ON: WayOn = WayOn::Tried {
     taken: "partc reads plain G-code as LinuxCNC does (G4 P counts seconds, `X100` is 100 mm): `--dialect gcode`, or for all such files \
             `[dialects]` with `\"{pattern}\" = \"gcode\"` in partc.toml",
-    refused: "partc does not read all of this language yet: have the program made for a control that it reads",
+    refused: NOT_ALL,
 };
 
 /// A file `.nc` in which no word shows the control; [`super::look`] asks for it last.

@@ -75,6 +75,14 @@ impl<'a> Line<'a> {
         Span { start: word.span.start, end: (self.code.trim_ascii_end().len() as u32).max(word.span.end) }
     }
 
+    /// From a word to the next blank: `R1=5`, `X=IC(5)`.
+    pub fn span_to_blank(&self, word: &Word) -> Span {
+        let start = word.span.start as usize;
+        let rest = self.text.get(start..).unwrap_or_default();
+        let length = rest.iter().position(|b| b.is_ascii_whitespace() || *b == b';').unwrap_or(rest.len());
+        Span { start: word.span.start, end: ((start + length) as u32).max(word.span.end) }
+    }
+
     /// The words behind the number of the block.
     pub fn behind_number(&self) -> &[Word] {
         match self.words.split_first() {

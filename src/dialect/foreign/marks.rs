@@ -114,14 +114,14 @@ pub fn set_variable(line: &Line<'_>, _: usize) -> Option<Span> {
     let whole = word.number.iter().all(u8::is_ascii_digit);
     let value = behind.strip_prefix(b"=")?.trim_ascii_start();
     let is_value = value.first().is_some_and(|b| b.is_ascii_digit() || b"+-.#[".contains(b) || b.is_ascii_alphabetic());
-    (whole && word.number.len() >= 3 && is_value).then_some(word.span)
+    (whole && word.number.len() >= 3 && is_value).then(|| line.span_to_blank(word))
 }
 
 /// `#1=5` at the beginning of a block. A HEIDENHAIN turning control has such variables, too.
 pub fn set_any_variable(line: &Line<'_>, _: usize) -> Option<Span> {
     let word = line.behind_number().first().filter(|word| word.letters == b"#" && !word.number.is_empty())?;
     let behind = line.code.get(word.span.end as usize..)?.trim_ascii_start();
-    behind.starts_with(b"=").then_some(word.span)
+    behind.starts_with(b"=").then(|| line.span_to_blank(word))
 }
 
 /// `G65 P9000`, `M98 P1000`
@@ -270,7 +270,7 @@ pub fn r_parameter(line: &Line<'_>, _: usize) -> Option<Span> {
     let word = line.words.iter().filter(of_r).find(|word| {
         line.code.get(word.span.end as usize..).is_some_and(|behind| behind.trim_ascii_start().starts_with(b"="))
     })?;
-    Some(word.span)
+    Some(line.span_to_blank(word))
 }
 
 /// `X=IC(5)`, `B=DC(90)`
@@ -283,7 +283,7 @@ pub fn axis_by_name(line: &Line<'_>, _: usize) -> Option<Span> {
         [&b"IC"[..], b"AC", b"DC", b"ACP", b"ACN"].contains(&&value[..name])
             && line.text.get(at..).is_some_and(|rest| rest.trim_ascii_start().starts_with(b"("))
     })?;
-    Some(line.span_from(word))
+    Some(line.span_to_blank(word))
 }
 
 /// `X=10`, `F=VCUT`: a value behind a sign of equality, where other controls write it at once.
@@ -293,7 +293,7 @@ pub fn value_assigned(line: &Line<'_>, _: usize) -> Option<Span> {
             && !matches!(&word.letters[..], b"CR" | b"T" | b"R")
             && line.code.get(word.span.end as usize) == Some(&b'=')
     })?;
-    (!line.code.trim_ascii_start().starts_with(b"#")).then_some(word.span)
+    (!line.code.trim_ascii_start().starts_with(b"#")).then(|| line.span_to_blank(word))
 }
 
 /// A comment behind `;` is the whole line.
@@ -326,7 +326,7 @@ pub fn cycle_call(line: &Line<'_>, _: usize) -> Option<Span> {
     let word = line.words.iter().find(|word| word.letters == b"CYCLE" && word.number.len() >= 2)?;
     // Brackets are blanked out in `code`.
     let behind = line.text.get(word.span.end as usize..)?.trim_ascii_start();
-    behind.starts_with(b"(").then_some(word.span)
+    behind.starts_with(b"(").then(|| line.span_to_blank(word))
 }
 
 /// `DEF REAL A`
@@ -432,7 +432,7 @@ pub fn okuma_variable(line: &Line<'_>, _: usize) -> Option<Span> {
         line.words.iter().enumerate().find(|(_, word)| word.letters == b"VC" && !word.number.is_empty())?;
     let is_set = line.code.get(word.span.end as usize..)?.trim_ascii_start().starts_with(b"=");
     let asks = at > 0 && line.words.iter().any(|word| word.letters == b"IF");
-    (is_set || asks).then_some(word.span)
+    (is_set || asks).then(|| line.span_to_blank(word))
 }
 
 /// `G85 NLAP1 D4 F0.3`: a cycle of an Okuma lathe with the name of its contour.

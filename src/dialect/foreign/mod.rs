@@ -83,7 +83,7 @@ fn look(file_name: &str, head: &[u8]) -> Option<Found> {
         .copied()
         .filter(|kind| (kind.under)(own))
         .find_map(|kind| kind.fits(&lines, is_own))
-        .or_else(|| if is_own { None } else { files::as_a_whole(own, &lines) })
+        .or_else(|| files::as_a_whole(own, &lines, is_own))
         .or_else(|| undecided(own, &lines))
 }
 
