@@ -54,7 +54,6 @@ static MAGIC: &[(&[u8], &Kind)] = &[
     (b"\x89PNG", &IMAGE),
     (b"\xff\xd8\xff", &IMAGE),
     (b"GIF8", &IMAGE),
-    (b"AC10", &DWG),
     (b"AutoCAD Binary DXF", &DWG),
     (b"\xd0\xcf\x11\xe0", &BINARY),
 ];
@@ -75,8 +74,8 @@ pub fn container(head: &[u8]) -> Option<&'static Kind> {
         return Some(kind);
     }
     let begins = &head[..head.len().min(64)];
-    if head.starts_with(b"MZ") && begins.contains(&0) {
-        return Some(&EXECUTABLE);
+    if begins.contains(&0) && (head.starts_with(b"MZ") || head.starts_with(b"AC10")) {
+        return Some(if head.starts_with(b"MZ") { &EXECUTABLE } else { &DWG });
     }
     if is_binary_stl(head) {
         return Some(&MODEL);

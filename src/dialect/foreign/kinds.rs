@@ -32,6 +32,7 @@ pub(super) static ALL: &[&Kind] = &[
     &DIN_ISO,
     &KLARTEXT,
     &SINUMERIK,
+    &SINUMERIK_NC,
     &PRINTER,
     &ISO,
     &LINUXCNC,
@@ -122,11 +123,21 @@ static SINUMERIK: Kind = Kind {
         alone(marks::stop_of_reading),
         half(marks::radius_by_name),
         half(marks::value_assigned),
-        half(marks::semicolon_comment),
         half(marks::sinumerik_mode),
     ],
     under: |own| own.turns() || matches!(own, Own::Klartext | Own::Plain),
     ..BASE
+};
+/// No other control that calls its programs `.nc` has both; in files for printers they stand beside each other.
+static SINUMERIK_NC: Kind = Kind {
+    marks: &[
+        half(marks::semicolon_comment),
+        half(marks::value_assigned),
+        half(marks::sinumerik_mode),
+        half(marks::radius_by_name),
+    ],
+    under: Own::turns,
+    ..SINUMERIK
 };
 
 static LINUXCNC_DIALECT: Dialect = stands_for("LinuxCNC with O words");

@@ -70,6 +70,11 @@ impl<'a> Line<'a> {
         Span::at(blank as u32, self.text.trim_ascii().len() as u32)
     }
 
+    /// A control that is told to skips the block.
+    pub fn is_skipped(&self) -> bool {
+        matches!(self.text.trim_ascii_start(), [b'/', next, ..] if !matches!(next, b'/' | b'*'))
+    }
+
     /// From a word to the end of the code.
     pub fn span_from(&self, word: &Word) -> Span {
         Span { start: word.span.start, end: (self.code.trim_ascii_end().len() as u32).max(word.span.end) }

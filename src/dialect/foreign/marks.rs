@@ -177,8 +177,14 @@ pub fn o_word(line: &Line<'_>, _: usize) -> Option<Span> {
     ];
     let code = line.code.trim_ascii();
     let named = code.starts_with(b"#<") || code.starts_with(b"O<");
+    // `O100: IF R1==1`: a label of a SINUMERIK.
+    let is_label = |word: &Word| {
+        line.code.get(word.span.end as usize..).is_some_and(|rest| rest.trim_ascii_start().starts_with(b":"))
+    };
     let flow = match line.behind_number() {
-        [first, second, ..] => first.letters == b"O" && !first.number.is_empty() && FLOW.contains(&&second.letters[..]),
+        [first, second, ..] => {
+            first.letters == b"O" && !first.number.is_empty() && !is_label(first) && FLOW.contains(&&second.letters[..])
+        }
         _ => false,
     };
     (named || flow).then(|| line.span())
@@ -290,7 +296,7 @@ pub fn axis_by_name(line: &Line<'_>, _: usize) -> Option<Span> {
 pub fn value_assigned(line: &Line<'_>, _: usize) -> Option<Span> {
     let word = line.words.iter().find(|word| {
         word.letters != b"#"
-            && !matches!(&word.letters[..], b"CR" | b"T" | b"R")
+            && !matches!(&word.letters[..], b"CR" | b"T" | b"R" | b"Q" | b"QL" | b"QR" | b"QS")
             && line.code.get(word.span.end as usize) == Some(&b'=')
     })?;
     (!line.code.trim_ascii_start().starts_with(b"#")).then(|| line.span_to_blank(word))
@@ -310,7 +316,7 @@ pub fn sinumerik_mode(line: &Line<'_>, _: usize) -> Option<Span> {
 pub fn dialog(line: &Line<'_>, _: usize) -> Option<Span> {
     let code = line.code.trim_ascii_start();
     let code = code[code.iter().take_while(|b| b.is_ascii_digit()).count()..].trim_ascii_start();
-    let begins = [&b"TOOL CALL"[..], b"TOOL DEF", b"CYCL DEF", b"CYCL CALL", b"BLK FORM", b"CALL LBL", b"CALL PGM"];
+    let begins = [&b"TOOL CALL "[..], b"TOOL DEF ", b"CYCL DEF ", b"CYCL CALL ", b"BLK FORM "];
     begins.iter().any(|begin| code.starts_with(begin)).then(|| line.span())
 }
 

@@ -111,7 +111,7 @@ impl Kind {
             let place = lines
                 .iter()
                 .enumerate()
-                .filter(|(_, line)| self.iso_sections || !line.is_iso)
+                .filter(|(_, line)| !line.is_skipped() && (self.iso_sections || !line.is_iso))
                 .find_map(|(at, line)| Some((line, (mark.shows)(line, at)?)));
             let Some((line, span)) = place else { continue };
             if !is_own || self.sure || mark.is_proof() {

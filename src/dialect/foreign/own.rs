@@ -70,7 +70,11 @@ pub fn is_klartext(line: &Line<'_>) -> bool {
     let is_call = word == b"CALL" && (rest.starts_with(b"LBL") || rest.starts_with(b"PGM"));
     let path = matches!(word, b"L" | b"LP" | b"C" | b"CC" | b"CP" | b"CR" | b"CT");
     let is_axis = |rest: &[u8]| matches!(rest, [b'X' | b'Y' | b'Z' | b'P' | b'I', ..]);
-    VERBS.contains(&word) || is_call || path && is_axis(rest)
+    let is_parameter = matches!(word, b"Q" | b"QL" | b"QR" | b"QS") && {
+        let behind = rest[rest.iter().take_while(|b| b.is_ascii_digit()).count()..].trim_ascii_start();
+        rest.first().is_some_and(u8::is_ascii_digit) && behind.starts_with(b"=")
+    };
+    VERBS.contains(&word) || is_call || is_parameter || path && is_axis(rest)
 }
 
 /// A name, an assignment, or G290, which ends a section of the ISO dialect: what no other control writes so.
