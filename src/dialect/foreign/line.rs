@@ -70,6 +70,23 @@ impl<'a> Line<'a> {
         Span::at(blank as u32, self.text.trim_ascii().len() as u32)
     }
 
+    /// Nothing but positions of axes that lines before it had, too (`seen`): it shows no language, and most lines are such.
+    pub fn repeats(&self, seen: &mut u32) -> bool {
+        let mut letters = 0_u32;
+        for word in &self.words {
+            match word.letters[..] {
+                [letter @ (b'A'..=b'C' | b'I'..=b'K' | b'X'..=b'Z')] if !word.number.is_empty() => {
+                    letters |= 1 << (letter - b'A');
+                }
+                _ => return false,
+            }
+        }
+        let of_words = |b: &u8| b.is_ascii_alphanumeric() || matches!(b, b' ' | b'\t' | b'.' | b'+' | b'-');
+        let is_known = letters != 0 && letters & !*seen == 0 && self.text.iter().all(of_words);
+        *seen |= letters;
+        is_known
+    }
+
     /// A control that is told to skips the block.
     pub fn is_skipped(&self) -> bool {
         matches!(self.text.trim_ascii_start(), [b'/', next, ..] if !matches!(next, b'/' | b'*'))

@@ -76,7 +76,8 @@ fn look(file_name: &str, head: &[u8]) -> Option<Found> {
         return Some(Found { kind, evidence: vec![(1, Span::at(0, first.len().min(SHOWN) as u32))] });
     }
     let own = Own::of(file_name);
-    let mut lines: Vec<Line<'_>> = line::lines(head).collect();
+    let mut seen = 0;
+    let mut lines: Vec<Line<'_>> = line::lines(head).filter(|line| !line.repeats(&mut seen)).collect();
     mark_sections(&mut lines);
     let is_own = lines.iter().any(|line| own.shows(line));
     ALL.iter()
