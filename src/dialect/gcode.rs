@@ -9,7 +9,6 @@ pub(super) const DIALECT: Dialect = Dialect {
     name: "plain G-code (LinuxCNC)",
     extensions: &["ngc", "gcode"],
     recognizes,
-    disowns: |_| false,
     turns: false,
     folders: &[],
     run: gcode::run,

@@ -9,7 +9,6 @@ pub(super) const DIALECT: Dialect = Dialect {
     name: "HEIDENHAIN Klartext",
     extensions: &["h", "klartext"],
     recognizes,
-    disowns: |_| false,
     turns: false,
     folders: &[],
     run: klartext::run,

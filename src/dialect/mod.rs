@@ -25,8 +25,6 @@ pub struct Dialect {
     pub extensions: &'static [&'static str],
     /// Do these first bytes of a file show the language beyond doubt?
     pub recognizes: fn(&[u8]) -> bool,
-    /// Do these first bytes show that it is another language, whatever the file is called?
-    pub disowns: fn(&[u8]) -> bool,
     /// A language of lathes: whatever `[machine] kind` says, the output is one for a lathe.
     pub turns: bool,
     /// Folders of the control, where copies of them are known by their names.
@@ -106,19 +104,12 @@ pub fn read_as(file_name: &str, head: &[u8]) -> Option<&'static Dialect> {
         return Some(kind);
     }
     let extension = file_name.rsplit_once('.')?.1.to_ascii_lowercase();
-    let named = |dialect: &&Dialect| dialect.extensions.contains(&extension.as_str()) && !(dialect.disowns)(head);
+    let named = |dialect: &&Dialect| dialect.extensions.contains(&extension.as_str());
     let mut by_extension = ALL.iter().copied().filter(named);
     match (by_extension.next(), by_extension.next()) {
         (Some(dialect), None) => Some(dialect),
         _ => None,
     }
-}
-
-/// Does the program begin as those of Fanuc controls and their like do: `%`, and `O1000` or `:1000` behind it?
-pub fn has_program_number(head: &[u8]) -> bool {
-    let mut lines = head.split(|b| matches!(b, b'\n' | b'\r')).map(<[u8]>::trim_ascii).filter(|line| !line.is_empty());
-    let numbered = |line: &[u8]| matches!(line, [b'O' | b'o' | b':', digit, ..] if digit.is_ascii_digit());
-    lines.next() == Some(b"%") && lines.next().is_some_and(numbered)
 }
 
 #[cfg(test)]
@@ -146,6 +137,11 @@ mod tests {
             "T1 M6\nG0 X1\n",
             "N5 T1 M06\n",
             "G0 G43 Z5. H1\n",
+            "G0 X1\nG1 Z-1 F100\n",
+            "N1 G0 X1\nN2 G1 Z-1 F100\n",
+            "G0 X1 Y1\n",
+            "G21\nG0 X1\n",
+            "G17\nG0 X1\n",
         ] {
             assert_eq!(guessed("PART.nc", head), None, "{head}");
         }

@@ -9,7 +9,6 @@ pub(super) const DIALECT: Dialect = Dialect {
     name: "Bosch Rexroth MTC200",
     extensions: &["npg"],
     recognizes,
-    disowns: |_| false,
     turns: false,
     folders: &[],
     run: mtc200::run,

@@ -9,7 +9,6 @@ pub(super) const DIALECT: Dialect = Dialect {
     name: "SINUMERIK",
     extensions: &["mpf", "spf", "arc"],
     recognizes,
-    disowns: |_| false,
     turns: false,
     folders: sinumerik::FOLDERS,
     run: sinumerik::run,

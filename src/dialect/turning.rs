@@ -9,7 +9,6 @@ pub(super) const DIALECT: Dialect = Dialect {
     name: "HEIDENHAIN turning",
     extensions: &["nc", "ncs"],
     recognizes,
-    disowns,
     turns: true,
     folders: &[],
     run: turning::run,
@@ -37,31 +36,6 @@ fn recognizes(head: &[u8]) -> bool {
         let sections: [&[u8]; 6] =
             [b"PROGRAMMKOPF", b"PROGRAM HEAD", b"BEARBEITUNG", b"MACHINING", b"FERTIGTEIL", b"FINISHED PART"];
         if sections.contains(&upper.as_slice()) {
-            return true;
-        }
-    }
-    false
-}
-
-/// Words of other controls: `%` and a program number behind it, a tool change by M6, a length by G43 H, or a safety block such as
-/// `G90 G21 G94`.
-fn disowns(head: &[u8]) -> bool {
-    const SAFETY: [&[u8]; 10] = [b"G17", b"G20", b"G21", b"G40", b"G49", b"G54", b"G80", b"G90", b"G94", b"G64"];
-    if super::has_program_number(head) {
-        return true;
-    }
-    for line in head.split(|b| matches!(b, b'\n' | b'\r')) {
-        let line = line.trim_ascii().to_ascii_uppercase();
-        let Some(first) = line.first() else { continue };
-        // Comments stand in square brackets.
-        if matches!(first, b'[' | b'(') {
-            continue;
-        }
-        let words: Vec<&[u8]> = line.split(|b| matches!(b, b' ' | b'\t')).collect();
-        let safe = words.iter().filter(|word| SAFETY.contains(*word)).count();
-        let changes = words.iter().any(|word| matches!(*word, b"M6" | b"M06"));
-        let length = words.contains(&b"G43".as_slice()) && words.iter().any(|word| word.first() == Some(&b'H'));
-        if safe > 1 || changes || length {
             return true;
         }
     }

@@ -46,6 +46,7 @@ mod facade;
 mod fast_path;
 mod first_round;
 mod foreign;
+mod foreign_heads;
 mod fuzz;
 mod gcode;
 mod golden;

@@ -46,13 +46,9 @@ const SAID: &[(&str, &str, &[&str], &[&str])] = &[
     (
         "ISO.MPF",
         "N10 G21 G17 G90 G54 G0 X10 Y0 Z1\nM30\n",
-        &[
-            "S2010",
-            "G21 is a code of ISO dialects",
-            "in its place this language has `G71` for millimetres",
-            "`--dialect gcode`",
-        ],
-        &[],
+        &["S2010", "G21 is a code of ISO dialects", "in its place this language has `G71` for millimetres"],
+        // A program of ISO code throughout is told as such.
+        &["--dialect"],
     ),
     // It runs until there is no level left; it is no second program of its name.
     (

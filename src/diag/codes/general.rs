@@ -46,7 +46,10 @@ P0009 Error "other-language" "file is in none of the languages"
 printer), an archive, source text, a document. The message names what was recognized, and the words and lines that show it. It is the only \
 finding: read in the wrong language, such a file would bring up nothing but misleading ones.\n\
 partc reads Klartext, SINUMERIK, MTC200, HEIDENHAIN turning and plain G-code. If the file is in one of these, say so with `--dialect` or \
-under `[dialects]` in partc.toml: then nothing is guessed. Files that nobody wants to have read are left out by a line in `.partcignore`."
+under `[dialects]` in partc.toml: then nothing is guessed. `--dialect gcode` is advised where the reader of plain G-code takes the beginning of the file; \
+otherwise the help names the first line that it refuses.\n\
+`.nc` is the name of programs of many controls. Such a file is read as HEIDENHAIN turning where a name line (`%95.nc`), a comment in \
+square brackets, `END`, a function of that control or blocks numbered by one show it. Files that nobody wants to have read are left out by a line in `.partcignore`."
 
 P0101 Error "program-not-found" "called program is not in the include roots"
 "The program calls another one that partc cannot find. Without it the path is incomplete, so nothing is written.\n\

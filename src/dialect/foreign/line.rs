@@ -13,6 +13,8 @@ pub struct Line<'a> {
     /// What stands in front of comments; those in round brackets are blanked out.
     pub code: Vec<u8>,
     pub words: Vec<Word>,
+    /// It stands between G291 and G290.
+    pub is_iso: bool,
 }
 
 /// `G43`, `X-1.5`, `#100`, `CYCLE81`: letters, upper case, and what stands behind them.
@@ -59,13 +61,48 @@ impl<'a> Line<'a> {
     fn new(number: u32, start: u32, text: &'a [u8]) -> Line<'a> {
         let code = without_comments(text);
         let words = words(&code);
-        Line { number, start, text, code, words }
+        Line { number, start, text, code, words, is_iso: false }
     }
 
     /// The whole of it.
     pub fn span(&self) -> Span {
         let blank = self.text.len() - self.text.trim_ascii_start().len();
         Span::at(blank as u32, self.text.trim_ascii().len() as u32)
+    }
+
+    /// Nothing but positions of axes that lines before it had, too (`seen`): it shows no language, and most lines are such.
+    pub fn repeats(&self, seen: &mut u32) -> bool {
+        let mut letters = 0_u32;
+        for word in &self.words {
+            match word.letters[..] {
+                [letter @ (b'A'..=b'C' | b'I'..=b'K' | b'X'..=b'Z')] if !word.number.is_empty() => {
+                    letters |= 1 << (letter - b'A');
+                }
+                _ => return false,
+            }
+        }
+        let of_words = |b: &u8| b.is_ascii_alphanumeric() || matches!(b, b' ' | b'\t' | b'.' | b'+' | b'-');
+        let is_known = letters != 0 && letters & !*seen == 0 && self.text.iter().all(of_words);
+        *seen |= letters;
+        is_known
+    }
+
+    /// A control that is told to skips the block.
+    pub fn is_skipped(&self) -> bool {
+        matches!(self.text.trim_ascii_start(), [b'/', next, ..] if !matches!(next, b'/' | b'*'))
+    }
+
+    /// From a word to the end of the code.
+    pub fn span_from(&self, word: &Word) -> Span {
+        Span { start: word.span.start, end: (self.code.trim_ascii_end().len() as u32).max(word.span.end) }
+    }
+
+    /// From a word to the next blank: `R1=5`, `X=IC(5)`.
+    pub fn span_to_blank(&self, word: &Word) -> Span {
+        let start = word.span.start as usize;
+        let rest = self.text.get(start..).unwrap_or_default();
+        let length = rest.iter().position(|b| b.is_ascii_whitespace() || *b == b';').unwrap_or(rest.len());
+        Span { start: word.span.start, end: ((start + length) as u32).max(word.span.end) }
     }
 
     /// The words behind the number of the block.

@@ -3,9 +3,12 @@
 use crate::text::Span;
 
 use super::line::{Line, Word};
+use super::own::is_klartext;
 
 /// Weight of marks that together decide.
 pub const DECIDES: u8 = 2;
+/// Weight of a mark that no language of ours has: it counts beside lines that look like one of them.
+const PROVES: u8 = 4;
 
 /// Something that shows a language.
 pub struct Mark {
@@ -20,6 +23,11 @@ pub const fn alone(shows: fn(&Line<'_>, usize) -> Option<Span>) -> Mark {
     Mark { weight: DECIDES, shows }
 }
 
+/// A mark that is enough, whatever stands beside it.
+pub const fn proof(shows: fn(&Line<'_>, usize) -> Option<Span>) -> Mark {
+    Mark { weight: PROVES, shows }
+}
+
 /// One of two that are needed.
 pub const fn half(shows: fn(&Line<'_>, usize) -> Option<Span>) -> Mark {
     Mark { weight: 1, shows }
@@ -28,6 +36,12 @@ pub const fn half(shows: fn(&Line<'_>, usize) -> Option<Span>) -> Mark {
 /// One that is named beside those that decide.
 pub const fn beside(shows: fn(&Line<'_>, usize) -> Option<Span>) -> Mark {
     Mark { weight: 0, shows }
+}
+
+impl Mark {
+    pub fn is_proof(&self) -> bool {
+        self.weight == PROVES
+    }
 }
 
 fn starts(line: &Line<'_>, with: &str) -> bool {
@@ -93,6 +107,23 @@ pub fn variable(line: &Line<'_>, _: usize) -> Option<Span> {
     Some(word.span)
 }
 
+/// `#100=5`, `N10 #100=[#1+2]` at the beginning of a block: a variable of a macro is set.
+pub fn set_variable(line: &Line<'_>, _: usize) -> Option<Span> {
+    let word = line.behind_number().first().filter(|word| word.letters == b"#" && !word.number.is_empty())?;
+    let behind = line.code.get(word.span.end as usize..)?.trim_ascii_start();
+    let whole = word.number.iter().all(u8::is_ascii_digit);
+    let value = behind.strip_prefix(b"=")?.trim_ascii_start();
+    let is_value = value.first().is_some_and(|b| b.is_ascii_digit() || b"+-.#[".contains(b) || b.is_ascii_alphabetic());
+    (whole && word.number.len() >= 3 && is_value).then(|| line.span_to_blank(word))
+}
+
+/// `#1=5` at the beginning of a block. A HEIDENHAIN turning control has such variables, too.
+pub fn set_any_variable(line: &Line<'_>, _: usize) -> Option<Span> {
+    let word = line.behind_number().first().filter(|word| word.letters == b"#" && !word.number.is_empty())?;
+    let behind = line.code.get(word.span.end as usize..)?.trim_ascii_start();
+    behind.starts_with(b"=").then(|| line.span_to_blank(word))
+}
+
 /// `G65 P9000`, `M98 P1000`
 pub fn macro_call(line: &Line<'_>, _: usize) -> Option<Span> {
     both(line, is("G", &["65", "66"]), numbered("P")).or_else(|| both(line, is("M", &["98"]), numbered("P")))
@@ -100,16 +131,72 @@ pub fn macro_call(line: &Line<'_>, _: usize) -> Option<Span> {
 
 /// `IF [#1 EQ 2] GOTO 10`, `WHILE [#1 LT 5] DO1`
 pub fn condition(line: &Line<'_>, _: usize) -> Option<Span> {
-    let word = line.words.iter().find(|word| word.letters == b"IF" || word.letters == b"WHILE")?;
+    let word = line.behind_number().first().filter(|word| word.letters == b"IF" || word.letters == b"WHILE")?;
     let behind = line.code.get(word.span.end as usize..)?.trim_ascii_start();
-    behind.starts_with(b"[").then_some(word.span)
+    (behind.starts_with(b"[") && behind.contains(&b'#')).then(|| line.span_from(word))
+}
+
+/// `GOTO 100`, `GOTO100`: a jump to the number of a block.
+pub fn jump_to_number(line: &Line<'_>, _: usize) -> Option<Span> {
+    let word = line.words.iter().find(|word| word.letters == b"GOTO")?;
+    let behind = line.code.get(word.span.start as usize + 4..)?.trim_ascii_start();
+    behind.first().is_some_and(u8::is_ascii_digit).then(|| line.span_from(word))
+}
+
+/// `G54.1 P1`, `G10 L2`: work offsets of a Fanuc.
+pub fn offset_by_number(line: &Line<'_>, _: usize) -> Option<Span> {
+    both(line, is("G", &["54.1"]), numbered("P")).or_else(|| both(line, is("G", &["10"]), numbered("L")))
+}
+
+/// `G50 S2000`, `G71 P10 Q20 U0.4`: a lathe of Fanuc.
+pub fn turning_cycle(line: &Line<'_>, _: usize) -> Option<Span> {
+    let profile = |word: &Word| matches!(&word.letters[..], b"Q") && !word.number.is_empty();
+    both(line, is("G", &["70", "71", "72", "73", "76"]), profile)
+        .filter(|_| line.words.iter().any(|word| word.letters == b"P"))
+        .or_else(|| both(line, is("G", &["50"]), numbered("S")))
+}
+
+/// `O100 SUB`, `O<BORE> CALL`, `#<DEPTH> = 5`: subprograms and named variables of LinuxCNC.
+pub fn o_word(line: &Line<'_>, _: usize) -> Option<Span> {
+    const FLOW: [&[u8]; 15] = [
+        b"SUB",
+        b"ENDSUB",
+        b"CALL",
+        b"IF",
+        b"ELSE",
+        b"ELSEIF",
+        b"ENDIF",
+        b"WHILE",
+        b"ENDWHILE",
+        b"DO",
+        b"REPEAT",
+        b"ENDREPEAT",
+        b"BREAK",
+        b"CONTINUE",
+        b"RETURN",
+    ];
+    let code = line.code.trim_ascii();
+    let named = code.starts_with(b"#<") || code.starts_with(b"O<");
+    // `O100: IF R1==1`: a label of a SINUMERIK.
+    let is_label = |word: &Word| {
+        line.code.get(word.span.end as usize..).is_some_and(|rest| rest.trim_ascii_start().starts_with(b":"))
+    };
+    let flow = match line.behind_number() {
+        [first, second, ..] => {
+            first.letters == b"O" && !first.number.is_empty() && !is_label(first) && FLOW.contains(&&second.letters[..])
+        }
+        _ => false,
+    };
+    (named || flow).then(|| line.span())
 }
 
 /// Two words with which programs for mills begin, and which mean something else on a lathe of HEIDENHAIN.
 pub fn safety_block(line: &Line<'_>, _: usize) -> Option<Span> {
     let safe = is("G", &["17", "20", "21", "40", "49", "54", "80", "90", "94", "64"]);
+    // That control has these, too.
+    let shared = is("G", &["40", "80", "94"]);
     // Comments of that control stand in square brackets.
-    if line.text.contains(&b'[') {
+    if line.text.contains(&b'[') || line.words.iter().filter(|word| safe(word)).all(shared) {
         return None;
     }
     let mut found = line.words.iter().filter(|word| safe(word));
@@ -118,12 +205,134 @@ pub fn safety_block(line: &Line<'_>, _: usize) -> Option<Span> {
     Some(first.span.to(last.span))
 }
 
+fn g_word(line: &Line<'_>, numbers: &'static [&'static str]) -> Option<Span> {
+    line.words.iter().find(|word| is("G", numbers)(word)).map(|word| word.span)
+}
+
+/// `G17`, `G54`, `G90`, `G43`: what no lathe of HEIDENHAIN takes.
+pub fn mode_of_mill(line: &Line<'_>, _: usize) -> Option<Span> {
+    g_word(line, &["17", "18", "19", "43", "49", "54", "54.1", "90", "91", "91.1"])
+}
+
+/// `Y10`: a third axis.
+pub fn third_axis(line: &Line<'_>, _: usize) -> Option<Span> {
+    let word = line.words.iter().find(|word| word.letters == b"Y" && !word.number.is_empty())?;
+    Some(word.span)
+}
+
+/// `M6`
+pub fn change(line: &Line<'_>, _: usize) -> Option<Span> {
+    line.words.iter().find(|word| word.is("M", "6")).map(|word| word.span)
+}
+
+/// `G20` or `G21` with no more than other G words.
+pub fn unit_alone(line: &Line<'_>, at: usize) -> Option<Span> {
+    let only = line.behind_number().iter().all(|word| word.letters == b"G");
+    unit(line, at).filter(|_| only)
+}
+
+/// `G43`, `G49`: the length of a tool, which the SINUMERIK language takes with D.
+pub fn any_length(line: &Line<'_>, _: usize) -> Option<Span> {
+    g_word(line, &["43", "44", "49"])
+}
+
+/// `G80`, `G81`: drilling cycles by G code.
+pub fn any_cycle(line: &Line<'_>, _: usize) -> Option<Span> {
+    g_word(line, &["73", "76", "80", "81", "82", "83", "84", "85", "86", "87", "88", "89"])
+}
+
+/// `G98`, `G99`
+pub fn return_plane(line: &Line<'_>, _: usize) -> Option<Span> {
+    g_word(line, &["98", "99"])
+}
+
+/// `G0 X10 Y5`, `N10 G90 G54`: a block that begins with a G word and holds an axis, or no more than G words.
+pub fn g_block(line: &Line<'_>, _: usize) -> Option<Span> {
+    let (first, rest) = line.behind_number().split_first()?;
+    let of_g = first.letters == b"G" && !first.number.is_empty();
+    let axis = |word: &Word| matches!(&word.letters[..], b"X" | b"Y" | b"Z") && !word.number.is_empty();
+    (of_g && (rest.iter().any(axis) || rest.iter().all(|word| word.letters == b"G"))).then(|| line.span())
+}
+
+/// A word of a letter and a number.
+pub fn any_word(line: &Line<'_>, _: usize) -> Option<Span> {
+    let is_word = |word: &Word| matches!(&word.letters[..], [letter] if *letter != b'#') && !word.number.is_empty();
+    let is_block = line.words.first().is_some_and(is_word) && !line.code.trim_ascii_start().starts_with(b"%");
+    is_block.then(|| line.span())
+}
+
+/// Does the line come from a program for a lathe of Fanuc or its like, where X is a diameter?
+pub fn of_lathe(line: &Line<'_>) -> bool {
+    let change = line.words.iter().any(|word| word.is("M", "6"));
+    let turret = |word: &Word| word.letters == b"T" && word.number.len() >= 4 && !change;
+    let limit = both(line, is("G", &["50", "92"]), numbered("S")).is_some();
+    let increment = |word: &Word| matches!(&word.letters[..], b"U" | b"W") && !word.number.is_empty();
+    limit || line.words.iter().any(|word| turret(word) || increment(word) || word.is("G", "96"))
+}
+
+/// `R1=5`
+pub fn r_parameter(line: &Line<'_>, _: usize) -> Option<Span> {
+    let of_r = |word: &&Word| word.letters == b"R" && word.number.first().is_some_and(u8::is_ascii_digit);
+    let word = line.words.iter().filter(of_r).find(|word| {
+        line.code.get(word.span.end as usize..).is_some_and(|behind| behind.trim_ascii_start().starts_with(b"="))
+    })?;
+    Some(line.span_to_blank(word))
+}
+
+/// `X=IC(5)`, `B=DC(90)`
+pub fn axis_by_name(line: &Line<'_>, _: usize) -> Option<Span> {
+    let word = line.words.iter().find(|word| {
+        let behind = line.code.get(word.span.end as usize..).unwrap_or_default().trim_ascii_start();
+        let Some(value) = behind.strip_prefix(b"=").map(<[u8]>::trim_ascii_start) else { return false };
+        let name = value.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+        let at = line.code.len() - value.len() + name;
+        [&b"IC"[..], b"AC", b"DC", b"ACP", b"ACN"].contains(&&value[..name])
+            && line.text.get(at..).is_some_and(|rest| rest.trim_ascii_start().starts_with(b"("))
+    })?;
+    Some(line.span_to_blank(word))
+}
+
+/// `X=10`, `F=VCUT`: a value behind a sign of equality, where other controls write it at once.
+pub fn value_assigned(line: &Line<'_>, _: usize) -> Option<Span> {
+    let word = line.words.iter().find(|word| {
+        word.letters != b"#"
+            && !matches!(&word.letters[..], b"CR" | b"T" | b"R" | b"Q" | b"QL" | b"QR" | b"QS")
+            && line.code.get(word.span.end as usize) == Some(&b'=')
+    })?;
+    (!line.code.trim_ascii_start().starts_with(b"#")).then(|| line.span_to_blank(word))
+}
+
+/// A comment behind `;` is the whole line.
+pub fn semicolon_comment(line: &Line<'_>, _: usize) -> Option<Span> {
+    line.text.trim_ascii().starts_with(b";").then(|| line.span())
+}
+
+/// `G500`, `G710`, `G642`
+pub fn sinumerik_mode(line: &Line<'_>, _: usize) -> Option<Span> {
+    g_word(line, &["500", "505", "506", "507", "601", "602", "641", "642", "645", "450", "451", "700", "710"])
+}
+
+/// `TOOL CALL 5 Z S1000`, `CYCL DEF 200`: a block of the dialog.
+pub fn dialog(line: &Line<'_>, _: usize) -> Option<Span> {
+    let code = line.code.trim_ascii_start();
+    let code = code[code.iter().take_while(|b| b.is_ascii_digit()).count()..].trim_ascii_start();
+    let begins = [&b"TOOL CALL "[..], b"TOOL DEF ", b"CYCL DEF ", b"CYCL CALL ", b"BLK FORM "];
+    begins.iter().any(|begin| code.starts_with(begin)).then(|| line.span())
+}
+
+/// `L X+10 Y-5 R0 FMAX`: a line of the dialog with signs.
+pub fn dialog_line(line: &Line<'_>, _: usize) -> Option<Span> {
+    let signed = line.words.iter().any(|word| matches!(word.number.first(), Some(b'+' | b'-')));
+    let speed = line.words.iter().any(|word| matches!(&word.letters[..], b"FMAX" | b"FAUTO") || word.is("R", "0"));
+    (is_klartext(line) && signed && speed).then(|| line.span())
+}
+
 /// `CYCLE81(`: a cycle of the SINUMERIK.
 pub fn cycle_call(line: &Line<'_>, _: usize) -> Option<Span> {
     let word = line.words.iter().find(|word| word.letters == b"CYCLE" && word.number.len() >= 2)?;
     // Brackets are blanked out in `code`.
     let behind = line.text.get(word.span.end as usize..)?.trim_ascii_start();
-    behind.starts_with(b"(").then_some(word.span)
+    behind.starts_with(b"(").then(|| line.span_to_blank(word))
 }
 
 /// `DEF REAL A`
@@ -147,9 +356,9 @@ pub fn tool_by_name(line: &Line<'_>, _: usize) -> Option<Span> {
     assigned(line, b"T").filter(|span| line.text.get(span.end as usize + 1) == Some(&b'"'))
 }
 
-/// `STOPRE`, `MCALL`
+/// `STOPRE`, `MCALL`, `SUPA`
 pub fn stop_of_reading(line: &Line<'_>, _: usize) -> Option<Span> {
-    named(line, &[b"STOPRE", b"MCALL"])
+    named(line, &[b"STOPRE", b"MCALL", b"SUPA", b"DIAMON", b"DIAMOF"])
 }
 
 fn named(line: &Line<'_>, names: &[&[u8]]) -> Option<Span> {
@@ -179,7 +388,9 @@ pub fn iso_switch(line: &Line<'_>, _: usize) -> Option<Span> {
 
 /// What a program in the ISO dialect has beside the switch to it.
 pub fn iso_word(line: &Line<'_>, at: usize) -> Option<Span> {
-    [program_number, tool_length, reference_point, drilling, macro_call].iter().find_map(|shows| shows(line, at))
+    [program_number, tool_length, any_length, reference_point, drilling, any_cycle, macro_call, set_variable]
+        .iter()
+        .find_map(|shows| shows(line, at))
 }
 
 /// `M104 S200`, `M140 S60`: a nozzle or a bed is heated.
@@ -211,13 +422,34 @@ pub fn okuma_name(line: &Line<'_>, at: usize) -> Option<Span> {
     (at < 2 && text.starts_with(b"$") && text.ends_with(b"%") && text.contains(&b'.')).then(|| line.span())
 }
 
-/// `NAT01`, `VZOFZ=`, `CALL OBORE`, `G15 H1`
+/// `NAT01`, `VZOFZ=`, `NOEX`, `NLAP1`
 pub fn okuma_word(line: &Line<'_>, _: usize) -> Option<Span> {
+    const WORDS: [&[u8]; 10] =
+        [b"VZOFZ", b"VZOFX", b"VZOFY", b"VTOFH", b"VTOFD", b"VSIOZ", b"VGRIN", b"OSTRT", b"NOEX", b"VNTOL"];
     let word = line.words.iter().find(|word| {
-        word.letters == b"NAT" && !word.number.is_empty()
-            || [&b"VZOFZ"[..], b"VZOFX", b"VSIOZ", b"OSTRT", b"NOEX"].contains(&&word.letters[..])
+        matches!(&word.letters[..], b"NAT" | b"NLAP") && !word.number.is_empty() || WORDS.contains(&&word.letters[..])
     });
     word.map(|word| word.span)
+}
+
+/// `VC1=5`, `IF [VC1 EQ 2] N10`: a variable of an Okuma.
+pub fn okuma_variable(line: &Line<'_>, _: usize) -> Option<Span> {
+    let (at, word) =
+        line.words.iter().enumerate().find(|(_, word)| word.letters == b"VC" && !word.number.is_empty())?;
+    let is_set = line.code.get(word.span.end as usize..)?.trim_ascii_start().starts_with(b"=");
+    let asks = at > 0 && line.words.iter().any(|word| word.letters == b"IF");
+    (is_set || asks).then(|| line.span_to_blank(word))
+}
+
+/// `G85 NLAP1 D4 F0.3`: a cycle of an Okuma lathe with the name of its contour.
+pub fn okuma_cycle(line: &Line<'_>, _: usize) -> Option<Span> {
+    both(line, is("G", &["85", "86", "87", "88"]), |word| word.letters == b"NLAP")
+}
+
+/// `G15 H1`: a work offset. No other control of ours has the code.
+pub fn okuma_offset_alone(line: &Line<'_>, at: usize) -> Option<Span> {
+    let few = line.behind_number().len() == 2;
+    okuma_offset(line, at).filter(|_| few)
 }
 
 /// `CALL OBORE`
@@ -256,23 +488,4 @@ pub fn old_command(line: &Line<'_>, _: usize) -> Option<Span> {
 /// `%PM` in the first line.
 pub fn philips_head(line: &Line<'_>, at: usize) -> Option<Span> {
     (at == 0 && line.code.trim_ascii() == b"%PM").then(|| line.span())
-}
-
-/// A line of the preprocessor of C.
-pub fn preprocessor(line: &Line<'_>, _: usize) -> Option<Span> {
-    let text = line.text.trim_ascii_start();
-    let rest = text.strip_prefix(b"#")?.trim_ascii_start();
-    let words: [&[u8]; 6] = [b"include ", b"include<", b"ifndef ", b"ifdef ", b"define ", b"pragma "];
-    let is_one = words.iter().any(|word| rest.starts_with(word)) || rest.starts_with(b"include\"");
-    is_one.then(|| line.span())
-}
-
-/// Prose: four words of small letters, and no digit.
-pub fn prose(line: &Line<'_>) -> bool {
-    let text = line.text.trim_ascii();
-    let is_comment = matches!(text.first(), Some(b';' | b'(' | b'[' | b'*' | b'%'));
-    let small =
-        |word: &&[u8]| word.len() > 1 && word[1..].iter().all(|b| b.is_ascii_lowercase() || b",.:'".contains(b));
-    let words = text.split(|b| b.is_ascii_whitespace()).filter(small).count();
-    !is_comment && words >= 4 && !text.contains(&b'=')
 }

@@ -5,9 +5,13 @@
 //! a row needs a mark that no language of ours has, or two marks that none has together, and no word of the language that the
 //! extension says.
 
+mod files;
 mod kinds;
 mod line;
 mod marks;
+mod own;
+mod source_marks;
+mod way_on;
 
 use crate::diag::{Diagnostic, codes};
 use crate::ir::contour::Sink;
@@ -17,9 +21,11 @@ use crate::text::decode::readable;
 use crate::text::{FileId, Loc, Span};
 
 use super::Dialect;
-use kinds::{ALL, Own};
+use kinds::ALL;
 use line::Line;
 use marks::Mark;
+use own::Own;
+use way_on::WayOn;
 
 /// Name in place of that of a language.
 pub const ID: &str = "foreign";
@@ -37,10 +43,12 @@ struct Kind {
     /// As it is called: "a program for Fanuc, Haas and similar controls".
     is: &'static str,
     /// What to do with it.
-    way_on: &'static str,
+    way_on: WayOn,
     marks: &'static [Mark],
     /// Its marks count also where a line looks like one of the language that the extension says.
     sure: bool,
+    /// Its marks count also in sections of the ISO dialect of a SINUMERIK.
+    iso_sections: bool,
     /// Extensions of ours under which such a file is looked for.
     under: fn(Own) -> bool,
 }
@@ -58,44 +66,69 @@ pub fn guess(file_name: &str, head: &[u8]) -> Option<&'static Dialect> {
 
 /// What is no text of a program at all shows in its first bytes, before any line of it is believed.
 pub fn is_container(head: &[u8]) -> bool {
-    kinds::container(head).is_some()
+    files::container(head).is_some()
 }
 
 fn look(file_name: &str, head: &[u8]) -> Option<Found> {
     let head = &head[..head.len().min(HEAD as usize)];
-    if let Some(kind) = kinds::container(head) {
+    if let Some(kind) = files::container(head) {
         let first = head.split(|b| matches!(b, b'\n' | b'\r')).next().unwrap_or_default();
         return Some(Found { kind, evidence: vec![(1, Span::at(0, first.len().min(SHOWN) as u32))] });
     }
     let own = Own::of(file_name);
-    let lines: Vec<Line<'_>> = line::lines(head).collect();
+    let mut seen = 0;
+    let mut lines: Vec<Line<'_>> = line::lines(head).filter(|line| !line.repeats(&mut seen)).collect();
+    mark_sections(&mut lines);
     let is_own = lines.iter().any(|line| own.shows(line));
-    let mut kinds = ALL.iter().copied().filter(|kind| (kind.under)(own) && (kind.sure || !is_own));
-    kinds.find_map(|kind| kind.fits(&lines)).or_else(|| if is_own { None } else { prose(own, &lines) })
+    ALL.iter()
+        .copied()
+        .filter(|kind| (kind.under)(own))
+        .find_map(|kind| kind.fits(&lines, is_own))
+        .or_else(|| files::as_a_whole(own, &lines, is_own))
+        .or_else(|| undecided(own, &lines))
 }
 
-/// Lines of a text that is prose.
-const LINES_OF_PROSE: usize = 3;
+/// What many languages could be, by the extension and by its words.
+fn undecided(own: Own, lines: &[Line<'_>]) -> Option<Found> {
+    let kind = &kinds::UNDECIDED;
+    if (kind.under)(own) && !own::is_turning(lines) { kind.fits(lines, false) } else { None }
+}
 
-/// A file with an extension of ours, of which nearly every line is prose.
-fn prose(own: Own, lines: &[Line<'_>]) -> Option<Found> {
-    let count = lines.iter().filter(|line| marks::prose(line)).count();
-    let first = lines.iter().find(|line| marks::prose(line))?;
-    let is_prose = (kinds::TEXT.under)(own) && count >= LINES_OF_PROSE && count * 10 > lines.len() * 7;
-    is_prose.then(|| Found { kind: &kinds::TEXT, evidence: vec![(first.number, first.span().shifted(first.start))] })
+/// From G291 to G290 a program of a SINUMERIK is one of the ISO dialect.
+fn mark_sections(lines: &mut [Line<'_>]) {
+    let mut is_iso = false;
+    for line in lines {
+        let switched = |to| line.words.iter().any(|word| word.is("G", to));
+        is_iso = (is_iso || switched("291")) && !switched("290");
+        line.is_iso = is_iso;
+    }
 }
 
 impl Kind {
     /// One mark that decides, or two.
-    fn fits(&'static self, lines: &[Line<'_>]) -> Option<Found> {
+    fn fits(&'static self, lines: &[Line<'_>], is_own: bool) -> Option<Found> {
         let (mut weight, mut evidence) = (0, Vec::new());
         for mark in self.marks {
-            let place = lines.iter().enumerate().find_map(|(at, line)| Some((line, (mark.shows)(line, at)?)));
+            let place = lines
+                .iter()
+                .enumerate()
+                .filter(|(_, line)| !line.is_skipped() && (self.iso_sections || !line.is_iso))
+                .find_map(|(at, line)| Some((line, (mark.shows)(line, at)?)));
             let Some((line, span)) = place else { continue };
-            weight += mark.weight;
+            if !is_own || self.sure || mark.is_proof() {
+                weight += mark.weight;
+            }
             evidence.push((line.number, span.shifted(line.start)));
         }
-        evidence.sort_unstable_by_key(|(_, span)| span.start);
+        evidence.sort_unstable_by_key(|(_, span): &(u32, Span)| (span.start, u32::MAX - span.end));
+        // What lies in words that are named already says no more.
+        let mut named = 0;
+        evidence.retain(|(_, span)| {
+            span.start >= named && {
+                named = span.end;
+                true
+            }
+        });
         (weight >= marks::DECIDES).then_some(Found { kind: self, evidence })
     }
 }
@@ -108,7 +141,6 @@ const fn stands_for(name: &'static str) -> Dialect {
         extensions: &[],
         folders: &[],
         recognizes: |_| false,
-        disowns: |_| false,
         turns: false,
         run,
         check_form: report,
@@ -150,7 +182,9 @@ fn report(job: &Job<'_>) {
         String::new()
     };
     let message = format!("this is {}{shown}", kind.is);
-    job.diags.push(Diagnostic::new(codes::P0009, here(start), message).help(kind.way_on));
+    let turns = line::lines(&head).any(|line| marks::of_lathe(&line));
+    let way_on = kind.way_on.text(&job.sources.name(job.main), &head, turns, job.settings);
+    job.diags.push(Diagnostic::new(codes::P0009, here(start), message).help(way_on));
 }
 
 #[cfg(test)]

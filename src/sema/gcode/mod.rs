@@ -3,6 +3,7 @@
 //! [`Reader`] reads the lines, the same that reads every output of partc. It knows no variables, calls or cycles: such a
 //! line is refused. Source: LinuxCNC User Manual, G-Code Overview and G-Codes (docs/sources.md).
 
+mod attempt;
 pub mod function;
 mod line;
 mod place;
@@ -30,6 +31,7 @@ use super::common::start::Start;
 use super::run::{self, Interpreter, Language, Level, OffsetName, Parsed, Where, runs_on};
 use super::{Job, Outcome};
 
+pub use attempt::first_refused;
 pub use survey::survey;
 
 /// By how much the end of an arc may miss its circle, in mm: what LinuxCNC takes.

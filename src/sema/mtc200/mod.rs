@@ -27,11 +27,9 @@ use rustc_hash::FxHashSet;
 
 use crate::diag::{Answer, Diags, codes};
 use crate::geo::Plane;
-use crate::ir::captured::{Captured, Unfit};
-use crate::ir::contour::{Corner, Ctx, CtxRef, Load, Move, Sink};
-use crate::ir::cycle::Cycle;
+use crate::ir::Function;
+use crate::ir::contour::{Corner, Ctx, Move, Sink};
 use crate::ir::function::PathControl;
-use crate::ir::{Function, Origin, Pos, Tap};
 use crate::machine::options::mtc200::Reading;
 use crate::machine::{Axis, Compensation};
 use crate::parser::mtc200::ast::{Block, Stmt, Target, Value};
@@ -40,7 +38,7 @@ use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Span, SplitRules};
 
-use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
+use super::run::{self, Interpreter, Language, Level, Nowhere, Parsed, runs_on};
 use super::value::Machine;
 use super::{Job, Outcome, Reported};
 use centre::Settled;
@@ -528,35 +526,4 @@ fn start_values(start: &std::collections::BTreeMap<String, f64>) -> Vec<Option<O
         }
     }
     variables
-}
-
-/// Takes everything and keeps nothing.
-struct Nowhere;
-
-impl Sink for Nowhere {
-    fn movement(&mut self, _: &Move, _: &CtxRef, _: &Origin) {}
-
-    fn corner(&mut self, _: &Corner, _: &CtxRef, _: &Origin) {}
-
-    fn function(&mut self, _: &Function, _: &CtxRef, _: &Origin) {}
-
-    fn tap(&mut self, _: &Tap, _: &CtxRef, _: &Origin) {}
-
-    fn cycle(&mut self, _: &Cycle, _: &CtxRef, _: &Origin) {}
-
-    fn lost(&mut self, _: &CtxRef, _: &Origin) {}
-
-    fn begins_at(&mut self, _: &Pos) {}
-
-    fn stands_at(&mut self, _: &Pos, _: &CtxRef, _: &Origin) {}
-
-    fn load(&self) -> Load {
-        Load::default()
-    }
-
-    fn contour_begins(&mut self, _: usize, _: &CtxRef, _: &Origin) {}
-
-    fn contour_ends(&mut self, _: &Origin) -> Result<Captured, Unfit> {
-        Ok(Captured::default())
-    }
 }

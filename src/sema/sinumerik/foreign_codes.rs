@@ -33,14 +33,7 @@ const CODES: &[(u16, &str)] = &[
 /// What to do about a G code that is not known.
 pub(super) fn in_place_of(number: f64) -> String {
     match CODES.iter().find(|(code, _)| f64::from(*code) == number) {
-        Some((code, ours)) => {
-            let plain = if matches!(code, 20 | 21 | 49 | 80) {
-                "; a program of plain ISO code, without cycles and calls, may be read with `--dialect gcode`"
-            } else {
-                ""
-            };
-            format!("G{code} is a code of ISO dialects; in its place this language has {ours}{plain}")
-        }
+        Some((code, ours)) => format!("G{code} is a code of ISO dialects; in its place this language has {ours}"),
         None => "check the number; `G=` takes a G number, `G[group]=` an index".to_owned(),
     }
 }
