@@ -202,22 +202,22 @@ impl Needs {
 
     /// What is said of the tool that a key belongs to. Edges of a tool are `5.2`.
     pub fn hint_of(&self, need: &Need) -> Option<&Hint> {
-        let tool = need.answer.path.first().filter(|_| need.answer.section == "tools")?;
+        let tool = need.answer.path.first().filter(|_| need.answer.is_of_tool())?;
         self.hints.get(tool).or_else(|| self.hints.get(tool.split_once('.')?.0))
     }
 
     /// What the user said of a field of a tool.
     pub fn of_tool(&self, need: &Need) -> Option<&str> {
         let found = self.given.iter().find(|(key, _)| key.1 == need.answer.path && self.map.contains_key(*key));
-        found.map(|(_, value)| value.as_str()).filter(|_| need.answer.section == "tools")
+        found.map(|(_, value)| value.as_str()).filter(|_| need.answer.is_of_tool())
     }
 
     /// A key as it is asked for.
     pub fn question(&self, key: &NeedKey) -> Question {
         let Some(need) = self.map.get(key) else { return Question::default() };
-        let (section, name) = match need.answer.section {
-            "tools" => (format!("tools.{}", need.answer.path[0]), need.answer.path[1].clone()),
-            _ => need.answer.place(),
+        let (section, name) = match need.answer.is_of_tool() {
+            true => (format!("tools.{}", need.answer.path[0]), need.answer.path[1].clone()),
+            false => need.answer.place(),
         };
         let choices = need.choices();
         let mut about = Vec::new();
@@ -312,7 +312,7 @@ impl Needs {
     /// A tool that is called by name is known by it: which number it gets, only the user says.
     fn by_name(&mut self, answer: &Answer) -> Answer {
         let mut answer = answer.clone();
-        if answer.section != "tools" {
+        if !answer.is_of_tool() {
             return answer;
         }
         if let (Values::OneOf(values), Some("name")) = (&answer.values, answer.path.get(1).map(String::as_str)) {
@@ -338,27 +338,42 @@ impl Needs {
             if needs.is_empty() {
                 continue;
             }
-            if section.name == "tools" {
-                self.tools(&mut text, form, &needs, taken);
-                continue;
+            let (of_tools, others): (Vec<&Need>, Vec<&Need>) =
+                needs.into_iter().partition(|need| need.answer.is_of_tool());
+            if !others.is_empty() {
+                self.section(&mut text, form, (at, section.name), &others, listed);
             }
-            let _ = writeln!(text, "{}[{}]", if text.is_empty() { "" } else { "\n" }, section.name);
-            let mut offsets = TRIED_OFFSETS.iter().chain(std::iter::repeat(&"G54"));
-            for need in needs {
-                let is_given = self.given.contains_key(&(at, need.answer.path.clone()));
-                let word = need.answer.values != Values::Coordinates && need.choices().is_empty() && !is_given;
-                if form == Form::Tried && section.name == "datums" && word {
-                    let word = offsets.next().unwrap_or(&"G54");
-                    let _ = writeln!(text, "{} = \"{word}\"", need.answer.place().1);
-                    continue;
-                }
-                let key = (at, need.answer.path.clone());
-                let choice = self.tried.get(&key).copied().unwrap_or(0);
-                let given = self.given.get(&key).map(String::as_str);
-                line(&mut text, form, need, (choice, given), &|key| listed(section.name, key));
+            if !of_tools.is_empty() {
+                self.tools(&mut text, form, &of_tools, taken);
             }
         }
         text
+    }
+
+    /// A section and its keys; `at` is its place among all.
+    fn section(
+        &self,
+        text: &mut String,
+        form: Form,
+        (at, name): (usize, &str),
+        needs: &[&Need],
+        listed: &dyn Fn(&str, &str) -> Vec<String>,
+    ) {
+        let _ = writeln!(text, "{}[{name}]", if text.is_empty() { "" } else { "\n" });
+        let mut offsets = TRIED_OFFSETS.iter().chain(std::iter::repeat(&"G54"));
+        for need in needs {
+            let is_given = self.given.contains_key(&(at, need.answer.path.clone()));
+            let word = need.answer.values != Values::Coordinates && need.choices().is_empty() && !is_given;
+            if form == Form::Tried && name == "datums" && word {
+                let word = offsets.next().unwrap_or(&"G54");
+                let _ = writeln!(text, "{} = \"{word}\"", need.answer.place().1);
+                continue;
+            }
+            let key = (at, need.answer.path.clone());
+            let choice = self.tried.get(&key).copied().unwrap_or(0);
+            let given = self.given.get(&key).map(String::as_str);
+            line(text, form, need, (choice, given), &|key| listed(name, key));
+        }
     }
 
     fn tools(&self, text: &mut String, form: Form, needs: &[&Need], taken: &BTreeSet<u32>) {
@@ -474,9 +489,9 @@ fn line(
     (choice, given): (usize, Option<&str>),
     listed: &dyn Fn(&str) -> Vec<String>,
 ) {
-    let key = match need.answer.section {
-        "tools" => need.answer.path[1].clone(),
-        _ => need.answer.place().1,
+    let key = match need.answer.is_of_tool() {
+        true => need.answer.path[1].clone(),
+        false => need.answer.place().1,
     };
     // A trial takes the other answer: the number, or the function as it stands.
     if form == Form::Tried && is_alternative(need) {

@@ -7,6 +7,7 @@ use std::path::Path;
 use serde_json::json;
 
 use crate::diag::codes;
+use crate::diag::fault::Wording;
 use crate::machine::keys::{Key, Kind, SECTIONS, Section};
 use crate::machine::tree::did_you_mean;
 
@@ -111,13 +112,38 @@ pub(super) fn explain(code: &str, format: ListFormat) -> Result<Exit, Trouble> {
     };
     let text = if format == ListFormat::Json {
         let mut value = object(found);
+        value["says"] = found.wordings.iter().map(wording_object).collect();
         value["example"] = json!(found.example());
         format!("{value}\n")
     } else {
         let head = format!("{} {} ({})\n{}\n", found.id, found.name, found.severity.word(), found.title);
-        format!("{head}\n{}\n{}", found.explain, example(found))
+        format!("{head}\n{}\n{}{}{}", found.explain, wordings(found), before(found), example(found))
     };
     print(text.as_bytes())
+}
+
+/// What a code says of its faults, each with what to do.
+fn wordings(code: &codes::Code) -> String {
+    let mut text = String::new();
+    for wording in code.wordings {
+        let alarm = wording.alarm.map_or_else(String::new, |alarm| format!(" (alarm {alarm})"));
+        text += if text.is_empty() { "\nIt says:\n" } else { "" };
+        text += &format!("  {}{alarm}\n", wording.shown(wording.message));
+        if !wording.help.is_empty() {
+            text += &format!("    {}\n", wording.shown(wording.help));
+        }
+    }
+    text
+}
+
+fn wording_object(wording: &Wording) -> serde_json::Value {
+    let help = (!wording.help.is_empty()).then(|| wording.shown(wording.help));
+    json!({ "name": wording.name, "message": wording.shown(wording.message), "help": help, "alarm": wording.alarm })
+}
+
+/// Codes and names that stay valid.
+fn before(code: &codes::Code) -> String {
+    if code.was.is_empty() { String::new() } else { format!("\nBefore, and still valid: {}\n", code.was) }
 }
 
 /// The example of a code, its programs indented.

@@ -8,7 +8,10 @@ use super::tool_hints::Hint;
 
 /// Tools as one table, a line for each: behind what its fields are, number, fields, what its name or its block says, place.
 pub(super) fn tool_lines(text: &mut String, all: &Needs, heads: &[(bool, String)], tools: &[Vec<&Need>]) {
-    let _ = writeln!(text, "{}[tools]", if text.is_empty() { "" } else { "\n" });
+    // What holds for all tools may stand there already.
+    if !text.lines().any(|line| line == "[tools]") {
+        let _ = writeln!(text, "{}[tools]", if text.is_empty() { "" } else { "\n" });
+    }
     let fields: BTreeMap<&str, &Need> =
         tools.iter().flatten().map(|need| (need.answer.path[1].as_str(), *need)).collect();
     for (field, need) in fields.iter().filter(|(field, _)| **field != "name") {

@@ -49,6 +49,11 @@ impl Answer {
         }
     }
 
+    /// Is it a field of one tool, and none of all of them?
+    pub fn is_of_tool(&self) -> bool {
+        self.section == "tools" && self.path.len() == 2
+    }
+
     /// The value of a variable, and what it means on the control.
     pub fn variable(name: impl Display, meaning: impl Into<String>) -> Answer {
         let meaning = meaning.into();

@@ -5,6 +5,7 @@
 pub mod answer;
 pub mod codes;
 pub mod decimals;
+pub mod fault;
 pub mod finding;
 pub mod render;
 pub mod report;
@@ -23,6 +24,7 @@ use crate::text::Loc;
 
 pub use answer::{Answer, Help, Values};
 pub use codes::{Code, Raised};
+pub use fault::Fault;
 pub use finding::Finding;
 pub use selection::Selection;
 pub use trail::{CallPath, Trail};

@@ -10,7 +10,7 @@ use super::{Diagnostic, Trail};
 #[cfg(feature = "cli")]
 mod excerpt;
 
-/// `file:line:column: error[K1001]: message; help`
+/// `file:line:column: error[P1001]: message; help`
 pub fn concise(found: &Diagnostic, sources: &Sources, trail: &Trail) -> String {
     one_line(found, found.help.as_deref(), sources, trail)
 }

@@ -29,7 +29,7 @@ impl Selector {
             return Some(Selector::One(code));
         }
         let prefix = text.to_ascii_uppercase();
-        let known = !prefix.is_empty() && codes::all().iter().any(|code| code.id.starts_with(&prefix));
+        let known = !prefix.is_empty() && codes::all().iter().any(|code| code.begins_with(&prefix));
         known.then_some(Selector::Prefix(prefix))
     }
 
@@ -38,7 +38,7 @@ impl Selector {
         match self {
             Selector::All => Some(0),
             Selector::Default => code.on.then_some(0),
-            Selector::Prefix(prefix) => code.id.starts_with(prefix.as_str()).then_some(prefix.len()),
+            Selector::Prefix(prefix) => code.begins_with(prefix).then_some(prefix.len()),
             Selector::One(one) => (one.id == code.id).then_some(code.id.len()),
         }
     }
@@ -218,6 +218,6 @@ mod tests {
         assert_eq!(Selector::named("X1"), None);
         assert_eq!(Selector::named(""), None);
         assert!(matches!(Selector::named("k8"), Some(Selector::Prefix(prefix)) if prefix == "K8"));
-        assert!(matches!(Selector::named("K8001"), Some(Selector::One(code)) if code.id == "K8001"));
+        assert!(matches!(Selector::named("P8140"), Some(Selector::One(code)) if code.id == "P8140"));
     }
 }

@@ -37,7 +37,7 @@ mod tests {
         assert!(told.is_first("K2011", "DL 0.5"));
         assert!(!told.is_first("K2011", "DL 0.5"));
         assert!(told.is_first("K2011", "DL -0.8"));
-        assert!(told.is_first("K2012", "DL 0.5"));
+        assert!(told.is_first("P2005", "DL 0.5"));
         let listed = (0..100_000).filter(|fact| told.is_first("S8044", fact)).count();
         assert_eq!((listed, told.unlisted("S8044")), (LISTED, Some((COUNTED - LISTED, true))));
         assert_eq!(told.unlisted("K2011"), None);

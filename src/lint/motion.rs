@@ -214,7 +214,7 @@ impl<'d> Say<'d> {
     /// Does the block read a variable of which it was said already that nothing has set it?
     pub fn reads_unset(&self, block: &str) -> bool {
         self.diags.any(|found| {
-            found.code.id == codes::S2025.id
+            found.code.id == codes::P2021.id
                 && found.message.split(' ').next().is_some_and(|name| {
                     let name = name.trim_matches('`').split('[').next().unwrap_or_default();
                     block

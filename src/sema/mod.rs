@@ -14,7 +14,7 @@ pub mod sinumerik;
 pub mod turning;
 pub mod value;
 
-use crate::diag::{Diagnostic, Diags, Trail, codes};
+use crate::diag::{Answer, Diagnostic, Diags, Trail, codes};
 use crate::machine::{Settings, Unit};
 use crate::text::{FileId, Files, Loc, Sources};
 
@@ -59,10 +59,8 @@ impl Job<'_> {
 #[cold]
 fn other_unit(unit: Unit, from: Loc) -> Diagnostic {
     let (program, table) = if unit == Unit::Inch { ("inch", "mm") } else { ("mm", "inch") };
-    let message = format!("the program calls a tool in {program}, and the tool table is in {table}");
-    Diagnostic::new(codes::P0130, from, message).help(format!(
-        "check the table; if its lengths are in {table}, say so in partc.toml: `[tools] unit = \"{table}\"`"
-    ))
+    let unit = Answer::key("tools", "unit").one_of(&["\"mm\"", "\"inch\""]);
+    codes::P0130::program_calls_tool(&program, &table).answer(unit).at(from)
 }
 
 impl std::fmt::Debug for Job<'_> {

@@ -29,7 +29,7 @@ const FORMS: &[Form] = &[
         line: 4,
         same: "3 TOOL CALL 2 Z S100\n4 L X+0 R0 FMAX\n5 L Z+250 R0 F100",
         shifted: Some("1 CYCL DEF 7.0 DATUM SHIFT\n2 CYCL DEF 7.1 Z+10\n3 TOOL CALL 2 Z S100\n4 L IZ-5 R0 F100"),
-        code: "K2001",
+        code: "P2001",
     },
     Form {
         dialect: "sinumerik",
@@ -40,7 +40,7 @@ const FORMS: &[Form] = &[
         line: 2,
         same: "G54 G90\nT2 M6\nG0 X0\nG1 Z250 F100",
         shifted: Some("G54 G90\nTRANS Z10\nT2 M6\nG1 Z=IC(-5) F100"),
-        code: "S2042",
+        code: "P2001",
     },
     Form {
         dialect: "sinumerik",
@@ -51,7 +51,7 @@ const FORMS: &[Form] = &[
         line: 2,
         same: "G18 G54 G90\nT2\nG94 G0 X0\nG1 Z250 F100",
         shifted: None,
-        code: "S2042",
+        code: "P2001",
     },
     Form {
         dialect: "heidenhain-turning",
@@ -62,7 +62,7 @@ const FORMS: &[Form] = &[
         line: 3,
         same: "T2\nG94 F100\nG0 X0\nG1 Z250",
         shifted: None,
-        code: "T2002",
+        code: "P2001",
     },
     Form {
         dialect: "mtc200",
@@ -73,7 +73,7 @@ const FORMS: &[Form] = &[
         line: 2,
         same: "G54 G90 G94\nT2 M6\nG00 X0\nG01 Z250 F100",
         shifted: Some("G54 G90 G94\nG50 Z10\nT2 M6\nG91 G01 Z-5 F100"),
-        code: "M2001",
+        code: "P2001",
     },
     Form {
         dialect: "gcode",
@@ -223,7 +223,7 @@ fn a_machine_coordinate_becomes_a_place_of_the_datum() {
 fn a_machine_coordinate_hides_both_axes_of_a_turned_frame() {
     let body = "G54 G90\nT2 M6\nROT RPL=30\nG0 X10 Y10\nSUPA G0 X0 D0\nG91 G1 Y5 F100";
     let compiled = run(&FORMS[1], body, "");
-    assert!(compiled.codes().contains(&"S2042"), "{:?}", compiled.rendered);
+    assert!(compiled.codes().contains(&"P2001"), "{:?}", compiled.rendered);
 }
 
 /// Somebody who is asked to stop may jog the axes: what FN 18 reads behind a STOP is asked for.

@@ -51,7 +51,7 @@ fn standard_input() {
     folder.run_with(&["compile", "-", "-o", "x.ngc"], PART).exits(0);
     assert_eq!(body(&folder.read("x.ngc")), body(&ran.out));
     let ran = folder.run_with(&["check", "-", "--stdin-filename", "BRACKET.H", "--format", "concise"], WRONG).exits(1);
-    assert!(ran.err.starts_with("BRACKET.H:2:14: error[K1005]: "), "{}", ran.err);
+    assert!(ran.err.starts_with("BRACKET.H:2:14: error[P1003]: "), "{}", ran.err);
 }
 
 #[test]
@@ -67,7 +67,7 @@ fn the_dialect_of_standard_input_is_told_by_content_or_name() {
 fn several_inputs() {
     let folder = Folder::new("several").with(&[("A.H", PART), ("B.H", WRONG), ("C.H", PART)]);
     // One wrong program does not stop the others.
-    folder.run(&["compile", "A.H", "B.H", "C.H"]).exits(1).says("K1005");
+    folder.run(&["compile", "A.H", "B.H", "C.H"]).exits(1).says("P1003");
     assert_eq!(folder.names(), set(&["A.H", "A.ngc", "B.H", "C.H", "C.ngc"]));
     folder.run(&["compile", "A.H", "C.H", "--out-dir", "out"]).exits(0);
     assert!(folder.has("out/A.ngc") && folder.has("out/C.ngc"));
@@ -154,7 +154,7 @@ fn an_error_prints_nothing_to_standard_output() {
     assert_eq!(folder.run(&["compile", "WRONG.H", "-o", "-"]).exits(1).out, "");
     assert_eq!(folder.run_with(&["compile", "-"], WRONG).exits(1).out, "");
     let trace = folder.run(&["trace", "WRONG.H"]).exits(1).out;
-    assert!(trace.starts_with("{\"kind\":\"incomplete\",\"code\":\"K1005\"") && trace.lines().count() == 1, "{trace}");
+    assert!(trace.starts_with("{\"kind\":\"incomplete\",\"code\":\"P1003\"") && trace.lines().count() == 1, "{trace}");
 }
 
 #[test]
@@ -301,7 +301,7 @@ fn check_also_reads_blocks_that_never_run() {
     let text = "0 BEGIN PGM PART MM\n1 L X+10 Y+5 R0 F300 M30\n2 LBL 1\n3 L X+ Y+5\n4 LBL 0\n5 END PGM PART MM\n";
     let folder = Folder::new("never_run").with(&[("PART.H", text)]);
     let ran = folder.run(&["check", "PART.H", "--format", "concise"]).exits(1);
-    assert_eq!(ran.codes(), ["K1001"]);
+    assert_eq!(ran.codes(), ["P1001"]);
 }
 
 #[test]

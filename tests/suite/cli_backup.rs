@@ -170,11 +170,11 @@ fn definitions_are_found_in_their_folder() {
     assert!(said.contains("`def` stands for `/_N_DEF_DIR`"), "{said}");
     // A value that the control keeps is asked for by its name and the place of its definition.
     folder.write("CMA/B.SPF", &program.replace("N20 SAFE=44\n", ""));
-    let said = folder.run(&["check", "CMA/B.SPF"]).exits(0).says("warning[S2025]");
+    let said = folder.run(&["check", "CMA/B.SPF"]).exits(0).says("warning[P2021]");
     assert!(said.err.contains("mgud.def") && said.err.contains("[variables]"), "{}", said.err);
     folder.write("partc.toml", "[variables]\nsafe = 33.0\n");
     assert_eq!(moves(&folder, "CMA/B.SPF"), ["G0 Z33"]);
-    assert!(!folder.run(&["check", "CMA/B.SPF"]).exits(0).err.contains("S2025"));
+    assert!(!folder.run(&["check", "CMA/B.SPF"]).exits(0).err.contains("P2021"));
     folder.write("def/mgud.def", "");
     std::fs::rename(folder.0.join("def/mgud.def"), folder.0.join("def/other.def")).expect("a name");
     folder.write("def/_N_MGUD_DEF", "DEF CHAN REAL SAFE\n");

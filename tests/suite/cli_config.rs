@@ -13,8 +13,8 @@ fn the_nearest_configuration_wins() {
         ("other/A.H", &PART.replace("FMAX M3\n", "FMAX M25\n")),
     ]);
     folder.run(&["check", "shop/deep/A.H", "other/A.H"]).exits(0);
-    folder.run(&["check", "other/A.H", "--isolated"]).exits(1).says("K2701");
-    folder.run(&["check", "other/A.H", "--config", "shop/partc.toml"]).exits(1).says("K2701");
+    folder.run(&["check", "other/A.H", "--isolated"]).exits(1).says("P2007");
+    folder.run(&["check", "other/A.H", "--config", "shop/partc.toml"]).exits(1).says("P2007");
     folder.run(&["check", "other/A.H", "--config", "shop/partc.toml", "--isolated"]).exits(2);
     folder.run(&["check", "other/A.H", "--config", "missing.toml"]).exits(2).says("missing.toml");
     // Standard input is looked for where its name says, or here.
@@ -106,7 +106,7 @@ fn tool_tables_of_both_kinds() {
         let ran = folder.run(&all).exits(0).quietly();
         ran.out.lines().find(|line| line.ends_with("F200")).expect("the compensated move").to_owned()
     };
-    folder.run(&["compile", "A.H"]).exits(1).says("K2008");
+    folder.run(&["compile", "A.H"]).exits(1).says("P2004");
     assert_eq!(end(&["A.H", "--tools", "TOOL.T"]), "G1 X55 F200");
     assert_eq!(end(&["B.H", "--tools", "TOOL.T"]), "G1 X55 F200");
     assert_eq!(end(&["A.H", "--tools", "tool.tbl"]), "G1 X54 F200");
@@ -134,7 +134,7 @@ fn tool_tables_that_cannot_be_used() {
     folder.run(&["compile", "A.H"]).exits(2).says("gone.t");
     assert!(!folder.has("A.ngc"));
     let ran = folder.run(&["compile", "A.H", "--tools", "other.t", "--format", "concise"]).exits(1);
-    assert_eq!(ran.codes(), ["K2007", "K2008"]);
+    assert_eq!(ran.codes(), ["P2006", "P2004"]);
 }
 
 // Called programs.
@@ -259,7 +259,7 @@ fn names_that_differ_in_case_only_are_ambiguous() {
 #[test]
 fn a_program_that_calls_itself_is_found_whatever_the_name() {
     let folder = Folder::new("include_itself");
-    refuses(&folder, "A.H", "K2204");
-    refuses(&folder, "a", "K2204");
-    refuses(&folder, ".\\A.H", "K2204");
+    refuses(&folder, "A.H", "P2012");
+    refuses(&folder, "a", "P2012");
+    refuses(&folder, ".\\A.H", "P2012");
 }

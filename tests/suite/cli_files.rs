@@ -109,7 +109,7 @@ fn an_older_source_map_is_set_aside_with_its_output() {
 fn check_reads_on_behind_m30() {
     let text = "0 BEGIN PGM A MM\n1 L Z+2 R0 FMAX\n2 M30\n3 END PGM A INCH\n0 BEGIN PGM B MM\n1 END PGM B MM\n";
     let folder = Folder::new("behind_m30").with(&[("A.H", text)]);
-    folder.run(&["check", "A.H"]).exits(1).says("K1009").says("K1012");
+    folder.run(&["check", "A.H"]).exits(1).says("K1009").says("P1008");
 }
 
 #[test]
@@ -263,11 +263,11 @@ fn a_file_that_cannot_be_read_does_not_hide_the_findings_of_others() {
     let ran = folder.run(&["check", "GONE.H", "WRONG.H", "--format", "json"]).exits(2).says("GONE.H");
     let report = ran.json();
     assert_eq!((&report["files"], &report["errors"]), (&json!(1), &json!(1)));
-    assert_eq!(report["diagnostics"][0]["code"], json!("K1005"));
+    assert_eq!(report["diagnostics"][0]["code"], json!("P1003"));
     assert!(report["troubles"][0].as_str().is_some_and(|text| text.contains("GONE.H")), "{report}");
     folder.run(&["compile", "GONE.H", "PART.H"]).exits(2).says("GONE.H");
     assert!(folder.has("PART.ngc"));
-    folder.run(&["check", "GONE.H", "WRONG.H"]).exits(2).says("GONE.H").says("K1005");
+    folder.run(&["check", "GONE.H", "WRONG.H"]).exits(2).says("GONE.H").says("P1003");
 }
 
 // How findings are written.
@@ -328,7 +328,7 @@ fn quiet_holds_for_json_too() {
     let report = folder.run(&["check", "WARNED.H", "WRONG.H", "-q", "--format", "json"]).exits(1).json();
     let codes: Vec<&Value> =
         report["diagnostics"].as_array().expect("a list").iter().map(|found| &found["code"]).collect();
-    assert_eq!(codes, [&json!("K1005")]);
+    assert_eq!(codes, [&json!("P1003")]);
     assert_eq!((&report["errors"], &report["warnings"]), (&json!(1), &json!(1)));
 }
 
@@ -432,10 +432,10 @@ fn golden_cases_with_errors_or_without_a_program_fail() {
     let golden = folder.read("A.golden.ngc");
     folder.write("A.H", WRONG);
     fs::remove_file(folder.0.join("B.H")).expect("a file");
-    let ran = folder.run(&["test"]).exits(1).says("K1005");
+    let ran = folder.run(&["test"]).exits(1).says("P1003");
     assert!(ran.out.contains("errors     A.H") && ran.out.contains("no-program B.golden.ngc"), "{}", ran.out);
     // An update writes nothing for a program with errors.
-    folder.run(&["test", "--update"]).exits(1).says("K1005");
+    folder.run(&["test", "--update"]).exits(1).says("P1003");
     assert_eq!(folder.read("A.golden.ngc"), golden);
     folder.run(&["test", "GONE"]).exits(2).says("GONE");
 }

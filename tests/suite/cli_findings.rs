@@ -40,7 +40,7 @@ fn json_findings() {
     );
     assert_eq!((&warning["block"], &warning["stack"]), (&json!("2"), &json!([])));
     let error = &found[1];
-    assert_eq!((&error["code"], &error["severity"], &error["block"]), (&json!("K1005"), &json!("error"), &json!("8")));
+    assert_eq!((&error["code"], &error["severity"], &error["block"]), (&json!("P1003"), &json!("error"), &json!("8")));
     assert_eq!(
         (&error["line"], &error["column"], &error["end_line"], &error["end_column"]),
         (&json!(9), &json!(9), &json!(9), &json!(11))
@@ -80,7 +80,7 @@ fn concise_findings_are_one_line_each() {
     assert_eq!(ran.out, "");
     let lines: Vec<&str> = ran.err.lines().collect();
     assert_eq!(lines.len(), 3, "{}", ran.err);
-    assert!(lines[0].starts_with("WRONG.H:2:14: error[K1005]: `R5` has no place in "), "{}", lines[0]);
+    assert!(lines[0].starts_with("WRONG.H:2:14: error[P1003]: `R5` has no place in "), "{}", lines[0]);
     assert!(lines[1].starts_with("WARNED.H:3:3: warning[K2102]: "), "{}", lines[1]);
     assert!(lines[2].starts_with("2 programs, 1 error") && lines[2].contains("1 warning"), "{}", lines[2]);
 }
@@ -107,7 +107,7 @@ fn quiet_shows_errors_only() {
     folder.run(&["check", "WARNED.H", "--quiet"]).exits(0).quietly();
     folder.run(&["compile", "WARNED.H", "-q"]).exits(0).quietly();
     let ran = folder.run(&["check", "WARNED.H", "WRONG.H", "-q", "--format", "concise"]).exits(1);
-    assert_eq!((ran.codes(), ran.err.lines().count()), (vec!["K1005"], 1));
+    assert_eq!((ran.codes(), ran.err.lines().count()), (vec!["P1003"], 1));
 }
 
 #[test]

@@ -135,7 +135,7 @@ fn programs_of_the_machine_builder_and_folders_are_named() {
     let folder = Folder::new("init_calls").with(&[("MPF/A.MPF", call), ("LIB/SUB.SPF", "G1 X5 F100\nM17\n")]);
     // The missing program does not hide what comes behind it.
     let found = folder.run(&["check", "MPF/A.MPF", "--format", "concise"]).exits(1);
-    assert_eq!(found.codes().iter().filter(|code| **code == "S2044").count(), 1, "{}", found.err);
+    assert_eq!(found.codes().iter().filter(|code| **code == "P2007").count(), 1, "{}", found.err);
     folder.run(&["init", "."]).exits(0);
     let config = folder.read("partc.toml");
     for wanted in [
@@ -238,7 +238,7 @@ fn several_programs_are_a_line_a_finding_and_a_table() {
     let folder = Folder::new("folder").with(&[("a/A.H", RADIUS), ("a/B.H", RADIUS), ("a/C.H", WRONG), ("a/D.H", PART)]);
     let said = folder.run(&["check", "a"]).exits(1).err;
     assert!(said.contains("a/A.H:4:") && !said.contains("a/B.H:4:"), "a key is told once:\n{said}");
-    assert!(said.contains("a/C.H:2:14: error[K1005]: "), "{said}");
+    assert!(said.contains("a/C.H:2:14: error[P1003]: "), "{said}");
     assert!(said.contains("programs findings") && said.contains("<- [tools.5] radius"), "{said}");
     assert!(said.contains("Begin with what partc.toml can answer") && said.contains("and another program"), "{said}");
     assert!(said.contains("4 programs, 3 errors"), "{said}");
@@ -314,7 +314,7 @@ fn inches_leave_no_digits_in_a_trace() {
 #[test]
 fn what_no_configuration_can_say_is_a_finding_all_the_same() {
     for (block, code) in [
-        ("CYCL DEF 247 DATUM SETTING ~\n  Q339=-1", "K2505"),
+        ("CYCL DEF 247 DATUM SETTING ~\n  Q339=-1", "P9014"),
         ("TOOL CALL \"A\\B\" Z S100", "K2005"),
         ("L X+1 M99999", ""),
     ] {

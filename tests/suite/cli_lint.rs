@@ -40,7 +40,7 @@ fn a_configuration_chooses_findings_and_their_severity() {
     assert_eq!(found(&folder, &["W.H"]), ["K2102 warning"]);
     assert_eq!(found(&folder, &["legacy/W.H"]), [""; 0]);
     // What the command line says wins.
-    assert_eq!(found(&folder, &["W.H", "--ignore", "K2102,K8001"]), [""; 0]);
+    assert_eq!(found(&folder, &["W.H", "--ignore", "K2102,P8140"]), [""; 0]);
     assert_eq!(found(&folder, &["W.H", "--select", "S"]), [""; 0]);
 }
 
@@ -64,10 +64,10 @@ fn a_configuration_that_extends_another_counts_each_pattern_from_its_own_folder(
 fn what_is_refused_cannot_be_ignored() {
     let folder = Folder::new("lint_errors").with(&[("W.H", WRONG)]);
     folder.write("partc.toml", "[lint]\nselect = []\nignore = [\"all\"]\nseverity = { K = \"note\" }\n");
-    assert_eq!(found(&folder, &["W.H"]), ["K1005 error"]);
+    assert_eq!(found(&folder, &["W.H"]), ["P1003 error"]);
     for (text, wanted) in [
-        ("ignore = [\"K1005\"]", "partc.toml:2:11: K1005 (word-not-allowed)"),
-        ("severity = { K1005 = \"note\" }", "cannot be lowered"),
+        ("ignore = [\"P1003\"]", "partc.toml:2:11: P1003 (word-misplaced)"),
+        ("severity = { P1003 = \"note\" }", "cannot be lowered"),
         ("select = [\"K8O01\"]", "no finding has the code or name `K8O01`"),
     ] {
         folder.write("partc.toml", &format!("[lint]\n{text}\n"));
@@ -115,8 +115,8 @@ fn a_comment_suppresses_a_finding_of_its_block_or_of_the_next() {
     let text = "0 BEGIN PGM T MM\n1 QS1 = \"; partc: ignore[K2102]\"\n2 L X+10 Y+0 Z+0 R0 F300\n3 END PGM T MM\n";
     assert_eq!(check(text), [""; 0]);
     // What is refused stays, and the comment is refused, too.
-    folder.write("W.H", &WRONG.replace("F300", "F300 ; partc: ignore[K1005]"));
-    assert_eq!(found(&folder, &["W.H"]), ["K1005 error", "P8003 warning"]);
+    folder.write("W.H", &WRONG.replace("F300", "F300 ; partc: ignore[P1003]"));
+    assert_eq!(found(&folder, &["W.H"]), ["P1003 error", "P8003 warning"]);
 }
 
 #[test]
@@ -147,7 +147,7 @@ fn every_language_has_its_comment() {
         lines[line.expect("a line") as usize - 1] += comment;
         folder.write(name, &(lines.join("\n") + "\n"));
         let after = found(&folder, &[name]);
-        assert!(!after.iter().any(|found| found.starts_with(code) || found.starts_with("P8")), "{name}: {after:?}");
+        assert!(!after.iter().any(|found| found.starts_with(code) || found.starts_with("P800")), "{name}: {after:?}");
         // The command writes a comment that it reads itself.
         folder.write(name, text);
         folder.run(&["check", name, "--add-ignores", "--fail-on", "note"]);

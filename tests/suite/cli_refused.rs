@@ -17,11 +17,11 @@ fn refused(test: &str) -> Folder {
 fn a_picture_stops_at_the_error_and_says_so() {
     let folder = refused("refused_plot");
     folder.write("R.svg", "<!-- (partc plot) -->\n<svg>an older one</svg>\n");
-    let ran = folder.run(&["plot", "R.H", "--dimensions"]).exits(1).says("K1005").says("R.svg is incomplete");
+    let ran = folder.run(&["plot", "R.H", "--dimensions"]).exits(1).says("P1003").says("R.svg is incomplete");
     assert!(ran.out.is_empty() && !folder.has("R.svg.stale") && !folder.has("R.ngc"));
     let svg = folder.read("R.svg");
-    assert!(svg.contains(" class=\"incomplete\" data-code=\"K1005\" data-file=\"R.H\" data-line=\"8\">"), "{svg}");
-    assert!(svg.contains(" class=\"loud\"") && svg.contains(">incomplete: stops at line 8 (K1005)</text>"), "{svg}");
+    assert!(svg.contains(" class=\"incomplete\" data-code=\"P1003\" data-file=\"R.H\" data-line=\"8\">"), "{svg}");
+    assert!(svg.contains(" class=\"loud\"") && svg.contains(">incomplete: stops at line 8 (P1003)</text>"), "{svg}");
     // The cut in front of the error is whole; the one behind it stands among what is pale, and from nowhere leads nothing.
     let (whole, after) = svg.split_once("<g class=\"after\">").expect("something behind the error");
     let (after, rest) = after.split_once("</g>").expect("its end");
@@ -63,7 +63,7 @@ fn moves_stop_at_the_error_with_a_line_about_it() {
     let (last, moves) = lines.split_last().expect("lines");
     let of: Vec<_> = moves.iter().map(|line| line["line"].as_u64().expect("a line")).collect();
     assert_eq!(of, [5, 6, 7], "{out}");
-    assert_eq!((&last["kind"], &last["code"]), (&Value::from("incomplete"), &Value::from("K1005")));
+    assert_eq!((&last["kind"], &last["code"]), (&Value::from("incomplete"), &Value::from("P1003")));
     assert_eq!((&last["file"], &last["line"], &last["block"]), (&"R.H".into(), &8.into(), &"7".into()));
     assert!(last["message"].as_str().is_some_and(|text| !text.is_empty()) && last.get("start").is_none());
     // What is in front of the error is what the whole program says there.
@@ -85,7 +85,7 @@ fn errors_in_called_programs_and_at_the_end_are_told() {
     let main = "0 BEGIN PGM M MM\n1 L X+10 Y+5 Z+2 R0 FMAX\n2 CALL PGM HOLE\n3 L X+20 FMAX\n4 END PGM M MM\n";
     let folder = Folder::new("refused_called").with(&[("M.H", main), ("HOLE.H", &HOLE.replace("L Z+2", "L Z+2 R5"))]);
     let svg = folder.run(&["plot", "M.H", "-o", "-", "--view", "xz"]).exits(1).out;
-    assert!(svg.contains("incomplete: stops at line 3 of HOLE.H (K1005)"), "{svg}");
+    assert!(svg.contains("incomplete: stops at line 3 of HOLE.H (P1003)"), "{svg}");
     let cut = "0 BEGIN PGM C MM\n1 L X+10 Y+5 Z+2 R0 FMAX\n2 L X+20 F100\n";
     folder.write("C.H", cut);
     let out = folder.run(&["trace", "C.H"]).exits(1).out;
@@ -106,7 +106,7 @@ fn a_page_shows_the_path_and_lines_to_paste_and_no_code() {
     let made = part("made");
     let made = String::from_utf8_lossy(&made);
     assert!(
-        made.contains("\"incomplete\":{\"code\":\"S9010\"") || made.contains("\"incomplete\":{\"code\":\""),
+        made.contains("\"incomplete\":{\"code\":\"P9013\"") || made.contains("\"incomplete\":{\"code\":\""),
         "{made}"
     );
     assert!(!made.contains("G21") && !made.contains("M30\n"), "no code: {made}");

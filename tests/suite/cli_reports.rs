@@ -42,9 +42,9 @@ fn sarif_is_what_its_schema_says() {
 fn each_format_names_file_line_and_code() {
     let folder = folder("formats");
     for (format, wanted) in [
-        ("concise", "b/WRONG.H:2:14: error[K1005]"),
+        ("concise", "b/WRONG.H:2:14: error[P1003]"),
         ("jsonl", "\"file\":\"b/WRONG.H\",\"line\":2"),
-        ("github", "::error file=b/WRONG.H,line=2,col=14,endColumn=16,title=K1005 "),
+        ("github", "::error file=b/WRONG.H,line=2,col=14,endColumn=16,title=P1003 "),
         ("gitlab", "\"location\":{\"path\":\"b/WRONG.H\",\"lines\":{\"begin\":2,\"end\":2}}"),
         ("junit", "<testsuites tests=\"3\" failures=\"1\" errors=\"0\">"),
         ("checkstyle", "<file name=\"b/WRONG.H\">\n    <error line=\"2\" column=\"14\" severity=\"error\""),
@@ -149,7 +149,7 @@ fn statistics_count_each_code() {
     let last: Vec<&str> = ran.err.lines().skip(1).collect();
     assert_eq!(last.len(), 2, "{}", ran.err);
     assert!(
-        last[0].starts_with("      1 K1005 error ") && last[1].starts_with("      1 K2102 warning "),
+        last[0].starts_with("      1 K2102 warning ") && last[1].starts_with("      1 P1003 error "),
         "{}",
         ran.err
     );

@@ -72,7 +72,7 @@ fn a_cause_is_told_once_and_errors_first() {
     let of_a: Vec<&str> = said.lines().filter(|line| line.contains("A.H:")).collect();
     let told: Vec<&&str> = of_a.iter().filter(|line| line.contains("`R5`")).collect();
     assert!(
-        told.len() == 1 && told[0].contains("A.H:4:13: error[K1005]: ") && told[0].contains(" (3 times)"),
+        told.len() == 1 && told[0].contains("A.H:4:13: error[P1003]: ") && told[0].contains(" (3 times)"),
         "{said}"
     );
     let severities: Vec<bool> = of_a.iter().map(|line| line.contains(": error[")).collect();

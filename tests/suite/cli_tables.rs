@@ -210,7 +210,7 @@ fn watch_checks_again_when_a_file_changes() {
     let second = round();
     let _ = child.kill();
     let _ = child.wait();
-    assert!(!first.contains("K2008") && second.contains("K2008"), "{first} {second}");
+    assert!(!first.contains("P2004") && second.contains("P2004"), "{first} {second}");
 }
 
 #[test]

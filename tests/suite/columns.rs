@@ -334,7 +334,7 @@ fn the_command_writes_each_form() {
         if file == "a.jsonl" {
             // Its only line says that it is not whole, and it is ours.
             assert!(
-                folder.read(file).starts_with("{\"kind\":\"incomplete\",\"code\":\"K1005\""),
+                folder.read(file).starts_with("{\"kind\":\"incomplete\",\"code\":\"P1003\""),
                 "{}",
                 folder.read(file)
             );

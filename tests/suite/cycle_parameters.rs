@@ -69,7 +69,7 @@ fn a_cycle_is_described_by_its_name() {
     let shown = klartext.cycle("CYCL DEF 200").expect("a cycle").describe();
     assert!(shown.contains("\nQ201: depth below the surface, 0 or less; length; needed\n"), "{shown}");
     let shown = klartext.cycle("CYCL DEF 258").expect("a cycle").describe();
-    assert_eq!(shown, "CYCL DEF 258: POLYGON STUD\nnot supported (K9001)");
+    assert_eq!(shown, "CYCL DEF 258: POLYGON STUD\nnot supported (P9010)");
     assert!(klartext.cycle("CYCL DEF 999").is_none());
 }
 

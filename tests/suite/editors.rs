@@ -69,7 +69,7 @@ fn neovim_shows_findings_hover_and_hints() {
     assert!(out.status.success(), "{said}\n{}", String::from_utf8_lossy(&out.stderr));
     let lines: Vec<&str> = said.lines().collect();
     let has = |begin: &str| lines.iter().any(|line| line.starts_with(begin));
-    assert!(has("finding K") && lines[0].ends_with("line 3 partc"), "{said}");
+    assert!(has("finding P1003 ") && lines[0].ends_with("line 3 partc"), "{said}");
     assert!(has("hover ") && !has("hover nothing"), "{said}");
     assert!(has("hint line 2") && lines.last() == Some(&"mended"), "{said}");
 }

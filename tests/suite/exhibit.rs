@@ -123,7 +123,7 @@ fn a_page_shows_a_refused_program_up_to_its_error() {
     let (about, parts) = read(&answer);
     assert_eq!(
         about["incomplete"],
-        json!({ "code": "K1005", "file": "A.H", "own": true, "line": 6, "from": 2 }),
+        json!({ "code": "P1003", "file": "A.H", "own": true, "line": 6, "from": 2 }),
         "{about}"
     );
     assert_eq!(about["blank"], json!({ "low": [0.0, 0.0, -20.0], "high": [100.0, 80.0, 0.0] }));

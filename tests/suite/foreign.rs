@@ -38,7 +38,7 @@ fn each_command_says_once_what_the_file_is() {
         let ran = folder.run(command).exits(1).says("P0009").says("Fanuc, Haas").says("`O1000`");
         let told = format!("{}{}", ran.out, ran.err);
         assert_eq!(told.matches("error[").count(), 1, "{command:?}: {told}");
-        assert!(!told.contains("T9001") && !told.contains("pass_m"), "{command:?}: {told}");
+        assert!(!told.contains("P9011") && !told.contains("pass_m"), "{command:?}: {told}");
     }
 }
 

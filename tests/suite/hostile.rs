@@ -95,7 +95,7 @@ fn a_giant_line() {
     let mut program = b"0 BEGIN PGM A MM\n1 L ".to_vec();
     program.extend(std::iter::repeat_n(b"X+1 ", 200_000).flatten());
     program.extend_from_slice(b"\n2 END PGM A MM\n");
-    assert!(run("large.H", &program, &Settings::default()).codes().contains(&"K1004"));
+    assert!(run("large.H", &program, &Settings::default()).codes().contains(&"P1002"));
 }
 
 #[test]
@@ -110,7 +110,7 @@ fn deep_brackets() {
         assert_eq!(compiled.has_errors(), depth > 200_000, "{depth}: {:?}", compiled.rendered);
     }
     let unclosed = format!("0 BEGIN PGM A MM\n1 Q1 = {}1\n2 END PGM A MM\n", "(".repeat(10_000));
-    assert!(text(&unclosed).codes().contains(&"K1001"));
+    assert!(text(&unclosed).codes().contains(&"P1001"));
     let signs = format!("0 BEGIN PGM A MM\n1 Q1 = {}1\n2 END PGM A MM\n", "- ".repeat(10_001));
     assert!(!text(&signs).has_errors());
 }
@@ -142,11 +142,11 @@ fn output_limit() {
 #[test]
 fn mistakes_end_with_their_code() {
     let with = |body: &str| text(&format!("0 BEGIN PGM A MM\n{body}\n99 END PGM A MM\n")).codes().join(" ");
-    assert_eq!(with("1 LBL 1\n2 CALL LBL 1\n3 LBL 0\n4 M30"), "K2204");
+    assert_eq!(with("1 LBL 1\n2 CALL LBL 1\n3 LBL 0\n4 M30"), "P2012");
     assert_eq!(with("1 LBL 1\n2 FN 9: IF +0 EQU +0 GOTO LBL 1"), "P4001");
-    assert_eq!(with("1 Q1 = 1 / 0"), "K2303");
-    assert_eq!(with("1 L X+Q1 R0 F100"), "K2301");
-    assert_eq!(with("1 CALL LBL 7"), "K2202");
+    assert_eq!(with("1 Q1 = 1 / 0"), "P2022");
+    assert_eq!(with("1 L X+Q1 R0 F100"), "P2020");
+    assert_eq!(with("1 CALL LBL 7"), "P2011");
     assert_eq!(with("1 CALL PGM B.H"), "P0101");
 }
 

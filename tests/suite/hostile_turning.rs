@@ -117,7 +117,7 @@ fn a_giant_turning_block() {
     assert!(run_as(DIALECT, "giant.nc", &program, &Settings::default()).codes().contains(&"P0003"));
     let mut program = b"G0 ".to_vec();
     program.extend(std::iter::repeat_n(b"X1 ", 200_000).flatten());
-    assert!(run_as(DIALECT, "large.nc", &program, &Settings::default()).codes().contains(&"T1002"));
+    assert!(run_as(DIALECT, "large.nc", &program, &Settings::default()).codes().contains(&"P1002"));
 }
 
 #[test]
@@ -126,7 +126,7 @@ fn deep_turning_formulas() {
         let program = format!("#1={}1{}\nG94 F100\nG0 X#1\nM30\n", "(".repeat(depth), ")".repeat(depth));
         assert!(!text(&program).has_errors(), "{depth}");
     }
-    assert!(text(&format!("#1={}1\n", "(".repeat(10_000))).codes().contains(&"T1001"));
+    assert!(text(&format!("#1={}1\n", "(".repeat(10_000))).codes().contains(&"P1001"));
 }
 
 #[test]

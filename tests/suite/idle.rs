@@ -29,15 +29,15 @@ fn blocks_behind_the_end_are_looked_at() {
         13 CALL LBL 5 REP 2\n\
         14 END PGM A MM\n";
     let expected = [
-        (3, "K8001"),
-        (4, "K2202"),
-        (5, "K8001"),
-        (7, "K2201"),
-        (8, "K8001"),
-        (9, "K1004"),
-        (10, "K1005"),
-        (11, "K8001"),
-        (12, "K8001"),
+        (3, "P8140"),
+        (4, "P2011"),
+        (5, "P8140"),
+        (7, "P2010"),
+        (8, "P8140"),
+        (9, "P1002"),
+        (10, "P1003"),
+        (11, "P8140"),
+        (12, "P8140"),
     ];
     assert_eq!(codes(text), expected);
 }
@@ -46,7 +46,7 @@ fn blocks_behind_the_end_are_looked_at() {
 #[test]
 fn blocks_that_run_are_left_alone() {
     let text = "0 BEGIN PGM A MM\n1 L X+1 Y+0 R0 F100\n2 FL X+10\n3 LBL 1\n4 LBL 1\n5 CALL LBL 9\n6 END PGM A MM\n";
-    assert_eq!(codes(text), [(3, "K3001"), (5, "K2201"), (6, "K2202")]);
+    assert_eq!(codes(text), [(3, "K3001"), (5, "P2010"), (6, "P2011")]);
     assert!(check_klartext(text).iter().all(|found| found.times == 1));
 }
 
@@ -108,22 +108,22 @@ fn sinumerik_blocks_that_do_not_run_are_looked_at() {
         .map(|found| (found.label.loc.line, found.code.id))
         .collect();
     let expected = [
-        (5, "S2007"),
+        (5, "P1002"),
         (6, "S2010"),
         (7, "S2008"),
         (8, "S2009"),
-        (9, "S8040"),
-        (11, "S8040"),
-        (12, "S8040"),
-        (14, "S8040"),
-        (15, "S2007"),
-        (17, "S8040"),
-        (18, "S8040"),
-        (20, "S8040"),
-        (21, "S8040"),
-        (23, "S8040"),
+        (9, "P8140"),
+        (11, "P8140"),
+        (12, "P8140"),
+        (14, "P8140"),
+        (15, "P1002"),
+        (17, "P8140"),
+        (18, "P8140"),
+        (20, "P8140"),
+        (21, "P8140"),
+        (23, "P8140"),
         (26, "S2004"),
-        (27, "S2007"),
+        (27, "P1002"),
     ];
     assert_eq!(found, expected);
 }
@@ -133,7 +133,7 @@ fn sinumerik_blocks_that_do_not_run_are_looked_at() {
 fn a_sinumerik_jump_that_is_not_made_needs_no_target() {
     let found = check_program("sinumerik", "T.MPF", "IF 1==2 GOTOB LAB\nG0 X0 Y0\nLAB: M30\n");
     let codes: Vec<(u32, &str)> = found.iter().map(|found| (found.label.loc.line, found.code.id)).collect();
-    assert_eq!(codes, [(1, "S8040")]);
+    assert_eq!(codes, [(1, "P8140")]);
 }
 
 /// What the run reports is not said twice.
@@ -143,7 +143,7 @@ fn sinumerik_blocks_that_run_are_left_alone() {
     let found = check_program("sinumerik", "T.MPF", text);
     let codes: Vec<(u32, &str)> = found.iter().map(|found| (found.label.loc.line, found.code.id)).collect();
     // Behind the IF that is not closed nothing runs.
-    let expected = [(2, "S2010"), (3, "S2007"), (4, "S2004"), (5, "S2008"), (6, "S8040"), (7, "S2004")];
+    let expected = [(2, "S2010"), (3, "P1002"), (4, "S2004"), (5, "S2008"), (6, "P8140"), (7, "S2004")];
     assert_eq!(codes, expected);
     assert!(found.iter().all(|found| found.times == 1), "{found:?}");
 }

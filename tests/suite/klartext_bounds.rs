@@ -7,12 +7,12 @@ use super::common::compile_bytes;
 
 /// Blocks with `{}` for the value; a value that passes in silence; one that does not, and what is said of it.
 const LIMITS: &[(&str, &str, &str, &str)] = &[
-    ("CYCL DEF 9.0\nCYCL DEF 9.1 DWELL {}", "3600", "3600.001", "K2403"),
-    ("CYCL DEF 9.0\nCYCL DEF 9.1 DWELL {}", "0", "-0.001", "K2403"),
-    ("CYCL DEF 13.0\nCYCL DEF 13.1 ANGLE {}", "360", "360.001", "K2403"),
-    ("CYCL DEF 13.0\nCYCL DEF 13.1 ANGLE {}", "0", "-0.001", "K2403"),
-    ("TRANS SCALE SCL{}\nTRANS SCALE RESET", "99.999999", "100", "K2403"),
-    ("TRANS SCALE SCL{}\nTRANS SCALE RESET", "0.000001", "0.0000009", "K2403"),
+    ("CYCL DEF 9.0\nCYCL DEF 9.1 DWELL {}", "3600", "3600.001", "P2090"),
+    ("CYCL DEF 9.0\nCYCL DEF 9.1 DWELL {}", "0", "-0.001", "P2090"),
+    ("CYCL DEF 13.0\nCYCL DEF 13.1 ANGLE {}", "360", "360.001", "P2090"),
+    ("CYCL DEF 13.0\nCYCL DEF 13.1 ANGLE {}", "0", "-0.001", "P2090"),
+    ("TRANS SCALE SCL{}\nTRANS SCALE RESET", "99.999999", "100", "P2090"),
+    ("TRANS SCALE SCL{}\nTRANS SCALE RESET", "0.000001", "0.0000009", "P2090"),
     ("L X+20 M103 F{}", "100", "100.01", "K2707"),
     ("L X+20 M103 F{}", "0.01", "0", "K2707"),
     ("L M140 MB {}", "0.001", "0", "K2707"),
@@ -23,8 +23,8 @@ const LIMITS: &[(&str, &str, &str, &str)] = &[
     ("L C+0 FMAX\nM126\nL IC{} FMAX", "+180", "+180.001", "K9008"),
     ("L C+0 FMAX\nM126\nL C{} FMAX", "+179.9", "+180", "K2510"),
     ("FN 12: IF +0 LT {} GOTO LBL 1\nLBL 1", "+0.000000002", "+0.0000000005", "K2810"),
-    ("RND R{}", "0.001", "0", "K1006"),
-    ("CHF {}", "0.001", "0", "K1006"),
+    ("RND R{}", "0.001", "0", "P1004"),
+    ("CHF {}", "0.001", "0", "P1004"),
     ("L X+20 F{}", "0.0001", "0", "O1001"),
     (
         "CYCL DEF 10.0\nCYCL DEF 10.1 ROT{}\nCYCL DEF 8.0\nCYCL DEF 8.1 X\nCYCL DEF 8.0\nCYCL DEF 8.1\nTRANS ROTATION RESET",

@@ -285,14 +285,14 @@ fn findings_come_while_typing_and_go_when_mended() {
     let uri = client.open(&folder, "T.H", POLAR);
     let found = client.findings(&uri, 1);
     let codes: Vec<&str> = found.iter().filter_map(|f| f["code"].as_str()).collect();
-    assert!(codes.contains(&"K2202"), "{codes:?}");
-    let missing = found.iter().find(|f| f["code"] == json!("K2202")).expect("the missing label");
+    assert!(codes.contains(&"P2011"), "{codes:?}");
+    let missing = found.iter().find(|f| f["code"] == json!("P2011")).expect("the missing label");
     assert_eq!(missing["range"]["start"], json!({ "line": 9, "character": 2 }));
     // `CALL LBL 7` becomes `CALL LBL 5`; the column counts UTF-16 behind the comment.
     let range = json!({ "start": { "line": 9, "character": 11 }, "end": { "line": 9, "character": 12 } });
     client.change(&uri, 2, json!([{ "range": range, "text": "5 ; \u{1f600}" }]));
     let codes: Vec<Value> = client.findings(&uri, 2).iter().map(|f| f["code"].clone()).collect();
-    assert!(!codes.contains(&json!("K2202")), "{codes:?}");
+    assert!(!codes.contains(&json!("P2011")), "{codes:?}");
     let range = json!({ "start": { "line": 9, "character": 15 }, "end": { "line": 9, "character": 17 } });
     client.change(&uri, 3, json!([{ "range": range, "text": "" }]));
     client.findings(&uri, 3);

@@ -19,14 +19,14 @@ fn around_contour(inside: &str, after: &str) -> Compiled {
 }
 
 /// CYCLE95 says where the way of its tool is partc's own.
-const OWN_WAY: &str = "S8231";
+const OWN_WAY: &str = "P8101";
 
 #[test]
 fn a_feed_of_a_positioning_axis_stays_inside_a_described_contour() {
     let said = around_contour("", "FA[Z]=100\nPOS[Z]=20");
     assert_eq!(said.codes(), [OWN_WAY], "{:?}", said.rendered);
     let inside = around_contour("FA[Z]=100", "POS[Z]=20");
-    assert_eq!(inside.codes(), [OWN_WAY, "S2040"], "{:?}", inside.rendered);
+    assert_eq!(inside.codes(), [OWN_WAY, "P2002"], "{:?}", inside.rendered);
 }
 
 #[test]

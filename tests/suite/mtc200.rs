@@ -84,7 +84,7 @@ fn giant_lines() {
     let giant = [b"G90 G01 F100 ".to_vec(), b"X+1 ".repeat(1 << 19), b"\nRET\n".to_vec()].concat();
     assert!(run("giant.npg", &giant, &Settings::default()).codes().contains(&"P0003"));
     let large = [b"G90 G01 F100 ".to_vec(), b"X+1 ".repeat(200_000), b"\nRET\n".to_vec()].concat();
-    assert!(run("large.npg", &large, &Settings::default()).codes().contains(&"M1004"));
+    assert!(run("large.npg", &large, &Settings::default()).codes().contains(&"P1002"));
 }
 
 #[test]
@@ -93,7 +93,7 @@ fn deep_brackets() {
         let program = format!("@001={}1{}\nG90 G00 X=@001\nRET\n", "(".repeat(depth), ")".repeat(depth));
         assert_eq!(codes(&program, &Settings::default()), [""; 0], "{depth}");
     }
-    assert_eq!(codes(&format!("@001={}1\nRET\n", "(".repeat(10_000)), &Settings::default()), ["M1001"]);
+    assert_eq!(codes(&format!("@001={}1\nRET\n", "(".repeat(10_000)), &Settings::default()), ["P1001"]);
     assert_eq!(codes(&format!("@001={}1\nRET\n", "-".repeat(10_001)), &Settings::default()), [""; 0]);
 }
 
@@ -101,10 +101,10 @@ fn deep_brackets() {
 fn loops_and_calls_end() {
     let d = Settings::default();
     let few = settings("[limits]\nsteps = 100000\n");
-    assert_eq!(codes(".A BRA .A\nRET\n", &few), ["M8004", "P4001"]);
-    assert_eq!(codes(".A BSR .A\nRET\n", &d), ["M8004", "P4003"]);
-    assert_eq!(codes("@001=1\n.A @002=1\nBNE .A\nRET\n", &few), ["M8004", "P4001"]);
-    assert_eq!(codes("JSR P5\nRET\n", &d), ["M8004", "P0101"]);
+    assert_eq!(codes(".A BRA .A\nRET\n", &few), ["P8106", "P4001"]);
+    assert_eq!(codes(".A BSR .A\nRET\n", &d), ["P8106", "P4003"]);
+    assert_eq!(codes("@001=1\n.A @002=1\nBNE .A\nRET\n", &few), ["P8106", "P4001"]);
+    assert_eq!(codes("JSR P5\nRET\n", &d), ["P8106", "P0101"]);
 }
 
 /// Answers every call with the same program.
@@ -121,7 +121,7 @@ impl Files for Same {
 fn programs_that_call_each_other_end() {
     let few = settings("[limits]\nsteps = 10000\n");
     let compile = |main: &str, called| compile_bytes("m.npg", main.as_bytes().to_vec(), "mtc200", &few, &Same(called));
-    assert_eq!(compile("JSR P5\nRET\n", "JSR P5\nRTS\n").codes(), ["M8004", "P4003"]);
+    assert_eq!(compile("JSR P5\nRET\n", "JSR P5\nRTS\n").codes(), ["P8106", "P4003"]);
     assert_eq!(compile("JMP P5\n", "JMP P5\n").codes(), ["P4001"]);
 }
 

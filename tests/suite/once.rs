@@ -43,7 +43,7 @@ const ROWS: &[Row] = &[
     },
     Row {
         dialect: "klartext",
-        code: "K2706",
+        code: "P2008",
         settings: "[output]\npass_m = [38, 39]\n",
         head: "BEGIN PGM D MM\nL X+0 Y+0 Z+5 R0 FMAX\n",
         facts: [("L X+10 F100 M38", "M38"), ("L X+20 F100 M39", "M39")],
@@ -81,7 +81,7 @@ const ROWS: &[Row] = &[
     },
     Row {
         dialect: "sinumerik",
-        code: "S8199",
+        code: "P8103",
         settings: "[machine]\nkind = \"lathe\"\ndiameter_axis = \"X\"\n[tools.1]\nradius = 0.4\norientation = 3\n",
         head: "G18 G90 DIAMON G95 F0.2 S400 M3\nT1 D1\nG0 X100 Z10\n",
         facts: [
@@ -145,7 +145,7 @@ fn many_facts_are_counted() {
     let program = format!("BEGIN PGM D MM\nL X+0 Y+0 Z+5 R0 FMAX\n{moves}END PGM D MM\n");
     let config = format!("[control]\nretract_max = 0.0\n[output]\npass_m = [{}]\n", pass.join(", "));
     let done = compile_bytes("D.H", program.into_bytes(), "klartext", &settings(&config), &NoFiles);
-    let told: Vec<_> = done.findings.iter().filter(|found| found.code.id == "K2706").collect();
+    let told: Vec<_> = done.findings.iter().filter(|found| found.code.id == "P2008").collect();
     assert_eq!(told.len(), 20, "{:#?}", done.rendered);
     assert!(told[19].message.ends_with("; 40 more of this kind are not listed"), "{}", told[19].message);
 }

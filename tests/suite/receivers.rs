@@ -117,8 +117,8 @@ fn work_offsets_are_those_of_the_target() {
         assert_eq!(said, told, "{name} {word}: {:?}", compiled.rendered);
     }
     for (name, configuration, code) in [
-        ("linuxcnc", "", "S9014"),
-        ("mazak", "", "S9014"),
+        ("linuxcnc", "", "P9014"),
+        ("mazak", "", "P9014"),
         ("mazak", "[datums]\nG510 = \"G54.1 P4\"", "O9310"),
         ("fanuc", "[datums]\nG510 = \"G154 P49\"", "O9310"),
     ] {

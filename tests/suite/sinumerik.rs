@@ -84,7 +84,7 @@ fn giant_lines() {
     let giant = [b"G90 G1 F100 ".to_vec(), b"X1 ".repeat(1 << 19), b"\nM30\n".to_vec()].concat();
     assert!(run("giant.mpf", &giant, &Settings::default()).codes().contains(&"P0003"));
     let large = [b"G90 G1 F100 ".to_vec(), b"X1 ".repeat(200_000), b"\nM30\n".to_vec()].concat();
-    assert!(run("large.mpf", &large, &Settings::default()).codes().contains(&"S2007"));
+    assert!(run("large.mpf", &large, &Settings::default()).codes().contains(&"P1002"));
 }
 
 #[test]
@@ -93,7 +93,7 @@ fn deep_brackets() {
         let program = format!("R1={}1{}\nG0 X=R1\nM30\n", "(".repeat(depth), ")".repeat(depth));
         assert_eq!(codes(&program, &Settings::default()), [""; 0], "{depth}");
     }
-    assert_eq!(codes(&format!("R1={}1\nM30\n", "(".repeat(10_000)), &Settings::default()), ["S1001"]);
+    assert_eq!(codes(&format!("R1={}1\nM30\n", "(".repeat(10_000)), &Settings::default()), ["P1001"]);
     assert_eq!(codes(&format!("R1={}1\nM30\n", "NOT ".repeat(10_000)), &Settings::default()), [""; 0]);
 }
 
@@ -110,9 +110,9 @@ fn loops_and_calls_end() {
     // What only goes forward ends by itself, however long it is.
     let long = format!("{}M30\n", "G0 X1\nG0 X2\n".repeat(200_000));
     assert_eq!(codes(&long, &few), [""; 0]);
-    assert_eq!(codes("R1=1/0\nG0 X=R1\nM30\n", &d), ["S2006"]);
+    assert_eq!(codes("R1=1/0\nG0 X=R1\nM30\n", &d), ["P2022"]);
     assert_eq!(codes("G0 X=NOTHING\nM30\n", &d), ["S2001"]);
-    assert_eq!(codes("GOTOF NOWHERE\nM30\n", &d), ["S2003"]);
+    assert_eq!(codes("GOTOF NOWHERE\nM30\n", &d), ["P2011"]);
     assert_eq!(codes("DEF STRING[100] TT\nTT=\"EXECSTRING(TT)\"\nEXECSTRING(TT)\nM30\n", &d), ["P4003"]);
     assert_eq!(codes("DEFINE AAA AS BBB\nDEFINE BBB AS AAA\nG0 X1\nM30\n", &d), [""; 0]);
 }
@@ -321,7 +321,7 @@ fn told(program: &str) -> Vec<(&'static str, u32)> {
 #[test]
 fn a_failed_block_of_g41_begins_nothing_in_a_later_one() {
     let f0 = |body: &str| format!("G17 G90 G94\nG0 X0 Y0 Z5\nG1 X-10 F0 G41\n{body}M30\n");
-    assert_eq!(told(&f0("X10\nG93\nG1 X3\n")), [("S2041", 3), ("S2040", 6)]);
-    assert_eq!(told(&f0("G42 X10 F100\n")), [("S2041", 3), ("S2080", 4)]);
-    assert_eq!(told(&f0("X10 F100\nG40 X20\n")), [("S2041", 3)]);
+    assert_eq!(told(&f0("X10\nG93\nG1 X3\n")), [("P2003", 3), ("P2002", 6)]);
+    assert_eq!(told(&f0("G42 X10 F100\n")), [("P2003", 3), ("S2080", 4)]);
+    assert_eq!(told(&f0("X10 F100\nG40 X20\n")), [("P2003", 3)]);
 }

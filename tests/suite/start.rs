@@ -29,7 +29,7 @@ const FORMS: &[Form] = &[
         increment: "1 L IX+5 R0 F100",
         arc: Some("1 CC X+10 Y+0\n2 C X+20 Y+0 DR- R0 F100"),
         offset: Some("1 CYCL DEF 247 DATUM SETTING ~\n Q339=+1 ;NUMBER\n2 L IX+5 R0 F100"),
-        code: "K2001",
+        code: "P2001",
     },
     Form {
         dialect: "sinumerik",
@@ -40,7 +40,7 @@ const FORMS: &[Form] = &[
         increment: "G91 G1 X5 F100",
         arc: Some("G90 G2 X20 Y0 I10 J0 F100"),
         offset: Some("G54\nG91 G1 X5 F100"),
-        code: "S2042",
+        code: "P2001",
     },
     Form {
         dialect: "sinumerik",
@@ -51,7 +51,7 @@ const FORMS: &[Form] = &[
         increment: "G94 G91 G1 X10 F100",
         arc: None,
         offset: Some("G54\nG94 G91 G1 X10 F100"),
-        code: "S2042",
+        code: "P2001",
     },
     Form {
         dialect: "heidenhain-turning",
@@ -62,7 +62,7 @@ const FORMS: &[Form] = &[
         increment: "G94 F100\nG1 Xi5",
         arc: None,
         offset: None,
-        code: "T2002",
+        code: "P2001",
     },
     Form {
         dialect: "mtc200",
@@ -73,7 +73,7 @@ const FORMS: &[Form] = &[
         increment: "G94 G91 G01 X5 F100",
         arc: Some("G90 G94 G02 X20 Y0 I10 J0 F100"),
         offset: Some("G54\nG94 G91 G01 X5 F100"),
-        code: "M2001",
+        code: "P2001",
     },
     Form {
         dialect: "mtc200",
@@ -84,7 +84,7 @@ const FORMS: &[Form] = &[
         increment: "G94 G91 G01 X10 F100",
         arc: None,
         offset: Some("G54\nG94 G91 G01 X10 F100"),
-        code: "M2001",
+        code: "P2001",
     },
     Form {
         dialect: "gcode",
@@ -156,12 +156,12 @@ fn it_counts_in_the_work_offset_that_is_selected_first() {
 #[test]
 fn a_tool_change_or_a_machine_position_ends_it() {
     let cases = [
-        (0, "1 TOOL CALL 1 Z S100\n2 L IZ+5 R0 F100", "K2001"),
-        (0, "1 L Z+0 R0 FMAX M91\n2 L IZ+5 R0 F100", "K2001"),
-        (1, "T1 M6\nG91 G1 Z5 F100", "S2042"),
-        (1, "G53 G0 Z0\nG91 G1 Z5 F100", "S2042"),
-        (3, "T1\nG94 F100\nG1 Zi5", "T2002"),
-        (4, "T1 M6\nG94 G91 G01 Z5 F100", "M2001"),
+        (0, "1 TOOL CALL 1 Z S100\n2 L IZ+5 R0 F100", "P2001"),
+        (0, "1 L Z+0 R0 FMAX M91\n2 L IZ+5 R0 F100", "P2001"),
+        (1, "T1 M6\nG91 G1 Z5 F100", "P2001"),
+        (1, "G53 G0 Z0\nG91 G1 Z5 F100", "P2001"),
+        (3, "T1\nG94 F100\nG1 Zi5", "P2001"),
+        (4, "T1 M6\nG94 G91 G01 Z5 F100", "P2001"),
     ];
     for (form, body, code) in cases {
         let compiled = run(&FORMS[form], body, "[start]\nX = 0\nY = 0\nZ = 10\n");
@@ -188,13 +188,13 @@ fn what_changes_the_offset_treats_it_as_a_programmed_position() {
         assert!(line.contains(end), "{body}: {line}");
     }
     let refused = [
-        (4, "G54\nG55\nG94 G91 G01 X1 F10", "M2001"),
-        (1, "G54\nG55\nG94 G91 G1 X1 F10", "S2042"),
+        (4, "G54\nG55\nG94 G91 G01 X1 F10", "P2001"),
+        (1, "G54\nG55\nG94 G91 G1 X1 F10", "P2001"),
         (3, "G59 Z5\nG94 F100\nG1 Zi-1", "T2016"),
         (
             0,
             "1 CYCL DEF 247 DATUM SETTING ~\n Q339=+1 ;NUMBER\n2 CYCL DEF 247 DATUM SETTING ~\n Q339=+2 ;NUMBER\n3 L IX+1 R0 F100",
-            "K2001",
+            "P2001",
         ),
     ];
     for (form, body, code) in refused {

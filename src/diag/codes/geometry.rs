@@ -59,12 +59,16 @@ these planes only. Reset the rotation before the arc, or have the CAM system put
 G3013 Note "center-adjusted" "arc centres were adjusted"
 "Start and end of some arcs have slightly different distances from their programmed centre, within the tolerance of the control. \
 Controls that check more strictly would refuse them. The centre was moved to the nearest point that fits both; \
-start and end are as programmed. The largest shift is stated."
+start and end are as programmed. The largest shift is stated." {
+    centre_of_this_arc_of_contour(shift) "the centre of this arc of the contour was adjusted by {shift:.4} mm";
+}
 
 G8101 Warning "center-moved-far" "arc centre was moved far"
 "Start and end of the arc have slightly different distances from its centre, within the tolerance of the control, and lie so close together \
 that the point which fits both is more than ten times that tolerance away. The bow of the printed arc is the programmed one within the tolerance, \
-but its centre and direction are not: most often a coordinate is rounded too coarsely, or wrong."
+but its centre and direction are not: most often a coordinate is rounded too coarsely, or wrong." {
+    centre_is_moved_by_mm(moved) "the centre is moved by {moved:.4} mm, so that start and end lie on one circle";
+}
 
 G3014 Error "arc-without-radius" "centre of the arc lies on its start or end"
 "The centre of the arc lies on its start or on its end, so the arc has no radius. Most often the circle centre was taken over from \
@@ -151,7 +155,10 @@ G3023 Error "circle-unclear" "full circle or an arc of nearly no length"
 "Start and end of the arc differ by 0.00005 to 0.0005 mm. Up to 0.00005 mm they count as one point, so the block is a full circle; a larger \
 difference may be a rounding of fewer decimal places, and the block still meant as a full circle, or an arc that is next to nothing. The two differ by a \
 whole turn, so nothing is written. Program the start point again as the end point for a full circle (a circle by angle has no such doubt), \
-or leave the arc out."
+or leave the arc out." {
+    cp_starts_mm_beside_its_end(gap) "CP starts {gap:.5} mm beside its end"
+        help "for a full circle, program IPA+360 or IPA-360";
+}
 
 G3024 Error "corner-at-rapid" "rounding between two blocks at rapid traverse"
 "A rounding is an arc, and plain G-code cuts arcs at a feed only. Both neighbours run at rapid traverse, so there is none. Give the rounding its \

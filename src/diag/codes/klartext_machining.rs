@@ -4,63 +4,108 @@ super::codes! { KLARTEXT_MACHINING:
 
 K2901 Error "cycle-tool-too-large" "tool is too large for what the cycle mills"
 "The cutter with its oversizes, or with the allowance on the wall, does not fit into the pocket or slot; the control says `Tool radius too large`. Check \
-the sizes of the cycle, Q368, and the radius of the tool with DR."
+the sizes of the cycle, Q368, and the radius of the tool with DR." {
+    cycle_tool_radius_too_large(cycle, what) "cycle {cycle}: tool radius too large: {what}"
+        help "take a smaller tool, or check the sizes, the allowances and the radius of the tool";
+}
 
 K2902 Error "plunge-angle-missing" "plunging on a helix or to and fro needs ANGLE of the tool"
 "Q366 = 1 and 2 go down into the material at the angle that the column ANGLE of the tool table allows. partc does not know it, or it is 0, which \
-the control refuses, too. Give `[tools.N] plunge_angle` in degrees, a tool table with the column, or plunge straight down by Q366 = 0 with a cutter that can."
+the control refuses, too. Give `[tools.N] plunge_angle` in degrees, a tool table with the column, or plunge straight down by Q366 = 0 with a cutter that can." {
+    cycle_needs_plunging_angle_angle_of_tool(cycle, asked, called, what, without)
+        "cycle {cycle}: {asked} needs the plunging angle ANGLE of tool {called}, which {what}"
+        asks "give `[tools.{called}] plunge_angle = 3.0`, the column ANGLE of the tool table, or plunge straight \
+        down by {without}";
+}
 
 K2903 Error "no-room-to-plunge" "pocket is too small for its plunging"
 "The room beside the cutter is so small that a helix or a stroke at the angle of the tool would need more than 10,000 turns, or has no way at all. Take \
-a smaller cutter, or plunge straight down by Q366 = 0 with a cutter that can."
-
-K8101 Note "milling-path-of-partc" "path of a milling cycle is that of partc"
-"The control promises the finished shape, and its way there is not published. partc makes a path of its own that keeps the allowances, infeeds and \
-feeds of the definition; docs/cycles.md describes it. Said once for each cycle and program. Compare the path with what the machine does where the order of the cuts matters."
+a smaller cutter, or plunge straight down by Q366 = 0 with a cutter that can." {
+    cycle_pocket_has_no_room_for_plunging(cycle, kind)
+        "cycle {cycle}: the pocket has no room for plunging by Q366 = {kind} at the angle of the tool"
+        help "take a smaller tool, or plunge straight down by Q366 = 0";
+}
 
 K8102 Warning "corner-of-the-cutter" "corners get the radius of the cutter"
 "The corner radius Q220 of the pocket is smaller than the cutter, which cannot make it: the corners get the radius of the cutter, as on the control. Take a \
-smaller tool where the corners have to be tighter."
+smaller tool where the corners have to be tighter." {
+    cycle_corners_get_radius_of_cutter(cycle, radius, word, corner)
+        "cycle {cycle}: the corners get the radius of the cutter, {radius} mm, and not {word} = {corner}"
+        help "take a smaller tool where the corners have to be tighter";
+}
 
 K8103 Warning "nothing-to-finish" "cycle finishes, and no allowance is left"
 "Q215 = 2 finishes the wall where Q368 leaves something, and the floor where Q369 does. Both are 0, so the cycle does nothing, as on the control. Give the allowances \
-that roughing left."
+that roughing left." {
+    cycle(cycle, what) "cycle {cycle}: {what}"
+        help "give the allowances that roughing left: without them the cycle does nothing";
+}
 
 K8104 Note "cycle-end-open" "where a cycle leaves the tool is open"
 "The manuals do not say where the tool stands in the working plane after this cycle. partc takes the position as unknown: until a block names both axes, \
-incremental words, cuts, cycles, and moves of one axis of the plane are refused (K2001), and only the tool axis may move, at rapid traverse or upwards. Said once for each cycle and program."
+incremental words, cuts, cycles, and moves of one axis of the plane are refused (P2001), and only the tool axis may move, at rapid traverse or upwards. Said once for each cycle and program." {
+    cycle_where_control_leaves_tool_in_working(cycle)
+        "cycle {cycle}: where the control leaves the tool in the working plane is open";
+}
 
 K8105 Warning "pattern-without-places" "pattern has no place left"
-"The point table has no line, or FADE leaves out every place, so CYCL CALL PAT runs the cycle nowhere. Check the table."
+"The point table has no line, or FADE leaves out every place, so CYCL CALL PAT runs the cycle nowhere. Check the table." {
+    cycl_call_pat_runs_cycle_nowhere() "CYCL CALL PAT runs the cycle nowhere: the point table has no place left"
+        help "add places to the table, or take FADE out of those that shall be machined";
+}
 
 K8106 Warning "places-twice" "places of a pattern lie on each other"
 "Two places of the pattern are the same, so the cycle runs there twice: a distance or a step of 0, or more than one turn. Check the number of places, their distance and \
-the angles."
+the angles." {
+    has_places_of_which_lie_on_others(what, count, list)
+        "{what} has {count} places, of which {list} lie on others: they are machined again"
+        help "check the number of places, their distance, and the angles";
+}
 
 K8107 Warning "mirrored-milling-sense" "mirror turns climb into up-cut milling"
 "Under a mirror of one axis the tool goes round the other way, and the spindle does not. partc mirrors the path with the part, so that climb milling (Q351 = +1) becomes up-cut \
-milling. Whether the control keeps the kind of milling is not confirmed. Compare, and give the kind of milling the other sign where it does."
-
-K8108 Warning "corner-radius-not-counted" "corner radius of the cutter is not counted"
-"The milling cycles compute their paths for a cutter with sharp corners. With a corner radius (R2 of the tool table, `[tools.N] corner_radius`, DR2) a rounding stays at the foot of \
-each wall, and cusps stay on the floor between paths that lie farther apart than the flat part of the cutter is wide. Give a smaller overlap factor, or finish with another cutter."
+milling. Whether the control keeps the kind of milling is not confirmed. Compare, and give the kind of milling the other sign where it does." {
+    cycle_mirror_turns_climb_into_up_cut(cycle)
+        "cycle {cycle}: the mirror turns climb into up-cut milling, and up-cut into climb"
+        help "give the kind of milling the other sign where the control keeps it under a mirror";
+}
 
 K8109 Warning "floor-behind-larger-cutter" "floor is finished by a smaller cutter than roughed it"
 "Cycle 22 ran with a larger cutter in front of this cycle 23. Where that one did not get into a corner or a narrow part, the material stands as high as before, and \
-the smaller cutter of cycle 23 takes it away down to the floor in one cut. Let a cycle 22 with the smaller tool and Q18 (the coarse tool) run in between."
+the smaller cutter of cycle 23 takes it away down to the floor in one cut. Let a cycle 22 with the smaller tool and Q18 (the coarse tool) run in between." {
+    cycle_23_with_cutter_of_radius_mm(rounded, rounded2)
+        "cycle 23 with a cutter of radius {rounded} mm behind cycle 22 with one of {rounded2} mm: what that one left \
+        is cut down to the floor in one cut";
+}
 
 K8110 Warning "contours-that-cross" "contours of cycle 14 cross"
 "partc takes all pockets together and leaves out all islands, and cuts crossing contours at their crossings. No manual at hand says it in full: look at a picture (`partc plot`), \
-or draw one contour around the area. Said once for a program."
+or draw one contour around the area. Said once for a program." {
+    contours_of_cycle_14_cross()
+        "contours of cycle 14 cross: the pockets are taken together, and the islands left out"
+        help "look at a picture of the path, or draw one contour";
+}
 
 K8111 Warning "countersink-over-the-face" "circle of a countersink lies over the face"
-"Q359 of cycles 263, 264 and 267 is the distance from the middle of the thread to the middle of the cutter while it countersinks at the front. Here the cutter is led over the face beside the thread, a pitch and more from its edge, and takes the face away down to Q358. A chamfer is made from the other side of the edge: from inside a hole, from outside a stud."
+"Q359 of cycles 263, 264 and 267 is the distance from the middle of the thread to the middle of the cutter while it countersinks at the front. Here the cutter is led over the face beside the thread, a pitch and more from its edge, and takes the face away down to Q358. A chamfer is made from the other side of the edge: from inside a hole, from outside a stud." {
+    cycle_circle_of_countersink(cycle, front_offset, radius, diameter)
+        "cycle {cycle}: the circle of the countersink, {front_offset} = {radius} mm from the middle, goes over the \
+        face beside the thread of {diameter} mm"
+        help "the offset counts from the middle of the thread to that of the cutter; check it in a picture (`partc \
+        plot`)";
+}
 
 K9030 Error "milling-frame" "milling cycle under a scaling or a mirrored tool axis"
 "A scaling would change the sizes of the cycle and not the cutter, and a tool axis that is mirrored or tilted would lead the tool from the far side. Shifts, rotations and \
-mirrors in the plane are computed. End the transformation in front of the call."
+mirrors in the plane are computed. End the transformation in front of the call." {
+    cycle_milling_is_not_supported(cycle, what) "cycle {cycle}: milling {what} is not supported"
+        help "end the transformation in front of the call, or program the sizes as they shall be";
+}
 
 K9031 Error "milling-with-m4" "climb or up-cut milling with M4"
 "Manuals define Q351 = +1 climb and -1 up-cut for M3. Whether the control goes round the other way with M4 is not confirmed, and the wrong sense pulls the tool into \
-the material. Program M3, or the moves of the cycle as blocks."
+the material. Program M3, or the moves of the cycle as blocks." {
+    cycle_climb_defined_for_m3(cycle, q) "cycle {cycle}: climb {q} defined for M3, and the spindle turns by M4"
+        help "program M3, or the moves of the cycle as blocks";
+}
 }

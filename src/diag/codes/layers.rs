@@ -18,21 +18,28 @@ G3304 Warning "cycle-cuts-nothing" "cycle cuts nothing"
 "No move of the cycle is at a feed: nothing is left to cut at this depth, or between the blank and the part within the limits of the area. A limit on the wrong side, a blank \
 smaller than the part or a wrong datum looks like this. Compare the arguments of the call with the contour."
 
-S2201 Error "siemens-nose-unknown" "nose of the turning tool is not known"
-"Stock removal and undercut cycles of a lathe run the nose of the tool along the contour, so its radius and the position of its cutting edge have to be known: alarms 61000 and \
-61009. Give them in the configuration under [tools], or in the program by $TC_DP6 and $TC_DP2."
-
 S8210 Note "siemens-relief-left" "relief cut is left standing"
 "The call says that parts which fall behind higher ones are not machined. They stay level with the higher part, in roughing and in finishing. Machine them by a call with \
-relief cuts, or by a groove cycle."
+relief cuts, or by a groove cycle." {
+    relief_cut_from_is_left_standing(args, shown) "{args}: the relief cut from {shown} is left standing";
+}
 
 S8211 Note "siemens-relief-unchecked" "clearance of the tool in a relief cut is not checked"
 "On the falling side of a relief cut the flank of the tool has to clear the part: the side may be at most as steep as the clearance angle of the \
-tool. The tool data do not hold this angle, so nothing is checked here, as on a control where it is 0."
+tool. The tool data do not hold this angle, so nothing is checked here, as on a control where it is 0." {
+    relief_cut(args, shown)
+        "{args}: relief cut from {shown}: whether the flank of the tool clears its falling side is not checked";
+}
 
 S8212 Note "siemens-leaning" "leaning part is left to finishing"
-"Cuts along an axis cannot get behind a part that leans over, such as the side of an undercut of form F. Roughing leaves the little that stands there; finishing along the contour removes it."
+"Cuts along an axis cannot get behind a part that leans over, such as the side of an undercut of form F. Roughing leaves the little that stands there; finishing along the contour removes it." {
+    part_of_contour_leans_over(args) "{args}: a part of the contour leans over; roughing leaves it to finishing";
+}
 
 S8213 Warning "siemens-edge-points-back" "cutting edge points against the way of the cuts"
-"The edge position in the tool data says that the programmed point lies behind the nose, seen along the cuts. The body of such a tool runs ahead of its nose, into whatever stands at the end of the cut. Check the edge position, or turn the direction of the cycle around."
+"The edge position in the tool data says that the programmed point lies behind the nose, seen along the cuts. The body of such a tool runs ahead of its nose, into whatever stands at the end of the cut. Check the edge position, or turn the direction of the cycle around." {
+    cutting_edge_points_back(args)
+        "{args}: the cutting edge points back, against the way of the cuts: the body of such a tool runs ahead of \
+        its nose";
+}
 }

@@ -43,7 +43,7 @@ once for each tool."
 
 L1011 Warning "dwell-zero" "dwell takes no time"
 "A dwell of 0 seconds does nothing, and some controls read 0 as another value. A parameter was not set, or a digit is missing. \
-Where S2025 has said already that nothing sets the variable, it is not said again."
+Where P2021 has said already that nothing sets the variable, it is not said again."
 
 L1012 Warning "dwell-long" "dwell takes more than a minute"
 "A dwell of more than 60 seconds is most often one in other units: `G4 F500` waits 500 seconds on a SINUMERIK, not milliseconds. With the tool on the part it \

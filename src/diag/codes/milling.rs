@@ -8,9 +8,10 @@ The message names the argument. Look for a lost decimal point, take a smaller cu
 
 S8240 Warning "siemens-spigot-stock" "part of the blank of a spigot stays"
 "CYCLE76 and CYCLE77 go round once on each level, as wide as the cutter: a blank that stands out by more than the allowance and the diameter of the cutter keeps a ring outside. \
-Later moves may run into it. Call the cycle several times with smaller and smaller allowances, the outermost first, and give each call the blank that the one before leaves."
+Later moves may run into it. Call the cycle several times with smaller and smaller allowances, the outermost first, and give each call the blank that the one before leaves." {
+    tool_goes_round_once(args, stays, what, args2, place)
+        "{args}: the tool goes round once, and leaves {stays:.3} mm {what} `{args2}` (argument {place}) standing \
+        outside";
+}
 
-S8241 Warning "siemens-milling-corner-radius" "corner radius of the cutter is not counted"
-"The milling cycles compute their paths for a cutter with sharp corners. With `[tools.N] corner_radius` a rounding stays at the foot of each wall, and cusps stay \
-on the floor between paths that lie farther apart than the flat part of the cutter is wide. Give a smaller infeed in the plane, or finish with another cutter."
 }

@@ -1,6 +1,6 @@
 //! Every diagnostic code, with the text behind `partc explain`. Codes are never renumbered or reused.
 //!
-//! Letter: `P` general, `K` Klartext, `S` SINUMERIK, `T` HEIDENHAIN turning, `M` MTC200, `G` geometry,
+//! Letter: `P` general, and facts that several languages share, `K` Klartext, `S` SINUMERIK, `T` HEIDENHAIN turning, `M` MTC200, `G` geometry,
 //! `R` plain G-code, `O` output, `L` rules in every language. First digit: 0 lexical, 1 syntax, 2 meaning, 3 geometry, 4 limits, 8 lint, 9 unsupported.
 
 mod compensation;
@@ -13,6 +13,8 @@ mod klartext_cycles;
 mod klartext_free_contours;
 mod klartext_machining;
 mod klartext_readings;
+mod klartext_transformations;
+mod klartext_unsupported;
 mod layers;
 mod lint_motion;
 mod lint_source;
@@ -20,6 +22,11 @@ mod milling;
 mod mtc200;
 mod output;
 mod pockets;
+mod shared_cycles;
+mod shared_cycles_unsupported;
+mod shared_form;
+mod shared_meaning;
+mod shared_others;
 mod sinumerik;
 mod sinumerik_unsupported;
 mod sinumerik_warnings;
@@ -36,6 +43,8 @@ pub use klartext_cycles::*;
 pub use klartext_free_contours::*;
 pub use klartext_machining::*;
 pub use klartext_readings::*;
+pub use klartext_transformations::*;
+pub use klartext_unsupported::*;
 pub use layers::*;
 pub use lint_motion::*;
 pub use lint_source::*;
@@ -43,6 +52,11 @@ pub use milling::*;
 pub use mtc200::*;
 pub use output::*;
 pub use pockets::*;
+pub use shared_cycles::*;
+pub use shared_cycles_unsupported::*;
+pub use shared_form::*;
+pub use shared_meaning::*;
+pub use shared_others::*;
 pub use sinumerik::*;
 pub use sinumerik_unsupported::*;
 pub use sinumerik_warnings::*;
@@ -67,9 +81,13 @@ pub struct Code {
     pub on: bool,
     /// One line: what it is about.
     pub title: &'static str,
+    /// Codes and names that it had before, when each language had its own; they are taken wherever a code is.
+    pub was: &'static str,
     /// The text of `partc explain`: what it means on the machine, how to mend it, where it comes from; empty without the feature
     /// `explain`.
     pub explain: &'static str,
+    /// What is said of the faults that it stands for.
+    pub wordings: &'static [super::fault::Wording],
 }
 
 /// The first case of each code in the golden books, written by the test suite.
@@ -77,9 +95,15 @@ const EXAMPLES: &str = include_str!("examples.txt");
 
 /// Warnings and notes that say that the path, or what the machine does, is not what the blocks say.
 const FIRM: &[&str] =
-    &["G3009", "G3025", "G3210", "G3211", "G3212", "G8101", "K2851", "K2854", "P0006", "P0201", "S8130"];
+    &["G3009", "G3025", "G3210", "G3211", "G3212", "G8101", "P8104", "K2854", "P0006", "P0201", "S8130"];
 
 impl Code {
+    /// Does its id, or one that it had before, begin so?
+    pub fn begins_with(&self, prefix: &str) -> bool {
+        let before = self.was.split_ascii_whitespace();
+        self.id.starts_with(prefix) || before.into_iter().any(|id| id.starts_with(prefix))
+    }
+
     /// Can nobody ignore it: is it an error, or does it say that the tool goes another way than programmed?
     pub fn is_firm(&self) -> bool {
         self.severity == Severity::Error || FIRM.contains(&self.id)
@@ -118,20 +142,60 @@ const fn told(text: &'static str) -> &'static str {
     if cfg!(feature = "explain") { text } else { "" }
 }
 
-/// Writes a table of codes as constants plus the list of them all. Behind the severity `off` says that a code is found where
-/// somebody asks for it only.
+/// Writes a table of codes as constants plus the list of them all, and the faults that each code has, as functions of a type of its name.
+/// Behind the severity `off` says that a code is found where somebody asks for it only.
+///
+/// A fault is a name with its quantities, the message, the alarm of the control, and what to do: `help`, or `asks` where a key of
+/// `partc.toml` answers it.
 macro_rules! codes {
     (@on) => { true };
     (@on off) => { false };
-    ($list:ident: $($id:ident $severity:ident $($off:ident)? $name:literal $title:literal $explain:literal)*) => {
+    (@alarm) => { None };
+    (@alarm $number:literal) => { Some($number) };
+    (@text) => { "" };
+    (@text $text:literal) => { $text };
+    (@fault $id:ident $fault:ident ($($of:ident),*) $message:literal [$($alarm:literal)?] [$($help:literal)?] []) => {
+        #[allow(clippy::useless_format, reason = "a fault without quantities has nothing to fill in")]
+        pub fn $fault($($of: &dyn std::fmt::Display),*) -> $crate::diag::Fault {
+            $(const _: () = assert!(!$crate::diag::fault::quotes_key($help), "a help that names a key asks for it");)?
+            let raised = $id.alarm($crate::diag::codes::codes!(@alarm $($alarm)?));
+            $crate::diag::Fault::new(raised, format!($message))$(.help(format!($help)))?
+        }
+    };
+    (@fault $id:ident $fault:ident ($($of:ident),*) $message:literal [$($alarm:literal)?] [] [$asks:literal]) => {
+        #[allow(clippy::useless_format, reason = "a fault without quantities has nothing to fill in")]
+        pub fn $fault($($of: &dyn std::fmt::Display),*) -> $crate::diag::fault::Asking {
+            let raised = $id.alarm($crate::diag::codes::codes!(@alarm $($alarm)?));
+            $crate::diag::fault::Asking::new($crate::diag::Fault::new(raised, format!($message)).help(format!($asks)))
+        }
+    };
+    ($list:ident: $($id:ident $severity:ident $($off:ident)? $name:literal $title:literal $(was $was:literal)? $explain:literal $({$(
+        $fault:ident ($($of:ident),*) $message:literal $(alarm $alarm:literal)? $(help $help:literal)? $(asks $asks:literal)?;
+    )*})?)*) => {
         $(pub const $id: &$crate::diag::Code = &$crate::diag::Code {
             id: stringify!($id),
             name: $name,
             severity: $crate::diag::Severity::$severity,
             on: $crate::diag::codes::codes!(@on $($off)?),
             title: $title,
+            was: $crate::diag::codes::codes!(@text $($was)?),
             explain: $crate::diag::codes::told($explain),
-        };)*
+            wordings: &[$($($crate::diag::fault::Wording {
+                name: stringify!($fault),
+                message: $crate::diag::codes::told($message),
+                help: $crate::diag::codes::told($crate::diag::codes::codes!(@text $($help)? $($asks)?)),
+                alarm: $crate::diag::codes::codes!(@alarm $($alarm)?),
+            }),*)?],
+        };
+        $(
+            #[derive(Debug)]
+            pub enum $id {}
+            impl $id {
+                $($crate::diag::codes::codes! {
+                    @fault $id $fault ($($of),*) $message [$($alarm)?] [$($help)?] [$($asks)?]
+                })*
+            }
+        )?)*
         pub(super) const $list: &[&$crate::diag::Code] = &[$($id),*];
     };
 }
@@ -143,6 +207,8 @@ pub fn all() -> Vec<&'static Code> {
         general::GENERAL,
         gcode::GCODE,
         klartext::KLARTEXT,
+        klartext_transformations::KLARTEXT_TRANSFORMATIONS,
+        klartext_unsupported::KLARTEXT_UNSUPPORTED,
         klartext_cycles::KLARTEXT_CYCLES,
         klartext_free_contours::KLARTEXT_FREE_CONTOURS,
         klartext_machining::KLARTEXT_MACHINING,
@@ -152,6 +218,11 @@ pub fn all() -> Vec<&'static Code> {
         compensation::COMPENSATION,
         output::OUTPUT,
         pockets::POCKETS,
+        shared_form::SHARED_FORM,
+        shared_meaning::SHARED_MEANING,
+        shared_cycles::SHARED_CYCLES,
+        shared_cycles_unsupported::SHARED_CYCLES_UNSUPPORTED,
+        shared_others::SHARED_OTHERS,
         sinumerik::SINUMERIK,
         sinumerik_warnings::SINUMERIK_WARNINGS,
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
@@ -170,11 +241,12 @@ pub fn all() -> Vec<&'static Code> {
     list
 }
 
-/// Finds a code by its id or name, upper or lower case.
+/// Finds a code by its id or name, or one that it had before, upper or lower case.
 pub fn find(id: &str) -> Option<&'static Code> {
     static KNOWN: OnceLock<FxHashMap<String, &'static Code>> = OnceLock::new();
     let known = KNOWN.get_or_init(|| {
-        all().into_iter().flat_map(|code| [code.id, code.name].map(|id| (id.to_ascii_lowercase(), code))).collect()
+        let names = |code: &'static Code| [code.id, code.name].into_iter().chain(code.was.split_ascii_whitespace());
+        all().into_iter().flat_map(|code| names(code).map(move |name| (name.to_ascii_lowercase(), code))).collect()
     });
     known.get(&id.to_ascii_lowercase()).copied()
 }

@@ -4,7 +4,12 @@ super::codes! { OUTPUT:
 
 O1001 Error "feed-not-positive" "feed rate is zero or negative"
 "A cutting move with F0 never ends, or raises an alarm. Look where the feed word or the parameter behind it is set; the F of a TOOL \
-CALL, RND or CHF block counts, too."
+CALL, RND or CHF block counts, too." {
+    feed_has_to_be_above_zero(what) "{what}: the feed has to be above zero" help "program the feed of this move";
+    feed_of_m140_is_not_above_zero() "the feed of M140 is not above zero";
+    feed(at) "the feed is {at}";
+    feed_2(num) "the feed is {num}";
+}
 
 O1002 Error "value-not-finite" "value is too large to print"
 "A coordinate, centre or radius is beyond 100 km, another number beyond what can be printed, or a computation overflowed; or a chamfer, rounding or \
@@ -78,7 +83,10 @@ O9001 Error "word-unknown-to-target" "the target has no word for this"
 "The program asks for something that the selected target cannot express. Choose another target or change the program."
 
 O9002 Error "spindle-speed-negative" "spindle speed is negative"
-"The sense of rotation comes from M3 or M4, the speed is positive. Look where the S word or its parameter is set."
+"The sense of rotation comes from M3 or M4, the speed is positive. Look where the S word or its parameter is set." {
+    spindle_speed(speed) "the spindle speed is {speed}";
+    speed(num) "the speed is {num}";
+}
 
 O9003 Error "compensation-by-target" "not possible under the target's radius compensation"
 "With `[output] compensation = \"control\"` the target offsets the contour between G41 or G42 and G40. Meanwhile it takes no block in \
@@ -125,7 +133,13 @@ the wrong side of the part. Split the program \
 where the axis turns and turn it by hand, or choose another target."
 
 O9310 Error "work-offset-unknown-to-target" "the target does not have this work offset"
-"Work offsets are selected by their number, and the selected target has fewer of them. Select another one in the program, or map the preset to another word in `[datums]`."
+"Work offsets are selected by their number, and the selected target has fewer of them. Select another one in the program, or map the preset to another word in `[datums]`." {
+    target_has_no_word(target, said, printed, range)
+        "the target {target} has no word for {said}{printed}: it has {range}";
+    target_has_no_work_offsets(target, said)
+        "the target {target} has no work offsets, and the program selects {said}"
+        help "take the word out: positions count from where the part is set up on the machine";
+}
 
 O9311 Error "mist-unknown-to-target" "the target has no mist coolant"
 "The selected target refuses M7 as it is delivered. Cool with M8, or leave M7 out and switch the mist by hand."
@@ -253,7 +267,15 @@ O9190 Error "tool-length-not-along-z" "tool length does not act along Z"
 "`[output] tool_length = \"G43\"` has the target add the length of the tool, by G43 H, or by its own word (G56 H on an Okuma, D1 on a SINUMERIK), and that adds it to Z. Under G18 and G19, and with \
 another tool axis in a TOOL CALL, the control counts it along another axis, so the tool would stand wrong by its length in both. Set the key to \"off\", which holds without it on linuxcnc alone, and set the \
 length up on the target. The call of a tool brings its length on some targets (heidenhain): \"off\" fits there only where \
-the length is zero in its table."
+the length is zero in its table." {
+    with_tool_axis_length_of_tool_acts(axis, who)
+        "with the tool axis {axis} the length of the tool acts along it, and {who} adds it to Z";
+    outside_g17_length_of_tool_does_not(who, way)
+        "outside G17 the length of the tool does not act along Z, to which {who} adds it"
+        asks "{way}, or program the block under G17";
+    under_length_of_tool_acts_along(plane, third, who)
+        "under {plane} the length of the tool acts along {third}, and {who} adds it to Z";
+}
 
 O9100 Error "compensation-way-too-short" "move to or from the compensated contour is shorter than the tool radius"
 "With `compensation = \"control\"` the target compensates the radius of the tool, and it takes the way to the contour only if that is longer \

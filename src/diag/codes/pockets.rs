@@ -7,16 +7,47 @@ G3321 Error "milling-no-room" "area has no path for the cutter"
 tighter than the cutter, or the rings computed for a contour did not stand the check of their distance to it. Check the sizes, the radius of the \
 tool, the allowances and the infeeds."
 
-S2241 Error "siemens-milling-radius" "milling cycle without a radius of the cutter"
-"A milling cycle of the control computes the path of the cutter's centre from the radius in the tool memory. Give the radius of the tool in \
-`[tools.N] radius`, or write `$TC_DP6` of the active edge in front of the call. Data that the program changes by `$P_AD`, and an edge that is in doubt \
-between T and M6, do not count."
-
 S8230 Warning "siemens-milling-left-open" "argument of a milling cycle is left open"
 "The call leaves open what the control takes from elsewhere: the infeed in depth or in the plane, or the sense in which the spindle turns for climb \
-and conventional milling. The message says what is taken. Give the argument, or program M3 or M4 in front of the call."
+and conventional milling. The message says what is taken. Give the argument, or program M3 or M4 in front of the call." {
+    mirrored_frame_turns_sense_around(asked, made)
+        "a mirrored frame turns the sense around: {asked} is asked for, and {made} milling comes out"
+        help "give the other `CDIR` where the sense is to stay on the mirrored part";
+    whether_spindle_turns_by_m3_or_m4()
+        "whether the spindle turns by M3 or M4 is not known: M3 is taken for climb and conventional"
+        help "program M3 or M4 before the cycle, or CDIR 2 or 3";
+    no_infeed_in_plane(name, place)
+        "no infeed in the plane `{name}` (argument {place}): 0.8 of the cutter's diameter"
+        help "give the greatest width of a cut";
+    no_infeed_in_depth(name, place, way) "no infeed in depth `{name}` (argument {place}): one level of {way} mm"
+        help "give the greatest depth of a level";
+    feed_is_read_as_way_per_revolution(value)
+        "the feed {value} is read as a way per revolution, since G95 is in force"
+        help "program G94 before the cycle where it is a feed per minute";
+    offn_is_in_force(normal) "OFFN={normal} is in force and not counted: the allowance of the cycle is"
+        help "program OFFN=0 in front of the cycle, and `_FAL` in it";
+    there_is_no_room_to_go() "there is no room to go to and fro: the tool goes straight down"
+        help "the pocket has no room for it; a cutter that cannot plunge breaks";
+    radius_of_helix_is_mm(made) "the radius of the helix is {made:.3} mm only" help "the pocket has no room for more";
+    there_is_no_room_for_helix() "there is no room for the helix: the tool goes straight down"
+        help "the pocket has no room for it; a cutter that cannot plunge breaks";
+    there_is_no_room_for_helical_turns()
+        "there is no room for the helical turns: the tool goes straight down by the infeeds"
+        help "the pocket has no room for it; a cutter that cannot plunge breaks";
+    tool_goes_down_at_rapid_traverse()
+        "the tool goes down at rapid traverse: it needs a hole that was drilled before"
+        help "1 in the tens of `_VARI` goes down at the feed for the depth";
+    radius_of_helix_is_mm_only_larger(radius)
+        "the radius of the helix is {radius} mm only: a larger one leaves a core"
+        help "give at most the radius of the cutter as `_RAD1`";
+    speed_of_finishing_stays() "the speed of finishing stays, as none stands in front of the cycle"
+        help "program S before the cycle";
+    allowance_on_wall_is_mm(room) "the allowance on the wall is {room} mm only: the cutter leaves no room for more"
+        help "take a smaller cutter, or a smaller allowance";
+    no_corner_radius() "no corner radius: the corners keep the radius of the cutter"
+        help "give the radius of the corners";
+    blank_is_smaller_than_spigot() "the blank is smaller than the spigot"
+        help "give the size of the blank in front of the cycle";
+}
 
-S8231 Note "siemens-milling-way" "path of a milling cycle is that of partc"
-"The control promises the final shape, and how it gets there is not published or not confirmed. partc makes a path of its own that keeps the allowances and infeeds; \
-docs/cycles.md describes it. Compare the path with what the machine does where the order of the cuts matters."
 }

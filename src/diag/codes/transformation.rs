@@ -20,27 +20,62 @@ feeds per turn of the workpiece spindle cannot be carried out there."
 
 S2280 Error "siemens-transformation-call" "argument of a transformation"
 "TRANSMIT takes the number of the transformation, TRACYL the working diameter, that number and the correction of groove walls. Only the first \
-transformation without wall correction is compiled: which axes another one uses is data of the machine."
+transformation without wall correction is compiled: which axes another one uses is data of the machine." {
+    which_axes_tracyl_uses_on_milling_machine()
+        "which axes TRACYL uses on a milling machine, only the machine knows"
+        asks "set `[machine] kind = \"lathe\"` if the tool points along X to a workpiece that turns about Z";
+    working_diameter_of_tracyl(given) "the working diameter of TRACYL is {given}"
+        help "give the diameter at which Y counts: TRACYL(80)";
+    tracyl_corrects_walls_of_groove_by_real() "TRACYL corrects the walls of a groove by a real Y axis"
+        help "leave the third argument out, and program the path of the tool's centre";
+    selects_transformation(word, number)
+        "{word} selects transformation {number}: which axes it uses, only the machine knows"
+        help "select the first one, or compile the face in Cartesian axes";
+}
 
 S2281 Error "siemens-transformation-switch" "transformation begins or ends where it cannot"
 "TRANSMIT, TRACYL and TRAFOOF want radius compensation off. What becomes of a frame in force is machine data (MD 10602): program it behind the switch, or set \
-`[control] md10602 = 1` if the control keeps it. A real Y axis has to stand at 0."
+`[control] md10602 = 1` if the control keeps it. A real Y axis has to stand at 0." {
+    y_axis_stands_at_where_x(y) "the Y axis stands at {y} where X and the rotary axis take over"
+        help "program Y0 in front of it";
+    frame_is_in_force_where_axes_change()
+        "a frame is in force where the axes change, and the control may delete it (MD 10602)"
+        asks "program the frame behind this block (TRANS without values in front of it), or set `[control] md10602 = \
+        1` if it stays on the machine";
+    radius_compensation_is_on_where_axes_change() "radius compensation is on where the axes change"
+        help "program G40 with a straight move in front of it";
+}
 
 S2282 Error "siemens-transformation-cycle" "turning cycle inside a transformation"
-"Turning cycles work on a turning contour and are not possible between TRANSMIT or TRACYL and TRAFOOF; the control raises alarm 61020."
+"Turning cycles work on a turning contour and are not possible between TRANSMIT or TRACYL and TRAFOOF; the control raises alarm 61020." {
+    is_not_possible_while_transmit_or_tracyl(name) "{name} is not possible while TRANSMIT or TRACYL is on" alarm 61020
+        help "program TRAFOOF in front of it";
+}
 
 S8250 Note "siemens-transformation-virtual" "face or mantle is printed in Cartesian axes"
 "With `[cycles] transmit = \"cartesian\"` the moves between TRANSMIT or TRACYL and TRAFOOF are printed as programmed, in axes that the program sees. The \
-machine needs X and Y, or a control that transforms by itself."
+machine needs X and Y, or a control that transforms by itself." {
+    face_machining_in_virtual_cartesian_axes(word)
+        "{word}: face machining in virtual Cartesian axes; needs a machine with X, Y or a control transformation";
+}
 
 S8251 Note "siemens-transformation-axes" "face or mantle is printed with the rotary axis"
 "With `[cycles] transmit = \"polar\"` X is the distance from the axis of rotation and the rotary axis turns the workpiece. X0 and the zero of the rotary axis \
-in the work offset of the target have to be those of the control; each block has the F by which the contour has the programmed feed."
+in the work offset of the target have to be those of the control; each block has the F by which the contour has the programmed feed." {
+    is_printed_with_x(word, letter, zero)
+        "{word} is printed with X and {letter}: X0 lies on the axis of rotation, and {zero}";
+}
 
 S8252 Warning "siemens-transformation-diameter" "diameter programming on a face"
 "Under DIAMON the X of a face is read as a diameter, as everywhere. Most programs for faces are written in radii: program DIAMOF behind TRANSMIT, or check \
-the picture."
+the picture." {
+    diameter_programming_is_on_at_transmit()
+        "diameter programming is on at TRANSMIT: X of the face is read as a diameter";
+}
 
 S8253 Note "siemens-feed-per-minute" "feed per revolution of a driven spindle"
-"Targets count the turns of their first spindle. While another one is the master, G95 F is printed per minute: F times the speed in force at the cut."
+"Targets count the turns of their first spindle. While another one is the master, G95 F is printed per minute: F times the speed in force at the cut." {
+    feed_per_revolution_of_spindle(master)
+        "the feed per revolution of spindle {master}, the master, is printed per minute";
+}
 }

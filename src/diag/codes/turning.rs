@@ -2,54 +2,98 @@
 
 super::codes! { TURNING:
 
-T0001 Error "turning-character" "character has no place in a block"
-"The character belongs to no word of a turning program. Comments stand in square brackets: `[ROUGH THE OUTSIDE]`."
-
-T0002 Warning "turning-dash" "printed dash instead of a minus sign"
-"A dash of printed text stands where a minus sign is meant, as happens when a program is copied from a document. It is read as `-`. \
-Replace it: the control does not accept it."
-
-T1001 Error "turning-syntax" "block cannot be read"
-"The words of the block do not fit together: a value is missing, or a word stands where none can stand. An address and its value stand \
-together (`X50`, `Xi-5`, `X#5`, `X{#5+2}`); a coordinate that is left open is written `X?`."
-
-T1002 Error "turning-word-twice" "word stands twice in a block"
-"A block may hold several functions as long as no address is used twice. Which of the two values counts cannot be guessed. \
-Put the second function into a block of its own."
-
-T1003 Error "turning-word-not-admitted" "word has no place in this block"
-"Every word has to belong to a function of its block, and the functions of this one do not take it. The control would refuse it or \
-ignore it; partc never drops a word. Remove it, or put it where it belongs."
-
 T1004 Error "turning-comment" "comment is not closed, or words follow it"
 "A comment stands in square brackets at the end of its block or alone on its line. Words behind a comment would be easy to overlook, and \
 a bracket that is not closed may have swallowed words."
 
-T1005 Error "turning-word-missing" "block lacks a word"
-"A word without which the function has no meaning is missing. The control would ask for it in its dialogue. Add the word."
-
-T1006 Error "turning-functions-clash" "functions of the block contradict each other"
-"Two functions of the block cannot act together: both move, both take the same word, or they say opposite things (`M3 M4`). \
-Put the second one into a block of its own."
-
 T1007 Error "turning-value" "value is out of range"
 "The word takes other values than this one: a whole number of a short list, a length above zero, or a factor up to 1. Check the value, \
-and the sign."
+and the sign." {
+    dwell_time_is_not_negative() "a dwell time is not negative";
+    oversize_of_blank_is_not_negative() "the oversize of a blank is not negative";
+    rc_is_radius() "RC is a radius";
+    lies_between_0(name) "{name} lies between 0 and 90 degrees";
+    ns_ne_are_block_numbers() "NS and NE are block numbers, and NE does not stand alone";
+    ns_and_ne_are_block_numbers() "NS and NE are block numbers";
+    is_not_negative(letter) "{letter} is not negative";
+    hole_does_not_lie_in_front() "the hole does not lie in front of the tool, towards -Z";
+    has_to_be_above_zero(what) "{what} has to be above zero";
+    is_none_of_0(letter, num, most) "{letter}{num} is none of 0 to {most}";
+    q_is_neither_0_nor_1(num) "Q{num} is neither 0 nor 1";
+    r_is_no_radius(num) "R{num} is no radius";
+    shift_is_no_number() "the shift is no number";
+    bore_of_tube_is_smaller_than_tube() "the bore of a tube is smaller than the tube";
+    d_is_no_sum_of_codes(num) "D{num} is no sum of codes of recesses and undercuts"
+        help "add 256 for G23, 1536 for G22, 32768 for U, 65536 for E, 131072 for F, 262144 for DIN 76";
+    h_is_no_form_of_undercut(form) "H{form} is no form of an undercut";
+    lies_between_0_and_180_degrees() "A lies between 0 and 180 degrees";
+    g701_takes_absolute_machine_coordinates() "G701 takes absolute machine coordinates";
+    thread_leans_more_than_45_degrees_out() "the thread leans more than 45 degrees out of the axis of its pitch"
+        help "program H0 for a pitch along Z, H1 for one along X";
+    h_is_0_for_z_1() "H is 0 for Z, 1 for X, or 3 for along the path";
+    e_is_no_share_of_feed(num) "E{num} is no share of the feed"
+        help "on this control E is a factor above 0 and up to 1";
+    e_has_to_be_above_zero() "E has to be above zero";
+    is_not_negative_2(name) "{name} is not negative";
+    turning_depth_compensation_is_not_negative() "the turning depth compensation is not negative";
+    oversize_is_not_negative() "an oversize is not negative";
+    greatest_infeed_is_not_zero() "the greatest infeed is not zero";
+    cuts_of_g81_would_lie_beyond_turning(y) "the cuts of G81 would lie beyond the turning centre, down to X{y}"
+        help "program X0 or more; an inside contour is roughed from X0 or more outwards";
+    recess_is_narrower_than_tool() "the recess is narrower than the tool";
+    recess_is_not_deeper_than_slope()
+        "the recess is not deeper than the slope of 1.3 mm by which its flanks are entered"
+        help "position the tool higher above the recess";
+    recess_has_no_depth_below_tool() "the recess has no depth below the tool";
+    run_out_is_not_negative() "the run-out is not negative";
+    negative_depth_is_that_of_external_thread()
+        "a negative depth is that of an external thread, and the tool stands inside of it"
+        help "position the tool outside of the thread, or program P without the sign";
+    thread_has_no_depth() "the thread has no depth";
+    speed_limit_is_above_zero() "a speed limit is above zero";
+    thread_with_its_run(end) "the thread with its run-in and run-out leads beyond the turning centre, to X{end}"
+        help "check R, B and P";
+    is_not_negative_3(what) "the {what} is not negative";
+    does_not_lie_between_0(num) "A{num} does not lie between 0 and 60 degrees";
+    ic_is_number_of_cuts() "IC is a number of cuts";
+    thread_at_x_with_depth_of_mm(least, depth, root)
+        "the thread at X{least} with a depth of {depth} mm reaches the turning centre: its root lies at X{root}"
+        help "check the diameter and the depth, which counts as a radius";
+    thread_runs_across_face() "the thread runs across a face, and U above 0 is the depth of a thread in a bore"
+        help "program U with a minus sign";
+    no_undercut_of_din_76_is_mm(width) "no undercut of DIN 76 is {width} mm wide"
+        help "take the width of the table, or write the undercut with G1 and G2 blocks";
+    number_is_too_large_for_any_control() "the number is too large for any control";
+}
 
 T1008 Error "turning-place" "block stands in the wrong part of the program"
 "A DIN PLUS program consists of sections: header lines in HEADER, tools in TURRET, shape in BLANK and FINISHED PART, everything that moves in \
-MACHINING. The same words mean different things in different sections, so a block in the wrong one is refused."
+MACHINING. The same words mean different things in different sections, so a block in the wrong one is refused." {
+    words_have_no_place_in_this_section() "words have no place in this section"
+        help "blocks that machine stand in the section MACHINING";
+    variables_program_flow_belong_into_section_machining()
+        "variables and program flow belong into the section MACHINING, not into a contour";
+    block_of_contour_holds_one_g_function() "a block of a contour holds one G function"
+        help "write one element in each block: G1 X50 Z-20";
+    section_begins_inside_subprogram() "a section begins inside a subprogram";
+    subprogram_ends_with_return() "a subprogram ends with RETURN, not with END";
+    header_lines_stand_in_section_header() "header lines stand in the section HEADER";
+    section_begins_behind_blocks_that_ran_already() "a section begins behind blocks that ran already"
+        help "put the blocks into the section MACHINING";
+    program_name_stands_in_middle_of_program() "a program name stands in the middle of the program"
+        help "one file holds one program: put the second one into a file of its own";
+}
 
 T1009 Error "turning-structure" "IF, WHILE or SWITCH is not closed or not opened"
 "Every IF needs its ENDIF, every WHILE its ENDWHILE, every SWITCH its ENDSWITCH, in the same program and section. \
-Otherwise it is open which blocks run."
-
-T1010 Error "turning-no-end" "file ends without END or RETURN"
-"A main program ends with END (ENDE), a subprogram with RETURN. The file has a program name or sections but no end: most likely it was cut \
-off in transfer, and the end of the path is missing. If the program is complete, add the word."
-
-T1011 Warning "turning-behind-end" "block stands behind the end of the program"
-"What stands behind END is not executed. Most often two programs were joined into one file; each needs a file of its own."
+Otherwise it is open which blocks run." {
+    this_is_not_closed_when_subprogram_ends() "this is not closed when the subprogram ends";
+    this_structure_is_not_closed() "this structure is not closed" help "close it with ENDIF, ENDWHILE or ENDSWITCH";
+    stands_outside(what, needs) "{what} stands outside of {needs}";
+    structures_are_nested_deeper_than_levels(deepest) "structures are nested deeper than {deepest} levels";
+    this_is_not_closed_when_program_ends() "this is not closed when the program ends";
+    this_is_not_closed_when_next_section() "this is not closed when the next section begins";
+}
 
 T1012 Warning "turning-unit-frame" "frames of units do not match"
 "smart.Turn frames the blocks of a unit with UNIT and END_OF_UNIT. The blocks are compiled as they stand, the frame means nothing to the path. \
@@ -57,136 +101,226 @@ A frame that does not match shows that the file was edited: check that no block 
 
 T1013 Note "turning-unit-missing" "no #UNIT line"
 "The unit of a DIN PLUS program is fixed in its header. Without the line the control takes its own setting; partc takes `[control] unit` of \
-partc.toml, or millimetres."
+partc.toml, or millimetres." {
+    no_unit_line() "no #UNIT line: lengths are taken as millimetres"
+        asks "set `[control] unit` in partc.toml, or add `#UNIT METRIC`";
+}
 
 T1014 Error "turning-unit" "unknown unit"
-"The header line #UNIT says METRIC or INCH. The difference is a factor of 25.4, so another word is not guessed."
+"The header line #UNIT says METRIC or INCH. The difference is a factor of 25.4, so another word is not guessed." {
+    is_no_unit(value) "`{value}` is no unit" help "write `#UNIT METRIC` or `#UNIT INCH`";
+}
 
 T2001 Error "turning-no-path-function" "coordinates without a function that moves"
 "On these controls every block that moves holds its function (G0, G1, G2 …); no manual says that the last one goes on. \
-Write the function into the block."
-
-T2002 Error "turning-position-unknown" "position of the tool is not known"
-"An incremental word, an angle or an arc counts from where the tool stands, and that is not known: at the start of the program, after a \
-tool change, and after a move in machine coordinates. Program the axis once as an absolute value."
-
-T2003 Error "turning-feed-missing" "no feed, or no kind of feed"
-"A cutting move needs a feed, and F needs G94 (mm per minute) or G95 (mm per revolution) to have a meaning; what holds when the control is \
-switched on is not in the program. Program `G95 F0.25` or `G94 F200` first."
+Write the function into the block." {
+    block_has_coordinates() "the block has coordinates and no function that moves"
+        help "write G0 or G1 into the block";
+}
 
 T2004 Error "turning-speed-mode" "S without G96 or G97"
-"S is a cutting speed under G96 and a number of revolutions under G97. Neither was programmed, so S has no meaning yet."
+"S is a cutting speed under G96 and a number of revolutions under G97. Neither was programmed, so S has no meaning yet." {
+    neither_g96_nor_g97_says_what_s() "neither G96 nor G97 says what S means"
+        help "program `G97 S…` for revolutions per minute or `G96 S…` for a constant cutting speed";
+}
 
 T2005 Note "turning-speed-limited" "speed is lowered to the limit of G26"
-"G26 sets the highest speed. The program asks for more under G97, and the control would turn with the limit; the limit is printed."
+"G26 sets the highest speed. The program asks for more under G97, and the control would turn with the limit; the limit is printed." {
+    speed_is_lowered_to_limit_of_g26(speed, limit) "the speed {speed} is lowered to the limit {limit} of G26";
+}
 
 T2006 Error "turning-change-point" "tool change point is not known"
 "G14 moves to the tool change point, which is stored in the control. Where it lies decides whether the turret can turn without a collision, \
-so it is never guessed: set `[control] tool_change_point = { X = 300.0, Z = 400.0 }` in partc.toml, in machine coordinates, X as a diameter."
+so it is never guessed: set `[control] tool_change_point = { X = 300.0, Z = 400.0 }` in partc.toml, in machine coordinates, X as a diameter." {
+    where_tool_change_point_lies_only_machine() "where the tool change point lies only the machine knows"
+        asks "set its machine coordinates in partc.toml: `[control] tool_change_point = {{ X = 300.0, Z = 400.0 }}`";
+    only_first_tool_change_point_is_known() "only the first tool change point is known";
+}
 
 T2007 Error "turning-tool-number" "tool number cannot be printed"
 "T names a position of the turret, with a point and a digit for one edge of a tool that has several (`T2.1`). The target knows whole tool \
-numbers only: give the edge a number in `[tools.\"2.1\"]`. Four digits name a tool and its offset; both have to be the same."
-
-T2008 Error "turning-variable-unset" "variable is read before it is set"
-"What the control would take for a variable without a value differs. Assign a value first, hand it over in the call, or give a start value \
-in `[variables]` of partc.toml."
-
-T2009 Error "turning-formula" "formula cannot be computed"
-"The formula divides by zero, takes the root of a negative number, or asks for something the manuals leave open, such as the integer part of a \
-negative number. The block is not executed."
-
-T2010 Error "turning-machine-variable" "variable belongs to the machine"
-"The variable holds what the control measured or knows of the machine; a compiler cannot know it. Give its value in `[variables]` of partc.toml \
-if it is the same for every part."
+numbers only: give the edge a number in `[tools.\"2.1\"]`. Four digits name a tool and its offset; both have to be the same." {
+    of_another_kind(word, why) "`{word}` {why}";
+    edge_of_tool_has_no_tool_number(edge, number) "edge {edge} of tool {number} has no tool number to print"
+        asks "add `[tools.\"{number}.{edge}\"]` with `number = …` to partc.toml";
+}
 
 T2011 Error "turning-subprogram" "subprogram is not found, or not clear"
 "L calls a subprogram of the same file by the name in its section SUBPROGRAM, or with V1 one in a file of its own. There is none of this \
-name, or there are two. Without it the path is incomplete, so nothing is written."
-
-T2012 Error "turning-recursion" "subprogram calls itself"
-"A subprogram that calls itself, perhaps by way of another one, never ends. The control refuses it as well."
-
-T2013 Error "turning-job-end-in-subprogram" "subprogram ends the job"
-"A subprogram returns with RETURN. END or M30 inside it would end the job in the middle of the main program."
+name, or there are two. Without it the path is incomplete, so nothing is written." {
+    there_is_no_section_subprogram(name) "there is no section SUBPROGRAM \"{name}\"";
+    subprogram_stands_twice_in_this_file(name) "the subprogram `{name}` stands twice in this file"
+        help "give one of them another name";
+}
 
 T2014 Error "turning-variable-scope" "variable of another program"
 "The manuals disagree whether # variables with a plain number belong to one program or to all. The program reads one that another program \
-set, so the result depends on that. Hand the value over in the L block, or use #c variables."
+set, so the result depends on that. Hand the value over in the L block, or use #c variables." {
+    was_assigned_in_another_program_than_one(var) "{var} was assigned in another program than the one that reads it"
+        help "hand the value over in the L block, or use #c variables";
+}
 
 T2015 Note "turning-zero" "coordinates count from the workpiece zero of G59"
 "G59 sets the workpiece zero in machine terms. The output has coordinates relative to the first G59 of the program: the work offset of the target \
-has to be set there. Later shifts are computed into the coordinates."
+has to be set there. Later shifts are computed into the coordinates." {
+    coordinates_count_from_workpiece_zero_of_g59(z)
+        "coordinates count from the workpiece zero of G59, {z} mm in front of the chuck";
+}
 
 T2016 Error "turning-shift" "zero shift is not clear"
 "A zero shift moves everything that follows. Here its amount depends on something the program does not say, or on a rule that no manual at hand \
-confirms. Write the coordinates without the shift, or put it in front of the first move."
+confirms. Write the coordinates without the shift, or put it in front of the first move." {
+    whether_g59_ends_shifts_of_g51() "whether G59 ends the shifts of G51 and G56 no manual at hand says"
+        help "program `G51 Z0` first, and take the sum of G56 back";
+    g59_moves_workpiece_zero_that_positions()
+        "G59 moves the workpiece zero that the positions of `[start]` count from, by an amount that only the machine \
+        knows"
+        help "leave `[start]` out of partc.toml, and begin the program with absolute positions";
+    g59_moves_workpiece_zero_that_program()
+        "G59 moves a workpiece zero that the program has used already, by an amount that only the machine knows"
+        help "program G59 before the first move, too";
+    zero_shift_in_x_is_not_supported()
+        "a zero shift in X is not supported: the manuals do not say whether it counts in diameters"
+        help "leave out X, or take the shift into the coordinates";
+}
 
 T2017 Error "turning-family" "program is for another control than configured"
 "MANUALplus 4110 programs have no sections; DIN PLUS and smart.Turn programs have them. The same words differ between the two: I of an arc is a \
-diameter on the 4110 and a radius later. Set `[control] heidenhain_turning` in partc.toml to the control the program was written for."
-
-T2018 Error "turning-m-unknown" "M function of the machine"
-"M functions other than M0, M1, M3, M4, M5, M8, M9 and M30 belong to the machine builder. If the target has the same one, list it in \
-`[output] pass_m`; otherwise remove it."
+diameter on the 4110 and a radius later. Set `[control] heidenhain_turning` in partc.toml to the control the program was written for." {
+    manualplus_4110_has_no_g869()
+        "the MANUALplus 4110 has no G869, and a program without sections is one of that control"
+        asks "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml if it is for a later control";
+    programs_of_manualplus_4110_have_no_sections() "programs of the MANUALplus 4110 have no sections"
+        asks "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml for DIN PLUS programs";
+}
 
 T2019 Error "turning-contour-reference" "contour reference is not found"
 "NS and NE name the first and last element of a contour by their block numbers. No block of a geometry section has the number. Block numbers \
-change when a program is renumbered: check the references."
+change when a program is renumbered: check the references." {
+    there_is_no_contour(name) "there is no contour `{name}`, or more than one"
+        help "give each auxiliary contour a name of its own: AUXIL_CONTOUR ID\"…\"";
+    no_element_of_contour_has_block_number(missing) "no element of a contour has the block number {missing}"
+        help "NS and NE name blocks of the geometry sections; each number may stand there once";
+    n_is_start_point_of_contour(missing) "N{missing} is the start point of a contour (G0), not an element of it"
+        help "name the first element that is cut: the G1, G2 or G3 block behind the start point";
+    block_number_stands_in_two_contours(ns) "the block number {ns} stands in two contours"
+        help "number the blocks of the geometry sections so that each number stands once";
+}
 
 T2020 Error "turning-case-fall-through" "branch of SWITCH without BREAK"
-"A branch runs into the next CASE. Whether the control then goes on there or leaves the SWITCH no manual at hand says. End each branch with BREAK."
+"A branch runs into the next CASE. Whether the control then goes on there or leaves the SWITCH no manual at hand says. End each branch with BREAK." {
+    branch_before_has_no_break() "the branch before has no BREAK" help "end every branch of SWITCH with BREAK";
+}
 
 T2021 Error "turning-compensation" "nose radius compensation in the wrong place"
-"G40, G41 and G42 need a straight move, exclude cycles and tool changes, and G41 and G42 cannot follow each other directly."
+"G40, G41 and G42 need a straight move, exclude cycles and tool changes, and G41 and G42 cannot follow each other directly." {
+    g_stands_under_nose_radius_compensation(fun) "G{fun} stands under nose radius compensation"
+        help "program G40 with a straight move before it";
+    g_stands_inside_of_contour_of_g89(side) "G{side} stands inside of the contour of G89"
+        help "program it once, in the block after G89";
+    workpiece_zero_shifts_under_nose_radius_compensation()
+        "the workpiece zero shifts under nose radius compensation"
+        help "program G40 with a straight move before the shift";
+    program_ends_with_nose_radius_compensation() "the program ends with the nose radius compensation on"
+        help "program G40 with a straight move before the end";
+    nose_radius_compensation_begins_or_ends() "nose radius compensation begins or ends on an arc"
+        help "program a straight move with G40, G41 or G42, or behind it";
+    tool_changes_under_nose_radius_compensation() "the tool changes under nose radius compensation"
+        help "program G40 with a straight move before the tool change";
+    g41_g42_follow_each_other_without_g40() "G41 and G42 follow each other without G40"
+        help "program G40 with a straight move between them";
+}
 
 T2022 Error "turning-slide" "program for another slide"
-"The program or the block is for a slide other than $1. Two slides work at the same time, which plain G-code for one slide cannot say."
+"The program or the block is for a slide other than $1. Two slides work at the same time, which plain G-code for one slide cannot say." {
+    block_is_for_slide(number) "the block is for slide ${number}: two slides move at the same time"
+        help "compile a copy that holds the blocks of slide $1 only";
+    these_blocks_are_for_other_slides() "these blocks are for other slides than $1"
+        help "only programs of the first slide are compiled";
+    program_is_for_slide(value) "the program is for slide {value}, not for slide $1"
+        help "only programs of the first slide are compiled";
+}
 
 T2023 Warning "turning-tool-data" "tool data of the program is not used"
 "A line of the turret section holds data of a simple tool. partc takes tool data from partc.toml: add the tool there where a cycle or the \
-compensation needs it."
-
-T2024 Error "turning-tool-data-missing" "cycle needs data of the tool"
-"Recessing cycles need the cutting width, the nose radius and the kind of the tool in the cutting position. Contour cycles need its nose radius and the \
-position of its edge where the contour has a slope, an arc or walls that face each other: there the nose touches beside the programmed point. The program does \
-not hold them: add them to `[tools]` in partc.toml."
+compensation needs it." {
+    data_of_this_tool_is_not_used() "the data of this tool is not used: tool data comes from partc.toml";
+}
 
 T2025 Error "turning-side" "tool stands on the wrong side of the contour"
 "Roughing removes what lies between the contour and the tool. Here the contour falls away from the tool, so the tool stands where the finished \
-part will be, or it is not clear whether the cycle works outside or inside. Nothing is written: position the tool at the corner of the blank."
+part will be, or it is not clear whether the cycle works outside or inside. Nothing is written: position the tool at the corner of the blank." {
+    tool_stands_at_inside_of_material(word, scale, scale2)
+        "the tool stands at {word}{scale} inside of the material: the rim of the recess lies at {word}{scale2}"
+        help "position the tool outside of the material, beyond the rims of the recess, and begin its contour at a \
+        rim";
+    tool_does_not_stand_outside_of_contour()
+        "the tool does not stand outside of the contour on the side from which it is roughed"
+        help "position the tool at the corner of the blank, beyond the highest point of the contour; a bore is given \
+        with I of G20";
+    tool_does_not_stand_beside_contour()
+        "the tool does not stand beside the contour, so there is no side to begin at"
+        help "position the tool in front of the contour, at the corner of the blank";
+    g_begins_at_tool(number, word, tool, limit, beyond)
+        "G{number} begins at the tool, which stands at {word}{tool} inside of the blank: its surface lies at \
+        {word}{limit}"
+        help "position the tool at {word}{limit} {beyond} before the cycle; where that part of the blank was cut off \
+        before, give in BLANK what is left";
+    tool_comes_to_undercut_from_side(edge)
+        "the tool comes to the undercut from a side that its edge position {edge} does not cut"
+        help "check where the tool stands before G85, and `orientation` of the tool in partc.toml";
+    tool_does_not_stand_in_front() "the tool does not stand in front of the undercut and clear of it"
+        help "position it in front of where the undercut begins, and beyond its end at the shoulder";
+}
 
 T2026 Note "turning-left-standing" "falling parts of the contour are left standing"
 "Parts of the contour that fall behind a higher one can only be reached by plunging, which this cycle does not do as it is programmed. The cuts \
-end as if the contour went on level. G810, G819, G820 and G829 cut these parts with a feed above 0 in E; else rough them with a cycle of their own."
+end as if the contour went on level. G810, G819, G820 and G829 cut these parts with a feed above 0 in E; else rough them with a cycle of their own." {
+    g_leaves_parts_of_contour_standing(number)
+        "G{number} leaves the parts of the contour standing that fall behind higher ones";
+}
 
 T2027 Note "turning-nose-unknown" "nose radius of the tool is not known"
 "Contour cycles compensate the radius of the nose. The program does not hold it. This contour lies along the axes, where the programmed point of the tool is \
-exact, so it is printed; in inner corners the nose leaves its radius standing. A face that ends at X0 keeps a pip of that radius at the centre: the nose touches the face beside the programmed point. With a slope or an arc the cycle is refused (T2024). Add `radius` and `orientation` \
-of the tool to `[tools]` in partc.toml."
+exact, so it is printed; in inner corners the nose leaves its radius standing. A face that ends at X0 keeps a pip of that radius at the centre: the nose touches the face beside the programmed point. With a slope or an arc the cycle is refused (P2004). Add `radius` and `orientation` \
+of the tool to `[tools]` in partc.toml." {
+    nose_radius_of_tool_is_not_known()
+        "the nose radius of the tool is not known: its programmed point follows the contour, which lies along the \
+        axes";
+}
 
 T2028 Warning "turning-descending-feed" "feed on descending elements is partc's choice"
 "Where E is missing the control lowers the feed on descending elements by up to a half, depending on their angle. partc takes half the feed on \
-all of them. Program E to set it."
+all of them. Program E to set it." {
+    descending_elements_are_cut_at_half_feed()
+        "descending elements are cut at half the feed: E is missing, and the control lowers it by up to that";
+}
 
 T2029 Note "turning-strokes-only" "recess is cut in strokes only"
 "Retired: G86 without an oversize was not finished. Its strokes reach the floor, and walls, floor and chamfers are finished with an oversize or without."
 
 T2030 Error "turning-flank" "flank of the tool does not clear a falling part"
 "A part of the contour falls more steeply than the clearance angle of the tool: its flank would cut into the finished part behind its edge. Take another tool, \
-or rough this part with a recess cycle."
+or rough this part with a recess cycle." {
+    contour_falls_at_degrees(steepest, angle)
+        "the contour falls at {steepest:.1} degrees, and the flank of the tool clears {angle} only"
+        help "take a tool with a larger clearance angle (`clearance` in partc.toml), or leave these parts out with \
+        E0";
+}
 
 T2031 Note "turning-flank-unknown" "clearance of the flank is not checked"
 "Roughing goes down the falling parts of the contour, where the flank of the tool has to clear them. Its angle is not known: add `clearance` of the tool to \
-`[tools]` in partc.toml to have it checked."
-
-T2050 Error "turning-lone-return" "carriage return inside a block"
-"A carriage return stands alone, without a line feed, in a file whose lines end with line feeds. Editors show what follows as a line of its own; \
-partc and the control would read it as part of the same line, or of its comment. End the line with a line feed."
+`[tools]` in partc.toml to have it checked." {
+    g_cuts_falling_parts(number)
+        "G{number} cuts falling parts: whether the flank of the tool clears them is not checked";
+}
 
 T2070 Error "turning-said-twice" "form or blank is described twice"
 "A corner takes one undercut, an element one thread, and a part one blank. Here a second block describes the same one once more, and only one of \
-the two can be meant. Remove the other."
+the two can be meant. Remove the other." {
+    blank_is_described_already() "the blank is described already, by an earlier G20 or G21"
+        help "keep one of the two blocks";
+}
 
 T3001 Error "turning-undetermined" "element is not determined"
 "The end, centre or direction of the element is left open, and the elements beside it do not fix it. B missing means a tangential transition, \
@@ -194,14 +328,36 @@ T3001 Error "turning-undetermined" "element is not determined"
 
 T3002 Error "turning-impossible" "geometry does not exist"
 "No line or arc has all the programmed properties: a circle does not reach a line, two lines are parallel, or an angle never reaches the \
-coordinate. Check the numbers of this block and the next one."
+coordinate. Check the numbers of this block and the next one." {
+    angles_leave_no_room_between_start() "the angles leave no room between start and end";
+}
 
 T3003 Error "turning-contour" "contour is not complete"
-"A contour behind a cycle begins with `G0`, consists of G0 to G3, G12 and G13, and ends with a block that holds G80 alone."
+"A contour behind a cycle begins with `G0`, consists of G0 to G3, G12 and G13, and ends with a block that holds G80 alone." {
+    g80_ends_contour() "G80 ends a contour, and none was begun" help "a cycle such as G817 or G31 begins the contour";
+    contour_has_no_element() "the contour has no element";
+    g_cannot_stand_in_contour_of_g(fun, cycle, what) "G{fun} cannot stand in the contour of G{cycle} ({what})"
+        help "close the contour with a block that holds G80 alone";
+    contour_of_g_holds_block(cycle, what) "the contour of G{cycle} ({what}) holds a block that is no element"
+        help "close the contour with a block that holds G80 alone";
+    contour_of_cycle_has_more_than_elements(most_edges) "the contour of a cycle has more than {most_edges} elements";
+    contour_does_not_say_where_it_starts() "the contour does not say where it starts"
+        help "program `G0 X… Z…` as the first element";
+    contour_starts_once() "a contour starts once, with G0";
+    contour_of_this_cycle_has_no_end() "the contour of this cycle has no end"
+        help "close it with a block that holds G80 alone";
+    chamfer_rounding_or_undercut_interrupts_thread() "a chamfer, rounding or undercut interrupts the thread";
+    thread_is_cut_along_straight_elements() "a thread is cut along straight elements, one at least";
+    contour_of_thread_has_elements(elements, most_parts)
+        "the contour of a thread has {elements} elements, more than {most_parts}";
+}
 
 T3004 Error "turning-form" "recess or undercut does not fit"
 "A recess belongs to the straight element before it, an undercut to the corner between a line parallel to Z and one parallel to X. Its sizes \
-have to fit on these elements."
+have to fit on these elements." {
+    u_needs_line_parallel_to_z_before() "U needs a line parallel to Z before the recess";
+    stands_behind_element_of_contour(what) "{what} stands behind an element of the contour";
+}
 
 T3005 Error "turning-contour-corner" "chamfer or rounding of a contour does not fit"
 "The chamfer or rounding at the end of an element is larger than the element or its neighbour, or there is no corner. B is the radius, or with \
@@ -244,7 +400,10 @@ T8006 Warning "turning-arc-q" "solution of an arc is partc's reading"
 T8007 Warning "turning-undercut-limit" "size of an undercut is partc's reading"
 "The table of G85 has rows below and above 18 and 80 mm and none for these diameters themselves; of forms E and F over 3 to 10 mm manuals \
 and DIN 509 have different radii. Give the sizes of the drawing with I, K and R, \
-or say which row holds."
+or say which row holds." {
+    size_of_this_undercut_is_x(r, t, source, otherwise)
+        "the size of this undercut is {r} x {t} ({source}); {otherwise}";
+}
 
 T8008 Warning "turning-undercut-side" "side of an undercut is partc's reading"
 "G85 has no word for outside and inside. A tool above the cylinder cuts outside, one below inside; where it stands on the cylinder, its edge position \
@@ -282,7 +441,12 @@ to where the tool stands when the cycle begins."
 
 T8017 Note "turning-word-idle" "word changes nothing here"
 "The word is known and does not change the path: the end of an element is given, so Q has nothing to choose; the run-in and run-out of G33 lie inside \
-of the programmed thread. It is named because no word is left out in silence."
+of the programmed thread. It is named because no word is left out in silence." {
+    changes_nothing_here(word, why) "{word} changes nothing here: {why}" help "nothing is to be done, or remove it";
+    changes_nothing_here_i_or_k(name)
+        "{name} changes nothing here: I or K of the cycle takes its place, for both axes";
+    from_here_on_changes_nothing(old, new) "from here on {old} changes nothing: {new} takes its place";
+}
 
 T8018 Warning "turning-finishing-side" "side of G41 and G42 behind G89 is partc's reading"
 "The page of G89 prints G41 as right and G42 as left of the contour, the general page of the same manual the other way round. partc compensates the \
@@ -292,26 +456,97 @@ T8019 Warning "turning-nose-path" "path beside a contour is partc's reading"
 "The manuals at hand say when G41 and G42 begin to act, and not where the tool stands then. partc leads it straight to the point at a right angle beside the start of \
 the contour, around outside corners on an arc of the nose radius, and from the point beside its end straight on, as other controls do."
 
-T9001 Error "turning-function" "G function is not supported"
-"The function is known by its name but not compiled, or it is not a function of these controls. Nothing is left out in silence: the program is refused."
-
 T9002 Error "turning-keyword" "keyword or section is not supported"
-"The word begins something that partc does not compile. Write the blocks out, or remove what is not needed."
+"The word begins something that partc does not compile. Write the blocks out, or remove what is not needed." {
+    names_of_constants() "names of constants and variables (CONST, VAR) are not supported"
+        help "write the value or the variable itself where a name stands";
+    several_contours_on_one_bar_are_not() "several contours on one bar are not supported"
+        help "compile a program with one part at the workpiece zero";
+}
 
 T9003 Error "turning-formula-function" "function of a formula is not supported"
 "Formulas know SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, ABS, INT, ROUND, LN, EXP, SQRTA and SQRTS, angles in degrees. Write the formula with these."
 
 T9004 Error "turning-axis" "axis is not supported"
-"Only X and Z of the first slide are compiled. C and Y axis machining, a second slide and a counter spindle need other moves."
-
-T9005 Error "turning-compensation-resolve" "nose radius or edge position of the tool is not known"
-"The path of G41 and G42 depends on the nose radius of the tool and on where its edge points to: the programmed point is the tip that touches both axes. \
-Give `radius` and `orientation` of the tool in partc.toml, or set `[output] compensation = \"control\"` to print G41 and G42 and let the target compensate."
-
-T9006 Error "turning-cycle" "cycle is not supported"
-"The cycle is known, its parameters are checked, but partc does not make its moves. Nothing is written."
+"Only X and Z of the first slide are compiled. C and Y axis machining, a second slide and a counter spindle need other moves." {
+    belongs_to_c_axis(letter)
+        "{letter} belongs to the C axis, the Y axis or a second slide, which are not supported here";
+}
 
 T9007 Error "turning-unconfirmed" "meaning is not confirmed by a manual"
-"What this word means is shown in a picture only, or differs between manuals. Compiling it on a guess could cut in the wrong place, so it is refused."
+"What this word means is shown in a picture only, or differs between manuals. Compiling it on a guess could cut in the wrong place, so it is refused." {
+    whether_q_counts_passes_or_repeats_no() "whether Q counts passes or repeats no manual at hand says"
+        help "write the L block as often as it shall run";
+    of_g89_how_it_makes_is_shown(letter, what) "{letter} of G89: how it makes {what} is shown in a picture only"
+        help "begin the contour with the element in front of the corner, and write the corner at its end";
+    in_contour_of_g80_is_not_supported(name)
+        "{name} in a contour of G80 is not supported: no manual at hand describes it"
+        help "write the contour with G0, G1, G2 and G3 blocks before G80";
+    no_manual_at_hand_lists_words(addr) "no manual at hand lists the words of G80 ({addr})"
+        asks "write the contour with G0, G1, G2 and G3 blocks before G80, or set `[control] contour_words = \
+        \"documented\"`";
+    contour_in_words_of_g80_is_not(addr, number)
+        "a contour in the words of G80 ({addr}) is not supported for G{number}"
+        help "write the contour with G0, G1, G2 and G3 blocks before G80";
+    v4_only_chamfer_or_rounding_of_element() "V4 (only the chamfer or rounding of an element) is not supported"
+        help "write the chamfer as an element of its own";
+    steps_that_become_shorter_by_i_down()
+        "steps that become shorter by I down to another least depth J are not supported"
+        help "program J with the same value as I, or leave I out";
+    drilling_along_x_is_not_supported() "drilling along X is not supported"
+        help "position the tool over the hole, and program Z of its bottom";
+    of_g36_what_its_values_do_no(letter, what) "{letter} of G36 ({what}): what its values do no manual at hand says"
+        help "leave it out, and position the tool far enough in front of the thread";
+    deep_hole_drilling_with_retraction_at_feed() "deep-hole drilling with retraction at feed is not supported";
+    by_how_much_v_lowers_feed() "by how much V lowers the feed at entry and exit no manual at hand says"
+        help "leave V out, and program the feed for the whole hole";
+    d_names_one_kind_of_ring_groove()
+        "D names one kind of ring groove, and a recess of G22 does not say which kind it is"
+        help "program 1536 for all recesses of G22";
+    thread_with_several_starts_is_not_supported() "a thread with several starts is not supported"
+        help "program G31 once for each start, with C";
+    of_g37_is_not_supported(letter) "{letter} of G37 is not supported"
+        help "program the thread with B, P, C and Q of G31";
+    undercuts_h() "the undercuts H and K are shown in pictures only"
+        help "describe the undercut with G1 and G2 blocks";
+    relief_turn() "a relief turn: how it is measured is shown in a picture only"
+        help "describe the relief turn with G1 blocks";
+    target_cannot_cut(what) "the target cannot cut a {what}";
+    of_g869_cutting_limit(letter) "{letter} of G869 (cutting limit, approach or departure angle) is not supported"
+        help "leave it out, and end the contour where the recess ends";
+    corner_of_blank_is_taken_from_tool() "the corner of the blank is taken from the tool"
+        help "leave it out, and position the tool at the corner";
+    only_value_0_of_q_is_supported() "only the value 0 of Q is supported: back to the start"
+        help "leave Q out, and position the tool behind the cycle";
+    of_g_is_not_supported(letter, number) "{letter} of G{number} is not supported"
+        help "leave it out, and end the contour where the cuts shall end";
+    to_which_side_makes_end_oblique(offset)
+        "to which side {offset} makes the end oblique is shown in a picture only"
+        help "rough along a contour with G817 or G827";
+    on_which_side_of_its_corner_wide() "on which side of its corner a wide recess lies is shown in a picture only"
+        asks "set `[control] recess_side = \"plus\"` or `\"minus\"` in partc.toml: the side of the programmed \
+        corner, along Z";
+    whether_width_of_axial_recess_counts()
+        "whether the width of an axial recess counts as a diameter no manual at hand says"
+        help "leave I out and cut side by side, or program the recess with G869 on a later control";
+    of_g32_no_manual_at_hand_gives(letter, what) "{letter} of G32: {what} no manual at hand gives"
+        help "program G31, which has R, H and A";
+    words_of_g32_are_not_confirmed() "the words of G32 are not confirmed by a manual"
+        asks "program G31, or set `[control] simple_thread = \"documented\"` in partc.toml";
+    alternating_flanks_that_begin_on_other_side()
+        "alternating flanks that begin on the other side (a thread towards +Z) are not supported"
+        help "program H0, H1 or H2";
+    how_v_divides_depth_no_manual(kind) "how V{kind} divides the depth no manual at hand says"
+        help "program V0, V1, V2 or V3";
+    v3_divides_depth_on_manualplus()
+        "V3 divides the depth on the MANUALplus and follows pitch and speed on the CNC PILOT 4290"
+        asks "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml, or program V0, V1 or V2";
+    elements_of_thread_have_different_pitches() "the elements of the thread have different pitches or depths"
+        help "program F and U for all of it, or a cycle for each element";
+    o_of_thread_is_not_supported(num) "O{num} of a thread is not supported"
+        help "leave the word out, and write the contour as it is to be cut";
+    wear_oversize_of_undercut_e_or_f() "the wear oversize of an undercut E or F is not supported"
+        help "leave I out, and correct the wear at the tool";
+}
 
 }

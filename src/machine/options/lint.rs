@@ -23,7 +23,7 @@ pub const KEYS: &[Key] = &[
     key(
         "severity",
         Kind::Free,
-        "how bad findings are: K8001 = \"error\", K2 = \"note\"; errors stay errors",
+        "how bad findings are: P8140 = \"error\", K2 = \"note\"; errors stay errors",
         |s, v| put(&mut s.lint.all.severity, severities(v)?),
     ),
     key(
@@ -40,7 +40,7 @@ pub const KEYS: &[Key] = &[
             Err(v.fail("a blank has X, Y and Z, or X and Z on a lathe"))
         },
     ),
-    key("files", Kind::Free, "the same for files whose path fits: \"legacy/**\" = { ignore = [\"K8001\"] }", |s, v| {
+    key("files", Kind::Free, "the same for files whose path fits: \"legacy/**\" = { ignore = [\"P8140\"] }", |s, v| {
         for (pattern, node) in table_of(v) {
             s.lint.files.push((pattern.clone(), choice(node)?));
         }
@@ -52,7 +52,7 @@ pub const KEYS: &[Key] = &[
 fn choice(node: &Node) -> Result<Choice, ConfigError> {
     let mut choice = Choice::default();
     let Value::Table(table) = &node.value else {
-        return Err(node.fail("a pattern of files has a table: { ignore = [\"K8001\"] }"));
+        return Err(node.fail("a pattern of files has a table: { ignore = [\"P8140\"] }"));
     };
     for (name, node) in table {
         let Some(key) = KEYS.iter().find(|key| key.name == name && !matches!(key.name, "files" | "blank")) else {
@@ -139,8 +139,8 @@ mod tests {
 
     #[test]
     fn the_section_of_the_contract() {
-        let text = "[lint]\nselect = [\"default\", \"K8\"]\nignore = [\"cycle-depth-zero\"]\nseverity = { K8001 = \"error\" }\n\
-                    [lint.files.\"legacy/**\"]\nignore = [\"K8001\"]\n";
+        let text = "[lint]\nselect = [\"default\", \"K8\"]\nignore = [\"cycle-depth-zero\"]\nseverity = { P8140 = \"error\" }\n\
+                    [lint.files.\"legacy/**\"]\nignore = [\"P8140\"]\n";
         let lint = from_toml(text, "partc.toml").unwrap().lint;
         assert_eq!((lint.all.ignore.len(), lint.all.severity.len(), lint.files.len()), (1, 1, 1));
     }
@@ -152,7 +152,7 @@ mod tests {
             ("[lint]\nignore = [\"K2101\"]", "K2101 (pole-missing) is an error, which cannot be ignored"),
             ("[lint]\nignore = [\"G3025\"]", "says that the path is another one, which cannot be ignored"),
             ("[lint]\nseverity = { K2101 = \"note\" }", "K2101 (pole-missing) stays error: it cannot be lowered"),
-            ("[lint]\nseverity = { K8001 = \"off\" }", "`K8001` is \"error\", \"warning\" or \"note\""),
+            ("[lint]\nseverity = { P8140 = \"off\" }", "`P8140` is \"error\", \"warning\" or \"note\""),
             ("[lint.files.\"a/*\"]\nignored = [\"K8\"]", "unknown key `ignored`; did you mean `ignore`?"),
             ("[lint.files.\"a/*\"]\nignore = \"K8\"", "`ignore` needs a list of texts"),
             ("[lint]\nblank = { X = [0, 100] }", "a blank has X, Y and Z, or X and Z on a lathe"),

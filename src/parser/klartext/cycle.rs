@@ -26,7 +26,7 @@ pub(super) fn problem(text: &[u8], block: &Block) -> Option<Problem> {
             Some(q) if !seen.insert(q) => {
                 let shown = readable(word.span.of(text)).into_owned();
                 let message = format!("`{shown}` sets {q} a second time in this definition");
-                return Some(Problem::new(codes::K1004, word.span, message).help("remove one of the two"));
+                return Some(Problem::new(codes::P1002, word.span, message).help("remove one of the two"));
             }
             None if part.is_none() => return Some(behind_value(text, last, word)),
             _ => {}
@@ -49,15 +49,15 @@ pub(super) fn dangling(text: &[u8], at: u32, of: &str) -> Problem {
     let span = Span::at(at, line[..len].trim_ascii_end().len() as u32);
     let shown = readable(span.of(text)).into_owned();
     let message = format!("`{shown}` is joined to {of}: the line in front of it ends with `~`");
-    Problem::new(codes::K1005, span, message).help("remove the `~` at the end of the line in front")
+    Problem::new(codes::P1003, span, message).help("remove the `~` at the end of the line in front")
 }
 
 fn behind_value(text: &[u8], last: Option<&Word>, word: &Word) -> Problem {
     let shown = readable(word.span.of(text)).into_owned();
     let Some(last) = last else {
-        return Problem::new(codes::K1005, word.span, format!("`{shown}` has no place in a cycle definition"));
+        return Problem::new(codes::P1003, word.span, format!("`{shown}` has no place in a cycle definition"));
     };
     let value = readable(last.span.of(text)).into_owned();
-    Problem::new(codes::K1005, word.span, format!("`{shown}` has no place behind `{value}`"))
+    Problem::new(codes::P1003, word.span, format!("`{shown}` has no place behind `{value}`"))
         .help("a cycle parameter takes one number or one parameter: `Q201=-20` or `Q201=-Q1`; a remark starts with `;`")
 }

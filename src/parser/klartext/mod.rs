@@ -142,7 +142,7 @@ fn hidden_block(text: &[u8], problems: &mut Vec<Problem>) {
             let block = readable(span.of(text)).into_owned();
             problems.push(
                 Problem::new(
-                    codes::K1016,
+                    codes::P1010,
                     span,
                     format!("`{block}` stands in a comment behind a lone carriage return"),
                 )
@@ -206,7 +206,7 @@ pub fn parse_statement(text: &[u8], from: usize, block: &mut Block, problems: &m
     thread_local! {
         static PARSER: grammar::BlockParser = grammar::BlockParser::new();
     }
-    let repaired = without_printed_dashes(text, from, codes::K0002, problems);
+    let repaired = without_printed_dashes(text, from, codes::P0011, problems);
     let text = repaired.as_deref().unwrap_or(text);
     let mut tokens = Tokens::new(text, from);
     let mut build = Build::new(text, block);
@@ -243,7 +243,7 @@ fn return_problem(text: &[u8], block: &Block) -> Option<Problem> {
             let word = code[at..].iter().take_while(|b| !is_blank(**b)).count();
             let span = Span::at(at as u32, word.max(1) as u32);
             return Some(
-                Problem::new(codes::K0001, span, "a carriage return without a line feed stands inside this block")
+                Problem::new(codes::P0010, span, "a carriage return without a line feed stands inside this block")
                     .help("end every line of the file in the same way"),
             );
         }

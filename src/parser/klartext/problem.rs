@@ -56,17 +56,17 @@ const FORMS: &[(&str, &str)] = &[
 pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u32) -> Problem {
     if let Some(span) = named_parameter(text, from) {
         let shown = readable(span.of(text)).into_owned();
-        return Problem::new(codes::K9011, span, format!("`{shown}` is a parameter by name, which is not supported"))
+        return Problem::new(codes::P9011, span, format!("`{shown}` is a parameter by name, which is not supported"))
             .help("use a Q parameter: `Q1`");
     }
     match error {
-        ParseError::User { error } => Problem::new(codes::K1001, error.span, error.message).form(text, from),
+        ParseError::User { error } => Problem::new(codes::P1001, error.span, error.message).form(text, from),
         ParseError::UnrecognizedToken { token: (start, tok, end), .. }
         | ParseError::ExtraToken { token: (start, tok, end) } => unexpected(tok, Span { start, end }, text, from),
         ParseError::InvalidToken { location } => unexpected(Tok::Bad, Span::at(location, 1), text, from),
         ParseError::UnrecognizedEof { location, .. } => {
             let span = Span { start: from, end: location.max(from) };
-            Problem::new(codes::K1001, span, "block ends too early").form(text, from)
+            Problem::new(codes::P1001, span, "block ends too early").form(text, from)
         }
     }
 }
@@ -83,7 +83,7 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
         return problem;
     }
     if tok == Tok::Bad {
-        return Problem::new(codes::K0001, span, format!("{} has no place in a block", named(span.of(text))))
+        return Problem::new(codes::P0010, span, format!("{} has no place in a block", named(span.of(text))))
             .help("a comment starts with `;`");
     }
     if span.start > from && begins_line(text, span.start) {
@@ -92,7 +92,7 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
     if span.start == from {
         return no_statement(&word, span, text);
     }
-    Problem::new(codes::K1001, span, format!("`{word}` cannot stand here")).form(text, from)
+    Problem::new(codes::P1001, span, format!("`{word}` cannot stand here")).form(text, from)
 }
 
 /// A word around `span` that is no number, or one with an exponent.

@@ -30,7 +30,7 @@ pub fn parse_block(text: &[u8], block: &mut Block, symbols: &mut Symbols, proble
         let lead = text[at..].iter().take_while(|b| b.is_ascii_whitespace() || **b == 0).count();
         let span = Span { start: (at + lead) as u32, end: text.trim_ascii_end().len() as u32 };
         let message = "a line break stands inside of the block, and does not end it";
-        problems.push(Problem::new(codes::M1050, span, message).help("save the file with one kind of line break"));
+        problems.push(Problem::new(codes::P1011, span, message).help("save the file with one kind of line break"));
         block.stmt = Stmt::Bad;
         block.span = Span { start: 0, end: text.trim_ascii_end().len() as u32 };
         return false;
@@ -117,7 +117,7 @@ pub fn parse_statement(
     thread_local! {
         static PARSER: grammar::BlockParser = grammar::BlockParser::new();
     }
-    let repaired = without_printed_dashes(text, from, codes::M0002, problems);
+    let repaired = without_printed_dashes(text, from, codes::P0011, problems);
     let text = repaired.as_deref().unwrap_or(text);
     let mut tokens = Tokens::new(text, from);
     let mut build = Build::new(text, block, symbols);

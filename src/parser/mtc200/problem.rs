@@ -35,7 +35,7 @@ pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u
             if let Some(letter) = bare_letter(text, location) {
                 return letter;
             }
-            Problem::new(codes::M1001, span, "the block ends too early").help("a formula or a value is missing")
+            Problem::new(codes::P1001, span, "the block ends too early").help("a formula or a value is missing")
         }
     }
 }
@@ -64,7 +64,7 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
                 .help("close it in the same block, or begin it with `;`");
         }
         Tok::Bad => {
-            return Problem::new(codes::M0001, span, format!("{} has no place in a block", named(span.of(text))))
+            return Problem::new(codes::P0010, span, format!("{} has no place in a block", named(span.of(text))))
                 .help("a comment stands behind `;` or in brackets");
         }
         Tok::OtherVariable => {
@@ -81,7 +81,7 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
     if let Some(found) = bare_letter(before, before.len() as u32).filter(|_| tok != Tok::Assign) {
         return Problem { span: found.span.shifted(from), ..found };
     }
-    let problem = Problem::new(codes::M1001, span, format!("`{word}` cannot stand here"));
+    let problem = Problem::new(codes::P1001, span, format!("`{word}` cannot stand here"));
     match tok {
         Tok::Label => problem.help("a label stands at the start of a block or behind a jump such as `BRA .LOOP`"),
         Tok::Variable(_) => problem.help("a variable is the value of a word: X=@050"),

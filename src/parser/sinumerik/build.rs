@@ -105,7 +105,7 @@ impl<'a> Build<'a> {
     pub fn stray_text(&mut self, start: u32, end: u32) {
         let span = Span { start, end };
         self.problems.push(
-            Problem::new(codes::S1001, span, "a text cannot stand here")
+            Problem::new(codes::P1001, span, "a text cannot stand here")
                 .alarm(12080)
                 .help("a text is an argument, as in MSG(\"TEXT\"), or a value, as in T=\"DRILL\""),
         );
@@ -117,7 +117,7 @@ impl<'a> Build<'a> {
         let span = Span { start, end };
         if !n.number.whole || n.number.value > 1e6 {
             let text = readable(span.of(self.text)).into_owned();
-            return refuse(codes::S1001.alarm(12080), span, format!("`{text}` cannot stand in front of `=`"));
+            return refuse(codes::P1001.alarm(12080), span, format!("`{text}` cannot stand in front of `=`"));
         }
         let name = self.name(start, end);
         Ok(Target::Numbered(n.letter, n.number.value as u32, name))
@@ -143,14 +143,14 @@ impl<'a> Build<'a> {
 
     pub fn constant(&mut self, n: Number, sign: i64, start: u32, end: u32) -> Refused<i64> {
         if !n.whole || n.value > f64::from(i32::MAX) {
-            return refuse(codes::S1001.alarm(12080), Span { start, end }, "a constant of CASE is a whole number");
+            return refuse(codes::P1001.alarm(12080), Span { start, end }, "a constant of CASE is a whole number");
         }
         Ok(sign * n.value as i64)
     }
 
     pub fn block_number(&mut self, n: Number, start: u32, end: u32) -> Refused<JumpTarget> {
         if !n.whole || n.value > f64::from(u32::MAX) {
-            return refuse(codes::S1001.alarm(12080), Span { start, end }, "a block number is a whole number");
+            return refuse(codes::P1001.alarm(12080), Span { start, end }, "a block number is a whole number");
         }
         Ok(JumpTarget::Number(n.value as u32))
     }
@@ -179,13 +179,13 @@ impl<'a> Build<'a> {
             match word {
                 RepeatWord::Label(label) if to.is_none() && times.is_none() && !one_block => to = Some(label),
                 RepeatWord::Times(n) | RepeatWord::Address(b'P', n, _) if times.is_none() => times = Some(n),
-                RepeatWord::Times(n) => return refuse(codes::S1001.alarm(12080), n.span, "P stands twice"),
+                RepeatWord::Times(n) => return refuse(codes::P1001.alarm(12080), n.span, "P stands twice"),
                 RepeatWord::Address(_, _, span) => {
-                    return refuse(codes::S1001.alarm(12080), span, "only P= may follow the label of a repetition");
+                    return refuse(codes::P1001.alarm(12080), span, "only P= may follow the label of a repetition");
                 }
                 RepeatWord::Label(_) => {
                     let span = Span { start: 0, end: self.text.len() as u32 };
-                    return refuse(codes::S1001.alarm(12080), span, "a label too many in the repetition");
+                    return refuse(codes::P1001.alarm(12080), span, "a label too many in the repetition");
                 }
             }
         }
@@ -298,7 +298,7 @@ impl<'a> Build<'a> {
         }
         if !n.name_like {
             let text = readable(span.of(self.text)).into_owned();
-            return refuse(codes::S1001.alarm(12080), span, format!("`{text}` is no value"));
+            return refuse(codes::P1001.alarm(12080), span, format!("`{text}` is no value"));
         }
         self.name_value(start, end);
         Ok(())

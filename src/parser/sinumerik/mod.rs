@@ -75,7 +75,7 @@ fn joined_lines(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) {
     problems.clear();
     let message = "a carriage return without a line feed stands inside this block";
     let help = "end every line of the file in the same way";
-    problems.push(Problem::new(codes::S1101, Span::at(next as u32, len as u32), message).help(help));
+    problems.push(Problem::new(codes::P1011, Span::at(next as u32, len as u32), message).help(help));
     block.stmt = Stmt::Bad;
 }
 
@@ -91,7 +91,7 @@ fn hidden_block(text: &[u8], comment: Span, problems: &mut Vec<Problem>) {
             let shown = readable(piece.trim_ascii()).into_owned();
             let message = format!("`{shown}` stands in a comment behind a lone carriage return");
             let help = "end the line of the comment with a line feed, or remove the block";
-            problems.push(Problem::new(codes::S1015, span, message).help(help));
+            problems.push(Problem::new(codes::P1010, span, message).help(help));
             return;
         }
     }
@@ -221,7 +221,7 @@ pub fn parse_statement(
     thread_local! {
         static PARSER: grammar::BlockParser = grammar::BlockParser::new();
     }
-    let repaired = without_printed_dashes(text, from, codes::S0002, problems);
+    let repaired = without_printed_dashes(text, from, codes::P0011, problems);
     let text = repaired.as_deref().unwrap_or(text);
     let mut tokens = Tokens::new(text, from);
     let mut build = Build::new(text, block, symbols, problems);
@@ -246,10 +246,10 @@ fn bare_letter(text: &[u8], block: &Block) -> Option<Problem> {
     let letter = letter as char;
     let before = word.span.start.checked_sub(1).and_then(|at| text.get(at as usize));
     if letter == 'O' && before.is_some_and(u8::is_ascii_digit) {
-        let problem = Problem::new(codes::S1001, word.span, "a letter O stands behind a digit");
+        let problem = Problem::new(codes::P1001, word.span, "a letter O stands behind a digit");
         return Some(problem.alarm(12080).help("write the digit 0"));
     }
-    let problem = Problem::new(codes::S1001, word.span, format!("the address {letter} has no value"));
+    let problem = Problem::new(codes::P1001, word.span, format!("the address {letter} has no value"));
     Some(problem.alarm(12080).help(format!("write it with a number, or as {letter}=formula")))
 }
 

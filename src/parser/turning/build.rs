@@ -65,7 +65,7 @@ impl<'a> Build<'a> {
     pub fn word(&mut self, value: Value, start: u32, name_end: u32, end: u32) -> Refused<()> {
         let name = Span { start, end: name_end };
         let Some(address) = turning::address(name.of(self.text)) else {
-            return refuse(codes::T1001, name, format!("`{}` is no address", self.shown(name)));
+            return refuse(codes::P1001, name, format!("`{}` is no address", self.shown(name)));
         };
         self.block.words.push(Word { address, value, span: Span { start, end } });
         Ok(())
@@ -81,7 +81,7 @@ impl<'a> Build<'a> {
             Some(var) => Ok(var),
             None => {
                 let span = Span { start, end };
-                refuse(codes::T1001, span, format!("`{}` cannot stand in front of `=`", self.shown(span)))
+                refuse(codes::P1001, span, format!("`{}` cannot stand in front of `=`", self.shown(span)))
             }
         }
     }
@@ -112,7 +112,7 @@ impl<'a> Build<'a> {
                 self.op(Op::Var(var, span));
                 Ok(())
             }
-            None => refuse(codes::T1001, span, format!("`{}` is no value", self.shown(span))),
+            None => refuse(codes::P1001, span, format!("`{}` is no value", self.shown(span))),
         }
     }
 
@@ -126,7 +126,7 @@ impl<'a> Build<'a> {
             (None, "SQRTA") if count == 2 => Op::Binary(Operator::RootOfSum),
             (None, "SQRTS") if count == 2 => Op::Binary(Operator::RootOfDifference),
             (Some(_), _) | (None, "SQRTA" | "SQRTS") => {
-                return refuse(codes::T1001, span, format!("`{name}` takes another number of values"));
+                return refuse(codes::P1001, span, format!("`{name}` takes another number of values"));
             }
             (None, "PARA") => {
                 let message = "`PARA` (a parameter of the machine) is not supported";

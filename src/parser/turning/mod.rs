@@ -70,7 +70,7 @@ fn lone_return(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) -> b
     let span = Span::at(start as u32, text[start..start + len].trim_ascii_end().len() as u32);
     let message = format!("`{}` stands behind a lone carriage return", readable(span.of(text)));
     problems.push(
-        Problem::new(codes::T2050, span, message).help("end the line in front of it with a line feed, or remove it"),
+        Problem::new(codes::P1011, span, message).help("end the line in front of it with a line feed, or remove it"),
     );
     block.span = span;
     block.stmt = Stmt::Bad;
@@ -237,7 +237,7 @@ pub fn parse_statement(text: &[u8], from: usize, block: &mut Block, problems: &m
     thread_local! {
         static PARSER: grammar::BlockParser = grammar::BlockParser::new();
     }
-    let repaired = without_printed_dashes(text, from, codes::T0002, problems);
+    let repaired = without_printed_dashes(text, from, codes::P0011, problems);
     let text = repaired.as_deref().unwrap_or(text);
     let mut tokens = Tokens::new(text, from);
     let mut build = Build::new(text, block);

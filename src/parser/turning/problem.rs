@@ -70,7 +70,7 @@ pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u
         ParseError::InvalidToken { location } => unexpected(Tok::Bad, Span::at(location, 1), text, from),
         ParseError::UnrecognizedEof { location, .. } => {
             let span = Span { start: from, end: location.max(from) };
-            form(Problem::new(codes::T1001, span, "the block ends too early"), text, from)
+            form(Problem::new(codes::P1001, span, "the block ends too early"), text, from)
         }
     }
 }
@@ -80,14 +80,14 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
     let word = readable(span.of(text)).into_owned();
     let before = text.get(from as usize..span.start as usize).unwrap_or_default().trim_ascii_end();
     if tok == Tok::Bad {
-        let problem = Problem::new(codes::T0001, span, format!("{} has no place in a block", named(span.of(text))));
+        let problem = Problem::new(codes::P0010, span, format!("{} has no place in a block", named(span.of(text))));
         return problem.help("a comment stands in square brackets: [text]");
     }
     if before.last().is_some_and(u8::is_ascii_alphabetic) {
-        let problem = Problem::new(codes::T1001, span, format!("`{word}` stands where a value is missing"));
+        let problem = Problem::new(codes::P1001, span, format!("`{word}` stands where a value is missing"));
         return problem.help("an address and its value stand together: `X50`, `X#5`, `X{#5+2}`");
     }
-    form(Problem::new(codes::T1001, span, format!("`{word}` cannot stand here")), text, from)
+    form(Problem::new(codes::P1001, span, format!("`{word}` cannot stand here")), text, from)
 }
 
 /// Adds how a block with this first word looks.

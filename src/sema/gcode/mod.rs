@@ -186,7 +186,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
         self.here.origin.loc = loc;
         self.stop_run();
         if self.may_end_open("M2 or M30", "M30", None) {
-            self.report(Diagnostic::new(codes::R1002, loc, "the program ends without M2 or M30"));
+            self.report(codes::P1007::program_ends_without_m2_or_m30().at(loc));
         }
         self.does(&Function::End { rewind: false });
     }
@@ -246,12 +246,10 @@ impl Run<'_> {
         if !is_number || !is_head {
             return false;
         }
-        let message = format!(
-            "program number {} of a Fanuc control or its like is left out, and the lines after it are read as plain G-code",
-            String::from_utf8_lossy(words.trim_ascii())
+        self.report(
+            codes::R1005::program_number_of_fanuc_control(&String::from_utf8_lossy(words.trim_ascii()))
+                .at(self.here.origin.loc),
         );
-        let help = "check dwells and numbers without a point: G4 P counts seconds and `X100` is 100 mm here, and on such a control they may be thousandths";
-        self.report(Diagnostic::new(codes::R1005, self.here.origin.loc, message).help(help));
         true
     }
 
@@ -264,8 +262,7 @@ impl Run<'_> {
         let Some((_, name)) = text.split_once(", target ") else { return };
         let name = name.trim();
         if Rules::of(name) != Rules::of("linuxcnc") {
-            let message = format!("this program was printed for the target {name}, where its words mean other things");
-            let found = Diagnostic::new(codes::R1003, self.here.origin.loc, message);
+            let found = codes::R1003::this_program_was_printed_for_target(&name).at(self.here.origin.loc);
             self.report(found.help("compile the program that it was made of for the target you need"));
             self.stop_run();
         }
@@ -273,13 +270,13 @@ impl Run<'_> {
 
     fn words(&mut self, line: &Line, text: &[u8]) -> Outcome {
         if line.is_broken {
-            let found = Diagnostic::new(codes::R1001, self.here.origin.loc, "a line break stands inside of this line");
+            let found = codes::R1001::line_break_stands_inside_of_this_line().at(self.here.origin.loc);
             return self.give_up(found.help("save the file with one kind of line break"));
         }
         let before = *self.reader.modes();
         let words = &text[line.from..line.end];
         if words.trim_ascii_start().first() == Some(&b'%') && (line.skip.is_some() || !line.comments.is_empty()) {
-            let found = Diagnostic::new(codes::R1001, self.here.origin.loc, "`%` has to stand in a line of its own");
+            let found = codes::R1001::has_to_stand_in_line().at(self.here.origin.loc);
             return self.give_up(found.help("write what stands beside it into another line"));
         }
         if matches!(words.trim_ascii_start().first(), Some(b'O' | b'o')) && self.is_program_number(&without(line, text))
@@ -307,7 +304,6 @@ impl Run<'_> {
                     _ => None,
                 };
                 let why = because(at_change, self.here.origin.loc);
-                let message = format!("this line cannot be read: {}{why}", fault.why);
                 let usual = "partc reads plain G-code, without variables, calls and cycles: resolve them first, or name the \
                              language of the program with --dialect";
                 let help = match fault.lacks {
@@ -319,7 +315,9 @@ impl Run<'_> {
                     }
                     Some(Lack::Mode) | None => usual.to_owned().into(),
                 };
-                self.give_up(Diagnostic::new(codes::R1001, self.here.origin.loc, message).help(help))
+                self.give_up(
+                    codes::R1001::this_line_cannot_be_read(&fault.why, &why).at(self.here.origin.loc).help(help),
+                )
             }
             Err(Refused::Words(found)) => self.give_up(*found),
             Err(Refused::Said) => Err(super::Reported),
@@ -331,7 +329,7 @@ impl Run<'_> {
     fn close(&mut self) {
         let loc = self.here.origin.loc;
         self.stop_run();
-        self.report(Diagnostic::new(codes::R1002, loc, "the program ends at its second `%`, without M2 or M30"));
+        self.report(codes::P1007::program_ends_at_its_second().at(loc));
         self.does(&Function::End { rewind: false });
         let (sources, program) = (self.core.job.sources, self.core.program());
         let (file, cursor) = (program.source.file, &mut program.source.cursor);
@@ -339,9 +337,8 @@ impl Run<'_> {
             let Some(start) = behind.text.iter().position(|b| !is_blank(*b)) else { continue };
             let end = behind.text.iter().rposition(|b| !is_blank(*b)).map_or(start, |last| last + 1);
             let span = Span { start: behind.at + start as u32, end: behind.at + end as u32 };
-            let what = "this stands after the `%` that ends the program, and does not run";
             let help = "delete it; or delete the `%` before it, if it belongs to the program";
-            let found = Diagnostic::new(codes::R1004, Loc { file, line: behind.line, span }, what);
+            let found = codes::R1004::this_stands_after_that_ends_program().at(Loc { file, line: behind.line, span });
             return self.report(found.help(help).also(loc, "the program ends here"));
         }
     }
@@ -405,7 +402,7 @@ impl Run<'_> {
             Some(PathControl::Exact) => "the output does not round corners off".to_owned(),
             Some(PathControl::Before(_) | PathControl::Unbounded) | None => return,
         };
-        self.note_once(codes::R8001, self.block_span(), format!("G64 without P says no bound: {what}"));
+        self.say_once(self.block_span(), codes::R8001::g64_without_p_says_no_bound(&what));
     }
 
     /// The length of a tool counts from here on.
@@ -471,8 +468,7 @@ impl Run<'_> {
                 self.core.stands_at(&places, &self.ctx);
             }
             Act::M { number, .. } if !is_known(number) && !self.job.settings.output.pass_m.contains(&number) => {
-                let message = format!("M{number} means what the builder of a machine wants");
-                let found = Diagnostic::new(codes::R9001, self.here.origin.loc, message);
+                let found = codes::P2007::m_means_what_builder_of_machine_wants(&number).at(self.here.origin.loc);
                 let help = Answer::pass_m(number)
                     .help(format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`"));
                 return Err(Refused::Words(Box::new(found.help(help))));
@@ -563,9 +559,8 @@ impl Run<'_> {
             // K is the way along the path for a turn.
             read::Path::Thread(lead) => Path::Thread(Thread { lead: function::real(lead), along: None }),
             read::Path::Arc(arc) if arc.turns.unsigned_abs() > MOST_TURNS => {
-                let message =
-                    format!("the arc turns {} times, and partc takes {MOST_TURNS} at most", arc.turns.unsigned_abs());
-                let found = Diagnostic::new(codes::R4001, self.here.origin.loc, message);
+                let found =
+                    codes::R4001::arc_turns_times(&arc.turns.unsigned_abs(), &MOST_TURNS).at(self.here.origin.loc);
                 return Err(Refused::Words(Box::new(found.help("check P, the number of turns"))));
             }
             read::Path::Arc(arc) => Path::Arc(shape(&arc)?, function::feed(&self.reader)?),

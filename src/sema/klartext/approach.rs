@@ -99,18 +99,13 @@ impl Run<'_> {
             None => (false, kind),
         };
         if !matches!(kind, "LT" | "LN" | "CT" | "LCT") || departs && polar && kind != "LCT" {
-            return self.fail(codes::K9003, span, format!("{name} is not supported"));
+            return self.refuse(span, codes::K9003::is_not_supported(&name));
         }
         if kind == "LN" && !self.computes_path() {
-            return self.fail_help(
-                codes::K9003,
+            return self.refuse(
                 span,
-                format!(
-                    "{name} is not supported where the target compensates: it would not come straight to the contour"
-                ),
-                Answer::key("output", "compensation")
-                    .one_of(&["\"resolve\""])
-                    .help("set `[output] compensation = \"resolve\"`, or write LT or CT"),
+                codes::K9003::is_not_supported_where_target_compensates(&name)
+                    .answer(Answer::key("output", "compensation").one_of(&["\"resolve\""])),
             );
         }
         let (rest, len, angle) = self.named_lengths(block, text, name)?;
@@ -179,12 +174,7 @@ impl Run<'_> {
                     "CT" => "CCA up to 360 degrees and R: `CCA90 R+10`",
                     _ => "R above zero: `R8`",
                 };
-                return self.fail_help(
-                    codes::K1006,
-                    span,
-                    format!("{name} takes its size from other words"),
-                    format!("write {form}"),
-                );
+                return self.refuse(span, codes::P1004::takes_its_size_from_other_words(&name, &form));
             }
         };
         Ok(shape)
@@ -196,17 +186,13 @@ impl Run<'_> {
         let (first, second, third) = plane.axes();
         let third = Axis::ALL[third];
         if !w.axes.known().without(plane_axes(plane)).without(AxisSet::of(third)).is_empty() {
-            return self.fail(
-                codes::K1005,
-                w.axes_span,
-                format!("{name} moves the axes of the plane and the tool axis"),
-            );
+            return self.refuse(w.axes_span, codes::P1003::moves_axes_of_plane(&name));
         }
         let end = self.absolute(w)?;
         let to = if polar {
             let pole = self.pole(name)?;
             if pole.plane != plane {
-                return self.fail(codes::K9003, w.polar_radius_span, format!("{name} about a pole of another plane"));
+                return self.refuse(w.polar_radius_span, codes::K9003::about_pole_of_another_plane(&name));
             }
             let (radius, angle) = self.polar_words(w, &pole, name)?;
             self.keep_polar(radius, angle, &pole);
@@ -223,12 +209,7 @@ impl Run<'_> {
     fn forbid_scaling(&mut self, span: Span) -> Outcome {
         let scale = self.st.ctx.frame.uniform_scale();
         if scale.is_none_or(|scale| (scale - 1.0).abs() > SAME_DIRECTION) {
-            return self.fail_help(
-                codes::K9003,
-                span,
-                "an approach or departure under scaling is not supported",
-                "reset the scaling in front of the contour",
-            );
+            return self.refuse(span, codes::K9003::approach_or_departure_under_scaling_is_not());
         }
         Ok(())
     }
@@ -247,12 +228,7 @@ impl Run<'_> {
         // On the side of the tool the contour lies outside the path of its centre, on the other side inside.
         let sent = radius + border.tool;
         if radius < 0.0 && sent >= 0.0 {
-            return self.fail_help(
-                codes::K2605,
-                self.block_span(),
-                format!("the radius of {name} is not larger than the tool, and its arc bends around the contour"),
-                "make R larger than the radius of the tool",
-            );
+            return self.refuse(self.block_span(), codes::K2605::radius_of_is_not_larger_than_tool(&name));
         }
         let ccw = border.left == (radius > 0.0);
         Ok(Circle { center: border.at + border.out * sent, radius: sent.abs(), ccw })

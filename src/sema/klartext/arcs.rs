@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.3 to 2.5 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, arc, distance};
 use crate::ir::compensation::FeedAt;
 use crate::ir::contour::{Arc, ArcShape, Path};
@@ -24,25 +24,14 @@ impl Run<'_> {
             if self.st.polar.is_lost() {
                 return Err(Reported);
             }
-            self.report(
-                Diagnostic::new(
-                    codes::K2101,
-                    self.here.origin.loc,
-                    format!("{function} needs a circle centre or pole"),
-                )
-                .help("program `CC X… Y…` before this block"),
-            );
+            self.report(codes::K2101::needs_circle_centre_or_pole(&function).at(self.here.origin.loc));
             return Err(Reported);
         };
         if pole.system != self.st.frames.system() {
             self.report(
-                Diagnostic::new(
-                    codes::K2108,
-                    self.here.origin.loc,
-                    "the coordinate system changed since CC was programmed",
-                )
-                .also(pole.set, "CC is programmed here")
-                .help("program CC again after the change"),
+                codes::K2108::coordinate_system_changed_since_cc_was_programmed()
+                    .at(self.here.origin.loc)
+                    .also(pole.set, "CC is programmed here"),
             );
         }
         Ok(pole)
@@ -54,27 +43,13 @@ impl Run<'_> {
             (Some(turn), _) => turn,
             (None, Some(turn)) => {
                 self.report(
-                    Diagnostic::new(
-                        codes::K2103,
-                        self.here.origin.loc,
-                        format!(
-                            "{function} without DR turns as the last DR said: {}",
-                            if turn { "DR+" } else { "DR-" }
-                        ),
-                    )
-                    .help("write DR+ or DR-"),
+                    codes::K2103::without_dr_turns_as_last_dr_said(&function, &(if turn { "DR+" } else { "DR-" }))
+                        .at(self.here.origin.loc),
                 );
                 turn
             }
             (None, None) => {
-                self.report(
-                    Diagnostic::new(
-                        codes::K2104,
-                        self.here.origin.loc,
-                        format!("{function} without DR, and no arc before it"),
-                    )
-                    .help("write DR+ for counter-clockwise or DR- for clockwise"),
-                );
+                self.report(codes::K2104::without_dr_no_arc_before(&function).at(self.here.origin.loc));
                 return Err(Reported);
             }
         };
@@ -87,12 +62,7 @@ impl Run<'_> {
         let (first, second, _) = plane.axes();
         let span = self.block_span();
         if self.st.position.stands_beside(plane_axes(plane)) {
-            return self.fail_help(
-                codes::K2604,
-                span,
-                format!("{what} starts where R+ or R- left the tool, beside its nominal position"),
-                "program the axes of the plane with R0 first",
-            );
+            return self.refuse(span, codes::K2604::starts_where_r_or_r_left_tool(&what));
         }
         let x = self.position_of(Axis::ALL[first], span, what)?;
         let y = self.position_of(Axis::ALL[second], span, what)?;
@@ -119,12 +89,9 @@ impl Run<'_> {
         }
         match self.job.settings.control.rapid_feed {
             Some(feed) => Ok(Feed::PerMinute(feed)),
-            None => self.fail_help(
-                codes::K9019,
+            None => self.refuse(
                 w.feed_span,
-                "an arc at FMAX has no counterpart in plain G-code",
-                Answer::key("control", "rapid_feed")
-                    .help("program a feed, or set `[control] rapid_feed` in partc.toml"),
+                codes::K9019::arc_at_fmax_has_no_counterpart().answer(Answer::key("control", "rapid_feed")),
             ),
         }
     }
@@ -134,7 +101,7 @@ impl Run<'_> {
         if self.st.feed.at == FeedAt::Centre || side == Side::None || self.computes_path() {
             return Ok(());
         }
-        self.error(codes::K9008, "M109 and M110 change the feed on compensated arcs, which the target computes");
+        self.say_here(codes::K9008::m109_m110_change_feed_on_compensated_arcs());
         Err(Reported)
     }
 
@@ -143,9 +110,7 @@ impl Run<'_> {
         if self.st.feed.at == FeedAt::Centre || side == Side::None {
             return Ok(());
         }
-        let message = "what M109 and M110 make of the feed on the arc of APPR or DEP is not known";
-        let help = "program M111 in front of it, and M109 or M110 in the first block of the contour";
-        self.report(Diagnostic::new(codes::K9008, self.here.origin.loc, message).help(help));
+        self.report(codes::K9008::what_m109().at(self.here.origin.loc));
         Err(Reported)
     }
 
@@ -199,19 +164,14 @@ impl Run<'_> {
 
     pub(super) fn circle_by_radius(&mut self, w: &Words) -> Outcome {
         let Some(radius) = w.radius.filter(|r| *r != 0.0) else {
-            return self.fail_help(
-                codes::K1006,
-                self.block_span(),
-                "CR needs a radius that is not zero",
-                "write R+20 or R-20",
-            );
+            return self.refuse(self.block_span(), codes::P1004::cr_needs_radius_that_is_not_zero());
         };
         let ccw = self.turn(w, "CR")?;
         let plane = self.st.plane();
         let start = self.start_in(plane, "CR")?;
         let end = self.arc_end(w, plane, start)?;
         if w.axes.known().common(plane_axes(plane)).is_empty() {
-            return self.fail(codes::K2109, self.block_span(), "CR names no end point in the working plane");
+            return self.refuse(self.block_span(), codes::K2109::cr_names_no_end_point_in_working());
         }
         self.st.polar.forget_last();
         self.send_arc(w, plane, ArcShape::Radius { radius, ccw, tol: CIRCLE_TOLERANCE }, end)
@@ -224,7 +184,7 @@ impl Run<'_> {
         let start = self.start_in(plane, "CT")?;
         let end = self.arc_end(w, plane, start)?;
         if w.axes.known().common(plane_axes(plane)).is_empty() {
-            return self.fail(codes::K2109, self.block_span(), "CT names no end point in the working plane");
+            return self.refuse(self.block_span(), codes::K2109::ct_names_no_end_point_in_working());
         }
         self.st.polar.forget_last();
         self.send_arc(w, plane, ArcShape::Tangent, end)
@@ -235,12 +195,7 @@ impl Run<'_> {
         if !self.st.position.moved_by_cycle() {
             return Ok(());
         }
-        self.fail_help(
-            codes::K2946,
-            self.block_span(),
-            format!("{function} stands directly behind a cycle, whose way is no element of the contour"),
-            "put a line or an arc of the contour in front of it, or write the arc with CC and C, or with CR",
-        )
+        self.refuse(self.block_span(), codes::K2946::stands_directly_behind_cycle(&function))
     }
 
     /// CT and CTP are arcs of the plane: no other axis can move along.
@@ -248,11 +203,6 @@ impl Run<'_> {
         if w.axes.known().without(plane_axes(plane)).is_empty() {
             return Ok(());
         }
-        self.fail_help(
-            codes::K1005,
-            w.axes_span,
-            format!("{function} is an arc in the plane and moves no other axis"),
-            "program the other axis in a block of its own",
-        )
+        self.refuse(w.axes_span, codes::P1003::is_arc_in_plane(&function))
     }
 }

@@ -34,10 +34,7 @@ impl Run<'_> {
     /// BLK FORM: no move follows from it; kept for the working plane of fragments and for checks.
     pub(super) fn blank_form(&mut self, block: &Block, text: &[u8]) -> Outcome {
         if self.st.moved {
-            self.job.diags.push_once(
-                Diagnostic::new(codes::K2508, self.here.origin.loc, "the blank is defined behind the first move")
-                    .help("put BLK FORM in front of the first positioning block, where the control looks for it"),
-            );
+            self.job.diags.push_once(codes::K2508::blank_is_defined_behind_first_move().at(self.here.origin.loc));
         }
         let shape = match block.words.first() {
             Some(word) if word.addr == Addr::Name => Shape::named(word.span.of(text)),

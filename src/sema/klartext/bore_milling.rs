@@ -2,7 +2,7 @@
 //!
 //! Source: F B1 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::{Deg, parts};
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, Place};
 use crate::ir::cycle::{BoreMilling, Cycle};
@@ -74,8 +74,7 @@ impl Run<'_> {
             );
         }
         if drilled >= size {
-            let message = format!("the drilled hole Q342 = {} is not smaller than Q335", 2.0 * drilled);
-            return self.cycle_value(cycle, &message);
+            return self.refuse_value(cycle, codes::P2090::drilled_hole_q342_is_not_smaller(&(2.0 * drilled)));
         }
         if size < radius + STRAIGHT {
             return Ok(Vec::new());
@@ -98,23 +97,16 @@ impl Run<'_> {
             return Ok(vec![size - radius]);
         }
         if !self.job.settings.cycles.klartext.bore_in_rings {
-            let message = format!(
-                "cycle 208: the hole of {} mm is milled in several circles (Q342, Q370), whose order is not documented",
-                2.0 * size
-            );
             self.report(
-                Diagnostic::new(codes::K9040, self.here.origin.loc, message)
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help(
-                        Answer::key("cycles", "cycle_208_rings").one_of(&["true"]).help(
-                            "`[cycles] cycle_208_rings = true` mills them from inside out, as docs/cycles.md says",
-                        ),
-                    ),
+                codes::K9040::cycle_208(&(2.0 * size))
+                    .answer(Answer::key("cycles", "cycle_208_rings").one_of(&["true"]))
+                    .at(self.here.origin.loc)
+                    .also(cycle.loc, "the cycle is defined here"),
             );
             return Err(Reported);
         }
         if count > 1000.0 {
-            return self.cycle_value(cycle, "the overlap Q370 makes more than 1000 circles");
+            return self.refuse_value(cycle, codes::P2090::overlap_q370_makes_more_than_1000_circles());
         }
         let step = (size - base) / count;
         Ok((1..=count as u32).map(|i| base - radius + step * f64::from(i)).collect())
@@ -122,15 +114,10 @@ impl Run<'_> {
 
     /// The control refuses a hole of more than two diameters of the tool.
     fn bore_too_wide<T>(&mut self, cycle: &DefinedCycle, size: f64, radius: f64) -> Outcome<T> {
-        let message = format!(
-            "cycle 208: tool radius too small: the hole has {} mm (Q335), more than twice the tool of {} mm",
-            2.0 * size,
-            2.0 * radius
-        );
         self.report(
-            Diagnostic::new(codes::K2942, self.here.origin.loc, message)
-                .also(cycle.loc, "the cycle is defined here")
-                .help("take a larger tool, or give the diameter that is drilled already by Q342"),
+            codes::K2942::cycle_208(&(2.0 * size), &(2.0 * radius))
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here"),
         );
         Err(Reported)
     }
@@ -138,13 +125,9 @@ impl Run<'_> {
     /// The tool is smaller than the cycle asks for.
     pub(super) fn tool_too_small<T>(&mut self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
         self.report(
-            Diagnostic::new(
-                codes::K2942,
-                self.here.origin.loc,
-                format!("cycle {}: tool radius too small: {what}", cycle.number),
-            )
-            .also(cycle.loc, "the cycle is defined here")
-            .help("take a larger tool, or check the sizes of the definition"),
+            codes::K2942::cycle_tool_radius_too_small(&cycle.number, &what)
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here"),
         );
         Err(Reported)
     }

@@ -62,17 +62,15 @@ impl Run<'_> {
                 let words: Vec<&str> = open.left.iter().map(|word| word.text.as_str()).collect();
                 text.push_str(&format!(", and with it `{}`", words.join(" ")));
             }
-            if self.job.diags.first_text(codes::K2413, &text) {
-                self.report(Diagnostic::new(codes::K2413, here, text));
+            if self.job.diags.first_text(codes::P8105, &text) {
+                self.report(Diagnostic::new(codes::P8105, here, text));
             }
             self.leave_axes(&name, "end the contour with R0 before it")?;
             return self.leave_technology(&name);
         }
-        let help = Answer::key("programs", &name).one_of(&["{ ignore = true }"]).help(format!(
-            "if it is a cycle of the machine builder that moves nothing, leave it out: `[programs]` with `\"{name}\" = \
-             {{ ignore = true }}`; if it moves, program its moves as blocks"
-        ));
-        let found = Diagnostic::new(codes::K9001, here, format!("cycle {number} is not known")).help(help);
+        let found = codes::P9010::cycle_is_not_known(&number, &name)
+            .answer(Answer::key("programs", &name).one_of(&["{ ignore = true }"]))
+            .at(here);
         self.report(found);
         Err(Reported)
     }
@@ -89,11 +87,7 @@ impl Run<'_> {
             Does::Moves(_) => "if the cycle moves nothing, take the word out; if it moves, program its moves as blocks",
             Does::Nothing | Does::Acts => "take the word out, and program what it does in a block of its own",
         };
-        let message = format!(
-            "{name} is to be left out as a cycle that does nothing to the path, and `{}` in its definition says otherwise",
-            word.text
-        );
-        self.report(Diagnostic::new(codes::K9001, word.loc, message).help(help));
+        self.report(codes::P9010::is_to_be_left_out_as_cycle(&name, &word.text).at(word.loc).help(help));
         Err(Reported)
     }
 

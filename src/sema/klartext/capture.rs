@@ -3,7 +3,7 @@
 //! Everything is afterwards what it was, parameters included: when a control runs the blocks, and how often, depends on the
 //! cycle. Source: K 6.6 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::ir::Side;
 use crate::ir::captured::{Captured, Unfit};
 use crate::lexer::klartext::QKind;
@@ -97,13 +97,7 @@ impl Run<'_> {
             | Stmt::End { .. } => return Ok(()),
             Stmt::Assign(target) | Stmt::Fn { target, .. } | Stmt::SystemRead(target) => target,
             _ => {
-                let message = format!("this block stands in the contour {}, which is a shape for a cycle", self.contour_name());
-                let _: Outcome = self.fail_help(
-                    codes::K2951,
-                    self.block_span(),
-                    message,
-                    "a contour is made of path functions, FK, RND, CHF, parameters and labels; move the block in front of the cycle call",
-                );
+                let _: Outcome = self.refuse(self.block_span(), codes::K2951::this_block_stands_in_contour(&self.contour_name()));
                 self.lose_all();
                 return Err(Reported);
             }
@@ -111,10 +105,7 @@ impl Run<'_> {
         if target.kind != QKind::Q || !(1..=LAST_OF_CYCLES).contains(&target.number) {
             return Ok(());
         }
-        let message =
-            format!("the contour {} sets {target}, which cycles 20 to 25 keep their data in", self.contour_name());
-        let _: Outcome =
-            self.fail_help(codes::K2951, self.block_span(), message, "take another parameter, or a local one: QL1");
+        let _: Outcome = self.refuse(self.block_span(), codes::K2951::contour_sets(&self.contour_name(), &target));
         self.lose_all();
         Err(Reported)
     }
@@ -122,8 +113,7 @@ impl Run<'_> {
     /// RL or RR in the first block says on which side of the contour the tool lies.
     pub(super) fn side_of_contour(&mut self, side: Side, span: Span) -> Outcome {
         if self.st.compensation.side() != Side::None {
-            let message = format!("RL, RR or R0 stands in the contour {}, behind its first block", self.contour_name());
-            return self.fail_help(codes::K2951, span, message, "write RL or RR into the first block only");
+            return self.refuse(span, codes::K2951::rl_rr_or_r0_stands_in_contour(&self.contour_name()));
         }
         self.st.compensation.select(side);
         Ok(())
@@ -134,9 +124,7 @@ impl Run<'_> {
         if w.feed == FeedWord::None {
             return;
         }
-        let message =
-            format!("F in the contour {} does not count: the cycle moves at its own feeds", self.contour_name());
-        let found = Diagnostic::new(codes::K2953, self.loc(w.feed_span), message);
+        let found = codes::P8103::f_in_contour_does_not_count(&self.contour_name()).at(self.loc(w.feed_span));
         self.report_once(found.help("give the feed to the cycle, and remove it here"));
     }
 
@@ -147,17 +135,11 @@ impl Run<'_> {
         let paraxial = matches!(w.comp, Some(Comp::Paraxial(_))).then_some(w.comp_span);
         let speed = w.speed.map(|_| w.speed_span);
         let Some(span) = w.m().first().map(|m| m.span).or(speed).or(paraxial) else { return Ok(()) };
-        let message = format!("`{}` stands in the contour {}", self.word_text(span), self.contour_name());
-        self.fail_help(
-            codes::K2951,
-            span,
-            message,
-            "move it in front of the cycle call: in which pass the control would carry it out is not known",
-        )
+        self.refuse(span, codes::K2951::stands_in_contour(&self.word_text(span), &self.contour_name()))
     }
 
     pub(super) fn contour_fault<T>(&mut self, label: &Label, what: &str, help: &str) -> Outcome<T> {
-        let mut found = Diagnostic::new(codes::K2951, self.here.origin.loc, format!("the contour {label}: {what}"));
+        let mut found = codes::K2951::contour(&label, &what).at(self.here.origin.loc);
         if let Known::Given(named) = &self.contours.named {
             found = found.also(named.loc, "the contours are named here");
         }
@@ -190,7 +172,7 @@ impl Run<'_> {
                 "a contour has moves of the two axes of its plane only; the depth belongs to the cycle",
             ),
         };
-        let found = Diagnostic::new(codes::K2951, origin.loc, format!("the contour {label}: {what}"));
+        let found = codes::K2951::contour(&label, &what).at(origin.loc);
         self.report(found.called(origin.call).also(cycle, "the cycle that takes it is defined here").help(help));
         Err(Reported)
     }

@@ -102,14 +102,8 @@ impl Run<'_> {
                 return Ok(());
             }
             Change::Printed { moved: true } if self.job.settings.control.sinumerik.tool_change_by_t.is_none() => {
-                return self.fail_help(
-                    codes::K2802,
-                    span,
-                    format!("{by} stands after moves, and the change was printed at the TOOL CALL before them"),
-                    Answer::key("control", "tool_change").help(
-                        "set `[control] tool_change = \"m6\"` if M6 changes the tool, or \"t\" if TOOL CALL does",
-                    ),
-                );
+                return self
+                    .refuse(span, codes::K2802::stands_after_moves(&by).answer(Answer::key("control", "tool_change")));
             }
             Change::Missed => {
                 if self.st.spindle.turns() {
@@ -169,16 +163,10 @@ impl Run<'_> {
         }
         self.st.tool.change = Change::Missed;
         self.report(
-            Diagnostic::new(
-                codes::K2801,
-                self.here.origin.loc,
-                format!("tool {number} is called and not in the spindle yet: no M6 stands before this cut"),
-            )
-            .also(from, "called here")
-            .help(Answer::key("control", "tool_change").one_of(&["\"t\""]).help(
-                "write M6 after the TOOL CALL, or set `[control] tool_change = \"t\"` if TOOL CALL changes the tool \
-                 on your machine",
-            )),
+            codes::K2801::tool_is_called(&number)
+                .answer(Answer::key("control", "tool_change").one_of(&["\"t\""]))
+                .at(self.here.origin.loc)
+                .also(from, "called here"),
         );
         Err(Reported)
     }
@@ -189,15 +177,9 @@ impl Run<'_> {
             && self.st.tool.in_spindle != Some(number)
         {
             self.report(
-                Diagnostic::new(
-                    codes::K2803,
-                    from,
-                    format!(
-                        "no M6 follows this TOOL CALL before tool {next} is called: tool {number} is made ready and not changed in"
-                    ),
-                )
-                .also(self.here.origin.loc, "the next TOOL CALL")
-                .help("write M6 after the TOOL CALL if the change is meant"),
+                codes::K2803::no_m6_follows_this_tool_call_before(&next, &number)
+                    .at(from)
+                    .also(self.here.origin.loc, "the next TOOL CALL"),
             );
         }
     }
@@ -207,14 +189,7 @@ impl Run<'_> {
         if let Change::Called { number, from, .. } = self.st.tool.change
             && self.st.tool.in_spindle != Some(number)
         {
-            self.report(
-                Diagnostic::new(
-                    codes::K2803,
-                    from,
-                    format!("no M6 follows this TOOL CALL: tool {number} is made ready and not changed in"),
-                )
-                .help("write M6 after the TOOL CALL if the change is meant"),
-            );
+            self.report(codes::K2803::no_m6_follows_this_tool_call(&number).at(from));
         }
     }
 

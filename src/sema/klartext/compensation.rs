@@ -3,7 +3,7 @@
 //!
 //! Source: K 2.12, 2.14 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::compensation::{Inside, Outside, Search};
 use crate::ir::contour::Path;
@@ -146,12 +146,7 @@ impl Run<'_> {
 
     fn switch_side_to(&mut self, w: &Words, side: Side, arc: bool) -> Outcome {
         if arc {
-            return self.fail_help(
-                codes::K2601,
-                w.comp_span,
-                "radius compensation cannot start or end in an arc",
-                "program a straight block with RL, RR or R0 before or after the arc",
-            );
+            return self.refuse(w.comp_span, codes::P2040::radius_compensation_cannot_start_or_end());
         }
         if side == Side::None {
             self.st.look_ahead = 0;
@@ -186,20 +181,10 @@ impl Run<'_> {
         }
         let radius = self.tool_radius(span)?;
         if radius < 0.0 {
-            return self.fail_help(
-                codes::K9007,
-                span,
-                format!("the radius of the tool with its oversizes is {radius} mm: what a control does below zero is not known"),
-                "make the oversize DR smaller, or swap RL and RR and give the radius without its sign",
-            );
+            return self.refuse(span, codes::P9013::radius_of_tool_with_its_oversizes(&radius));
         }
         if self.st.rotary.follows_tip {
-            return self.fail_help(
-                codes::K9007,
-                span,
-                "under M128 the radius compensation is one in space",
-                "program M129 in front of the contour",
-            );
+            return self.refuse(span, codes::P9013::under_m128_radius_compensation_is_one());
         }
         // RND and CHF there are refused, or accepted, where they stand.
         self.st.compensate(crate::ir::Compensation { radius, rounded_border: true, ..Default::default() });
@@ -236,21 +221,12 @@ impl Run<'_> {
 
     fn open_corner(&mut self, m: &MWord) -> Outcome {
         if self.job.settings.control.klartext_choices.open_corners_refused {
-            return self.fail_help(
-                codes::K9008,
+            return self.refuse(
                 m.span,
-                "M98 opens the corner at the end of this block, and the way from one side to the other is not confirmed",
-                Answer::key("control", "m98").one_of(&["\"line\""]).help("program the corner as two contours, or set `[control] m98 = \"line\"`"),
+                codes::K9008::m98_opens_corner_at_end().answer(Answer::key("control", "m98").one_of(&["\"line\""])),
             );
         }
-        self.report(
-            Diagnostic::new(
-                codes::K2893,
-                self.loc(m.span),
-                "M98 opens the corner at the end of this block where it is an inside one: a straight line leads from one side to the other",
-            )
-            .help(Answer::key("control", "m98").help("`[control] m98 = \"refuse\"` refuses such corners")),
-        );
+        self.report(codes::K2893::m98_opens_corner_at_end().answer(Answer::key("control", "m98")).at(self.loc(m.span)));
         self.own_corner(Outside::default(), Some(Inside::Open));
         Ok(())
     }
@@ -258,12 +234,7 @@ impl Run<'_> {
     fn look_ahead(&mut self, m: &MWord) -> Outcome {
         let blocks = m.args.value.unwrap_or(0.0);
         if blocks.fract() != 0.0 || !(0.0..=MOST_AHEAD).contains(&blocks) {
-            return self.fail_help(
-                codes::K2707,
-                m.span,
-                format!("M120 looks ahead {blocks} blocks"),
-                "write a whole number up to 99: `M120 LA5`",
-            );
+            return self.refuse(m.span, codes::K2707::m120_looks_ahead_blocks(&blocks));
         }
         self.st.look_ahead = blocks as u32;
         if let Some(rules) = self.st.ctx.compensation.as_deref().copied() {
@@ -275,15 +246,10 @@ impl Run<'_> {
 
     fn shortened_corner(&mut self, m: &MWord) -> Outcome {
         let Args { value: Some(by), .. } = m.args else {
-            return self.fail_help(codes::K2707, m.span, "M197 lacks its length", "write `M197 DL0.5`");
+            return self.refuse(m.span, codes::K2707::m197_lacks_its_length());
         };
         if by < 0.0 {
-            return self.fail_help(
-                codes::K2707,
-                m.span,
-                format!("M197 prolongs the elements by {by}"),
-                "write a length that is not below zero",
-            );
+            return self.refuse(m.span, codes::K2707::m197_prolongs_elements(&by));
         }
         let by = by * self.level().frame.unit.mm();
         self.own_corner(Outside { by: Some(by), ..Outside::default() }, None);
@@ -296,15 +262,7 @@ impl Run<'_> {
         let own = std::mem::take(&mut self.st.own_corner);
         self.st.modal_rules();
         match w.any_m(&[97, 98, 197]) {
-            Some(m) if own == OwnCorner::Waits => self.fail_help(
-                codes::K2607,
-                m.span,
-                format!(
-                    "M{} acts on the corner at the end of its block, and this block moves nothing in the working plane",
-                    m.number
-                ),
-                "write it into the block that ends in the corner",
-            ),
+            Some(m) if own == OwnCorner::Waits => self.refuse(m.span, codes::K2607::m_acts_on_corner_at_end(&m.number)),
             _ => Ok(()),
         }
     }
@@ -314,10 +272,7 @@ impl Run<'_> {
         if !self.st.compensation.is_on() || !self.computes_path() {
             return;
         }
-        self.report(
-            Diagnostic::new(codes::K2606, self.here.origin.loc, format!("{what} while radius compensation is on"))
-                .help("end the compensation in front of this block, by R0 in a straight block or DEP"),
-        );
+        self.report(codes::K2606::while_radius_compensation(&what).at(self.here.origin.loc));
         self.st.end_compensation();
         self.st.contour = None;
         self.lose_all();
@@ -340,23 +295,13 @@ impl Run<'_> {
             )
         };
         if !self.job.settings.control.klartext_choices.rounded_approach {
-            return self.fail_help(
-                codes::K9007,
+            return self.refuse(
                 self.block_span(),
-                format!("{what}: how the control leads the tool there is not confirmed"),
-                Answer::key("control", "rounded_approach")
-                    .one_of(&["\"round\""])
-                    .help(format!("{help}, or set `[control] rounded_approach = \"round\"`")),
+                codes::P9013::how_control_leads_tool_there_is_not(&what, &help)
+                    .answer(Answer::key("control", "rounded_approach").one_of(&["\"round\""])),
             );
         }
-        self.report(
-            Diagnostic::new(
-                codes::K2894,
-                self.here.origin.loc,
-                format!("{what}: the programmed corner is cut as between two elements"),
-            )
-            .help(format!("{help} to be sure")),
-        );
+        self.report(codes::K2894::programmed_corner_is_cut_as_between_two(&what, &help).at(self.here.origin.loc));
         Ok(())
     }
 }

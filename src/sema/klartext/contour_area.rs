@@ -3,7 +3,7 @@
 //! Source: K 6.6; F B7 (docs/sources.md). How contours that cross are taken together is the HEIDENHAIN manuals' rule of superimposed
 //! contours: it goes by where their start points lie.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::area::{Relation, is_counter_clockwise, meet, passes, relation, surrounds};
 use crate::geo::overlay::{Area, Touching, overlay};
 use crate::geo::{Element, Point2, corner, grid};
@@ -80,8 +80,7 @@ impl Run<'_> {
         if let Some((first, second)) = contour.crossing()
             && let (Some(a), Some(b)) = (contour.pieces.get(first), contour.pieces.get(second))
         {
-            let found = Diagnostic::new(codes::K2951, b.origin.loc, format!("the contour {label} crosses itself"))
-                .called(b.origin.call);
+            let found = codes::K2951::contour_crosses_itself(&label).at(b.origin.loc).called(b.origin.call);
             self.report(
                 found.also(a.origin.loc, "it crosses the element of this block").help("check the end points of both"),
             );
@@ -119,8 +118,7 @@ impl Run<'_> {
             return Err(Reported);
         }
         self.contours.no_area = Some(why);
-        let message = format!("cycle {}: {what}", cycle.number);
-        let found = Diagnostic::new(codes::K2955, self.here.origin.loc, message);
+        let found = codes::K2955::cycle(&cycle.number, &what).at(self.here.origin.loc);
         self.report(found.also(pocket.named.loc, "the contours are named here").help(help));
         Err(Reported)
     }
@@ -165,9 +163,7 @@ impl Run<'_> {
 
     #[cold]
     fn say_that_they_cross(&mut self, pocket: &Pocket) {
-        let text = "contours of cycle 14 cross: the pockets are taken together, and the islands left out";
-        let found = Diagnostic::new(codes::K8110, pocket.named.loc, text)
-            .help("look at a picture of the path, or draw one contour");
+        let found = codes::K8110::contours_of_cycle_14_cross().at(pocket.named.loc);
         self.job.diags.push_once(found);
     }
 }

@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::overlay::Area;
 use crate::ir::Feed;
 use crate::ir::cycle::drilling::{Ahead, Levels, Method, usual_ahead};
@@ -41,7 +41,7 @@ impl Run<'_> {
     /// The contours that the cycle takes.
     pub(super) fn named_contours(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Rc<NamedContours>> {
         if call.placed() {
-            return self.cycle_unbuilt(cycle, "a contour at the places of a pattern or of CYCL CALL POS");
+            return self.refuse_cycle(cycle, codes::P9010::contour_at_places_of_pattern());
         }
         match &self.contours.named {
             Known::Lost => Err(Reported),
@@ -53,14 +53,15 @@ impl Run<'_> {
                 if named.program == self.level().program {
                     return Ok(named);
                 }
-                self.cycle_unbuilt(cycle, "a contour whose label stands in another program than the call")
+                self.refuse_cycle(cycle, codes::P9010::contour_whose_label_stands_in_another_program())
             }
         }
     }
 
     fn lacks<T>(&mut self, cycle: &DefinedCycle, what: &str, help: &str) -> Outcome<T> {
         self.report(
-            Diagnostic::new(codes::K2952, self.here.origin.loc, format!("cycle {}: {what}", cycle.number))
+            codes::K2952::cycle(&cycle.number, &what)
+                .at(self.here.origin.loc)
                 .also(cycle.loc, "the cycle is defined here")
                 .help(help),
         );
@@ -105,16 +106,16 @@ impl Run<'_> {
     pub(super) fn mill_down(&mut self, cycle: &DefinedCycle, deep: f64, mill: Mill) -> Outcome<Option<Mill>> {
         let axis = self.st.axis();
         if !AxisSet::MAIN.contains(axis) {
-            return self.cycle_value(cycle, &format!("the tool axis {} cannot mill", axis.letter()));
+            return self.refuse_value(cycle, codes::P2090::tool_axis_cannot_mill(&axis.letter()));
         }
         if deep > 0.0 {
-            return self.cycle_value(cycle, &format!("the depth Q1 = {deep} is positive"));
+            return self.refuse_value(cycle, codes::P2090::depth_q1_is_positive(&deep));
         }
         if deep == 0.0 {
             self.report(
-                Diagnostic::new(codes::K2404, self.here.origin.loc, format!("cycle {} has depth 0", cycle.number))
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help("program the depth Q1 with a minus sign"),
+                codes::K2404::cycle_has_depth_0(&cycle.number)
+                    .at(self.here.origin.loc)
+                    .also(cycle.loc, "the cycle is defined here"),
             );
             return Ok(None);
         }
@@ -131,7 +132,7 @@ impl Run<'_> {
     /// Q10: old programs write the infeed with the sign of the depth.
     pub(super) fn contour_infeed(&mut self, cycle: &DefinedCycle) -> Outcome<f64> {
         let step = self.cycle_length(cycle, INFEED)?.abs();
-        if step > 0.0 { Ok(step) } else { self.cycle_value(cycle, "the infeed Q10 is 0") }
+        if step > 0.0 { Ok(step) } else { self.refuse_value(cycle, codes::P2090::infeed_q10_is_0()) }
     }
 
     /// Q9 and Q15: does the tool climb?
@@ -140,7 +141,7 @@ impl Run<'_> {
         match value {
             1.0 => Ok(true),
             -1.0 => Ok(false),
-            other => self.cycle_value(cycle, &format!("the kind of milling {q} = {other} is not +1 or -1")),
+            other => self.refuse_value(cycle, codes::P2090::kind_of_milling_is_not_1(&q, &other)),
         }
     }
 
@@ -151,7 +152,7 @@ impl Run<'_> {
         let counter_clockwise = self.is_climb(cycle, DIRECTION, direction)?;
         let factor = self.kept(data, OVERLAP)?;
         if !OVERLAPS.contains(&factor) {
-            return self.cycle_value(&data.cycle, &format!("the overlap factor Q2 = {factor} is not 0.1 to 1.9999"));
+            return self.refuse_value(&data.cycle, codes::P2090::overlap_factor_q2_is_not_0_1(&factor));
         }
         let allowance = self.kept_unsigned(data, SIDE)?;
         let Area { outlines, islands } = self.contour_area(cycle, pocket, mill.radius + allowance)?;
@@ -270,11 +271,9 @@ impl Run<'_> {
             } else {
                 by.to_string()
             };
-            return self.cycle_value(
+            return self.refuse_value(
                 cycle,
-                &format!(
-                    "Q14 = {left} and the radius {radius} of the cutter together are not below Q3 = {allowance} and the radius of the cutter that roughed ({tool})"
-                ),
+                codes::P2090::q14_radius_of_cutter_together_are_not(&left, &radius, &allowance, &tool),
             );
         }
         let direction = self.cycle_number(cycle, DIRECTION)?;
@@ -305,12 +304,8 @@ impl Run<'_> {
         let Known::Given(roughed) = &self.contours.roughed else { return };
         let before = roughed.radius;
         if before > radius && Rc::ptr_eq(&roughed.pocket, &pocket.data) && roughed.frame == self.st.ctx.frame {
-            let message = format!(
-                "cycle 23 with a cutter of radius {} mm behind cycle 22 with one of {} mm: what that one left is cut down to the floor in one cut",
-                rounded(radius),
-                rounded(before)
-            );
-            let found = Diagnostic::new(codes::K8109, self.here.origin.loc, message);
+            let found = codes::K8109::cycle_23_with_cutter_of_radius_mm(&rounded(radius), &rounded(before))
+                .at(self.here.origin.loc);
             self.report(found.help("let a cycle 22 with this tool and Q18 run in between"));
         }
     }
@@ -347,22 +342,16 @@ impl Run<'_> {
                 && before.frame == self.st.ctx.frame
         });
         let Some(before) = before else {
-            let what =
-                format!("no cycle 22 with tool {number} (Q18) roughed these contours, with these data, in front of it");
-            return self.cycle_value(cycle, &what);
+            return self.refuse_value(cycle, codes::P2090::no_cycle_22_with_tool(&number));
         };
         if before.oversize > 0.0 {
-            let what = format!(
-                "the coarse tool {number} (Q18) cut with an oversize of {} mm: whether it cleared as much is open; rough with its true radius, and leave the allowance by Q3",
-                before.oversize
-            );
-            return self.cycle_value(cycle, &what);
+            return self
+                .refuse_value(cycle, codes::P2090::coarse_tool_q18_cut_with_oversize(&number, &before.oversize));
         }
         let (coarse, Area { outlines, islands }) = (before.radius, before.area.clone());
         let allowance = before.allowance;
         if coarse <= radius {
-            let what = format!("the coarse tool {number} (Q18) has radius {coarse}, and the one after it {radius}");
-            return self.cycle_value(cycle, &what);
+            return self.refuse_value(cycle, codes::P2090::coarse_tool(&number, &coarse, &radius));
         }
         Ok(Some(Box::new(Coarse { radius: coarse, allowance, outlines, islands })))
     }
@@ -385,7 +374,7 @@ impl Run<'_> {
         if self.cycle_option(cycle, COARSE_TOOL)? == 0.0 {
             return Ok(());
         }
-        self.cycle_unbuilt(cycle, "what a coarse tool (Q18) left")
+        self.refuse_cycle(cycle, codes::P9010::what_coarse_tool())
     }
 
     /// Q208
@@ -397,24 +386,20 @@ impl Run<'_> {
         if feed >= FASTEST {
             Ok(())
         } else {
-            self.cycle_unbuilt(cycle, &format!("going out of the pocket at a feed (Q208 = {feed})"))
+            self.refuse_cycle(cycle, codes::P9010::going_out_of_pocket_at_feed(&feed))
         }
     }
 
     /// The radius of the tool that will rough.
     fn radius_of_tool(&mut self, cycle: &DefinedCycle, number: f64) -> Outcome<f64> {
         if number.fract() != 0.0 || !(1.0..=32767.0).contains(&number) {
-            return self.cycle_value(cycle, &format!("the tool that roughs, Q13 = {number}, is no number of a tool"));
+            return self.refuse_value(cycle, codes::P2090::tool_that_roughs(&number));
         }
         match self.radius_by_number(number as u32).filter(|radius| *radius > 0.0) {
             Some(radius) => Ok(radius),
-            None => self.fail_help(
-                codes::K2008,
-                self.block_span(),
-                format!("cycle 21: the radius of tool {number}, which roughs (Q13), is not known"),
-                Answer::tool(number, "radius")
-                    .help(format!("add `[tools.{number}]` with `radius = …` to partc.toml, or a TOOL DEF block")),
-            ),
+            None => {
+                self.refuse(self.block_span(), codes::P2004::cycle_21(&number).answer(Answer::tool(number, "radius")))
+            }
         }
     }
 }

@@ -124,9 +124,10 @@ impl Run<'_> {
 
     pub(super) fn contour_geometry(&mut self, open: &Open) -> Outcome {
         if open.contours.is_empty() || open.contours.len() > MOST_CONTOURS {
-            let message = format!("cycle 14 names {} contours", open.contours.len());
-            let help = format!("write 1 to {MOST_CONTOURS} labels: `CYCL DEF 14.1 CONTOUR LABEL 1 /2`");
-            return self.fail_help(codes::K2402, self.block_span(), message, help);
+            return self.refuse(
+                self.block_span(),
+                codes::K2402::cycle_14_names_contours(&open.contours.len(), &MOST_CONTOURS),
+            );
         }
         let (labels, program, loc) = (open.contours.clone(), self.level().program, self.here.origin.loc);
         self.contours.named = Known::Given(Rc::new(NamedContours { labels, program, loc }));
@@ -158,12 +159,7 @@ impl Run<'_> {
         let now = self.cycle_number(&data.cycle, q)?;
         let set = data.set.iter().rev().find(|(number, _)| *number == q.0).map(|(_, value)| *value);
         match set {
-            Some(set) if set != now => self.cycle_value(
-                &data.cycle,
-                &format!(
-                    "it set {q} to {set}, and {q} is {now} now: which of the two counts is open; define the cycle anew"
-                ),
-            ),
+            Some(set) if set != now => self.refuse_value(&data.cycle, codes::P2090::it_set_to_is_now(&q, &set, &now)),
             _ => Ok(now),
         }
     }
@@ -174,7 +170,7 @@ impl Run<'_> {
 
     pub(super) fn kept_unsigned(&mut self, data: &Values, q: Q) -> Outcome<f64> {
         let value = self.kept_length(data, q)?;
-        if value >= 0.0 { Ok(value) } else { self.cycle_value(&data.cycle, &format!("{q} = {value} is below zero")) }
+        if value >= 0.0 { Ok(value) } else { self.refuse_value(&data.cycle, codes::P2090::is_below_zero(&q, &value)) }
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Source: K 6.6; F B7 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::{Deg, Element};
 use crate::ir::compensation::Compensation;
 use crate::ir::cycle::milling::{Division, Heights, Mill};
@@ -32,10 +32,7 @@ impl Run<'_> {
         let (deep, surface) = (self.cycle_length(cycle, DEPTH)?, self.cycle_length(cycle, SURFACE)?);
         let height = self.cycle_length(cycle, HEIGHT)?;
         if height <= surface {
-            return self.cycle_value(
-                cycle,
-                &format!("the clearance height Q7 = {height} does not lie above the surface Q5 = {surface}"),
-            );
+            return self.refuse_value(cycle, codes::P2090::clearance_height_q7_does_not_lie_above(&height, &surface));
         }
         let heights = Heights {
             retract: height,
@@ -52,14 +49,10 @@ impl Run<'_> {
         let kind = self.cycle_number(cycle, KIND)?;
         let allowance = self.cycle_length(cycle, SIDE)?;
         if allowance < 0.0 {
-            return self.cycle_value(cycle, &format!("Q3 = {allowance} is below zero"));
+            return self.refuse_value(cycle, codes::P2090::q3_is_below_zero(&allowance));
         }
         if named.labels.len() > 1 {
-            let found = Diagnostic::new(
-                codes::K2954,
-                self.here.origin.loc,
-                "cycle 25 mills the first contour of cycle 14, and not the others",
-            );
+            let found = codes::K2954::cycle_25_mills_first_contour_of_cycle().at(self.here.origin.loc);
             self.report(
                 found
                     .also(named.loc, "they are named here")
@@ -99,17 +92,12 @@ impl Run<'_> {
     fn in_kind(&mut self, cycle: &DefinedCycle, path: PathMilling, kind: f64, allowance: f64) -> Outcome<PathMilling> {
         if path.side == Side::None {
             if allowance != 0.0 {
-                return self.cycle_value(cycle, &format!("Q3 = {allowance}, and the tool goes on the contour itself"));
+                return self.refuse_value(cycle, codes::P2090::q3_tool_goes_on_contour_itself(&allowance));
             }
             return match kind {
                 1.0 => Ok(path),
                 0.0 => Ok(PathMilling { alternates: true, between: Between { lift: Lift::None, feed: None }, ..path }),
-                other => self.cycle_value(
-                    cycle,
-                    &format!(
-                        "the kind of milling Q15 = {other}, and the tool goes on the contour itself: there is no up-cut"
-                    ),
-                ),
+                other => self.refuse_value(cycle, codes::P2090::kind_of_milling_q15(&other)),
             };
         }
         if kind == 0.0 {
@@ -130,31 +118,25 @@ impl Run<'_> {
             0.0 => Side::None,
             1.0 => Side::Left,
             2.0 => Side::Right,
-            other => return self.cycle_value(&data.cycle, &format!("the side Q391 = {other} is not 0, 1 or 2")),
+            other => return self.refuse_value(&data.cycle, codes::P2090::side_q391_is_not_0_1(&other)),
         };
         let (form, size, q) = match self.kept(&data, WAY)? {
             1.0 => {
                 let angle = self.kept(&data, WAY_ANGLE)?;
                 if angle <= 0.0 || angle >= 360.0 {
-                    return self.cycle_value(
-                        &data.cycle,
-                        &format!("the angle Q393 = {angle} of the arc is not above 0 and below 360"),
-                    );
+                    return self.refuse_value(&data.cycle, codes::P2090::angle_q393_of_arc_is_not_above(&angle));
                 }
                 (Form::Arc(Deg(angle)), self.kept_length(&data, WAY_RADIUS)?, WAY_RADIUS)
             }
             2.0 => (Form::Tangent, self.kept_length(&data, WAY_LENGTH)?, WAY_LENGTH),
             3.0 => (Form::Square, self.kept_length(&data, WAY_LENGTH)?, WAY_LENGTH),
-            other => return self.cycle_value(&data.cycle, &format!("the way Q390 = {other} is not 1, 2 or 3")),
+            other => return self.refuse_value(&data.cycle, codes::P2090::way_q390_is_not_1_2(&other)),
         };
         if size <= 0.0 {
-            return self.cycle_value(&data.cycle, &format!("{q} = {size} is not above zero, and Q390 asks for it"));
+            return self.refuse_value(&data.cycle, codes::P2090::is_not_above_zero(&q, &size));
         }
         if side == Side::None && form != Form::Tangent {
-            return self.cycle_value(
-                cycle,
-                "the tool goes on the contour itself (Q391 = 0), so the way to it is a tangential line (Q390 = 2)",
-            );
+            return self.refuse_value(cycle, codes::P2090::tool_goes_on_contour_itself());
         }
         Ok((side, Way { form, size, spatial: false }))
     }

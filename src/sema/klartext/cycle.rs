@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::ir::Function;
 use crate::ir::function::PathControl;
 use crate::lexer::klartext::QRef;
@@ -101,8 +101,7 @@ impl Run<'_> {
             open.parameters.push((q.number, value));
         } else if open.loose {
             open.failed = true;
-            let message = format!("`{}` sets {q} a second time in this definition", self.word_text(span));
-            return self.fail_help(codes::K1004, span, message, "remove one of the two");
+            return self.refuse(span, codes::P1002::sets_second_time_in_this_definition(&self.word_text(span), &q));
         }
         Ok(())
     }
@@ -135,12 +134,7 @@ impl Run<'_> {
                     open.here = self.core.here;
                 }
                 _ => {
-                    return self.fail_help(
-                        codes::K2402,
-                        block.span,
-                        format!("part {number}.{part} does not follow its cycle"),
-                        format!("the definition begins with `CYCL DEF {number}.0`"),
-                    );
+                    return self.refuse(block.span, codes::K2402::part_does_not_follow_its_cycle(&number, &part));
                 }
             },
         }
@@ -187,7 +181,7 @@ impl Run<'_> {
     fn apply_cycle(&mut self, open: &Open) -> Outcome {
         let row = find(open.number);
         if row.has_parts(open.number) && open.part.unwrap_or(0) == 0 {
-            self.error(codes::K2402, format!("cycle {} lacks its part {}.1", open.number, open.number));
+            self.say_here(codes::K2402::cycle_lacks_its_part_1(&open.number));
             return Err(Reported);
         }
         match row.nature {
@@ -199,12 +193,7 @@ impl Run<'_> {
             Nature::Dwell => {
                 let seconds = self.single_value(open)?;
                 if !(0.0..=3600.0).contains(&seconds) {
-                    return self.fail_help(
-                        codes::K2403,
-                        self.block_span(),
-                        format!("a dwell of {seconds} s is out of range"),
-                        "a dwell takes 0 to 3600 seconds",
-                    );
+                    return self.refuse(self.block_span(), codes::P2090::dwell_of_s_is_out_of_range(&seconds));
                 }
                 self.function(Function::Dwell(seconds));
                 Ok(())
@@ -226,19 +215,14 @@ impl Run<'_> {
                     Ok(())
                 }
                 None => {
-                    self.error(codes::K2402, "cycle 12 names no program");
+                    self.say_here(codes::K2402::cycle_12_names_no_program());
                     Err(Reported)
                 }
             },
             Nature::Orientation => {
                 let angle = self.single_value(open)?;
                 if !(0.0..=360.0).contains(&angle) {
-                    return self.fail_help(
-                        codes::K2403,
-                        self.block_span(),
-                        format!("a spindle angle of {angle} degrees is out of range"),
-                        "cycle 13 takes 0 to 360 degrees",
-                    );
+                    return self.refuse(self.block_span(), codes::P2090::spindle_angle_of_degrees_is_out(&angle));
                 }
                 self.st.spindle.orient(angle);
                 Ok(())
@@ -280,11 +264,7 @@ impl Run<'_> {
     fn path_tolerance(&mut self, open: &Open) -> Outcome {
         let tolerance = open.values.iter().find(|value| value.label == "T").map(|value| value.value);
         if open.values.iter().any(|value| value.label != "T") {
-            self.job.diags.push_once(Diagnostic::new(
-                codes::K2703,
-                self.here.origin.loc,
-                "HSC-MODE and TA of cycle 32 have no word in the output",
-            ));
+            self.job.diags.push_once(codes::K2703::hsc_mode().at(self.here.origin.loc));
         }
         let said = match tolerance {
             None => None,
@@ -292,12 +272,7 @@ impl Run<'_> {
             // No deviation at all.
             Some(0.0) => Some(PathControl::Exact),
             Some(t) => {
-                return self.fail_help(
-                    codes::K2403,
-                    self.block_span(),
-                    format!("a tolerance of {t}"),
-                    "a tolerance is above zero; `CYCL DEF 32.1` without T ends it",
-                );
+                return self.refuse(self.block_span(), codes::P2090::tolerance(&t));
             }
         };
         self.function(Function::PathControl(said));
@@ -309,7 +284,7 @@ impl Run<'_> {
             // Two values are refused where they are read.
             [only, ..] => Ok(only.value),
             [] => {
-                self.error(codes::K2402, format!("cycle {} lacks its value", open.number));
+                self.say_here(codes::K2402::cycle_lacks_its_value(&open.number));
                 Err(Reported)
             }
         }
@@ -328,12 +303,7 @@ impl Run<'_> {
                 self.check_m(&w)?;
                 self.forbid_m(&w, "CYCL CALL", &[89, 91, 92, 99])?;
                 if let Some(m) = w.any_m(&[2, 30]) {
-                    return self.fail_help(
-                        codes::K1014,
-                        m.span,
-                        "a cycle call and the end of the program in one block",
-                        "write the end of the program into a block of its own",
-                    );
+                    return self.refuse(m.span, codes::P1005::cycle_call());
                 }
                 self.m_at_start(&w, false)?;
                 // Newer controls end M89 by M99, CYCL CALL POS or a new definition only.
@@ -371,12 +341,11 @@ impl Run<'_> {
                 Err(Reported)
             }
             Some(Defined::Program { name }) => {
-                let message = format!("{by} with the program `{name}` of cycle 12 is not supported");
-                self.error(codes::K9001, message);
+                self.say_here(codes::P9010::with_program_of_cycle_12_is_not(&by, &name));
                 Err(Reported)
             }
             None => {
-                self.error(codes::K2401, format!("{by} runs a machining cycle, and none is defined"));
+                self.say_here(codes::K2401::runs_machining_cycle(&by));
                 Err(Reported)
             }
         }
@@ -386,14 +355,7 @@ impl Run<'_> {
     fn call_cycle_at(&mut self, block: &Block) -> Outcome {
         self.cycles.modal = false;
         if let Some(Defined::Program { .. }) = self.cycles.defined {
-            self.report(
-                Diagnostic::new(
-                    codes::K9001,
-                    self.here.origin.loc,
-                    "CYCL CALL POS with the program call of cycle 12 is not supported: what its Z shifts is open",
-                )
-                .help("move to the position with L, and call with M99"),
-            );
+            self.report(codes::P9010::cycl_call_pos_with_program_call().at(self.here.origin.loc));
             self.lose_all();
             return Err(Reported);
         }
@@ -420,10 +382,7 @@ impl Run<'_> {
         let here = self.here.origin.loc;
         match &mut self.cycles.defined {
             None => {
-                self.report(
-                    Diagnostic::new(codes::K2401, here, format!("{by} calls a cycle, and none is defined"))
-                        .help("put CYCL DEF in front of the call, or remove the call"),
-                );
+                self.report(codes::K2401::calls_cycle(&by).at(here));
                 Err(Reported)
             }
             Some(Defined::Refused) => {
@@ -455,7 +414,8 @@ impl Run<'_> {
                 if !again {
                     let what = find(number).called();
                     self.report(
-                        Diagnostic::new(codes::K9001, here, format!("cycle {number} {what} is not supported yet"))
+                        codes::P9010::cycle_is_not_supported_yet(&number, &what)
+                            .at(here)
                             .here("called here")
                             .also(loc, "defined here"),
                     );
@@ -473,7 +433,7 @@ impl Run<'_> {
     /// A cycle that acts where it is defined, which cannot be compiled.
     fn acts_unsupported(&mut self, number: u32) -> Outcome {
         let what = find(number).called();
-        self.error(codes::K9001, format!("cycle {number} {what} acts where it is defined, and is not supported"));
+        self.say_here(codes::P9010::cycle_acts_where_it_is_defined(&number, &what));
         self.lose_all();
         Err(Reported)
     }
@@ -488,8 +448,7 @@ impl Run<'_> {
             } else {
                 "is defined and never called; it is not supported"
             };
-            let message = format!("cycle {number} {} {what}", row.called());
-            self.report(Diagnostic::new(codes::K2412, loc, message).help("remove the definition, or call the cycle"));
+            self.report(codes::K2412::cycle(&number, &row.called(), &what).at(loc));
         }
     }
 }

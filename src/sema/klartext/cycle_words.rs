@@ -98,7 +98,7 @@ impl Run<'_> {
         }
         match read.label {
             Some((label, span)) if needs_its_value(nature, self.open_cycle().part) => {
-                self.fail_help(codes::K1006, span, format!("`{label}` has no number"), "write the number behind it")
+                self.refuse(span, codes::P1004::has_no_number(&label))
             }
             _ => Ok(()),
         }
@@ -123,24 +123,11 @@ impl Run<'_> {
         let number = self.open_cycle().number;
         let takes = q.kind != QKind::Q || find(number).takes(number, q);
         if !takes && q.number < 100 && matches!(find(number).nature, Nature::Unknown) {
-            let message = format!(
-                "`{}` in the definition of cycle {number}: Q0 to Q99 belong to the program, and whether the cycle changes {q} \
-                 there is up to the machine builder",
-                self.word_text(word.span)
-            );
-            let help = format!(
-                "if the program counts with this {q}, write it as a block of its own and end the line before it without `~`; \
-                 if only the cycle reads it, take the line out together with the cycle"
-            );
-            return self.fail_help(codes::K1005, word.span, message, help);
+            return self
+                .refuse(word.span, codes::P1003::in_definition_of_cycle(&self.word_text(word.span), &number, &q));
         }
         if !takes {
-            return self.fail_help(
-                codes::K1005,
-                word.span,
-                format!("cycle {number} has no parameter {q}"),
-                "remove it; if the line is a block of its own, remove the `~` at the end of the line in front",
-            );
+            return self.refuse(word.span, codes::P1003::cycle_has_no_parameter(&number, &q));
         }
         // FMAX, FAUTO, PREDEF: of use to machining cycles only.
         let named = match word.value {
@@ -184,12 +171,7 @@ impl Run<'_> {
             return Ok(());
         }
         let whole = span.to(word.span);
-        self.fail_help(
-            codes::K1005,
-            whole,
-            format!("in `{}` the point may belong to the name or to the number", self.word_text(whole)),
-            "write a blank between the name and the number",
-        )
+        self.refuse(whole, codes::P1003::in_point_may_belong_to_name(&self.word_text(whole)))
     }
 
     /// The name behind the number of a cycle is decoration in any language; a value among it would be lost.
@@ -203,12 +185,7 @@ impl Run<'_> {
         for word in head[name..].split(u8::is_ascii_whitespace) {
             if word.iter().any(u8::is_ascii_digit) {
                 let span = Span::at(block.span.start + at as u32, word.len() as u32);
-                return self.fail_help(
-                    codes::K1005,
-                    span,
-                    format!("`{}` stands in the name of the cycle", self.word_text(span)),
-                    format!("the values of cycle {number} belong into the blocks {number}.1 and up"),
-                );
+                return self.refuse(span, codes::P1003::stands_in_name_of_cycle(&self.word_text(span), &number));
             }
             at += word.len() + 1;
         }
@@ -218,7 +195,7 @@ impl Run<'_> {
     /// A word that the cycle does not take.
     pub(super) fn cycle_word<T>(&self, span: Span, cycle: u32) -> Outcome<T> {
         let text = self.word_text(span);
-        self.fail_help(codes::K1005, span, format!("`{text}` has no place in cycle {cycle}"), find(cycle).form)
+        self.refuse(span, codes::P1003::has_no_place_in_cycle(&text, &cycle).help(find(cycle).form))
     }
 
     /// Does the definition under way take this word?

@@ -46,20 +46,10 @@ impl Run<'_> {
             _ => None,
         };
         if !open.axes.is_empty() {
-            return self.fail_help(
-                codes::K2402,
-                self.block_span(),
-                "cycle 7 has a row of a table and axes",
-                "write either the row, `CYCL DEF 7.1 #5`, or the axes",
-            );
+            return self.refuse(self.block_span(), codes::K2402::cycle_7_has_row_of_table());
         }
         let Some(row) = row.map(|row| row.value) else {
-            return self.fail_help(
-                codes::K2402,
-                self.block_span(),
-                "cycle 7 does not name one row of the datum table",
-                "write the number of the row: `CYCL DEF 7.1 #5`",
-            );
+            return self.refuse(self.block_span(), codes::K2402::cycle_7_does_not_name_one_row());
         };
         self.take_datum_row(row)
     }
@@ -67,12 +57,7 @@ impl Run<'_> {
     /// The shift of a row.
     pub(super) fn take_datum_row(&mut self, number: f64) -> Outcome {
         if number.fract() != 0.0 || !(0.0..=MOST_ROWS).contains(&number) {
-            return self.fail_help(
-                codes::K2402,
-                self.block_span(),
-                format!("{number} is no row of a datum table"),
-                "rows count from 0 to 2999",
-            );
+            return self.refuse(self.block_span(), codes::K2402::is_no_row_of_datum_table(&number));
         }
         let rows = self.datum_rows()?;
         let found: Vec<&Place> = rows.list.iter().filter(|row| row.number == Some(number as u32)).collect();
@@ -94,8 +79,7 @@ impl Run<'_> {
             .iter()
             .filter_map(|axis| Some(format!("{}{}", axis.axis.letter(), super::pockets::rounded(axis.value?))))
             .collect();
-        let text = format!("row {number} of the datum table shifts by {}", shown.join(" "));
-        self.report(Diagnostic::new(codes::K2513, self.here.origin.loc, text));
+        self.report(codes::K2513::row_of_datum_table_shifts(&number, &shown.join(" ")).at(self.here.origin.loc));
         self.shift(&axes)
     }
 
@@ -143,9 +127,9 @@ impl Run<'_> {
                 return Ok(self.keep_rows(known.unit, known.places));
             }
             self.report(
-                Diagnostic::new(codes::K9012, self.here.origin.loc, "no datum table is selected").help(
-                    Answer::key("control", "datum_table").help("select it in the program, `SEL TABLE \"NAME.D\"`, or name the file in partc.toml: `[control] datum_table = \"NAME.D\"`"),
-                ),
+                codes::K9012::no_datum_table_is_selected()
+                    .answer(Answer::key("control", "datum_table"))
+                    .at(self.here.origin.loc),
             );
             return Err(Reported);
         };

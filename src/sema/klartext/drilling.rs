@@ -3,7 +3,7 @@
 //! Source: K 4.4, 6.0 to 6.2 (docs/sources.md). The parameters Q200 and up stay variables: a call takes what they hold
 //! then. The values of the old dotted cycles are those of the definition.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::ir::Feed;
 use crate::ir::cycle::drilling::{Ahead, Bore, Breaks, Degression, Levels, Method, Pecking, Removal, Tap, usual_ahead};
 use crate::ir::cycle::{Cycle, Drilling, Family};
@@ -69,7 +69,7 @@ impl Run<'_> {
         let t = self.st.frames.transform();
         let scaled = t.scale != 1.0 || t.axis_scale != [1.0; 3];
         if scaled && cycle.row().nature.drilling().is_some_and(|drilling| drilling.taps) {
-            return self.cycle_unbuilt(cycle, "tapping under a scaling, which would change the pitch of the thread,");
+            return self.refuse_cycle(cycle, codes::P9010::tapping_under_scaling());
         }
         Ok(())
     }
@@ -77,7 +77,7 @@ impl Run<'_> {
     fn hole(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Drilling>> {
         let axis = self.st.axis();
         if !AxisSet::MAIN.contains(axis) {
-            return self.cycle_value(cycle, &format!("the tool axis {} cannot drill", axis.letter()));
+            return self.refuse_value(cycle, codes::P2090::tool_axis_cannot_drill(&axis.letter()));
         }
         let row = cycle.row();
         let Some(drilling) = row.nature.drilling() else { return Ok(None) };
@@ -120,7 +120,7 @@ impl Run<'_> {
     pub(super) fn depth_below(&mut self, cycle: &DefinedCycle) -> Outcome<f64> {
         let deep = self.cycle_length(cycle, DEPTH)?;
         if deep > 0.0 {
-            return self.cycle_value(cycle, &format!("the depth Q201 = {deep} is positive"));
+            return self.refuse_value(cycle, codes::P2090::depth_q201_is_positive(&deep));
         }
         Ok(deep)
     }
@@ -151,7 +151,7 @@ impl Run<'_> {
     pub(super) fn infeed(&mut self, cycle: &DefinedCycle) -> Outcome<f64> {
         let step = self.cycle_length(cycle, PLUNGE)?;
         if step <= 0.0 {
-            return self.cycle_value(cycle, &format!("the plunging depth Q202 = {step} is not above zero"));
+            return self.refuse_value(cycle, codes::P2090::plunging_depth_q202_is_not_above_zero(&step));
         }
         Ok(step)
     }
@@ -161,7 +161,7 @@ impl Run<'_> {
         let ahead = self.cycle_length(cycle, CLEARANCE)?;
         let times = self.cycle_number(cycle, BREAKS)?;
         if !(times >= 0.0 && times.fract() == 0.0 && times <= 99_999.0) {
-            return self.cycle_value(cycle, &format!("the number of chip breaks Q213 = {times} is no whole number"));
+            return self.refuse_value(cycle, codes::P2090::number_of_chip_breaks_q213_is_no(&times));
         }
         // Older software lifts by this fixed way.
         let way = if cycle.sets(BREAK_WAY) { self.cycle_length(cycle, BREAK_WAY)? } else { LIFT };
@@ -178,11 +178,7 @@ impl Run<'_> {
         let first = self.infeed(cycle)?;
         let ahead = [self.cycle_length(cycle, AHEAD_ABOVE)?, self.cycle_length(cycle, AHEAD_BELOW)?];
         if ahead[0] != ahead[1] {
-            self.job.diags.push_once(Diagnostic::new(
-                codes::K2408,
-                self.here.origin.loc,
-                "the advanced stop distance changes from Q258 to Q259 in even steps",
-            ));
+            self.job.diags.push_once(codes::K2408::advanced_stop_distance_changes_from_q258().at(self.here.origin.loc));
         }
         let every = self.cycle_length(cycle, BREAK_DEPTH)?;
         let back =
@@ -203,7 +199,7 @@ impl Run<'_> {
             3.0 => [LIFT, 0.0, 0.0],
             4.0 => [0.0, LIFT, 0.0],
             other => {
-                return self.cycle_value(cycle, &format!("the disengaging direction Q214 = {other} is not 0 to 4"));
+                return self.refuse_value(cycle, codes::P2090::disengaging_direction_q214_is_not_0(&other));
             }
         };
         let back = self.retract_feed(cycle, RETRACT_FEED, Some(cut.feed))?;
@@ -212,7 +208,7 @@ impl Run<'_> {
         let orient = if (0.0..=360.0).contains(&angle) { angle } else { angle.rem_euclid(360.0) };
         if lift != [0.0; 3] {
             if *self.st.ctx.frame.linear() != nalgebra::Matrix3::identity() {
-                return self.cycle_unbuilt(cycle, "lifting the edge off the wall under a mirror, rotation or scaling");
+                return self.refuse_cycle(cycle, codes::P9010::lifting_edge_off_wall_under_mirror());
             }
             let (first, second, _) = self.st.plane().axes();
             for axis in [first, second] {
@@ -226,11 +222,7 @@ impl Run<'_> {
     /// `lead` is positive for a right-hand thread; without one the feed of the hole holds both ways.
     pub(super) fn tapping(&mut self, cut: Cut, lead: Option<f64>) -> Outcome<Method> {
         if lead.is_none() {
-            self.job.diags.push_once(Diagnostic::new(
-                codes::K2409,
-                self.here.origin.loc,
-                "the spindle is reversed by M4 and M3: the tap needs a compensating chuck on the target",
-            ));
+            self.job.diags.push_once(codes::K2409::spindle_is_reversed_by_m4().at(self.here.origin.loc));
         }
         let turn = match lead {
             Some(lead) if lead < 0.0 => Turn::CounterClockwise,
@@ -261,10 +253,10 @@ impl Run<'_> {
         let clearance = self.part(cycle, 1)?.abs() * mm;
         let deep = self.part(cycle, 2)? * mm;
         if deep > 0.0 {
-            return self.cycle_value(cycle, "the depth is positive");
+            return self.refuse_value(cycle, codes::P2090::depth_is_positive());
         }
         if deep == 0.0 {
-            return self.cycle_value(cycle, "the depth is 0");
+            return self.refuse_value(cycle, codes::P2090::depth_is_0());
         }
         let reference = start - clearance;
         Ok(Levels { retract: start, reference, clearance, depth: reference + deep })
@@ -288,7 +280,7 @@ impl Run<'_> {
     fn part(&mut self, cycle: &DefinedCycle, part: u32) -> Outcome<f64> {
         match cycle.part(part) {
             Some(value) => Ok(value),
-            None => self.cycle_value(cycle, &format!("part {}.{part} has no value", cycle.number)),
+            None => self.refuse_value(cycle, codes::P2090::part_has_no_value(&cycle.number, &part)),
         }
     }
 

@@ -56,7 +56,7 @@ impl Formulas for Run<'_> {
             Op::Unary(f) => machine.unary(f)?,
             Op::Binary(f) => machine.binary(f)?,
             Op::TextFn(TextFn::Unknown) => {
-                return Ok(self.fail(codes::K9017, at.span, "this string function reads from the control")?);
+                return Ok(self.refuse(at.span, codes::K9017::this_string_function_reads_from_control())?);
             }
             Op::TextFn(f) => text_functions::apply(f, machine)?,
             Op::Join => text_functions::join(machine)?,
@@ -81,14 +81,9 @@ impl Formulas for Run<'_> {
             Fault::Domain(f, x) | Fault::Open(f, x) => format!("{} of {x} does not exist", noun(f)),
             Fault::OpenBetween(_, a, b) => {
                 self.report(
-                    Diagnostic::new(
-                        codes::K2310,
-                        self.loc(at.span),
-                        format!("{a} % {b}: the sign of the result is not documented"),
-                    )
-                    .help(Answer::key("control", "modulo").help(
-                        "make the operands positive first, or set `[control] modulo` to \"truncate\" or \"floor\"",
-                    )),
+                    codes::K2310::sign_of_result_is_not_documented(&a, &b)
+                        .answer(Answer::key("control", "modulo"))
+                        .at(self.loc(at.span)),
                 );
                 return Reported;
             }
@@ -101,12 +96,12 @@ impl Formulas for Run<'_> {
             Fault::TooLarge | Fault::TooLargeInt => "the result is over 10 000 000 000".to_owned(),
             Fault::Misfit(_) | Fault::Mismatch(..) => "a number is needed, not a text".to_owned(),
             Fault::Missing => {
-                self.report(Diagnostic::new(codes::K1006, self.loc(at.span), "a value is missing"));
+                self.report(codes::P1004::value_is_missing().at(self.loc(at.span)));
                 return Reported;
             }
             Fault::Said(why) => why,
         };
-        self.report(Diagnostic::new(codes::K2303, self.loc(at.span), message));
+        self.report(Diagnostic::new(codes::P2022, self.loc(at.span), message));
         Reported
     }
 }
@@ -132,12 +127,7 @@ impl Run<'_> {
             }
             Value::None | Value::FeedMax | Value::FeedAuto => {
                 let word = self.word_text(span);
-                self.fail_help(
-                    codes::K1006,
-                    span,
-                    format!("`{word}` has no number"),
-                    "write the number behind the letter",
-                )
+                self.refuse(span, codes::P1004::has_no_number_so_write_number(&word))
             }
         }
     }
@@ -154,13 +144,13 @@ impl Run<'_> {
     pub(super) fn parameter(&mut self, q: QRef, span: Span) -> Outcome<f64> {
         match self.read(q, span)? {
             Val::Real(n) => Ok(n),
-            _ => self.fail(codes::K2307, span, format!("{q} holds a text, a number is needed")),
+            _ => self.refuse(span, codes::P2024::holds_text(&q)),
         }
     }
 
     pub(super) fn read(&mut self, q: QRef, span: Span) -> Outcome<Val> {
         if !exists(q) {
-            return self.fail(codes::K2308, span, format!("{q} does not exist"));
+            return self.refuse(span, codes::P2025::does_not_exist(&q));
         }
         if q.kind == QKind::Q
             && (100..200).contains(&q.number)
@@ -174,12 +164,8 @@ impl Run<'_> {
             Some(Slot::Text(text)) => Ok(Val::Text(Rc::clone(text))),
             Some(Slot::Lost) => Err(Reported),
             Some(&Slot::AtMachine(set)) => {
-                let message =
-                    format!("{q} is set by the control at the machine, and nothing in the program says to what");
                 self.report(
-                    Diagnostic::new(codes::K2304, self.loc(span), message)
-                        .also(set, "set here")
-                        .help(format!("if the value is always the same, assign it behind that block: `{q} = …`")),
+                    codes::P2023::is_set_by_control_at_machine_and_nothing(&q).at(self.loc(span)).also(set, "set here"),
                 );
                 Err(Reported)
             }
@@ -199,8 +185,7 @@ impl Run<'_> {
             "`{key}` = {given} of `[variables]` is not used: what the program and `[tools]` say makes it {taken}"
         );
         if self.job.diags.first_text(codes::K2415, &message) {
-            let help = format!("take `{key}` out of `[variables]`, or correct the data of the tool");
-            self.report(Diagnostic::new(codes::K2415, self.loc(span), message).help(help));
+            self.report(codes::K2415::of_variables_is_not_used(&key, &given, &taken).at(self.loc(span)));
         }
     }
 
@@ -208,27 +193,19 @@ impl Run<'_> {
         if q.kind == QKind::Q && (100..200).contains(&q.number) {
             let meaning = meanings::of_parameter(q.number);
             let what = if meaning.is_empty() { String::new() } else { format!(": {meaning}") };
-            return self.fail_help(
-                codes::K2304,
+            return self.refuse(
                 span,
-                format!("{q} is set by the control at the machine{what}"),
-                Answer::variable(q, meaning)
-                    .help(format!("give its value in partc.toml: `[variables]` with `{q} = …`")),
+                codes::P2023::is_set_by_control_at_machine(&q, &what).answer(Answer::variable(q, meaning)),
             );
         }
         if q.is_text() {
-            return self.fail(codes::K2301, span, format!("{q} is read before a text is assigned to it"));
+            return self.refuse(span, codes::P2020::is_read_before_text_is_assigned(&q));
         }
         if self.job.settings.control.klartext > Generation::Tnc426 {
-            return self.fail_help(
-                codes::K2301,
-                span,
-                format!("{q} is read before a value is assigned to it"),
-                Answer::key("variables", q)
-                    .help(format!("assign a value, or give one in partc.toml: `[variables]` with `{q} = …`")),
-            );
+            return self
+                .refuse(span, codes::P2020::is_read_before_value_is_assigned(&q).answer(Answer::key("variables", q)));
         }
-        self.report(Diagnostic::new(codes::K2302, self.loc(span), format!("{q} was never set and is read as 0")));
+        self.report(codes::P2021::was_never_set(&q).at(self.loc(span)));
         Ok(Val::Real(0.0))
     }
 
@@ -238,7 +215,7 @@ impl Run<'_> {
         Ok(match number {
             108 => match self.st.tool.active().and_then(|tool| tool.effective_radius()) {
                 Some(radius) => Some(radius / mm),
-                None => return self.tool_data_missing(codes::K2008, "radius", span).map(Some),
+                None => return self.tool_data_missing(codes::P2004, "radius", span).map(Some),
             },
             109 => Some(match self.st.tool.axis() {
                 None => -1.0,
@@ -263,7 +240,7 @@ impl Run<'_> {
             }),
             114 => match self.st.tool.active().and_then(|tool| tool.length) {
                 Some(length) => Some(length / mm),
-                None => return self.tool_data_missing(codes::K2012, "length", span).map(Some),
+                None => return self.tool_data_missing(codes::P2005, "length", span).map(Some),
             },
             _ => None,
         })
@@ -301,8 +278,7 @@ impl Run<'_> {
 
     fn warn_of_power(&self, span: Span) {
         if self.job.settings.control.klartext < Generation::Tnc7 {
-            let message = "older controls may compute this power differently";
-            self.report(Diagnostic::new(codes::K2306, self.loc(span), message).help("write brackets"));
+            self.report(codes::K2306::older_controls_may_compute_this_power_differently().at(self.loc(span)));
         }
     }
 
@@ -310,7 +286,7 @@ impl Run<'_> {
     pub(super) fn assign(&mut self, q: QRef, block: &Block, text: &[u8]) -> Outcome {
         let value = self.formula(block, text).and_then(|value| match value {
             Val::Real(n) => Ok(Slot::Number(n)),
-            _ => self.fail(codes::K2307, block.span, format!("{q} takes a number, not a text")),
+            _ => self.refuse(block.span, codes::P2024::takes_number(&q)),
         });
         if block.number.is_none()
             && let Ok(Slot::Number(n)) = value
@@ -323,20 +299,17 @@ impl Run<'_> {
     pub(super) fn assign_text(&mut self, q: QRef, block: &Block, text: &[u8]) -> Outcome {
         let value = self.formula(block, text).and_then(|value| match value {
             Val::Text(text) => Ok(Slot::Text(text)),
-            _ => self.fail(codes::K2307, block.span, format!("{q} takes a text, not a number")),
+            _ => self.refuse(block.span, codes::P2024::takes_text(&q)),
         });
         self.set(q, value.unwrap_or(Slot::Lost), block.span)
     }
 
     pub(super) fn set(&mut self, q: QRef, value: Slot, span: Span) -> Outcome {
         if !exists(q) {
-            return self.fail(codes::K2308, span, format!("{q} does not exist"));
+            return self.refuse(span, codes::P2025::does_not_exist(&q));
         }
         if q.kind == QKind::Q && (100..200).contains(&q.number) {
-            self.report(
-                Diagnostic::new(codes::K2305, self.loc(span), format!("{q} belongs to the control"))
-                    .help("use Q0 to Q99 or Q1600 to Q1999"),
-            );
+            self.report(codes::K2305::belongs_to_control(&q).at(self.loc(span)));
         }
         let locals = innermost_locals(&mut self.core.levels);
         let locals = locals.expect("the main level has locals");
@@ -364,7 +337,7 @@ impl Run<'_> {
         let taken = match test {
             Test::Defined { q, defined } => {
                 if !exists(q) {
-                    return self.fail(codes::K2308, whole, format!("{q} does not exist"));
+                    return self.refuse(whole, codes::P2025::does_not_exist(&q));
                 }
                 self.vars.get(self.locals(), q).is_some() == defined
             }
@@ -386,7 +359,7 @@ impl Run<'_> {
                     (Val::Text(a), Val::Text(b)) if relation == Relation::Equal => a == b,
                     (Val::Text(a), Val::Text(b)) if relation == Relation::NotEqual => a != b,
                     _ => {
-                        self.error(codes::K2307, "the comparison mixes text and number, or orders texts");
+                        self.say_here(codes::P2024::comparison_mixes_text());
                         return Err(Reported);
                     }
                 }
@@ -397,14 +370,7 @@ impl Run<'_> {
 
     #[cold]
     fn decided_by_rounding(&self) {
-        self.report(
-            Diagnostic::new(
-                codes::K2810,
-                self.here.origin.loc,
-                "the two values of this jump differ by less than 0.000000001, perhaps by rounding alone",
-            )
-            .help("compare with a tolerance: `FN 12: IF +Q1 LT +0.0001 GOTO LBL 1`"),
-        );
+        self.report(codes::K2810::two_values_of_this_jump_differ().at(self.here.origin.loc));
     }
 
     fn operand(&mut self, operand: Operand, text: &[u8]) -> Outcome<Val> {
@@ -425,7 +391,7 @@ impl Run<'_> {
         let value = match self.vars.get(self.locals(), q) {
             Some(value) => value.clone(),
             None => {
-                self.error(codes::K2301, format!("{q} has no value to export"));
+                self.say_here(codes::P2020::has_no_value_to_export(&q));
                 return Err(Reported);
             }
         };

@@ -2,6 +2,7 @@
 //!
 //! Source: K 6.7; F B7 (docs/sources.md).
 
+use crate::diag::codes;
 use crate::geo::{Deg, Point2};
 use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
@@ -81,7 +82,7 @@ impl Run<'_> {
         for limit in LIMITS {
             let value = self.cycle_option(cycle, limit)?;
             if value != 0.0 {
-                return self.cycle_unbuilt(cycle, &format!("a face with a limit ({limit}={value})"));
+                return self.refuse_cycle(cycle, codes::P9010::face_with_limit_is_not_supported(&limit, &value));
             }
         }
         let mill = self.face_cutter(cycle, call)?;
@@ -127,8 +128,7 @@ impl Run<'_> {
     fn face_cutter(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Mill> {
         let (top, bottom) = (self.cycle_length(cycle, TOP)?, self.cycle_length(cycle, BOTTOM)?);
         if top <= bottom {
-            return self
-                .cycle_value(cycle, &format!("the blank Q227 = {top} does not lie above the face Q386 = {bottom}"));
+            return self.refuse_value(cycle, codes::P2090::blank_q227_does_not_lie_above_face(&top, &bottom));
         }
         let radius = self.cutter_radius(cycle)?;
         let clearance = self.not_below_zero(cycle, CLEARANCE)?;
@@ -165,14 +165,11 @@ impl Run<'_> {
         let links = match strategy {
             0 | 2 => Links::At(link),
             1 => {
-                self.way_of_cycle(
-                    cycle,
-                    "with Q389 = 1 the inner ways end beyond where manuals print them, so that nothing stays between two paths",
-                );
+                self.own_way_of(cycle, codes::K8141::with_q389_1_inner_ways_end_beyond());
                 Links::Inside(link)
             }
-            3 => return self.cycle_unbuilt(cycle, "paths without overrun (Q389=3)"),
-            _ => return self.cycle_unbuilt(cycle, "paths from outside inwards (Q389=4)"),
+            3 => return self.refuse_cycle(cycle, codes::P9010::paths_without_overrun()),
+            _ => return self.refuse_cycle(cycle, codes::P9010::paths_from_outside_inwards()),
         };
         let width = self.overlap(cycle, mill.radius)?;
         let across = size[1 - along].abs();
@@ -197,13 +194,13 @@ impl Run<'_> {
         if cuts.fract() == 0.0 && (2.0..=MOST_CUTS).contains(&cuts) {
             return Ok(cuts as u32);
         }
-        self.cycle_value(cycle, &format!("the number of cuts Q240 = {cuts} is not 2 to {MOST_CUTS}"))
+        self.refuse_value(cycle, codes::P2090::number_of_cuts_q240_is_not_2(&cuts, &MOST_CUTS))
     }
 
     /// Corner and signed sizes of a face, which has a place of its own.
     fn face_of(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<(Point2, [f64; 2])> {
         if call.placed() {
-            return self.cycle_unbuilt(cycle, "a pattern or CYCL CALL POS with a face that has a place of its own");
+            return self.refuse_cycle(cycle, codes::P9010::pattern_or_cycl_call_pos_with_face());
         }
         let corner = Point2::new(self.cycle_length(cycle, START.0)?, self.cycle_length(cycle, START.1)?);
         Ok((corner, [self.cycle_length(cycle, FIRST_SIDE)?, self.cycle_length(cycle, SECOND_SIDE)?]))

@@ -2,7 +2,7 @@
 //!
 //! Source: K 1.8 and 2.14 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::compensation::FeedAt;
 use crate::ir::{Feed, Pos};
 use crate::machine::{Axis, AxisSet, Unit};
@@ -186,31 +186,18 @@ impl Run<'_> {
             }
             FeedWord::Auto => match self.st.feed.of_tool {
                 Some(ToolFeed { feed: Feed::PerMinute(_), .. }) if self.st.feed.is_per_revolution() => {
-                    return self.fail_help(
-                        codes::K2003,
-                        w.feed_span,
-                        "the F of the last TOOL CALL counts per minute, and M136 makes F count per revolution",
-                        "program F in mm/rev, or M137 first",
-                    );
+                    return self.refuse(w.feed_span, codes::K2003::f_of_last_tool_call_counts());
                 }
                 Some(ToolFeed { feed: Feed::PerRevolution(_), by_word: false, .. })
                     if !self.st.feed.is_per_revolution() =>
                 {
-                    return self.fail_help(
-                        codes::K2003,
-                        w.feed_span,
-                        "the F of the last TOOL CALL counts per revolution, and M137 makes F count per minute",
-                        "program F in mm/min, or M136 first",
-                    );
+                    return self.refuse(w.feed_span, codes::K2003::f_of_last_tool_call_counts_per());
                 }
                 Some(feed) => (feed.feed, feed.written),
                 None => {
-                    return self.fail_help(
-                        codes::K2003,
+                    return self.refuse(
                         w.feed_span,
-                        "the last TOOL CALL has no F, so F AUTO has no value",
-                        Answer::key("control", "feed")
-                            .help("put F into the TOOL CALL, or set `[control] feed` in partc.toml"),
+                        codes::K2003::last_tool_call_has_no_f().answer(Answer::key("control", "feed")),
                     );
                 }
             },
@@ -230,29 +217,19 @@ impl Run<'_> {
     /// FZ: `feed` mm for each tooth of the tool in the spindle.
     pub(super) fn feed_of_teeth(&mut self, feed: f64, span: Span) -> Outcome<Feed> {
         let Some(tool) = self.st.tool.active() else {
-            let what = "FZ is a feed per tooth, and no tool is called";
-            return self.fail_help(codes::K9013, span, what, "program TOOL CALL first, or the feed in mm/min");
+            return self.refuse(span, codes::K9013::fz_is_feed_per_tooth_and_no());
         };
         if let Some(teeth) = tool.teeth {
             return Ok(Feed::PerRevolution(feed * f64::from(teeth)));
         }
         let called = &tool.called;
-        self.fail_help(
-            codes::K9013,
-            span,
-            format!("FZ is a feed per tooth, and how many teeth tool {called} has is not known"),
-            Answer::tool(called, "teeth")
-                .help(format!("add `[tools.{called}]` with `teeth = …` to partc.toml, or CUT to the tool table")),
-        )
+        self.refuse(span, codes::K9013::fz_is_feed_per_tooth(&called).answer(Answer::tool(called, "teeth")))
     }
 
     /// M136 makes a feed that was meant per minute count per revolution.
     pub(super) fn large_per_revolution(&self, loc: Loc, feed: f64) {
         if self.st.feed.is_per_revolution() && feed > MOST_PER_REVOLUTION {
-            self.report(
-                Diagnostic::new(codes::K2013, loc, format!("under M136 this feed is {feed} mm per revolution"))
-                    .help("write the feed in mm/rev, or M137 in front of a feed in mm/min"),
-            );
+            self.report(codes::K2013::under_m136_this_feed_is_mm_per(&feed).at(loc));
         }
     }
 
@@ -260,12 +237,7 @@ impl Run<'_> {
     pub(super) fn feed_not_positive<T>(&mut self, span: Span, value: f64) -> Outcome<T> {
         let text = self.word_text(span);
         let what = if text.contains(['Q', 'q']) { format!("`{text}` is {value}") } else { format!("`{text}`") };
-        self.fail_help(
-            codes::O1001,
-            span,
-            format!("{what}: the feed has to be above zero"),
-            "program the feed of this move",
-        )
+        self.refuse(span, codes::O1001::feed_has_to_be_above_zero(&what))
     }
 
     /// A feed word in the unit and mode in force.
@@ -311,8 +283,7 @@ impl Run<'_> {
                 .help(format!("{usual}; a contour by itself takes the feed at the start, `[control] feed`")),
             false => usual.into(),
         };
-        let message = "no feed rate is programmed before this cutting move";
-        self.report(Diagnostic::new(codes::K2002, self.here.origin.loc, message).help(help));
+        self.report(codes::P2002::no_feed_rate_is_programmed_before().at(self.here.origin.loc).help(help));
         // One report is enough.
         self.st.feed.modal.presume();
         Err(Reported)
@@ -370,17 +341,7 @@ impl Run<'_> {
         let real = linear * step;
         let down = real[tool_axis.index()];
         if open.contains(tool_axis) || (down < 0.0 && !open.is_empty()) {
-            self.report(
-                Diagnostic::new(
-                    codes::K2709,
-                    self.loc(w.axes_span),
-                    format!(
-                        "the start of this move is not known, so M103 limits it to {} % of its feed",
-                        share * 100.0
-                    ),
-                )
-                .help("program M103 behind the first positioning"),
-            );
+            self.report(codes::K2709::start_of_this_move_is_not_known(&(share * 100.0)).at(self.loc(w.axes_span)));
             return feed.with_value(feed.value() * share);
         }
         if down >= 0.0 {

@@ -2,6 +2,7 @@
 //!
 //! Source: K 6.5; F B3 (docs/sources.md).
 
+use crate::diag::codes;
 use crate::geo::Deg;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::milling::{Mill, Place};
@@ -34,8 +35,7 @@ impl Run<'_> {
         let radius = self.above_zero(cycle, DIAMETER)? / 2.0;
         let raw = self.not_below_zero(cycle, RAW_DIAMETER)? / 2.0;
         if raw >= radius {
-            return self
-                .cycle_value(cycle, "the pocket that is there (Q222) is not smaller than the finished one (Q223)");
+            return self.refuse_value(cycle, codes::P2090::pocket_that_is_there());
         }
         self.finished_wall(cycle, mill, (place, radius - raw), Shape::Circle { radius })
     }
@@ -56,7 +56,7 @@ impl Run<'_> {
         let radius = self.above_zero(cycle, DIAMETER)? / 2.0;
         let raw = self.above_zero(cycle, RAW_DIAMETER)? / 2.0;
         if raw < radius {
-            return self.cycle_value(cycle, "the stud that is there (Q222) is smaller than the finished one (Q223)");
+            return self.refuse_value(cycle, codes::P2090::stud_that_is_there());
         }
         let blank = Blank { reach: raw, stock: raw - radius, aside: ASIDE };
         self.finished_round(cycle, mill, place, (spigot::Shape::Circle { radius }, blank))

@@ -61,25 +61,20 @@ impl Run<'_> {
         {
             let first = first.loc;
             self.report(
-                Diagnostic::new(codes::K1013, loc, "a second program begins in this file")
-                    .also(first, "the first one begins here")
-                    .help("put each program into a file of its own"),
+                codes::P1009::second_program_begins_in_this_file().at(loc).also(first, "the first one begins here"),
             );
             return Err(Reported);
         }
         self.program().known.head = Some(ProgramHead { name: name.to_vec(), unit, loc });
         let Some(unit) = unit else {
-            self.error(codes::K1007, "BEGIN PGM states neither MM nor INCH");
+            self.say_here(codes::K1007::begin_pgm_states_neither_mm_nor_inch());
             return Err(Reported);
         };
         let call_site = self.level().site;
         if self.level().frame.kind == FrameKind::Program
             && self.levels[..self.levels.len() - 1].iter().any(|level| level.frame.unit != unit)
         {
-            self.report(
-                Diagnostic::new(codes::K2209, loc, "the called program has another unit than its caller")
-                    .also(call_site, "called here"),
-            );
+            self.report(codes::K2209::called_program_has_another_unit().at(loc).also(call_site, "called here"));
         }
         self.level().frame.unit = unit;
         Ok(())
@@ -94,8 +89,7 @@ impl Run<'_> {
             if !head.name.eq_ignore_ascii_case(name) {
                 let (begin, end) = (readable(&head.name).into_owned(), readable(name).into_owned());
                 self.report(
-                    Diagnostic::new(codes::K1010, here, format!("END PGM names `{end}`, BEGIN PGM `{begin}`"))
-                        .also(head.loc, "the program begins here"),
+                    codes::K1010::end_pgm_names(&end, &begin).at(here).also(head.loc, "the program begins here"),
                 );
             }
         }
@@ -112,11 +106,7 @@ impl Run<'_> {
         }
         if let Some(head) = &self.program().known.head {
             let begin = head.loc;
-            self.report(
-                Diagnostic::new(codes::K1011, loc, "the file ends without END PGM")
-                    .also(begin, "the program begins here")
-                    .help("the file may have been cut off in transfer; if it is complete, add END PGM"),
-            );
+            self.report(codes::P1006::file_ends_without_end_pgm().at(loc).also(begin, "the program begins here"));
         } else if self.in_called_program() {
             self.is_cut_off("END PGM", "END PGM");
         } else {
@@ -145,25 +135,22 @@ impl Run<'_> {
             let file = self.program().source.file;
             let label = Loc { file, line: self.line_of(label_at), span: Span::at(label_at, 1) };
             if regular && self.job.settings.control.klartext_choices.open_subprogram_ends {
-                let text = "the program ends inside this label, whose call ends it: nothing behind the call runs";
                 self.report(
-                    Diagnostic::new(codes::K2850, call_site, text)
+                    codes::K2850::program_ends_inside_this_label()
+                        .at(call_site)
                         .here("called here")
-                        .also(label, "it begins here")
-                        .help("write M30, or LBL 0 behind the last block of the subprogram"),
+                        .also(label, "it begins here"),
                 );
                 // The caller of this label goes on nowhere.
                 self.levels.pop();
                 continue;
             }
             return self.stop(
-                Diagnostic::new(codes::K2203, call_site, "the program ends before the LBL 0 of this subprogram")
+                codes::K2203::program_ends_before_lbl_0()
+                    .answer(Answer::key("control", "open_subprogram").one_of(&["\"end\""]))
+                    .at(call_site)
                     .here("called here")
-                    .also(label, "it begins here")
-                    .help(Answer::key("control", "open_subprogram").one_of(&["\"end\""]).help(
-                        "put LBL 0 behind the last block of the subprogram; if the control takes END PGM for the end \
-                         of the program here, set `[control] open_subprogram = \"end\"`",
-                    )),
+                    .also(label, "it begins here"),
             );
         }
         if self.level().frame.kind == FrameKind::Program {
@@ -185,17 +172,14 @@ impl Run<'_> {
     pub(super) fn warn_without_head(&mut self) {
         if self.programs[self.levels[0].program].known.head.is_none() && self.job.settings.control.unit.is_none() {
             let loc = Loc { file: self.job.main, line: 1, span: Span::at(0, 1) };
-            self.job.diags.push(
-                Diagnostic::new(codes::K1008, loc, "no BEGIN PGM block: lengths are taken as millimetres")
-                    .help(Answer::key("control", "unit").help("set `[control] unit` in partc.toml, or add the block")),
-            );
+            self.job.diags.push(codes::K1008::no_begin_pgm_block().answer(Answer::key("control", "unit")).at(loc));
         }
     }
 
     /// M2, M30.
     pub(super) fn program_end(&mut self, rewind: bool) -> Outcome {
         if self.in_called_program() {
-            return self.fatal(codes::K2208, "a called program ends the job with M2 or M30");
+            return self.end_run(codes::P2013::called_program_ends_job_with_m2());
         }
         self.warn_without_head();
         self.refuse_compensated("the program ends");
@@ -218,7 +202,7 @@ impl Run<'_> {
                     Val::Real(n) if n.fract() == 0.0 && (0.0..=65535.0).contains(&n) => Label::Number(n as u32),
                     other => {
                         let n = other.number().unwrap_or_default();
-                        return self.fail(codes::K2202, span, format!("{q} = {n} is no label number"));
+                        return self.refuse(span, codes::P2011::is_no_label_number(&q, &n));
                     }
                 }
             }
@@ -252,9 +236,10 @@ impl Run<'_> {
             return self.leave().map(drop);
         }
         let found = match self.level().frame.passed.take() {
-            Some(label) => Diagnostic::new(codes::K2210, label, "the program runs into this subprogram without a call")
-                .also(here, "it ends here"),
-            None => Diagnostic::new(codes::K2210, here, "this LBL 0 ends no subprogram"),
+            Some(label) => {
+                codes::K2210::program_runs_into_this_subprogram_without_call().at(label).also(here, "it ends here")
+            }
+            None => codes::K2210::this_lbl_0_ends_no_subprogram().at(here),
         };
         self.report(found.help("put M30 or M2 in front of the subprograms, or skip this one with a jump"));
         Ok(())
@@ -276,7 +261,7 @@ impl Run<'_> {
     pub(super) fn call_label(&mut self, label: LabelRef, repeat: Option<Repeat>, text: &[u8]) -> Outcome {
         let label = self.resolve_label(label, text)?;
         if label == Label::Number(0) {
-            self.error(codes::K2202, "LBL 0 ends a subprogram and cannot be called");
+            self.say_here(codes::P2011::lbl_0_ends_subprogram());
             return Err(Reported);
         }
         let count = match repeat {
@@ -300,7 +285,7 @@ impl Run<'_> {
         let running =
             self.levels.iter().rev().take_while(|level| level.program == program).any(|level| level.frame.kind == kind);
         if running {
-            return self.fatal(codes::K2204, format!("{label} calls itself"));
+            return self.end_run(codes::P2012::calls_itself(&label));
         }
         self.call_part(kind, program, place)
     }
@@ -310,10 +295,7 @@ impl Run<'_> {
         let place = self.find_label(label)?;
         let call_at = self.here.at;
         if place.at > call_at {
-            return self.stop(
-                Diagnostic::new(codes::K2206, self.here.origin.loc, format!("{label} lies behind this block"))
-                    .help("a repeated section lies in front of its call; leave out REP to call a subprogram"),
-            );
+            return self.stop(codes::K2206::lies_behind_this_block(&label).at(self.here.origin.loc));
         }
         let count = match self.job.settings.control.repeat_count {
             RepeatCount::Refuse => count,
@@ -322,11 +304,9 @@ impl Run<'_> {
         };
         if count.fract() != 0.0 || count > MOST_REPEATS {
             return self.stop(
-                Diagnostic::new(codes::K2205, self.here.origin.loc, format!("REP {count} is no number of repeats"))
-                    .help(Answer::key("control", "repeat_count").help(
-                        "REP takes a whole number from 0 to 65534; round the parameter with INT, or set \
-                         `[control] repeat_count`",
-                    )),
+                codes::K2205::rep_is_no_number_of_repeats(&count)
+                    .answer(Answer::key("control", "repeat_count"))
+                    .at(self.here.origin.loc),
             );
         }
         let repeats = &mut self.level().frame.repeats;
@@ -360,14 +340,7 @@ impl Run<'_> {
         if let FrameKind::Subprogram { label_at } = self.level().frame.kind {
             let end = self.program().known.labels.as_ref().and_then(|labels| labels.zero_after(label_at));
             if place.at < label_at || end.is_some_and(|end| place.at > end) {
-                self.report(
-                    Diagnostic::new(
-                        codes::K2207,
-                        self.here.origin.loc,
-                        format!("the jump to {label} leaves the subprogram"),
-                    )
-                    .help("leave a subprogram by its LBL 0"),
-                );
+                self.report(codes::K2207::jump_to_leaves_subprogram(&label).at(self.here.origin.loc));
             }
         }
         self.jump_to(place)
@@ -418,7 +391,7 @@ impl Run<'_> {
     pub(super) fn call_selected(&mut self) -> Outcome {
         match self.selected.clone() {
             Some(name) => self.call_program_named(&name),
-            None => self.fatal(codes::P0101, "no program is selected: SEL PGM comes first"),
+            None => self.end_run(codes::P0101::no_program_is_selected()),
         }
     }
 
@@ -431,12 +404,12 @@ impl Run<'_> {
             let span = self.block_span();
             return match self.read(QRef { kind: QKind::Qs, number }, span)? {
                 Val::Text(text) => Ok(String::from_utf8_lossy(&text).into_owned()),
-                _ => self.fail(codes::K2307, span, "a text parameter is needed"),
+                _ => self.refuse(span, codes::P2024::text_parameter_is_needed()),
             };
         }
         let name = name.trim_matches('"').trim().to_owned();
         if name.is_empty() {
-            self.error(codes::K1006, "the name of the program is missing");
+            self.say_here(codes::P1004::name_of_program_is_missing());
             return Err(Reported);
         }
         Ok(name)
@@ -445,10 +418,7 @@ impl Run<'_> {
     pub(super) fn call_program_named(&mut self, name: &str) -> Outcome {
         let site = self.here.origin.loc;
         if self.st.compensation.is_on() {
-            self.report(
-                Diagnostic::new(codes::K2603, site, "a program call ends the radius compensation")
-                    .help("program a block with R0 first"),
-            );
+            self.report(codes::P2041::program_call_ends_radius_compensation().at(site));
             self.st.end_compensation();
         }
         let opened = match self.stands_for(name) {
@@ -458,13 +428,13 @@ impl Run<'_> {
             Some((key, StandIn::Change(change))) => return self.stand_in(name, &key, Some(change)),
             Some((key, StandIn::Ignored)) => return self.stand_in(name, &key, None),
             None if name.to_ascii_uppercase().ends_with(".I") => {
-                self.error(codes::K9009, format!("`{name}` is a DIN/ISO program"));
+                self.say_here(codes::P9012::is_din_iso_program(&name));
                 None
             }
             None => {
                 let found = self.find_called(&Wanted { name, extensions: &["H", "h"], within: Within::Caller });
                 found.unwrap_or_else(|found| {
-                    self.job.diags.push(or_left_out(found, name));
+                    self.job.diags.push(or_left_out(*found, name));
                     None
                 })
             }
@@ -477,7 +447,7 @@ impl Run<'_> {
             return Err(Reported);
         };
         if self.is_running(program) {
-            return self.fatal(codes::K2204, format!("program `{name}` calls itself"));
+            return self.end_run(codes::P2012::program_calls_itself(&name));
         }
         let start = self.programs[program].source.cursor.start();
         self.call_part(FrameKind::Program, program, start)
@@ -493,9 +463,7 @@ fn push_unless_known(job: &crate::sema::Job<'_>, found: Diagnostic) {
 
 /// The finding for a program whose head and end state different units.
 pub(super) fn other_unit(end: Loc, begin: Loc) -> Diagnostic {
-    Diagnostic::new(codes::K1009, end, "END PGM states another unit than BEGIN PGM")
-        .also(begin, "the program begins here")
-        .help("correct the wrong one of the two")
+    codes::K1009::end_pgm_states_another_unit_than_begin().at(end).also(begin, "the program begins here")
 }
 
 /// Warns about the first block behind END PGM, where the cursor stands.
@@ -505,8 +473,7 @@ pub(super) fn report_behind_end(job: &Job<'_>, cursor: &mut Cursor, file: FileId
             continue;
         }
         let loc = Loc { file, line: block.line, span: Span::at(block.at, block.text.len() as u32) };
-        let what = "this stands behind END PGM and is not part of the program";
-        job.diags.push(Diagnostic::new(codes::K1012, loc, what).called(call));
+        job.diags.push(codes::P1008::this_stands_behind_end_pgm().at(loc).called(call));
         return;
     }
 }

@@ -89,20 +89,10 @@ impl Run<'_> {
             );
         }
         if next.scaling_order_counts() && (turned || now.axis_scale != next.axis_scale) {
-            self.report(
-                Diagnostic::new(codes::K2807, here, "cycle 26 scales first, then the rotation turns the result")
-                    .help("scale and rotate one after the other, or both axes alike"),
-            );
+            self.report(codes::K2807::cycle_26_scales_first().at(here));
         }
         if next.scales_twice() && (now.scale != next.scale || now.axis_scale != next.axis_scale) {
-            self.report(
-                Diagnostic::new(
-                    codes::K2808,
-                    here,
-                    "cycle 11 scales first, then cycle 26 scales the result about its centre",
-                )
-                .help("put the product of the factors into one of the two cycles"),
-            );
+            self.report(codes::K2808::cycle_11_scales_first().at(here));
         }
     }
 
@@ -112,19 +102,13 @@ impl Run<'_> {
         let lift = self.st.tool.active().map_or(0.0, |tool| tool.call_deltas[0]);
         let axis = self.st.axis();
         let Some(frame) = self.st.frames.transform.frame(axis, lift) else {
-            return self.fail_help(
-                codes::K2403,
-                span,
-                "the transformations together are too large or too small to compute with",
-                "check the scaling factors and shifts in force",
-            );
+            return self.refuse(span, codes::P2090::transformations_together_are_too_large_or_too());
         };
         if let Some(tool) = self.st.tool.active().filter(|_| lift != 0.0) {
-            self.job.diags.push_once(Diagnostic::new(
-                codes::K2011,
-                self.here.origin.loc,
-                format!("the length oversize DL {lift} mm of tool {} is added to {}", tool.called, axis.letter()),
-            ));
+            self.job.diags.push_once(
+                codes::K2011::length_oversize_dl_mm_of_tool(&lift, &tool.called, &axis.letter())
+                    .at(self.here.origin.loc),
+            );
         }
         let plane = self.st.plane();
         if frame == self.st.ctx.frame && plane == self.st.ctx.plane {
@@ -146,12 +130,7 @@ impl Run<'_> {
             return self.shift_by_row(open);
         }
         if open.axes.is_empty() {
-            return self.fail_help(
-                codes::K2402,
-                self.block_span(),
-                "cycle 7 names no axis",
-                "write the shift: `CYCL DEF 7.1 X+60`",
-            );
+            return self.refuse(self.block_span(), codes::K2402::cycle_7_names_no_axis());
         }
         self.shift(&open.axes)
     }
@@ -163,8 +142,7 @@ impl Run<'_> {
         let turned = self.job.settings.control.shift_axes == ShiftAxes::Transformed;
         for axis in axes {
             let Some(value) = axis.value else {
-                let what = format!("the shift of {} lacks its value", axis.axis.letter());
-                self.report(Diagnostic::new(codes::K2402, axis.loc, what).help("write the shift behind the letter"));
+                self.report(codes::K2402::shift_of_lacks_its_value(&axis.axis.letter()).at(axis.loc));
                 return Err(Reported);
             };
             let value = if axis.axis.is_rotary() { value } else { value * mm };
@@ -176,15 +154,9 @@ impl Run<'_> {
         let clears = AxisSet::MAIN.iter().all(|axis| next.shift[axis.index()] == 0.0);
         if changes && !clears && !now.is_shift_only() && !turned {
             self.report(
-                Diagnostic::new(
-                    codes::K2501,
-                    self.here.origin.loc,
-                    "the datum shift is measured along the original axes, although they are turned, mirrored or scaled",
-                )
-                .help(
-                    Answer::key("control", "shift_axes")
-                        .help("reset the other transformations first, or set `[control] shift_axes`"),
-                ),
+                codes::K2501::datum_shift_is_measured_along_original_axes()
+                    .answer(Answer::key("control", "shift_axes"))
+                    .at(self.here.origin.loc),
             );
         }
         self.set_transformation(next)
@@ -197,10 +169,7 @@ impl Run<'_> {
             return Ok(());
         }
         if now.is_shifted_in_plane() && !now.shifted_in_turn {
-            self.error(
-                codes::K2852,
-                "the datum was shifted before the working plane was turned, and is shifted again now",
-            );
+            self.say_here(codes::K2852::datum_was_shifted_before_working_plane());
             return Err(Reported);
         }
         next.shifted_in_turn = next.is_shifted_in_plane();
@@ -209,19 +178,11 @@ impl Run<'_> {
 
     pub(super) fn mirror(&mut self, axes: AxisSet) -> Outcome {
         if !axes.without(AxisSet::MAIN).is_empty() {
-            return self.fail_help(
-                codes::K2403,
-                self.block_span(),
-                "only X, Y and Z can be mirrored",
-                "name one or two of X, Y, Z",
-            );
+            return self.refuse(self.block_span(), codes::P2090::only_x_y());
         }
         if axes.contains(self.st.axis()) {
             let axis = self.st.axis().letter();
-            self.report(
-                Diagnostic::new(codes::K2503, self.here.origin.loc, format!("the tool axis {axis} is mirrored"))
-                    .help("check that this is meant"),
-            );
+            self.report(codes::P2030::tool_axis_is_mirrored(&axis).at(self.here.origin.loc));
         }
         let mut next = self.st.frames.transform.clone();
         next.mirror = axes;
@@ -231,10 +192,7 @@ impl Run<'_> {
     pub(super) fn rotate(&mut self, angle: f64, incremental: bool) -> Outcome {
         self.refuse_compensated("the coordinate system turns");
         if self.st.compensation.is_on() {
-            self.report(
-                Diagnostic::new(codes::K2603, self.here.origin.loc, "the rotation ends the radius compensation")
-                    .help("program a block with R0 first"),
-            );
+            self.report(codes::P2041::rotation_ends_radius_compensation().at(self.here.origin.loc));
             self.st.end_compensation();
         }
         let mut next = self.st.frames.transform.clone();
@@ -250,12 +208,7 @@ impl Run<'_> {
         if (0.000_001..=99.999_999).contains(&factor) {
             return Ok(());
         }
-        self.fail_help(
-            codes::K2403,
-            self.block_span(),
-            format!("a scaling factor of {factor} is out of range"),
-            "a scaling factor lies between 0.000001 and 99.999999",
-        )
+        self.refuse(self.block_span(), codes::P2090::scaling_factor_of_is_out_of_range(&factor))
     }
 
     pub(super) fn scale(&mut self, factor: f64) -> Outcome {
@@ -263,10 +216,9 @@ impl Run<'_> {
         let in_plane = self.job.settings.control.scaling_in_plane;
         if factor != 1.0 && !in_plane {
             self.job.diags.push_once(
-                Diagnostic::new(codes::K2507, self.here.origin.loc, "the scaling acts on the tool axis, too").help(
-                    Answer::key("control", "scaling")
-                        .help("if MP 7410 limits it to the plane, set `[control] scaling = \"plane\"`"),
-                ),
+                codes::K2507::scaling_acts_on_tool_axis()
+                    .answer(Answer::key("control", "scaling"))
+                    .at(self.here.origin.loc),
             );
         }
         let mut next = self.st.frames.transform.clone();
@@ -281,11 +233,7 @@ impl Run<'_> {
         let mut next = self.st.frames.transform.clone();
         for axis in &open.axes {
             let (true, Some(factor)) = (axis.axis.is_main(), axis.value) else {
-                let what = format!("{} cannot be scaled", axis.axis.letter());
-                self.report(
-                    Diagnostic::new(codes::K2403, axis.loc, what)
-                        .help("write the factor behind X, Y or Z: `CYCL DEF 26.1 X1.4 Y0.6`"),
-                );
+                self.report(codes::P2090::cannot_be_scaled(&axis.axis.letter()).at(axis.loc));
                 return Err(Reported);
             };
             self.check_factor(factor)?;
@@ -325,14 +273,9 @@ impl Run<'_> {
             };
             let letter = axis.letter();
             self.report(
-                Diagnostic::new(
-                    codes::K2809,
-                    self.here.origin.loc,
-                    format!("this cycle 26 names no centre for {letter}, and {letter} is scaled about {what}"),
-                )
-                .help(Answer::key("control", "scaling_center").help(format!(
-                    "write CC{letter} into the definition; `[control] scaling_center` selects the other reading"
-                ))),
+                codes::K2809::this_cycle_26_names_no_centre(&letter, &what)
+                    .answer(Answer::key("control", "scaling_center"))
+                    .at(self.here.origin.loc),
             );
         }
     }
@@ -350,20 +293,14 @@ impl Run<'_> {
             }
             None => "write the number of a row of the preset table, a whole number, into Q339".into(),
         };
-        let message = format!("preset {number} has no work offset");
-        self.report(Diagnostic::new(codes::K2505, self.here.origin.loc, message).help(help));
+        self.report(codes::P9014::preset_has_no_work_offset(&number).at(self.here.origin.loc).help(help));
         Err(Reported)
     }
 
     /// Cycle 247: a row of the preset table becomes a work offset.
     pub(super) fn preset(&mut self, open: &Open) -> Outcome {
         let Some(&(_, number)) = open.parameters.iter().find(|(q, _)| *q == 339) else {
-            return self.fail_help(
-                codes::K2402,
-                self.block_span(),
-                "cycle 247 lacks the preset number Q339",
-                "write `Q339=1` into the definition",
-            );
+            return self.refuse(self.block_span(), codes::K2402::cycle_247_lacks_preset_number_q339());
         };
         let row = (number >= 0.0 && number.fract() == 0.0).then_some(number as u32);
         let configured = row.and_then(|row| self.job.settings.datums.presets.get(&row).copied());
@@ -379,11 +316,10 @@ impl Run<'_> {
             self.core.prints_offset(name, offset, Where::Block)?;
         }
         if configured.is_none() {
-            let message = format!("preset {number} is printed as {}", self.offset_word(offset));
-            self.report(Diagnostic::new(codes::K2504, self.here.origin.loc, message));
+            self.report(codes::K2504::preset_is_printed(&number, &self.offset_word(offset)).at(self.here.origin.loc));
         }
         if self.st.frames.transform.turn.0 != 0.0 {
-            self.error(codes::K2852, "the datum is set while the working plane is turned");
+            self.say_here(codes::K2852::datum_is_set_while_working_plane());
             return Err(Reported);
         }
         let stands = self.machine_coordinates();
@@ -431,19 +367,14 @@ impl Run<'_> {
                 let row = row.rsplit_once("DATUMTABLETABLINE").and_then(|(_, row)| row.parse::<u32>().ok());
                 return match row {
                     Some(row) => self.take_datum_row(f64::from(row)),
-                    None => self.fail_help(
-                        codes::K2402,
-                        block.span,
-                        "TRANS DATUM TABLE names no row that partc reads",
-                        "write the number of the row: `TRANS DATUM TABLE TABLINE5`",
-                    ),
+                    None => self.refuse(block.span, codes::K2402::trans_datum_table_names_no_row()),
                 };
             }
             b"IROT" if kind == Transform::Rotation => {}
             label if label == wanted.as_bytes() => {}
             _ => {
                 let span = block.words.first().map_or(block.span, |word| word.span);
-                return self.fail_help(codes::K2402, span, format!("{head} lacks {wanted}"), help);
+                return self.refuse(span, codes::K2402::lacks(&head, &wanted).help(help));
             }
         }
         let axes = matches!(kind, Transform::Datum | Transform::Mirror);
@@ -470,7 +401,7 @@ impl Run<'_> {
             (Transform::Mirror, None) if !named.is_empty() => self.mirror(named.iter().map(|axis| axis.axis).collect()),
             (Transform::Rotation, Some(angle)) => self.rotate(angle, label == b"IROT"),
             (Transform::Scale, Some(factor)) => self.scale(factor),
-            _ => self.fail_help(codes::K2402, block.span, format!("{head} lacks its values"), help),
+            _ => self.refuse(block.span, codes::K2402::lacks_its_values(&head).help(help)),
         }
     }
 

@@ -77,30 +77,15 @@ impl Run<'_> {
         let Some((head, parameters)) = words.split_first() else { return Ok(()) };
         let number = head.0.split_ascii_whitespace().nth(2).and_then(|number| number.parse::<u32>().ok());
         if number == Some(125) {
-            return self.fail_help(
-                codes::K9011,
-                head.1,
-                "GLOBAL DEF 125 decides where the tool goes between the places of a pattern, which is not supported",
-                "remove the block: the tool retracts to the 2nd set-up clearance",
-            );
+            return self.refuse(head.1, codes::P9011::global_def_125_decides_where_tool_goes());
         }
         let Some((number, takes)) = KNOWN.iter().find(|(known, _)| Some(*known) == number) else {
-            return self.fail_help(
-                codes::K2943,
-                head.1,
-                "the number of this GLOBAL DEF is not known",
-                "write 100 (general), 105 (drilling), 110 (pockets), 111 (contours) or 120 (probing)",
-            );
+            return self.refuse(head.1, codes::K2943::number_of_this_global_def_is_not());
         };
         for (word, span) in parameters {
             let (q, given) = self.global_parameter(word, *span)?;
             if !takes.contains(&q) {
-                return self.fail_help(
-                    codes::K2943,
-                    *span,
-                    format!("GLOBAL DEF {number} has no parameter Q{q}"),
-                    "remove the word, or write it into the cycles themselves",
-                );
+                return self.refuse(*span, codes::K2943::global_def_has_no_parameter_q(&number, &q));
             }
             let unit = self.level().frame.unit;
             self.globals.set(q, given, unit);
@@ -110,14 +95,7 @@ impl Run<'_> {
 
     /// `Q200=+2`
     fn global_parameter(&mut self, word: &str, span: Span) -> Outcome<(u32, Given)> {
-        let unreadable = |run: &Self| {
-            run.fail_help(
-                codes::K2943,
-                span,
-                format!("`{word}` is no parameter with its value"),
-                "write `Q200=+2`, each on a line of its own or behind `~`",
-            )
-        };
+        let unreadable = |run: &Self| run.refuse(span, codes::K2943::is_no_parameter_with_its_value(&word));
         let Some((name, value)) = word.split_once('=') else { return unreadable(self) };
         let Some(q) = name.trim().strip_prefix('Q').and_then(|digits| digits.parse().ok()) else {
             return unreadable(self);
@@ -145,18 +123,8 @@ impl Run<'_> {
         let unit = self.level().frame.unit;
         match self.globals.get(q.number) {
             Some((given, of)) if of == unit => Ok(given),
-            Some(_) => self.fail_help(
-                codes::K2943,
-                span,
-                format!("the GLOBAL DEF with {q} stands in a program of another unit"),
-                "write the value in place of PREDEF",
-            ),
-            None => self.fail_help(
-                codes::K2944,
-                span,
-                format!("no GLOBAL DEF gives {q} a value"),
-                "write GLOBAL DEF in front of the cycle, or the value in place of PREDEF",
-            ),
+            Some(_) => self.refuse(span, codes::K2943::global_def_with_stands_in_program(&q)),
+            None => self.refuse(span, codes::K2944::no_global_def_gives_value(&q)),
         }
     }
 }

@@ -4,7 +4,7 @@
 
 use libm::tan;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, Fault, codes};
 use crate::ir::cycle::drilling::{DeepHole, Entry, Levels, Method};
 use crate::ir::function::{Coolant, Turn};
 
@@ -25,7 +25,7 @@ impl Run<'_> {
         match self.cycle_option(cycle, BY_DIAMETER)? {
             0.0 => {}
             1.0 => return self.depth_by_diameter(cycle),
-            other => return self.cycle_value(cycle, &format!("Q343 = {other} is not 0 or 1")),
+            other => return self.refuse_value(cycle, codes::P2090::q343_is_not_0_or_1(&other)),
         }
         let deep = self.depth_below(cycle)?;
         match self.cycle_option(cycle, DEPTH_REFERENCE)? {
@@ -35,7 +35,7 @@ impl Run<'_> {
                 let radius = self.tool_radius(self.block_span())?;
                 Ok(deep - self.tip_height(cycle, radius, "a depth of the full diameter (Q395 = 1)")?)
             }
-            other => self.cycle_value(cycle, &format!("Q395 = {other} is not 0 or 1")),
+            other => self.refuse_value(cycle, codes::P2090::q395_is_not_0_or_1(&other)),
         }
     }
 
@@ -44,8 +44,8 @@ impl Run<'_> {
         let diameter = self.cycle_length(cycle, DIAMETER)?.abs();
         let tool = self.st.tool.active().and_then(super::active_tool::ActiveTool::effective_radius);
         if let Some(radius) = tool.filter(|radius| *radius > 0.0 && diameter > 2.0 * radius + SAME) {
-            let message = format!("the diameter Q344 = {diameter} is larger than the tool of {} mm", 2.0 * radius);
-            return self.cycle_value(cycle, &message);
+            return self
+                .refuse_value(cycle, codes::P2090::diameter_q344_is_larger_than_tool(&diameter, &(2.0 * radius)));
         }
         Ok(-self.tip_height(cycle, diameter / 2.0, "centring by the diameter (Q343 = 1)")?)
     }
@@ -57,13 +57,11 @@ impl Run<'_> {
             return Ok(radius / tan(angle.to_radians() / 2.0));
         }
         let called = tool.map_or_else(|| "N".to_owned(), |tool| tool.called.clone());
-        let message = format!("cycle {}: {what} needs the angle at the tip of tool {called} (T-ANGLE)", cycle.number);
         self.report(
-            Diagnostic::new(codes::K2941, self.here.origin.loc, message)
-                .also(cycle.loc, "the cycle is defined here")
-                .help(Answer::tool(&called, "tip_angle").help(format!(
-                    "give `[tools.{called}] tip_angle`, or T-ANGLE in the tool table: 118 for a common drill"
-                ))),
+            codes::K2941::cycle_needs_angle_at_tip_of_tool(&cycle.number, &what, &called)
+                .answer(Answer::tool(&called, "tip_angle"))
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here"),
         );
         Err(Reported)
     }
@@ -72,7 +70,7 @@ impl Run<'_> {
     pub(super) fn cycle_open_length(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
         let mm = self.level().frame.unit.mm();
         let value = self.cycle_option(cycle, q)? * mm;
-        if value >= 0.0 { Ok(value) } else { self.cycle_value(cycle, &format!("{q} = {value} is below 0")) }
+        if value >= 0.0 { Ok(value) } else { self.refuse_value(cycle, codes::P2090::is_below_0(&q, &value)) }
     }
 
     /// Down to where the hole is open: Q379, or as wide as Q342.
@@ -81,11 +79,10 @@ impl Run<'_> {
         let open = self.cycle_open_length(cycle, ROUGH_DIAMETER)?;
         let (height, what) = if deepened > 0.0 {
             if deepened >= levels.way() {
-                let message = format!("the deepened start Q379 = {deepened} is not above the depth");
-                return self.cycle_value(cycle, &message);
+                return self.refuse_value(cycle, codes::P2090::deepened_start_q379_is_not_above_depth(&deepened));
             }
             if cycle.number == 205 {
-                self.way_of_cycle(cycle, "with a deepened start (Q379) the plunging depths count from there");
+                self.own_way_of(cycle, codes::K8141::with_deepened_start());
             }
             (levels.reference - deepened + self.cycle_length(cycle, CLEARANCE)?, "a deepened start")
         } else if open > 0.0 {
@@ -94,7 +91,7 @@ impl Run<'_> {
             return Ok(None);
         };
         if height <= levels.depth {
-            return self.cycle_value(cycle, &format!("{what} lies below the depth of the cycle"));
+            return self.refuse_value(cycle, codes::P2090::lies_below_depth_of_cycle(&what));
         }
         let feed = self.retract_feed(cycle, PREPOSITION, None)?;
         Ok(Some(Entry { height: height.min(levels.start_plane()), feed }))
@@ -108,22 +105,22 @@ impl Run<'_> {
     /// Cycle 241.
     pub(super) fn deep_hole(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
         if self.cycle_option(cycle, DWELL_DEPTH)? != 0.0 {
-            return self.cycle_unbuilt(cycle, "a dwell depth (Q435)");
+            return self.refuse_cycle(cycle, codes::P9010::dwell_depth());
         }
         if cycle.sets(FEED_PERCENT) && self.cycle_number(cycle, FEED_PERCENT)? != 100.0 {
-            return self.cycle_unbuilt(cycle, "another feed than that of Q206 (Q401)");
+            return self.refuse_cycle(cycle, codes::P9010::another_feed_than_that_of_q206());
         }
         let depth = self.hole_depth(cycle)?.abs();
         let infeed = self.cycle_open_length(cycle, PLUNGE)?;
         if infeed > 0.0 && infeed < depth {
-            return self.cycle_unbuilt(cycle, &format!("pecking (Q202 = {infeed})"));
+            return self.refuse_cycle(cycle, codes::P9010::pecking_is_not_supported(&infeed));
         }
-        self.way_of_cycle(cycle, "the spindle drills with M3 at Q428, and goes in and out as Q426 and Q427 say");
+        self.own_way_of(cycle, codes::K8141::spindle_drills_with_m3_at_q428());
         let entry = match self.cycle_number(cycle, ENTRY_TURN)? {
             3.0 => Some(Turn::Clockwise),
             4.0 => Some(Turn::CounterClockwise),
             5.0 => None,
-            other => return self.cycle_value(cycle, &format!("the sense Q426 = {other} is not 3, 4 or 5")),
+            other => return self.refuse_value(cycle, codes::P2090::sense_q426_is_not_3_4(&other)),
         };
         let speeds = (self.cycle_number(cycle, ENTRY_SPEED)?, self.cycle_number(cycle, DRILLING_SPEED)?);
         let coolant = [self.coolant_of(cycle, COOLANT_ON, 8.0)?, self.coolant_of(cycle, COOLANT_OFF, 9.0)?];
@@ -143,7 +140,7 @@ impl Run<'_> {
             7.0 => Ok(Some(Coolant::Mist)),
             8.0 => Ok(Some(Coolant::Flood)),
             9.0 => Ok(Some(Coolant::Off)),
-            other => self.cycle_unbuilt(cycle, &format!("the M function {q} = {other}")),
+            other => self.refuse_cycle(cycle, codes::P9010::m_function_is_not_supported(&q, &other)),
         }
     }
 
@@ -165,14 +162,8 @@ impl Run<'_> {
     }
 
     /// Says once a program and kind what is partc's own way in a cycle.
-    pub(super) fn way_of_cycle(&mut self, cycle: &DefinedCycle, what: &str) {
-        let message = format!("cycle {}: {what}", cycle.number);
-        if self.job.diags.first_text(codes::K8141, &message) {
-            self.report(
-                Diagnostic::new(codes::K8141, self.here.origin.loc, message)
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help("docs/cycles.md describes it"),
-            );
-        }
+    pub(super) fn own_way_of(&mut self, cycle: &DefinedCycle, fault: Fault) {
+        let found = fault.of(format_args!("cycle {}", cycle.number)).at(self.here.origin.loc);
+        self.report_once(found.also(cycle.loc, "the cycle is defined here"));
     }
 }

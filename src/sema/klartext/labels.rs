@@ -76,11 +76,7 @@ impl Labels {
         // A program that runs again passes its labels again.
         if let Some(&first) = self.places.get(&label).filter(|first| **first != place) {
             let first = Loc { line: first.line, span: Span::at(first.at, 1), ..loc };
-            return Some(
-                Diagnostic::new(codes::K2201, loc, format!("{label} is set twice"))
-                    .also(first, "first set here")
-                    .help("give one of them another number"),
-            );
+            return Some(codes::P2010::is_set_twice(&label).at(loc).also(first, "first set here"));
         }
         self.places.insert(label, place);
         None
@@ -88,7 +84,7 @@ impl Labels {
 
     /// The finding for a label that is not set.
     pub fn missing(&self, label: &Label, loc: Loc) -> Diagnostic {
-        let found = Diagnostic::new(codes::K2202, loc, format!("{label} is not set in this program"));
+        let found = codes::P2011::is_not_set_in_this_program(&label).at(loc);
         match self.like(label) {
             Some(like) => found.help(format!("did you mean `{like}`?")),
             None => found,

@@ -32,22 +32,18 @@ impl Run<'_> {
     pub(super) fn stand_in(&mut self, name: &str, key: &str, change: Option<ChangeCall>) -> Outcome {
         let span = self.block_span();
         if self.job.settings.left_by(key).rapid.is_some() {
-            let message = format!("`[programs]` says that {key} leaves G0 or G1 active, and Klartext has neither");
-            return self.fail_help(codes::P0205, span, message, "take `motion` out of the entry");
+            return self.refuse(span, codes::P0205::programs_says_that_leaves_g0_or_g1(&key));
         }
         match change {
             None => {
                 let text = format!("`{name}` is left out, as `[programs]` says: the Q parameters keep what they were");
-                if self.job.diags.first_text(codes::K2413, &text) {
-                    self.report(Diagnostic::new(codes::K2413, self.here.origin.loc, text));
+                if self.job.diags.first_text(codes::P8105, &text) {
+                    self.report(codes::P8105::is_left_out(&name).at(self.here.origin.loc));
                 }
             }
             Some(ChangeCall { tool: None, edge: None }) => self.change_by_program(name, span)?,
             Some(_) => {
-                let message =
-                    format!("`[programs]` says that an argument of {key} names the tool, and CALL PGM has none");
-                let help = format!("`\"{key}\" = {{ change = true }}` changes to the tool of the TOOL CALL before it");
-                return self.fail_help(codes::P0205, span, message, help);
+                return self.refuse(span, codes::P0205::programs_says_that_argument_of_names_tool(&key));
             }
         }
         self.leave_axes(key, "end the contour with R0 before the call")?;
@@ -62,11 +58,10 @@ impl Run<'_> {
     /// The program changes to the tool that was called.
     fn change_by_program(&mut self, name: &str, span: Span) -> Outcome {
         if matches!(self.st.tool.change, Change::None | Change::Announced | Change::InSpindle) {
-            let message = format!("`{name}` changes the tool, as `[programs]` says, and no tool waits for it");
-            let help = Answer::key("control", "tool_change").one_of(&["\"m6\""]).help(
-                "program the TOOL CALL before it; where TOOL CALL only makes the tool ready, set `[control] tool_change = \"m6\"`",
+            return self.refuse(
+                span,
+                codes::K2802::changes_tool(&name).answer(Answer::key("control", "tool_change").one_of(&["\"m6\""])),
             );
-            return self.fail_help(codes::K2802, span, message, help);
         }
         let text = format!("`{name}` changes the tool, as `[programs]` says; whatever else it does is left out");
         self.change_at(span, &format!("`{name}`"))?;
@@ -76,8 +71,8 @@ impl Run<'_> {
         self.st.position.hide(AxisSet::MAIN, By::ToolChange, loc);
         self.lost();
         self.stand_after_change();
-        if self.job.diags.first_text(codes::K2413, &text) {
-            self.report(Diagnostic::new(codes::K2413, loc, text));
+        if self.job.diags.first_text(codes::P8105, &text) {
+            self.report(codes::P8105::changes_tool(&name).at(loc));
         }
         Ok(())
     }
@@ -89,8 +84,10 @@ impl Run<'_> {
             return Ok(());
         }
         if self.st.compensation.is_on() {
-            let message = format!("{name} moves axes under radius compensation, as `[programs]` says");
-            let refused = self.fail_help(codes::K2001, self.block_span(), message, under_compensation);
+            let refused = self.refuse(
+                self.block_span(),
+                codes::P2001::moves_axes_under_radius_compensation(&name).help(under_compensation),
+            );
             self.lose_all();
             return refused;
         }
@@ -117,10 +114,7 @@ impl Run<'_> {
             Some(Left::Value(speed)) => self.spindle_speed(speed, self.block_span())?,
             Some(Left::Lost) => {
                 let what = if name.starts_with("CYCL ") { "cycle" } else { "program" };
-                let help =
-                    format!("say the speed that the {what} leaves: `\"{name}\" = {{ ignore = true, speed = 1000 }}`");
-                let message = format!("{name} leaves a speed that is not known, as `[programs]` says");
-                return self.fail_help(codes::K9001, self.block_span(), message, help);
+                return self.refuse(self.block_span(), codes::P9010::leaves_speed_that_is_not_known(&name, &what));
             }
             None => {}
         }
@@ -148,10 +142,9 @@ impl Run<'_> {
             return;
         }
         let key = key_of(&name);
-        let help = format!(
-            "program F after the call; or say under `[programs]` what it leaves: `feed = …` beside the rest of `\"{key}\" = {{ … }}`"
+        self.report(
+            codes::K2414::this_cut_takes_feed_of_before(&name, &key).at(self.here.origin.loc).also(call, "the call"),
         );
-        self.report(Diagnostic::new(codes::K2414, self.here.origin.loc, message).also(call, "the call").help(help));
     }
 }
 

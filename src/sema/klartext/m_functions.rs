@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.14 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::compensation::FeedAt;
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Side};
@@ -71,25 +71,15 @@ impl Run<'_> {
             match entry(m.number) {
                 Some((Act::Refused, _)) => {
                     let (what, help) = refusal(m.number);
-                    return self.fail_help(codes::K9008, m.span, format!("M{} {what}", m.number), help);
+                    return self.refuse(m.span, codes::K9008::m(&m.number, &what).help(help));
                 }
                 Some(_) if m.number == 130 && self.st.frames.transform().turn.0 != 0.0 => {
-                    return self.fail_help(
-                        codes::K9008,
-                        m.span,
-                        "M130 takes this block out of the working plane that PLANE or cycle 19 turned",
-                        "reset the plane before the block, and program it again after",
-                    );
+                    return self.refuse(m.span, codes::K9008::m130_takes_this_block_out_of_working());
                 }
                 Some((Act::CompensationOnly | Act::LookAhead, _))
                     if compensated && acts(m) && !self.computes_path() =>
                 {
-                    return self.fail_help(
-                        codes::K9008,
-                        m.span,
-                        format!("M{} changes the compensated path, which the target computes", m.number),
-                        "remove it if the tool fits into every corner, or program the contour so that it is not needed",
-                    );
+                    return self.refuse(m.span, codes::K9008::m_changes_compensated_path(&m.number));
                 }
                 Some(_) => {}
                 None if self.job.settings.output.pass_m.contains(&m.number) => {}
@@ -104,8 +94,7 @@ impl Run<'_> {
                             .and(Answer::changing_m(number)),
                         _ => Answer::pass_m(number).help(usual),
                     };
-                    let message = format!("M{number} is a function of the machine builder");
-                    return self.fail_help(codes::K2701, m.span, message, help);
+                    return self.refuse(m.span, codes::P2007::m_is_function_of_machine_builder(&number).help(help));
                 }
             }
         }
@@ -115,12 +104,7 @@ impl Run<'_> {
     /// Refuses M functions that say how or where a block moves, in a block that does not.
     pub(super) fn forbid_m(&mut self, w: &Words, head: &str, numbers: &[u32]) -> Outcome {
         let Some(m) = w.any_m(numbers) else { return Ok(()) };
-        self.fail_help(
-            codes::K1005,
-            m.span,
-            format!("M{} has no place in a {head} block", m.number),
-            format!("write M{} into the positioning block it belongs to", m.number),
-        )
+        self.refuse(m.span, codes::P1003::m_has_no_place_in_block(&m.number, &head))
     }
 
     /// M functions that act at the start of the block. `moves` tells whether the block moves.
@@ -132,11 +116,9 @@ impl Run<'_> {
                 Some((_, When::End)) => {}
                 None => {
                     if moves {
-                        self.job.diags.push_once(Diagnostic::new(
-                            codes::K2706,
-                            self.loc(m.span),
-                            format!("M{} is printed before the move", m.number),
-                        ));
+                        self.job
+                            .diags
+                            .push_once(codes::P2008::m_is_printed_before_move(&m.number).at(self.loc(m.span)));
                     }
                     self.function(Function::Aux(m.number));
                 }
@@ -187,7 +169,7 @@ impl Run<'_> {
                 if let Some(share) = m.args.feed
                     && !(share > 0.0 && share <= 100.0)
                 {
-                    return self.fail(codes::K2707, m.span, format!("M103 F{share} is no share of the feed in %"));
+                    return self.refuse(m.span, codes::K2707::m103_f_is_no_share_of_feed(&share));
                 }
                 if m.args.feed.is_none() && self.st.feed.plunge_share().is_none() {
                     self.note_m(m);
@@ -207,11 +189,7 @@ impl Run<'_> {
             Act::ShortWay(on) => self.st.rotary.short_way = on,
             Act::PerRevolution(on) => {
                 if on && self.level().frame.unit == Unit::Inch {
-                    return self.fail(
-                        codes::K9008,
-                        m.span,
-                        "the unit of F under M136 in an INCH program is not documented",
-                    );
+                    return self.refuse(m.span, codes::K9008::unit_of_f_under_m136_in_inch());
                 }
                 self.st.feed.switch(on);
             }
@@ -224,18 +202,10 @@ impl Run<'_> {
             Act::Retract => return self.retract(m),
             Act::EndRotation => return self.end_basic_rotation(m),
             Act::Note => self.note_m(m),
-            Act::ShortPoints => self.report(
-                Diagnostic::new(
-                    codes::K2804,
-                    self.loc(m.span),
-                    "M124 leaves out points on the control, and the output keeps them all",
-                )
-                .help("remove M124 if the path is to be the programmed one"),
-            ),
+            Act::ShortPoints => self.report(codes::K2804::m124_leaves_out_points_on_control().at(self.loc(m.span))),
             Act::CompensationOnly | Act::LookAhead if self.computes_path() && self.st.compensation.is_on() => {}
             Act::CompensationOnly | Act::LookAhead => {
-                let found =
-                    Diagnostic::new(codes::K2703, self.loc(m.span), format!("M{} has no word in the output", m.number));
+                let found = codes::K2703::m_has_no_word_in_output(&m.number).at(self.loc(m.span));
                 self.report(found);
             }
             Act::Block | Act::Refused => {}
@@ -255,8 +225,7 @@ impl Run<'_> {
             103 | 111 | 117 | 127 | 129 | 137 => "switches off what is not on, and has",
             _ => "has",
         };
-        let text = format!("M{} {what} no word in the output", m.number);
-        self.report(Diagnostic::new(codes::K2703, self.loc(m.span), text));
+        self.report(codes::K2703::m_no_word_in_output(&m.number, &what).at(self.loc(m.span)));
     }
 
     pub(super) fn start_spindle(&mut self, turn: Turn) {
@@ -282,7 +251,7 @@ impl Run<'_> {
                 (true, false) => "the spindle",
                 _ => "the coolant",
             };
-            self.report(Diagnostic::new(codes::K2708, self.loc(span), format!("M0 also stops {what}")));
+            self.report(codes::K2708::m0_also_stops(&what).at(self.loc(span)));
         }
         if self.st.spindle.turns() {
             self.stop_spindle();

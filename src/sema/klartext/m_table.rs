@@ -167,7 +167,7 @@ pub(super) fn takes_words(number: u32) -> bool {
 pub(super) fn refused_code(number: u32, pass_m: &[u32]) -> Option<&'static Code> {
     match entry(number) {
         Some((Act::Refused, _)) => Some(codes::K9008),
-        None if !pass_m.contains(&number) => Some(codes::K2701),
+        None if !pass_m.contains(&number) => Some(codes::P2007),
         _ => None,
     }
 }

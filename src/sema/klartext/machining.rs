@@ -2,7 +2,7 @@
 //!
 //! Source: K 4.4, 6.0 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Fault, codes};
 use crate::ir::Feed;
 
 use super::cycle_definition::WordFeed;
@@ -38,12 +38,10 @@ impl Run<'_> {
         if cycle.mm == self.level().frame.unit.mm() {
             return Ok(());
         }
-        let message =
-            format!("cycle {} is called in a program of another unit than that of its definition", cycle.number);
         self.report(
-            Diagnostic::new(codes::K2947, self.here.origin.loc, message)
-                .also(cycle.loc, "the cycle is defined here")
-                .help("define the cycle in the program that calls it, or give both programs the same unit"),
+            codes::K2947::cycle_is_called_in_program_of_another(&cycle.number)
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here"),
         );
         Err(Reported)
     }
@@ -56,12 +54,7 @@ impl Run<'_> {
         }
         if row.has_parts(cycle.number) {
             let Some(missing) = row.needed().find(|name| !cycle.gives(*name)) else { return Ok(()) };
-            return self.fail_help(
-                codes::K2402,
-                self.block_span(),
-                format!("cycle {0} lacks the value of part {0}{missing}", cycle.number),
-                "program all parts of the cycle",
-            );
+            return self.refuse(self.block_span(), codes::K2402::cycle_lacks_value_of_part(&cycle.number, &missing));
         }
         self.all_are_set(cycle, &format!("cycle {}", cycle.number))
     }
@@ -73,41 +66,34 @@ impl Run<'_> {
         if missing.is_empty() {
             return Ok(());
         }
-        let message = format!("{what} lacks {}", missing.join(", "));
-        self.fail_help(codes::K2402, self.block_span(), message, "program all parameters of the cycle")
+        self.refuse(self.block_span(), codes::K2402::lacks_so_program_all(&what, &missing.join(", ")))
     }
 
     /// What every machining cycle needs when it is called.
     pub(super) fn cycle_may_run(&mut self, cycle: &DefinedCycle, spindle: Needs) -> Outcome {
         if self.st.compensation.is_on() {
-            self.report(
-                Diagnostic::new(codes::K2407, self.here.origin.loc, "a cycle is called while RL or RR is active")
-                    .help("program a straight block with R0 in front of the call"),
-            );
+            self.report(codes::K2407::cycle_is_called_while_rl_or_rr().at(self.here.origin.loc));
             return Err(Reported);
         }
         if !self.st.spindle.turns() && spindle == Needs::Turning {
             self.report(
-                Diagnostic::new(codes::K2405, self.here.origin.loc, "the spindle does not turn at this cycle call")
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help("program M3 in front of the call"),
+                codes::K2405::spindle_does_not_turn_at_this_cycle()
+                    .at(self.here.origin.loc)
+                    .also(cycle.loc, "the cycle is defined here"),
             );
             return Err(Reported);
         }
         if self.st.spindle.speed().is_none_or(|speed| speed <= 0.0) && spindle != Needs::Nothing {
             self.report(
-                Diagnostic::new(codes::K2405, self.here.origin.loc, "the spindle has no speed at this cycle call")
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help("program S in the TOOL CALL"),
+                codes::K2405::spindle_has_no_speed_at_this_cycle()
+                    .at(self.here.origin.loc)
+                    .also(cycle.loc, "the cycle is defined here"),
             );
             return Err(Reported);
         }
         self.cuts_now()?;
         if self.st.feed.plunge_share().is_some() {
-            self.report(
-                Diagnostic::new(codes::K2709, self.here.origin.loc, "M103 does not change the feeds of this cycle")
-                    .help("program M103 without F in front of the cycle, or the feed of the cycle as it is meant"),
-            );
+            self.report(codes::K2709::m103_does_not_change_feeds().at(self.here.origin.loc));
         }
         Ok(())
     }
@@ -115,9 +101,9 @@ impl Run<'_> {
     /// The control does nothing where the depth is 0.
     pub(super) fn has_no_depth(&self, cycle: &DefinedCycle) {
         self.report(
-            Diagnostic::new(codes::K2404, self.here.origin.loc, format!("cycle {} has depth 0", cycle.number))
-                .also(cycle.loc, "the cycle is defined here")
-                .help("program the depth Q201 with a minus sign"),
+            codes::K2404::cycle_has_depth_0_so_program_depth(&cycle.number)
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here"),
         );
     }
 
@@ -125,21 +111,15 @@ impl Run<'_> {
     pub(super) fn heights(&mut self, cycle: &DefinedCycle, shift: f64) -> Outcome<Heights> {
         let clearance = self.cycle_length(cycle, CLEARANCE)?;
         if clearance < 0.0 {
-            return self.cycle_value(cycle, &format!("the set-up clearance Q200 is {clearance}"));
+            return self.refuse_value(cycle, codes::P2090::set_up_clearance_q200(&clearance));
         }
         let surface = self.cycle_length(cycle, SURFACE)? + shift;
         let second = self.cycle_length(cycle, SECOND_CLEARANCE)?;
         if second < clearance && second != 0.0 {
             self.report(
-                Diagnostic::new(
-                    codes::K2406,
-                    self.here.origin.loc,
-                    format!(
-                        "the 2nd set-up clearance Q204 = {second} lies below the set-up clearance Q200 = {clearance}"
-                    ),
-                )
-                .also(cycle.loc, "the cycle is defined here")
-                .help("the tool stays at the set-up clearance; check the way to the next position"),
+                codes::K2406::of_2nd_set_up_clearance_q204_lies_below(&second, &clearance)
+                    .at(self.here.origin.loc)
+                    .also(cycle.loc, "the cycle is defined here"),
             );
         }
         Ok(Heights { surface, clearance, second: surface + second.max(clearance) })
@@ -150,7 +130,6 @@ impl Run<'_> {
     /// What the parameter holds now.
     pub(super) fn cycle_number(&mut self, cycle: &DefinedCycle, q: Q) -> Outcome<f64> {
         if let Some(word) = cycle.word(q) {
-            let message = format!("cycle {}: {word} as the value of {q} is not supported", cycle.number);
             let help = match word {
                 "FU" => "write the number of FU behind it, or the feed a minute: mm per revolution times the speed",
                 "FZ" => {
@@ -159,14 +138,14 @@ impl Run<'_> {
                 _ => "write a number",
             };
             self.report(
-                Diagnostic::new(codes::K9001, self.here.origin.loc, message)
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help(format!("{help}: `{q}=+750`")),
+                codes::P9010::cycle_as_value_of_is_not_supported(&cycle.number, &word, &q, &help)
+                    .at(self.here.origin.loc)
+                    .also(cycle.loc, "the cycle is defined here"),
             );
             return Err(Reported);
         }
         if !cycle.sets(q) {
-            return self.cycle_value(cycle, &format!("{q} is missing"));
+            return self.refuse_value(cycle, codes::P2090::is_missing(&q));
         }
         let span = self.block_span();
         self.parameter(crate::lexer::klartext::QRef { kind: crate::lexer::klartext::QKind::Q, number: q.0 }, span)
@@ -191,7 +170,7 @@ impl Run<'_> {
         if (0.0..=LONGEST).contains(&seconds) {
             return Ok(seconds);
         }
-        self.cycle_value(cycle, &format!("a dwell of {seconds} s is out of range"))
+        self.refuse_value(cycle, codes::P2090::dwell_of_s_is_out(&seconds))
     }
 
     /// A feed; 0 stands for `instead` where that is given.
@@ -213,7 +192,7 @@ impl Run<'_> {
     fn word_feed_of(&mut self, cycle: &DefinedCycle, q: Q, feed: WordFeed) -> Outcome<Feed> {
         let value = feed.value * cycle.mm;
         if value <= 0.0 {
-            return self.cycle_value(cycle, &format!("the feed {q} = {value} is not above zero"));
+            return self.refuse_value(cycle, codes::P2090::feed_is_not_above_zero(&q, &value));
         }
         if feed.per_tooth { self.feed_of_teeth(value, self.block_span()) } else { Ok(Feed::PerRevolution(value)) }
     }
@@ -223,16 +202,12 @@ impl Run<'_> {
         let per_revolution = self.st.feed.is_per_revolution();
         match self.st.feed.of_tool() {
             Some(of) if of.by_word || matches!(of.feed, Feed::PerRevolution(_)) == per_revolution => Ok(of.feed),
-            Some(_) => self.cycle_unbuilt(cycle, &format!("{q}=FAUTO with a TOOL CALL that counts F in another way")),
+            Some(_) => self.refuse_cycle(cycle, codes::P9010::fauto_with_tool_call_that_counts_f(&q)),
             None => {
                 self.report(
-                    Diagnostic::new(
-                        codes::K2003,
-                        self.here.origin.loc,
-                        format!("the last TOOL CALL has no F, so {q}=FAUTO has no value"),
-                    )
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help("put F into the TOOL CALL, or a number behind the parameter"),
+                    codes::K2003::last_tool_call_has_no_f_so_fauto(&q)
+                        .at(self.here.origin.loc)
+                        .also(cycle.loc, "the cycle is defined here"),
                 );
                 Err(Reported)
             }
@@ -249,39 +224,37 @@ impl Run<'_> {
             self.large_per_revolution(cycle.loc, value);
             return Ok(self.feed_of(value));
         }
-        self.cycle_value(cycle, &format!("a feed of {value} is not above zero"))
+        self.refuse_value(cycle, codes::P2090::feed_of_is_not_above_zero(&value))
     }
 
     /// Refuses a value of the cycle. Lengths are in mm, in programs in inches, too.
-    pub(super) fn cycle_value<T>(&self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
-        let help = if cycle.mm == 1.0 || !what.contains(|c: char| c.is_ascii_digit()) {
+    pub(super) fn refuse_value<T>(&self, cycle: &DefinedCycle, fault: Fault) -> Outcome<T> {
+        let help = if cycle.mm == 1.0 || !fault.message.contains(|c: char| c.is_ascii_digit()) {
             "check the values of the definition"
         } else {
             "check the values of the definition; lengths are given here in mm"
         };
-        self.report_cause(
-            Diagnostic::new(codes::K2403, self.here.origin.loc, format!("cycle {}: {what}", cycle.number))
-                .also(cycle.loc, "the cycle is defined here")
-                .help(help),
-        );
+        self.refuse_cycle(cycle, fault.help(help))
+    }
+
+    /// Refuses the call of a cycle.
+    pub(super) fn refuse_cycle<T>(&self, cycle: &DefinedCycle, fault: Fault) -> Outcome<T> {
+        let found = fault.of(format_args!("cycle {}", cycle.number)).at(self.here.origin.loc);
+        self.report_cause(found.also(cycle.loc, "the cycle is defined here"));
         Err(Reported)
     }
 
-    /// Refuses a variant that is not built.
-    pub(super) fn cycle_unbuilt<T>(&self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
-        self.cycle_otherwise(cycle, what, "use the plain variant of the cycle, or program its moves as blocks")
+    pub(super) fn cycle_value<T>(&self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
+        self.refuse_value(cycle, Fault::new(codes::P2090, what.to_owned()))
     }
 
     /// The same, and what to do.
     pub(super) fn cycle_otherwise<T>(&self, cycle: &DefinedCycle, what: &str, help: &'static str) -> Outcome<T> {
         self.report_cause(
-            Diagnostic::new(
-                codes::K9001,
-                self.here.origin.loc,
-                format!("cycle {}: {what} is not supported", cycle.number),
-            )
-            .also(cycle.loc, "the cycle is defined here")
-            .help(help),
+            codes::P9010::cycle_is_not_supported(&cycle.number, &what)
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here")
+                .help(help),
         );
         Err(Reported)
     }

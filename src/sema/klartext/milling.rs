@@ -2,7 +2,7 @@
 //!
 //! Source: K 6.0, 6.5; F B4 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill};
 use crate::ir::cycle::pocket::Insertion;
@@ -83,13 +83,9 @@ impl Run<'_> {
             return Ok(());
         };
         self.report(
-            Diagnostic::new(
-                codes::K9030,
-                self.here.origin.loc,
-                format!("cycle {}: milling {what} is not supported", cycle.number),
-            )
-            .also(cycle.loc, "the cycle is defined here")
-            .help("end the transformation in front of the call, or program the sizes as they shall be"),
+            codes::K9030::cycle_milling_is_not_supported(&cycle.number, &what)
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here"),
         );
         Err(Reported)
     }
@@ -109,11 +105,11 @@ impl Run<'_> {
             shown(rounding),
             shown(flat)
         );
-        if self.job.diags.first_text(codes::K8108, &text) {
+        if self.job.diags.first_text(codes::P8102, &text) {
             self.report(
-                Diagnostic::new(codes::K8108, self.here.origin.loc, text)
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help("give a smaller overlap factor, or finish with a cutter that has no corner radius"),
+                codes::P8102::cycle_corner_radius_mm_of_cutter(&cycle.number, &shown(rounding), &shown(flat))
+                    .at(self.here.origin.loc)
+                    .also(cycle.loc, "the cycle is defined here"),
             );
         }
     }
@@ -125,8 +121,9 @@ impl Run<'_> {
             "cycle {} {what}: the finished shape is as programmed; entry, order of the cuts and approach are those of partc",
             cycle.number
         );
-        if self.job.diags.first_text(codes::K8101, &text) {
-            let found = Diagnostic::new(codes::K8101, self.here.origin.loc, text);
+        if self.job.diags.first_text(codes::P8101, &text) {
+            let found =
+                codes::P8101::cycle_finished_shape_is_as_programmed(&cycle.number, &what).at(self.here.origin.loc);
             self.report(found.help("docs/cycles.md describes the path"));
         }
     }
@@ -135,7 +132,8 @@ impl Run<'_> {
     fn says_open_end(&mut self, cycle: &DefinedCycle) {
         let text = format!("cycle {}: where the control leaves the tool in the working plane is open", cycle.number);
         if self.job.diags.first_text(codes::K8104, &text) {
-            let found = Diagnostic::new(codes::K8104, self.here.origin.loc, text);
+            let found =
+                codes::K8104::cycle_where_control_leaves_tool_in_working(&cycle.number).at(self.here.origin.loc);
             self.report(found.help("name both axes of the plane in the next block that moves in it"));
         }
     }
@@ -158,12 +156,10 @@ impl Run<'_> {
         if self.st.position.is_lost(axis) {
             return;
         }
-        let message =
-            format!("the block needs the position of {}, and where the cycle left the tool is open", axis.letter());
         self.report(
-            Diagnostic::new(codes::K2001, self.here.origin.loc, message)
-                .also(cycle, "the cycle is defined here")
-                .help("name both axes of the plane in the next block that moves in it, or that cuts"),
+            codes::P2001::block_needs_position(&axis.letter())
+                .at(self.here.origin.loc)
+                .also(cycle, "the cycle is defined here"),
         );
     }
 
@@ -197,14 +193,14 @@ impl Run<'_> {
         if radius > 0.0 {
             return Ok(radius);
         }
-        self.cycle_value(cycle, &format!("the radius of the tool with its oversizes is {radius} mm"))
+        self.refuse_value(cycle, codes::P2090::radius_of_tool_with_its_oversizes(&radius))
     }
 
     /// What milling cycles from 200 on take; nothing where the depth is 0.
     pub(super) fn cutter_of(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Mill>> {
         let axis = self.st.axis();
         if !AxisSet::MAIN.contains(axis) {
-            return self.cycle_value(cycle, &format!("the tool axis {} cannot mill", axis.letter()));
+            return self.refuse_value(cycle, codes::P2090::tool_axis_cannot_mill(&axis.letter()));
         }
         let radius = self.cutter_radius(cycle)?;
         let heights = self.heights(cycle, call.shift)?;
@@ -235,7 +231,7 @@ impl Run<'_> {
         if value > 0.0 {
             return Ok(value);
         }
-        self.cycle_value(cycle, &format!("{q} = {value} is not above zero"))
+        self.refuse_value(cycle, codes::P2090::is_not_above_zero_2(&q, &value))
     }
 
     /// A length without sign that may be missing.
@@ -244,7 +240,7 @@ impl Run<'_> {
         if value >= 0.0 {
             return Ok(value);
         }
-        self.cycle_value(cycle, &format!("{q} = {value} is below zero"))
+        self.refuse_value(cycle, codes::P2090::is_below_zero(&q, &value))
     }
 
     /// A length that may be missing: 0.
@@ -258,7 +254,7 @@ impl Run<'_> {
         if value.fract() == 0.0 && (0.0..=f64::from(most)).contains(&value) {
             return Ok(value as u32);
         }
-        self.cycle_value(cycle, &format!("{q} = {value} is not one of 0 to {most}"))
+        self.refuse_value(cycle, codes::P2090::is_not_one_of_0(&q, &value, &most))
     }
 
     /// Roughing and finishing by Q215 and the allowances; nothing where nothing is left to do.
@@ -290,14 +286,10 @@ impl Run<'_> {
         if allowance <= most + 1e-9 {
             return Ok(());
         }
-        let message = format!(
-            "the allowance on the wall is {} mm, and one finishing cut with the tool of {} mm takes off {} mm here: stock would stay between \
-             the two",
-            shown(allowance),
-            shown(2.0 * radius),
-            shown(most)
-        );
-        self.cycle_value(cycle, &message)
+        self.refuse_value(
+            cycle,
+            codes::P2090::allowance_on_wall_is_mm(&shown(allowance), &shown(2.0 * radius), &shown(most)),
+        )
     }
 
     /// The floor is finished in one cut, which goes no deeper than any other.
@@ -306,19 +298,14 @@ impl Run<'_> {
         if allowance <= step + 1e-9 {
             return Ok(());
         }
-        let message = format!(
-            "the floor would be finished in one cut of {} mm (Q369), deeper than the infeed Q202 = {} mm",
-            shown(allowance),
-            shown(step)
-        );
-        self.cycle_value(cycle, &message)
+        self.refuse_value(cycle, codes::P2090::floor_would_be_finished_in_one_cut(&shown(allowance), &shown(step)))
     }
 
     pub(super) fn nothing_to_finish(&mut self, cycle: &DefinedCycle, what: &str) {
         self.report(
-            Diagnostic::new(codes::K8103, self.here.origin.loc, format!("cycle {}: {what}", cycle.number))
-                .also(cycle.loc, "the cycle is defined here")
-                .help("give the allowances that roughing left: without them the cycle does nothing"),
+            codes::K8103::cycle(&cycle.number, &what)
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here"),
         );
     }
 
@@ -328,7 +315,7 @@ impl Run<'_> {
         let climbs = match if by_choice { self.cycle_number(cycle, CLIMB)? } else { 1.0 } {
             1.0 => true,
             -1.0 => false,
-            other => return self.cycle_value(cycle, &format!("the kind of milling Q351 = {other} is not +1 or -1")),
+            other => return self.refuse_value(cycle, codes::P2090::kind_of_milling_q351_is_not_1(&other)),
         };
         self.turns_by_m3(cycle, by_choice.then_some(CLIMB))?;
         Ok(climbs)
@@ -338,17 +325,12 @@ impl Run<'_> {
     pub(super) fn turns_by_m3(&mut self, cycle: &DefinedCycle, q: Option<Q>) -> Outcome {
         if self.st.spindle.turn() == Some(Turn::CounterClockwise) {
             self.report(
-                Diagnostic::new(
-                    codes::K9031,
-                    self.here.origin.loc,
-                    format!(
-                        "cycle {}: climb {} defined for M3, and the spindle turns by M4",
-                        cycle.number,
-                        q.map_or("milling is".to_owned(), |q| format!("and up-cut milling ({q}) are"))
-                    ),
+                codes::K9031::cycle_climb_defined_for_m3(
+                    &cycle.number,
+                    &q.map_or("milling is".to_owned(), |q| format!("and up-cut milling ({q}) are")),
                 )
-                .also(cycle.loc, "the cycle is defined here")
-                .help("program M3, or the moves of the cycle as blocks"),
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here"),
             );
             return Err(Reported);
         }
@@ -368,9 +350,9 @@ impl Run<'_> {
         let text = format!("cycle {}: the mirror turns climb into up-cut milling, and up-cut into climb", cycle.number);
         if self.job.diags.first_text(codes::K8107, &text) {
             self.report(
-                Diagnostic::new(codes::K8107, self.here.origin.loc, text)
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help("give the kind of milling the other sign where the control keeps it under a mirror"),
+                codes::K8107::cycle_mirror_turns_climb_into_up_cut(&cycle.number)
+                    .at(self.here.origin.loc)
+                    .also(cycle.loc, "the cycle is defined here"),
             );
         }
     }
@@ -381,14 +363,14 @@ impl Run<'_> {
         if OVERLAPS.contains(&factor) {
             return Ok(factor * radius);
         }
-        self.cycle_value(cycle, &format!("the overlap factor Q370 = {factor} is not 0.1 to 1.9999"))
+        self.refuse_value(cycle, codes::P2090::overlap_factor_q370_is_not_0_1(&factor))
     }
 
     /// Q439 says of what Q207 is the feed.
     pub(super) fn feed_of_centre(&mut self, cycle: &DefinedCycle) -> Outcome {
         match self.choice(cycle, FEED_REFERENCE, 3)? {
             0 => Ok(()),
-            other => self.cycle_unbuilt(cycle, &format!("a feed of the cutting edge (Q439={other})")),
+            other => self.refuse_cycle(cycle, codes::P9010::feed_of_cutting_edge_is_not_supported(&other)),
         }
     }
 
@@ -414,13 +396,16 @@ impl Run<'_> {
                 let what = if known.is_some() { "is 0: it cannot plunge so" } else { "is not known" };
                 let called = self.st.tool.active().map(|tool| tool.called.clone()).unwrap_or_default();
                 self.report(
-                    Diagnostic::new(
-                        codes::K2902,
-                        self.here.origin.loc,
-                        format!("cycle {}: {asked} needs the plunging angle ANGLE of tool {called}, which {what}", cycle.number),
+                    codes::K2902::cycle_needs_plunging_angle_angle_of_tool(
+                        &cycle.number,
+                        &asked,
+                        &called,
+                        &what,
+                        &without,
                     )
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help(Answer::tool(&called, "plunge_angle").help(format!("give `[tools.{called}] plunge_angle = 3.0`, the column ANGLE of the tool table, or plunge straight down by {without}"))),
+                    .answer(Answer::tool(&called, "plunge_angle"))
+                    .at(self.here.origin.loc)
+                    .also(cycle.loc, "the cycle is defined here"),
                 );
                 Err(Reported)
             }
@@ -430,13 +415,9 @@ impl Run<'_> {
     /// The tool is larger than what it shall mill.
     pub(super) fn tool_too_large<T>(&mut self, cycle: &DefinedCycle, what: &str) -> Outcome<T> {
         self.report_cause(
-            Diagnostic::new(
-                codes::K2901,
-                self.here.origin.loc,
-                format!("cycle {}: tool radius too large: {what}", cycle.number),
-            )
-            .also(cycle.loc, "the cycle is defined here")
-            .help("take a smaller tool, or check the sizes, the allowances and the radius of the tool"),
+            codes::K2901::cycle_tool_radius_too_large(&cycle.number, &what)
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here"),
         );
         Err(Reported)
     }
@@ -444,16 +425,9 @@ impl Run<'_> {
     /// There is no way for a helix or a stroke of the tool.
     pub(super) fn no_room_to_plunge<T>(&mut self, cycle: &DefinedCycle, kind: u32) -> Outcome<T> {
         self.report(
-            Diagnostic::new(
-                codes::K2903,
-                self.here.origin.loc,
-                format!(
-                    "cycle {}: the pocket has no room for plunging by Q366 = {kind} at the angle of the tool",
-                    cycle.number
-                ),
-            )
-            .also(cycle.loc, "the cycle is defined here")
-            .help("take a smaller tool, or plunge straight down by Q366 = 0"),
+            codes::K2903::cycle_pocket_has_no_room_for_plunging(&cycle.number, &kind)
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here"),
         );
         Err(Reported)
     }

@@ -406,7 +406,7 @@ impl Run<'_> {
             Stmt::Iso => {
                 let (name, span) = self.block_name(block, text, 1);
                 let message = format!("{name} is a DIN/ISO word and cannot stand in a Klartext program");
-                self.refuse_motion(codes::K9009, span, &message)
+                self.refuse_motion(codes::P9012, span, &message)
             }
             Stmt::Refused(what, _) => self.refused(what, block, text),
         }
@@ -490,7 +490,7 @@ impl Run<'_> {
         if left.is_empty() || self.is_capturing() {
             return false;
         }
-        let found = move_beside(codes::K2001, position, left, named, &self.st.ctx.frame, self.here.origin.loc);
+        let found = move_beside(codes::P2001, position, left, named, &self.st.ctx.frame, self.here.origin.loc);
         let Some(found) = found else { return false };
         self.report(found);
         self.lose_all();
@@ -532,16 +532,10 @@ impl Run<'_> {
         self.forgotten_change();
         self.refuse_compensated("the program ends");
         if self.st.compensation.is_on() {
-            self.report(
-                Diagnostic::new(codes::K2603, self.here.origin.loc, "the program ends with radius compensation on")
-                    .help("program a block with R0 before the end"),
-            );
+            self.report(codes::P2041::program_ends_with_radius_compensation().at(self.here.origin.loc));
         }
         if !self.st.frames.transform().is_none() {
-            self.report(
-                Diagnostic::new(codes::K2502, self.here.origin.loc, "the program ends with a transformation in force")
-                    .help("reset datum shift, mirror, rotation and scaling before the end"),
-            );
+            self.report(codes::K2502::program_ends_with_transformation_in_force().at(self.here.origin.loc));
         }
     }
 

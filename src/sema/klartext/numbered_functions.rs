@@ -1,6 +1,6 @@
 //! FN 14 and up.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::{Point2, SAME_POINT, arc, distance};
 use crate::lexer::klartext::{QKind, QRef};
 
@@ -18,7 +18,7 @@ impl Run<'_> {
         match number {
             14 => {
                 let error = rest.rsplit('=').next().unwrap_or_default().trim().to_owned();
-                self.error(codes::K2309, format!("the program stops with error {error}"));
+                self.say_here(codes::P2026::program_stops_with_error(&error));
                 self.stop_run();
                 Err(Reported)
             }
@@ -28,7 +28,7 @@ impl Run<'_> {
             }
             23 => self.circle_data(&rest),
             24 => {
-                self.error(codes::K9011, "FN 24 fits a circle to four points, and how it does is not documented");
+                self.say_here(codes::P9011::fn_24_fits_circle_to_four_points());
                 Err(Reported)
             }
             20 if rest.trim_start_matches("WAIT FOR").trim() == "SYNC" => {
@@ -36,7 +36,7 @@ impl Run<'_> {
                 Ok(())
             }
             26..=28 => {
-                self.error(codes::K9006, format!("FN {number} works on a table of the control"));
+                self.say_here(codes::K9006::fn_works_on_table_of_control(&number));
                 Err(Reported)
             }
             37 => {
@@ -44,31 +44,22 @@ impl Run<'_> {
                 match name.strip_prefix("QL").and_then(|digits| digits.parse().ok()) {
                     Some(number) => self.export(number),
                     None => {
-                        self.error(codes::K1001, "FN 37 exports a QL parameter: `FN 37: EXPORT QL5`");
+                        self.say_here(codes::P1001::fn_37_exports_ql_parameter());
                         Err(Reported)
                     }
                 }
             }
             // Values for the machine's own control; the path does not depend on them (K 5.2).
             19 | 29 => {
-                self.report(
-                    Diagnostic::new(
-                        codes::K2212,
-                        self.here.origin.loc,
-                        format!(
-                            "FN {number} gives values to the PLC of the machine, and the output has no word for it"
-                        ),
-                    )
-                    .help("if the target machine needs them, switch by an M function that the target knows"),
-                );
+                self.report(codes::K2212::fn_gives_values_to_plc_of_machine(&number).at(self.here.origin.loc));
                 Ok(())
             }
             17 | 20 | 25 => {
-                self.error(codes::K9014, format!("FN {number} talks to the machine"));
+                self.say_here(codes::K9014::fn_talks_to_machine(&number));
                 Err(Reported)
             }
             _ => {
-                self.error(codes::K9011, format!("FN {number} is not supported"));
+                self.say_here(codes::P9011::fn_is_not_supported(&number));
                 Err(Reported)
             }
         }
@@ -83,12 +74,7 @@ impl Run<'_> {
         });
         let span = self.block_span();
         let Some((target, from)) = parts.filter(|(target, from)| target.max(from) < &1990) else {
-            return self.fail_help(
-                codes::K1001,
-                span,
-                "FN 23 names its result and its points",
-                "write `FN 23: Q20 = CDATA Q30`",
-            );
+            return self.refuse(span, codes::P1001::fn_23_names_its_result());
         };
         let at = |number| QRef { kind: QKind::Q, number };
         for number in target..target + 3 {
@@ -100,7 +86,7 @@ impl Run<'_> {
         }
         let [a, b, c] = points;
         let Some((center, _)) = arc::through(a, b, c, SAME_POINT) else {
-            return self.fail(codes::K2303, span, "no circle leads through the three points");
+            return self.refuse(span, codes::P2022::no_circle_leads_through_three_points());
         };
         for (number, value) in (target..).zip([center.x, center.y, distance(a, center)]) {
             self.set(at(number), Slot::Number(value), span)?;
@@ -110,8 +96,7 @@ impl Run<'_> {
 
     /// A statement without influence on the path.
     pub(super) fn left_out(&self, what: &str) {
-        let text = format!("{what} has no word in the output");
-        self.report(Diagnostic::new(codes::K2805, self.here.origin.loc, text));
+        self.report(codes::K2805::has_no_word_in_output(&what).at(self.here.origin.loc));
     }
 
     /// A parameter that the control sets itself.

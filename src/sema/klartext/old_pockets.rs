@@ -2,6 +2,7 @@
 //!
 //! Source: K 6.5; F B5 (docs/sources.md).
 
+use crate::diag::codes;
 use crate::geo::{Deg, Point2};
 use crate::ir::Feed;
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, Place};
@@ -22,12 +23,10 @@ impl Run<'_> {
         let mill = self.old_cutter(cycle, 6)?;
         let ([along, across], [length, width]) = self.old_sides(cycle)?;
         if width <= 0.0 || length.abs() <= width {
-            let what = format!(
-                "the length {} = {length} mm of the slot is not above its width {} = {width} mm",
-                along.letter(),
-                across.letter()
+            return self.refuse_value(
+                cycle,
+                codes::P2090::length_mm_of_slot_is_not_above(&along.letter(), &length, &across.letter(), &width),
             );
-            return self.cycle_value(cycle, &what);
         }
         if (width - 2.0 * mill.radius).abs() > SAME_WIDTH {
             let what = format!(
@@ -54,14 +53,14 @@ impl Run<'_> {
         let mill = self.old_cutter(cycle, 6)?;
         let ([along, _], sides) = self.old_sides(cycle)?;
         if let Some(side) = sides.into_iter().find(|side| *side <= 0.0) {
-            return self.cycle_value(cycle, &format!("a side of {side} mm is not above zero"));
+            return self.refuse_value(cycle, codes::P2090::side_of_mm_is_not_above_zero(&side));
         }
         let (first, _, _) = mill.plane.axes();
         let half = if along == Axis::ALL[first] { sides } else { [sides[1], sides[0]] }.map(|side| side / 2.0);
         self.fits(cycle, &Shape::Rectangle { half, corner: 0.0 }, mill.radius)?;
         let corner = match cycle.in_part(6, What::Value).map(|corner| corner * cycle.mm) {
             Some(corner) if corner < 0.0 => {
-                return self.cycle_value(cycle, &format!("the radius {corner} of the corners is below zero"));
+                return self.refuse_value(cycle, codes::P2090::radius_of_corners_is_below_zero(&corner));
             }
             Some(corner) => self.corner_of(cycle, ("RADIUS", corner), mill.radius)?,
             None => 0.0,
@@ -76,7 +75,7 @@ impl Run<'_> {
         let mill = self.old_cutter(cycle, 5)?;
         let radius = cycle.in_part(4, What::Value).unwrap_or(0.0) * cycle.mm;
         if radius <= 0.0 {
-            return self.cycle_value(cycle, &format!("the radius {radius} of the pocket is not above zero"));
+            return self.refuse_value(cycle, codes::P2090::radius_of_pocket_is_not_above_zero(&radius));
         }
         self.fits(cycle, &Shape::Circle { radius }, mill.radius)?;
         self.old_pocket(cycle, mill, Shape::Circle { radius }, (5, Deg(0.0)))
@@ -114,13 +113,13 @@ impl Run<'_> {
     fn old_cutter(&mut self, cycle: &DefinedCycle, milling: u32) -> Outcome<Mill> {
         let axis = self.st.axis();
         if !AxisSet::MAIN.contains(axis) {
-            return self.cycle_value(cycle, &format!("the tool axis {} cannot mill", axis.letter()));
+            return self.refuse_value(cycle, codes::P2090::tool_axis_cannot_mill(&axis.letter()));
         }
         let radius = self.cutter_radius(cycle)?;
         let levels = self.old_levels(cycle, axis)?;
         let step = cycle.in_part(3, What::Value).unwrap_or(0.0).abs() * cycle.mm;
         if step == 0.0 {
-            return self.cycle_value(cycle, "the infeed in depth is 0");
+            return self.refuse_value(cycle, codes::P2090::infeed_in_depth_is_0());
         }
         let heights = Heights {
             retract: levels.retract,
@@ -148,7 +147,7 @@ impl Run<'_> {
             (Some((a, length)), Some((b, width))) if a != b && plane.contains(a) && plane.contains(b) => {
                 Ok(([a, b], [length * cycle.mm, width * cycle.mm]))
             }
-            _ => self.cycle_value(cycle, "its two sides do not lie along the two axes of the working plane"),
+            _ => self.refuse_value(cycle, codes::P2090::its_two_sides_do_not_lie_along()),
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.1, 2.6, 2.7, 2.13, 2.14 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::Point2;
 use crate::ir::contour::{Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path};
 use crate::ir::{Feed, Pos, Side};
@@ -78,20 +78,10 @@ impl Run<'_> {
         self.check_m(w)?;
         let machine = w.has_m(91) || w.has_m(92);
         if machine && matches!(w.comp, Some(Comp::Paraxial(_))) {
-            return self.fail_help(
-                codes::K2604,
-                w.comp_span,
-                "R+ and R- need the way of the axis, which machine coordinates (M91) leave open",
-                "program workpiece coordinates, or the corrected machine coordinate without R+",
-            );
+            return self.refuse(w.comp_span, codes::K2604::r_r_need_way_of_axis());
         }
         if machine && (!is_line || !w.incremental.is_empty()) {
-            return self.fail_help(
-                codes::K9008,
-                w.axes_span,
-                "machine coordinates (M91) are supported in L blocks with absolute words",
-                "write `L Z+0 R0 FMAX M91`",
-            );
+            return self.refuse(w.axes_span, codes::K9008::machine_coordinates());
         }
         self.switch_side(w, motion.is_arc())?;
         if let Err(reported) = self.shape_corners(w) {
@@ -113,14 +103,7 @@ impl Run<'_> {
             self.set_feed(w)?;
         }
         if let Some(speed) = w.speed {
-            self.job.diags.push_once(
-                Diagnostic::new(
-                    codes::K1015,
-                    self.loc(w.speed_span),
-                    "S stands in a positioning block, and the control takes it in TOOL CALL only",
-                )
-                .help("write `TOOL CALL S2500` in front of this block"),
-            );
+            self.job.diags.push_once(codes::K1015::s_stands_in_positioning_block().at(self.loc(w.speed_span)));
             self.spindle_speed(speed, w.speed_span)?;
         }
         if machine && moves {
@@ -165,12 +148,7 @@ impl Run<'_> {
         let calls = once || modal || w.has_m(89);
         let stops_here = w.m().iter().any(|m| matches!(m.number, 2 | 30));
         if calls && stops_here {
-            return self.fail_help(
-                codes::K1014,
-                w.any_m(&[2, 30]).map_or(w.m()[0].span, |m| m.span),
-                "a cycle call and the end of the program in one block",
-                "write the end of the program into a block of its own",
-            );
+            return self.refuse(w.any_m(&[2, 30]).map_or(w.m()[0].span, |m| m.span), codes::P1005::cycle_call());
         }
         let call = w.m().iter().position(|m| matches!(m.number, 89 | 99));
         let (before, after) = match call {
@@ -263,26 +241,21 @@ impl Run<'_> {
         let axis = self.st.axis();
         let Args { feed, value, max, .. } = m.args;
         if feed.is_some_and(|feed| feed <= 0.0) {
-            return self.fail(codes::O1001, m.span, "the feed of M140 is not above zero");
+            return self.refuse(m.span, codes::O1001::feed_of_m140_is_not_above_zero());
         }
         let feed = feed.map(|f| self.feed_of(f));
         let path = Path::straight(feed);
         let mut end = Pos::UNKNOWN;
         if max {
             let Some(top) = self.job.settings.control.retract_max else {
-                return self.fail_help(
-                    codes::K2705,
+                return self.refuse(
                     m.span,
-                    "M140 MB MAX retracts to the end of the travel, which only the machine knows",
-                    Answer::key("control", "retract_max")
-                        .help("set the machine coordinate in partc.toml: `[control] retract_max = -1.0`"),
+                    codes::K2705::m140_mb_max_retracts_to_end().answer(Answer::key("control", "retract_max")),
                 );
             };
-            self.job.diags.push_once(Diagnostic::new(
-                codes::K2704,
-                self.loc(m.span),
-                format!("M140 MB MAX goes to machine coordinate {}{top}", axis.letter()),
-            ));
+            self.job.diags.push_once(
+                codes::K2704::m140_mb_max_goes_to_machine_coordinate(&axis.letter(), &top).at(self.loc(m.span)),
+            );
             end.set(axis, top);
             let coords = Coords::Machine;
             self.forbid_open_approach()?;
@@ -292,23 +265,13 @@ impl Run<'_> {
         }
         let way = value.unwrap_or(0.0);
         if way <= 0.0 {
-            return self.fail_help(
-                codes::K2707,
-                m.span,
-                "the path of M140 is not above zero",
-                "write how far to retract: `M140 MB 50`",
-            );
+            return self.refuse(m.span, codes::K2707::path_of_m140_is_not_above_zero());
         }
         // The path is a real one: no scaling acts on it, and it leads away from the workpiece.
         let column = self.st.ctx.frame.linear().column(axis.index()).into_owned();
         let factor = column[axis.index()];
         if !(factor > 0.0 && AxisSet::MAIN.iter().all(|other| other == axis || column[other.index()] == 0.0)) {
-            return self.fail_help(
-                codes::K9008,
-                m.span,
-                format!("M140 retracts along {0}, and {0} is mirrored or turned here", axis.letter()),
-                "reset the mirror or rotation in front of M140",
-            );
+            return self.refuse(m.span, codes::K9008::m140_retracts_along(&axis.letter()));
         }
         let from = match self.st.position.get(axis) {
             Some(from) => from,
@@ -342,7 +305,7 @@ impl Run<'_> {
             } else {
                 ("CHF needs a length above zero", "write the length cut off along each side: `CHF 5`")
             };
-            return self.fail_help(codes::K1006, self.block_span(), what, help);
+            return self.fail_help(codes::P1004, self.block_span(), what, help);
         };
         let feed = match w.feed {
             FeedWord::None => self.feed_in_force()?,
@@ -357,12 +320,7 @@ impl Run<'_> {
             }
             FeedWord::Max | FeedWord::Auto => {
                 let text = self.word_text(w.feed_span);
-                return self.fail_help(
-                    codes::K1005,
-                    w.feed_span,
-                    format!("`{text}` has no place in a {head} block"),
-                    "the feed of a corner is a number; without F the one in force holds",
-                );
+                return self.refuse(w.feed_span, codes::P1003::has_no_place_in_block(&text, &head));
             }
         };
         if rounding {
@@ -407,16 +365,10 @@ impl Run<'_> {
         let change = format!("the compensation changes from {} to {}", word(made.side), word(side));
         let here = self.here.origin.loc;
         if !made.rounding {
-            self.report(
-                Diagnostic::new(codes::K2891, made.loc, format!("{change} at this chamfer"))
-                    .also(here, "in this block")
-                    .help("begin or end the compensation in a block that is no neighbour of CHF"),
-            );
+            self.report(codes::K2891::at_this_chamfer(&change).at(made.loc).also(here, "in this block"));
         } else if side != Side::None {
             self.report(
-                Diagnostic::new(codes::K2892, made.loc, format!("{change} at this rounding; it is made all the same"))
-                    .also(here, "in this block")
-                    .help("for an approach on an arc write RL or RR into the block before RND"),
+                codes::K2892::at_this_rounding_it_is_made_all(&change).at(made.loc).also(here, "in this block"),
             );
         } else if self.round_border("RND", true).is_err() {
             // A rounding from a compensated contour into R0 is the departure on an arc.
@@ -429,12 +381,7 @@ impl Run<'_> {
         let result = self.gather(block, "positioning", Admits::PATH.and(Admits::PARAXIAL)).and_then(|w| {
             let paraxial = matches!(w.comp, Some(Comp::Paraxial(_)));
             if w.axes.known().len() > 1 && !paraxial {
-                return self.fail_help(
-                    codes::K1005,
-                    w.axes_span,
-                    "a block without a function word moves one axis only",
-                    "write L in front for a straight line: `L X+50 Y+10`",
-                );
+                return self.refuse(w.axes_span, codes::P1003::block_without_function_word_moves_one_axis());
             }
             let result = self.run_path(PathFn::Line, &w);
             self.put_back(w);
@@ -452,12 +399,7 @@ impl Run<'_> {
         let axis = match (axes.next(), axes.next(), self.st.compensation.side()) {
             (Some(axis), None, Side::None) if axis.is_main() => axis,
             _ => {
-                return self.fail_help(
-                    codes::K2604,
-                    w.comp_span,
-                    "R+ and R- belong to a block that moves one of X, Y, Z without RL or RR",
-                    "program the axes in blocks of their own",
-                );
+                return self.refuse(w.comp_span, codes::K2604::r_r_belong_to_block_that_moves());
             }
         };
         let name = if longer { "R+" } else { "R-" };
@@ -468,12 +410,7 @@ impl Run<'_> {
         let way = target - from;
         // Where the tool stands beside its nominal position, both have to agree on the direction.
         if way == 0.0 || way * (target - stands) <= 0.0 {
-            return self.fail_help(
-                codes::K2604,
-                w.comp_span,
-                format!("{} is there already, so {name} has no direction", axis.letter()),
-                "program a way in this block that is longer than the tool radius",
-            );
+            return self.refuse(w.comp_span, codes::K2604::is_there_already(&axis.letter(), &name));
         }
         let sign = if (way < 0.0) == longer { -1.0 } else { 1.0 };
         // The radius is a real one: no scaling acts on it.

@@ -284,11 +284,7 @@ impl Run<'_> {
             );
         }
         if matches!(name, "PAT" | "FRAME") {
-            self.job.diags.push_once(Diagnostic::new(
-                codes::K2410,
-                self.loc(span),
-                format!("the places of {name} are visited line by line, to and fro"),
-            ));
+            self.job.diags.push_once(codes::K2410::places_of_are_visited_line_by_line(&name).at(self.loc(span)));
         }
         self.warn_of_repeated_places(name, offsets.iter().map(|offset| at + *offset), self.loc(span));
         list.extend(offsets.into_iter().map(|offset| Place { at: at + offset, surface, clearance: None }));
@@ -307,12 +303,7 @@ impl Run<'_> {
             if self.places_lost {
                 return Err(Reported);
             }
-            return self.fail_help(
-                codes::K9010,
-                self.block_span(),
-                "CYCL CALL PAT runs over a pattern, and neither PATTERN DEF nor SEL PATTERN is in force",
-                "put PATTERN DEF or SEL PATTERN in front",
-            );
+            return self.refuse(self.block_span(), codes::K9010::cycl_call_pat_runs_over_pattern());
         };
         let result = self.run_pattern(&w, &places);
         self.places = Some(places);
@@ -326,33 +317,25 @@ impl Run<'_> {
         let cycle = self.pattern_subject("CYCL CALL PAT")?;
         let old = matches!(cycle.number, 1..=5 | 17);
         if cycle.number < FIRST_PLACED && !old {
-            return self.cycle_unbuilt(&cycle, "running it at the places of PATTERN DEF or of a point table");
+            return self.refuse_cycle(&cycle, codes::P9010::running_it_at_places_of_pattern_def());
         }
         if !old {
             self.has_a_surface(&cycle, "CYCL CALL PAT")?;
         }
         if places.list.is_empty() {
             self.report(
-                Diagnostic::new(
-                    codes::K8105,
-                    self.here.origin.loc,
-                    "CYCL CALL PAT runs the cycle nowhere: the point table has no place left",
-                )
-                .also(places.loc, "it is selected here")
-                .help("add places to the table, or take FADE out of those that shall be machined"),
+                codes::K8105::cycl_call_pat_runs_cycle_nowhere()
+                    .at(self.here.origin.loc)
+                    .also(places.loc, "it is selected here"),
             );
         }
         let own = if old { 0.0 } else { self.cycle_length(&cycle, SURFACE)? };
         if own != 0.0 && places.list.iter().any(|place| place.surface != 0.0) {
             self.report(
-                Diagnostic::new(
-                    codes::K2411,
-                    self.here.origin.loc,
-                    "the places have a surface Z of their own, and Q203 of the cycle is not 0",
-                )
-                .also(places.loc, "the pattern")
-                .also(cycle.loc, "the cycle")
-                .help("set Q203 to 0, or leave Z out of the pattern"),
+                codes::K2411::places_have_surface_z_of_their_own()
+                    .at(self.here.origin.loc)
+                    .also(places.loc, "the pattern")
+                    .also(cycle.loc, "the cycle"),
             );
             return Err(Reported);
         }
@@ -407,7 +390,7 @@ impl Run<'_> {
         });
         let Some(message) = wrong else { return Ok(()) };
         self.report(
-            Diagnostic::new(codes::K9001, self.here.origin.loc, message)
+            Diagnostic::new(codes::P9010, self.here.origin.loc, message)
                 .also(places.loc, "the pattern")
                 .also(cycle.loc, "the cycle")
                 .help("move to the set-up clearance above the places in front of CYCL CALL PAT, or give the places by cycle 220 or 221"),

@@ -4,7 +4,7 @@
 //! unless it stands higher; Q301 decides how high it goes from place to place; after the last one it stands at the 2nd
 //! set-up clearance.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::contour::Path;
 use crate::ir::{Feed, Pos};
@@ -41,19 +41,21 @@ impl Run<'_> {
     pub(super) fn pattern_cycle(&mut self, pattern: &DefinedCycle, places: Option<PlacesOf>) -> Outcome {
         let by = format!("cycle {}", pattern.number);
         let cycle = self.pattern_subject(&by)?;
-        let Some(places) = places else { return self.cycle_unbuilt(pattern, "this pattern") };
+        let Some(places) = places else {
+            return self.refuse_cycle(pattern, codes::P9010::this_pattern_is_not_supported());
+        };
         self.all_are_set(pattern, &by)?;
         let old = matches!(cycle.number, 1..=5 | 17);
         if cycle.number < FIRST_PLACED && !old {
-            return self.cycle_unbuilt(pattern, &format!("a pattern of cycle {}", cycle.number));
+            return self.refuse_cycle(pattern, codes::P9010::pattern_of_cycle_is_not_supported(&cycle.number));
         }
         if self.cycle_option(pattern, ON_ARCS)? != 0.0 {
-            return self.cycle_unbuilt(pattern, "going from place to place on arcs (Q365=1)");
+            return self.refuse_cycle(pattern, codes::P9010::going_from_place_to_place_on_arcs());
         }
         let near = match self.cycle_number(pattern, AT_SECOND)? {
             0.0 => true,
             1.0 => false,
-            other => return self.cycle_value(pattern, &format!("Q301 = {other} is not 0 or 1")),
+            other => return self.refuse_value(pattern, codes::P2090::q301_is_not_0_or_1(&other)),
         };
         let places = places(self, pattern)?;
         self.budget.take(places.len() as u64 / PLACES_A_STEP);
@@ -89,11 +91,7 @@ impl Run<'_> {
         if (own - heights.surface).abs() <= SAME_PLACE {
             return Ok(());
         }
-        let message = format!(
-            "Q203 of the pattern is {}, and cycle {} has its height Q227 = {own} in place of it: which of the two counts is open; write the same height",
-            heights.surface, cycle.number
-        );
-        self.cycle_value(pattern, &message)
+        self.refuse_value(pattern, codes::P2090::q203_of_pattern(&heights.surface, &cycle.number, &own))
     }
 
     /// The old cycles work from where the tool stands, the set-up clearance of the pattern.
@@ -102,11 +100,7 @@ impl Run<'_> {
         if (own - heights.clearance).abs() <= SAME_PLACE {
             return Ok(());
         }
-        let message = format!(
-            "the set-up clearance {}.1 of the cycle is {own} mm, and Q200 of the pattern {} mm",
-            cycle.number, heights.clearance
-        );
-        self.cycle_value(pattern, &message)
+        self.refuse_value(pattern, codes::P2090::set_up_clearance_1_of_cycle(&cycle.number, &own, &heights.clearance))
     }
 
     fn rapid_to(&mut self, height: f64) {
@@ -123,7 +117,7 @@ impl Run<'_> {
         if cycle.row().needed().any(|name| name == Name::Q(SURFACE.0)) {
             return Ok(());
         }
-        self.cycle_unbuilt(cycle, &format!("{by} with a face, which has heights of its own in place of Q203,"))
+        self.refuse_cycle(cycle, codes::P9010::with_face_which_has_heights(&by))
     }
 
     /// A place that stands in the list twice is machined twice.
@@ -134,14 +128,7 @@ impl Run<'_> {
         list.sort_unstable();
         list.dedup();
         if list.len() < count {
-            let message = format!(
-                "{what} has {count} places, of which {} lie on others: they are machined again",
-                count - list.len()
-            );
-            self.report(
-                Diagnostic::new(codes::K8106, loc, message)
-                    .help("check the number of places, their distance, and the angles"),
-            );
+            self.report(codes::K8106::has_places_of_which_lie_on_others(&what, &count, &(count - list.len())).at(loc));
         }
     }
 
@@ -169,11 +156,10 @@ impl Run<'_> {
         let step = self.cycle_number(pattern, STEP)?;
         let count = self.count(pattern, NUMBER)?;
         if radius < 0.0 {
-            return self.cycle_value(pattern, "the pitch circle diameter Q244 is negative");
+            return self.refuse_value(pattern, codes::P2090::pitch_circle_diameter_q244_is_negative());
         }
         if step == 0.0 && first == last {
-            return self
-                .cycle_value(pattern, "start angle Q245 and stop angle Q246 are the same, and no step Q247 is given");
+            return self.refuse_value(pattern, codes::P2090::start_angle_q245());
         }
         let span = last - first;
         let full = span.abs() == 360.0;
@@ -196,7 +182,7 @@ impl Run<'_> {
         let (across, up) = (self.cycle_length(pattern, SPACING.0)?, self.cycle_length(pattern, SPACING.1)?);
         let (columns, lines) = (self.count(pattern, COLUMNS)?, self.count(pattern, LINES)?);
         if f64::from(columns) * f64::from(lines) > MOST {
-            return self.cycle_value(pattern, "the pattern has more than 99999 places");
+            return self.refuse_value(pattern, codes::P2090::pattern_has_more_than_99999_places());
         }
         let turn = Deg(self.cycle_number(pattern, TURN)?);
         let (along, beside) = (turn.unit(), Deg(turn.0 + 90.0).unit());
@@ -215,7 +201,7 @@ impl Run<'_> {
         if n.fract() == 0.0 && (1.0..=MOST).contains(&n) {
             return Ok(n as u32);
         }
-        self.cycle_value(pattern, &format!("{q} = {n} is no number of places"))
+        self.refuse_value(pattern, codes::P2090::is_no_number_of_places(&q, &n))
     }
 
     /// Feed of the way from place to place; `None` for rapid traverse.
@@ -228,15 +214,7 @@ impl Run<'_> {
         let (way, feed) =
             if rapid { ("at rapid traverse", None) } else { ("at the feed programmed last", self.move_feed(w)?) };
         self.report(
-            Diagnostic::new(
-                codes::K2806,
-                self.here.origin.loc,
-                format!("{call} has no F: the tool goes from place to place {way}"),
-            )
-            .help(
-                Answer::key("control", "pattern_feed")
-                    .help("write F or FMAX into the call; `[control] pattern_feed` selects the other reading"),
-            ),
+            codes::K2806::has_no_f(&call, &way).answer(Answer::key("control", "pattern_feed")).at(self.here.origin.loc),
         );
         Ok(feed)
     }
@@ -247,14 +225,7 @@ impl Run<'_> {
             return;
         }
         let axis = axis.letter();
-        self.report(
-            Diagnostic::new(
-                codes::K8027,
-                self.here.origin.loc,
-                format!("CYCL CALL POS names no {axis}: the surface stays at Q203, as with {axis}+0"),
-            )
-            .help(format!("write {axis}+0 into the call")),
-        );
+        self.report(codes::K8027::cycl_call_pos_names_no(&axis).at(self.here.origin.loc));
     }
 
     /// CYCL CALL POS: to the position in the plane, then the cycle, whose surface Z lifts. Where the tool stands below
@@ -272,12 +243,7 @@ impl Run<'_> {
         let strange = !named.without(plane.union(AxisSet::of(axis))).is_empty();
         if cycle.number < FIRST_PLACED || !w.incremental.is_empty() || strange || !plane.without(named).is_empty() {
             let span = if w.axes_span.is_empty() { self.block_span() } else { w.axes_span };
-            return self.fail_help(
-                codes::K9001,
-                span,
-                "CYCL CALL POS is supported for cycles from 200 on, with absolute X, Y and Z",
-                "write `CYCL CALL POS X+50 Y+50 Z+0 FMAX`, or move with L and call with M99",
-            );
+            return self.refuse(span, codes::P9010::cycl_call_pos_is_supported_for_cycles());
         }
         self.has_a_surface(cycle, "CYCL CALL POS")?;
         self.names_its_surface(named, axis);

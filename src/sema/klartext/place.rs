@@ -147,23 +147,18 @@ impl Run<'_> {
     pub(super) fn by_builders_datum(&self, w: &Words) -> Outcome<Pos> {
         let span = w.any_m(&[92]).map_or(w.axes_span, |m| m.span);
         if w.has_m(91) {
-            let message = "M91 and M92 count from two places";
-            return self.fail_help(codes::K9008, span, message, "write one of the two");
+            return self.refuse(span, codes::K9008::m91_m92_count_from_two_places());
         }
         let mut end = Pos::UNKNOWN;
         for (axis, value) in w.axes.iter() {
             match zero(&self.job.settings.datums, &[BUILDERS], axis) {
                 Ok(zero) => end.set(axis, zero + value),
                 Err(name) => {
-                    let message = format!(
-                        "M92 counts from a position that the machine builder sets, and where it lies along {} is not known",
-                        axis.letter()
+                    return self.refuse(
+                        span,
+                        codes::K9008::m92_counts_from_position_that_machine_builder(&axis.letter(), &name)
+                            .answer(Answer::datum(name)),
                     );
-                    let help = Answer::datum(name).help(format!(
-                        "say it in machine coordinates: `[datums] {name} = {{ X = …, Y = …, Z = … }}`; or program workpiece \
-                         coordinates, or M91"
-                    ));
-                    return self.fail_help(codes::K9008, span, message, help);
                 }
             }
         }
@@ -175,6 +170,6 @@ impl Run<'_> {
         let usual = format!("program an absolute position of {} first", axis.letter());
         let lack = || self.zero_in_machine(axis).err().unwrap_or(Lack::Nothing);
         let unknown = Unknown { position: &self.st.position, axis, lack: &lack, otherwise: " here" };
-        self.position_unknown(codes::K2001, place, message, &usual, unknown)
+        self.position_unknown(codes::P2001, place, message, &usual, unknown)
     }
 }

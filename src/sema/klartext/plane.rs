@@ -6,7 +6,7 @@
 use libm::atan2;
 use nalgebra::Vector3;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::Deg;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Axis, AxisSet};
@@ -310,31 +310,18 @@ impl Run<'_> {
             } else {
                 format!(": the tool axis points along {}", plane_normal::shown(&plane_normal::spatial(angles)))
             };
-            let message = format!(
-                "cycle 19 tilts the working plane by A{a:+} B{b:+} C{c:+}{points}, which cannot be compiled for three axes"
-            );
-            self.error(codes::K9004, message);
+            self.say_here(codes::K9004::cycle_19_tilts_working_plane_by_b(&a, &b, &c, &points));
             return Err(Reported);
         }
         if turn != 0.0 {
             if self.job.settings.control.klartext_choices.cycle_19_axes {
-                self.error(
-                    codes::K9004,
-                    "cycle 19 sets the rotary table to an angle, which only the machine can turn into coordinates",
-                );
+                self.say_here(codes::K9004::cycle_19_sets_rotary_table_to_angle());
                 return Err(Reported);
             }
             self.job.diags.push_once(
-                Diagnostic::new(
-                    codes::K8020,
-                    self.here.origin.loc,
-                    format!("C{turn:+} of cycle 19 is read as a space angle: the coordinates turn about Z"),
-                )
-                .help(
-                    Answer::key("control", "cycle_19").help(
-                        "if it is the angle of the rotary axis on this machine, set `[control] cycle_19 = \"axes\"`",
-                    ),
-                ),
+                codes::K8020::c_of_cycle_19_is_read(&turn)
+                    .answer(Answer::key("control", "cycle_19"))
+                    .at(self.here.origin.loc),
             );
         }
         // Whether the rotary axes are positioned at once is up to the machine; the tool does not follow them.
@@ -358,11 +345,7 @@ impl Run<'_> {
                 return self.refuse_motion(codes::K9004, self.block_span(), &message);
             }
             if angle == 0.0 && before == 0.0 {
-                self.job.diags.push_once(Diagnostic::new(
-                    codes::K2512,
-                    self.here.origin.loc,
-                    "the rotary axes are taken to stand at zero, so nothing turns",
-                ));
+                self.job.diags.push_once(codes::K2512::rotary_axes_are_taken_to_stand().at(self.here.origin.loc));
             }
         }
         if angle != 0.0 && self.st.axis() != Axis::Z {
@@ -381,24 +364,18 @@ impl Run<'_> {
             return Ok(());
         }
         if self.st.frames.transform().shifted_in_turn && self.st.frames.transform().is_shifted_in_plane() {
-            self.error(codes::K2852, "the working plane turns while a datum shift along the turned axes is in force");
+            self.say_here(codes::K2852::working_plane_turns_while_datum_shift_along());
             self.lose_all();
             return Err(Reported);
         }
         if self.st.frames.transform().turns_with_the_plane() {
-            self.error(
-                codes::K2852,
-                "the working plane turns while a mirror or an uneven scaling of one of its axes is in force",
-            );
+            self.say_here(codes::K2852::working_plane_turns_while_mirror_or_uneven());
             self.lose_all();
             return Err(Reported);
         }
         self.refuse_compensated("the working plane turns");
         if self.st.compensation.is_on() {
-            self.report(
-                Diagnostic::new(codes::K2603, here, "the turn of the plane ends the radius compensation")
-                    .help("program a block with R0 first"),
-            );
+            self.report(codes::P2041::turn_of_plane_ends_radius_compensation().at(here));
             self.st.end_compensation();
         }
         if angle != 0.0 {
@@ -408,11 +385,7 @@ impl Run<'_> {
                     format!("; {}, which tells the control how to turn its axes, has no effect here", ways.join(" "))
                 }
             };
-            self.report(
-                Diagnostic::new(codes::K2853, here, format!("{name} turns the coordinates by {angle}° about Z{ways}")).help(
-                    "the rotary table of the target stays where it is: clamp the part as it lies at table angle zero",
-                ),
-            );
+            self.report(codes::K2853::turns_coordinates_by_about_z(&name, &angle, &ways).at(here));
         }
         let mut next = self.st.frames.transform().clone();
         next.turn = Deg(angle);
@@ -433,26 +406,13 @@ impl Run<'_> {
             return Ok(());
         }
         let Some(axis) = axes.iter().find(|axis| axis.is_rotary()) else { return Ok(()) };
-        self.fail_help(
-            codes::K9004,
-            span,
-            format!(
-                "{} moves while the coordinates are turned about Z, and the turn is printed already",
-                axis.letter()
-            ),
-            "leave the move out, or program the rotary axis without PLANE, cycle 19 and TCH PROBE 404",
-        )
+        self.refuse(span, codes::K9004::moves_while_coordinates_are_turned_about_z(&axis.letter()))
     }
 
     /// M128: as long as the rotary axes stand at zero the tool tip is where it would be without.
     pub(super) fn follow_tip(&mut self, on: bool, span: Span) -> Outcome {
         if on && !self.st.stands_upright() {
-            return self.fail_help(
-                codes::K9008,
-                span,
-                "M128 makes the control follow the tool tip with the rotary axes, and they are turned",
-                "use 3-axis output of the CAM system",
-            );
+            return self.refuse(span, codes::K9008::m128_makes_control_follow_tool_tip());
         }
         if on {
             self.refuse_compensated("M128 begins");
@@ -469,12 +429,7 @@ impl Run<'_> {
         if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
-        self.fail_help(
-            codes::K9008,
-            w.axes_span,
-            format!("under M128 the tool tip stays while {} turns, so the other axes move with it", axis.letter()),
-            "use 3-axis output of the CAM system",
-        )
+        self.refuse(w.axes_span, codes::K9008::under_m128_tool_tip_stays_while_turns(&axis.letter()))
     }
 }
 

@@ -4,7 +4,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::{Deg, Point2};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::milling::{MOST_LEVELS, Mill, Place, parts};
@@ -81,10 +81,7 @@ impl Run<'_> {
         let Some((mill, asked)) = self.pocket_of(cycle, call)? else { return Ok(None) };
         let (length, width) = (self.above_zero(cycle, FIRST_SIDE)?, self.above_zero(cycle, SECOND_SIDE)?);
         if length <= width {
-            return self.cycle_value(
-                cycle,
-                &format!("the slot length Q218 = {length} mm is not above its width Q219 = {width} mm"),
-            );
+            return self.refuse_value(cycle, codes::P2090::slot_length_q218_mm_is_not_above(&length, &width));
         }
         let half = (length - width) / 2.0;
         let turn = Deg(self.cycle_option(cycle, SLOT_TURN)?);
@@ -105,7 +102,7 @@ impl Run<'_> {
         let (width, radius) = (self.above_zero(cycle, SECOND_SIDE)?, self.above_zero(cycle, PITCH_CIRCLE)? / 2.0);
         let sweep = self.cycle_number(cycle, OPENING)?;
         if sweep <= 0.0 || sweep >= 360.0 {
-            return self.cycle_value(cycle, &format!("the opening angle Q248 = {sweep} is not above 0 and below 360"));
+            return self.refuse_value(cycle, codes::P2090::opening_angle_q248_is_not_above_0(&sweep));
         }
         let angle = self.cycle_number(cycle, START_ANGLE)?;
         let start = self.call_point(cycle)?;
@@ -120,12 +117,12 @@ impl Run<'_> {
             0 => (Point2::new(self.cycle_length(cycle, CENTER.0)?, self.cycle_length(cycle, CENTER.1)?), angle),
             2 => (start - Deg(angle).unit() * radius, angle - sweep / 2.0),
             other => {
-                return self.cycle_unbuilt(cycle, &format!("a call at one end of the slot (Q367={other})"));
+                return self.refuse_cycle(cycle, codes::P9010::call_at_one_end_of_slot(&other));
             }
         };
         let count = if cycle.gives_q(NUMBER) { self.cycle_number(cycle, NUMBER)? } else { 1.0 };
         if count.fract() != 0.0 || !(1.0..=f64::from(MOST_SLOTS)).contains(&count) {
-            return self.cycle_value(cycle, &format!("the number of slots Q377 = {count} is not 1 to {MOST_SLOTS}"));
+            return self.refuse_value(cycle, codes::P2090::number_of_slots_q377_is_not_1(&count, &MOST_SLOTS));
         }
         let step = self.cycle_option(cycle, STEP)?;
         self.budget.take(count as u64);
@@ -176,9 +173,9 @@ impl Run<'_> {
         );
         if self.job.diags.first_text(codes::K8102, &text) {
             self.report(
-                Diagnostic::new(codes::K8102, self.here.origin.loc, text)
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help("take a smaller tool where the corners have to be tighter"),
+                codes::K8102::cycle_corners_get_radius_of_cutter(&cycle.number, &radius, &word, &corner)
+                    .at(self.here.origin.loc)
+                    .also(cycle.loc, "the cycle is defined here"),
             );
         }
         Ok(0.0)

@@ -3,7 +3,7 @@
 //! `BEGIN NAME.PNT MM`, a header whose words stand above their columns, one place a line, `[END]`. Source: K 4.6
 //! (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::Point2;
 use crate::machine::Axis;
 use crate::machine::table::TableError;
@@ -30,12 +30,7 @@ impl Run<'_> {
         let wanted = Wanted { name: &name, extensions: &["PNT", "pnt"], within: Within::Caller };
         let file = open_program(&self.job, &wanted, here.loc, here.call).ok_or(Reported)?;
         let wrong = |run: &Self, line: usize, what: String| {
-            run.report(
-                Diagnostic::new(codes::K2945, here.loc, format!("line {line} of the point table `{name}`: {what}"))
-                    .help(
-                        "a table has `BEGIN NAME.PNT MM`, a line with the names of its columns, and one place a line",
-                    ),
-            );
+            run.report(codes::K2945::line_of_point_table(&line, &name, &what).at(here.loc));
             Err(Reported)
         };
         let text = match whole_file(self.job.sources, file) {

@@ -174,16 +174,10 @@ impl Run<'_> {
     #[cold]
     fn angle_of_new_pole<T>(&mut self, w: &Words, pole: &PoleState) -> Outcome<T> {
         self.report(
-            Diagnostic::new(
-                codes::K2811,
-                self.loc(w.polar_radius_span),
-                "PA is missing, and no block since the CC named an angle about this pole",
-            )
-            .also(pole.set, "the pole")
-            .help(
-                Answer::key("control", "polar_missing")
-                    .help("write the angle PA, or choose a reading with `[control] polar_missing`"),
-            ),
+            codes::K2811::pa_is_missing()
+                .answer(Answer::key("control", "polar_missing"))
+                .at(self.loc(w.polar_radius_span))
+                .also(pole.set, "the pole"),
         );
         Err(Reported)
     }
@@ -225,12 +219,7 @@ impl Run<'_> {
     /// Radius and angle of the end of LP or CTP.
     pub(super) fn polar_words(&mut self, w: &Words, pole: &PoleState, function: &str) -> Outcome<(f64, Deg)> {
         if w.polar_radius.is_none() && w.polar_angle.is_none() {
-            return self.fail_help(
-                codes::K2109,
-                self.block_span(),
-                format!("{function} has neither PR nor PA"),
-                "write the polar radius and angle of the end point",
-            );
+            return self.refuse(self.block_span(), codes::K2109::has_neither_pr_nor_pa(&function));
         }
         let complete = matches!((w.polar_radius, w.polar_angle), (Some((_, false)), Some((_, false))));
         let start = if complete { (0.0, None) } else { self.polar_start(pole, function)? };
@@ -260,32 +249,17 @@ impl Run<'_> {
 
     pub(super) fn angle_undefined<T>(&mut self, w: &Words) -> Outcome<T> {
         let span = if w.polar_angle.is_some() { w.polar_angle_span } else { w.polar_radius_span };
-        self.fail_help(
-            codes::K2110,
-            span,
-            "the tool stands on the pole, so the angle is not determined",
-            "write the angle PA",
-        )
+        self.refuse(span, codes::K2110::tool_stands_on_pole())
     }
 
     /// CP: arc or helix about the pole.
     pub(super) fn polar_arc(&mut self, w: &Words) -> Outcome {
         let pole = self.pole("CP")?;
         if w.polar_radius.is_some() {
-            return self.fail_help(
-                codes::K1005,
-                w.polar_radius_span,
-                "CP takes no PR: its radius is the distance of the tool from the pole",
-                "remove PR, or go to the radius with LP first",
-            );
+            return self.refuse(w.polar_radius_span, codes::P1003::cp_takes_no_pr());
         }
         let Some((angle, incremental)) = w.polar_angle else {
-            return self.fail_help(
-                codes::K2109,
-                self.block_span(),
-                "CP needs PA or IPA",
-                "write the angle of the end point, or the angle to go: `CP IPA+90 DR+`",
-            );
+            return self.refuse(self.block_span(), codes::K2109::cp_needs_pa_or_ipa());
         };
         self.forbid_plane_axes(w, pole.plane, "CP")?;
         let start = self.start_in(pole.plane, "CP")?;
@@ -295,14 +269,7 @@ impl Run<'_> {
         } else {
             let ccw = self.turn(w, "CP")?;
             if angle.abs() > 360.0 {
-                self.report(
-                    Diagnostic::new(
-                        codes::K2106,
-                        self.loc(w.polar_angle_span),
-                        format!("PA {angle} is reduced to a direction"),
-                    )
-                    .help("program more than one turn with IPA"),
-                );
+                self.report(codes::K2106::pa_is_reduced_to_direction(&angle).at(self.loc(w.polar_angle_span)));
             }
             self.absolute_sweep(from, angle, ccw, radius)?
         };
@@ -320,12 +287,7 @@ impl Run<'_> {
     /// IPA is the sweep itself; its sign and DR must agree.
     pub(super) fn incremental_sweep(&mut self, w: &Words, angle: f64) -> Outcome<f64> {
         if angle == 0.0 {
-            return self.fail_help(
-                codes::K2109,
-                w.polar_angle_span,
-                "IPA is zero: the arc has no length",
-                "write the angle to go; a full circle is IPA+360 or IPA-360",
-            );
+            return self.refuse(w.polar_angle_span, codes::K2109::ipa_is_zero());
         }
         let ccw = match w.turn {
             Some(turn) => turn,
@@ -344,13 +306,9 @@ impl Run<'_> {
                 (false, false) => one_turn - 360.0,
             });
         }
-        self.fail_help(
-            codes::K2105,
+        self.refuse(
             w.polar_angle_span,
-            format!("IPA {angle} turns one way and DR the other"),
-            Answer::key("control", "cp_sign")
-                .one_of(&["\"dr\""])
-                .help("give IPA the sign of DR, or set `[control] cp_sign = \"dr\"`"),
+            codes::K2105::ipa_turns_one_way(&angle).answer(Answer::key("control", "cp_sign").one_of(&["\"dr\""])),
         )
     }
 
@@ -359,12 +317,7 @@ impl Run<'_> {
         if w.axes.known().common(plane_axes(plane)).is_empty() {
             return Ok(());
         }
-        self.fail_help(
-            codes::K1005,
-            w.axes_span,
-            format!("{function} takes its end from PR and PA, not from an axis of the plane"),
-            "remove the axis word, or use L or C",
-        )
+        self.refuse(w.axes_span, codes::P1003::takes_its_end_from_pr(&function))
     }
 
     pub(super) fn pole_block(&mut self, block: &Block) -> Outcome {
@@ -383,7 +336,7 @@ impl Run<'_> {
     fn set_pole(&mut self, w: &Words, span: Span) -> Outcome {
         let axes = w.axes.known();
         if !axes.without(AxisSet::MAIN).is_empty() || axes.len() > 2 {
-            return self.fail_help(codes::K1005, w.axes_span, "CC takes two of X, Y, Z", "write `CC X+20 Y+10`");
+            return self.refuse(w.axes_span, codes::P1003::cc_takes_two_of_x());
         }
         let mut indices = axes.iter().map(Axis::index);
         let plane = match (indices.next(), indices.next()) {
@@ -392,11 +345,7 @@ impl Run<'_> {
                 let plane = self.st.plane();
                 let (first, second, _) = plane.axes();
                 if a != first && a != second {
-                    return self.fail(
-                        codes::K1005,
-                        w.axes_span,
-                        "this axis is not in the working plane: write both axes",
-                    );
+                    return self.refuse(w.axes_span, codes::P1003::this_axis_is_not_in_working_plane());
                 }
                 plane
             }
@@ -409,14 +358,7 @@ impl Run<'_> {
         let old = previous.filter(|_| keep).map(|pole| pole.at);
         if axes.len() == 1 {
             let from = if old.is_some() { "the CC before" } else { "the position" };
-            self.report(
-                Diagnostic::new(
-                    codes::K2102,
-                    self.loc(span),
-                    format!("CC with one coordinate: the other one is taken from {from}"),
-                )
-                .help("write both coordinates"),
-            );
+            self.report(codes::K2102::cc_with_one_coordinate(&from).at(self.loc(span)));
         }
         let mut coordinate = |axis: Axis, old: Option<f64>| match (written.get(axis), old) {
             (Some(value), _) => Ok(value),
@@ -437,12 +379,7 @@ impl Run<'_> {
         let gap = away.to_radians() * radius;
         match arc::closing(Vec2::new(gap, 0.0)) {
             Closing::Closed => Ok(if ccw { 360.0 } else { -360.0 }),
-            Closing::Unclear => self.fail_help(
-                codes::G3023,
-                self.block_span(),
-                format!("CP starts {gap:.5} mm beside its end"),
-                "for a full circle, program IPA+360 or IPA-360",
-            ),
+            Closing::Unclear => self.refuse(self.block_span(), codes::G3023::cp_starts_mm_beside_its_end(&gap)),
             Closing::Open => Ok(if ccw { ahead } else { ahead - 360.0 }),
         }
     }

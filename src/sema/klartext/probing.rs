@@ -3,7 +3,7 @@
 //! Source: K 1.3, 5.6, 6.9 (docs/sources.md). Q115 to Q199 take results in every cycle, further parameters where the block
 //! names them; the probe moves every axis, and datum, rotation and tool data may be others afterwards.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Block, Stmt};
@@ -137,15 +137,7 @@ impl Run<'_> {
             return Ok(());
         }
         let what = if probe.measures_tools() { "the tool data" } else { "datum, rotation and results" };
-        let message =
-            format!("{name} {} is left out: {what} that it would set are not known from here on", probe.number);
-        self.report(
-            Diagnostic::new(codes::K2851, self.loc(span), message)
-                .help(
-                    "set up on the target machine what this cycle measures, before the program runs; look at the next rapid move: the target \
-                     stands where it stood before the cycle",
-                ),
-        );
+        self.report(codes::P8104::is_left_out(&name, &probe.number, &what).at(self.loc(span)));
         Ok(())
     }
 

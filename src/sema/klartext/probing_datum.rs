@@ -6,7 +6,7 @@
 //!
 //! Source: K 7.1 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::geo::Deg;
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
@@ -171,12 +171,7 @@ impl Run<'_> {
             // A check of a tool between two tools is no datum.
             Some(true) if !matches!(setting, Setting::Unknown) => {
                 self.lose_all();
-                self.fail_help(
-                    codes::K2856,
-                    span,
-                    format!("{message}, and {worked} moved in front of it with another tool"),
-                    "one work offset cannot be both datums: split the program in front of the cycle, or select another preset by cycle 247",
-                )
+                self.refuse(span, codes::K2856::moved_in_front_of_it_with_another(&message, &worked))
             }
             Some(false) => {
                 let help = Answer::key("control", "probing_datum")
@@ -186,15 +181,9 @@ impl Run<'_> {
             }
             None | Some(true) => {
                 self.report(
-                    Diagnostic::new(
-                        codes::K2854,
-                        self.loc(span),
-                        format!("{message}; blocks in front of it and behind it are printed into one work offset"),
-                    )
-                    .help(Answer::key("control", "probing_datum").help(
-                        "if the work offset of the target is set as this cycle sets it before the program runs, set `[control] probing_datum = \"set\"`; \
-                         `\"refuse\"` compiles no such program",
-                    )),
+                    codes::K2854::blocks_in_front(&message)
+                        .answer(Answer::key("control", "probing_datum"))
+                        .at(self.loc(span)),
                 );
                 Ok(())
             }
@@ -230,12 +219,7 @@ impl Run<'_> {
     /// TCH PROBE 404: the basic rotation is a parameter. Nothing is measured, and nothing moves.
     pub(super) fn set_basic_rotation(&mut self, probe: &Probe, span: Span) -> Outcome {
         let Some(angle) = self.probe_value(probe, ANGLE, span)? else {
-            return self.fail_help(
-                codes::K2402,
-                span,
-                "TCH PROBE 404 lacks its angle Q307",
-                "write the basic rotation: `Q307=+0`",
-            );
+            return self.refuse(span, codes::K2402::tch_probe_404_lacks_its_angle_q307());
         };
         if self.probe_value(probe, ROW, span)?.unwrap_or(0.0) != 0.0 {
             let message = "TCH PROBE 404 writes the basic rotation into a row of the preset table (Q305), which only the machine has";
@@ -251,11 +235,7 @@ impl Run<'_> {
         let mut next = self.st.frames.transform().clone();
         next.basic = Some(Deg(angle));
         if angle != 0.0 {
-            let message = format!("TCH PROBE 404 turns the coordinates by {angle}° about Z");
-            self.report(
-                Diagnostic::new(codes::K2853, self.loc(span), message)
-                    .help("the coordinates are printed turned: no rotation may be set on the target besides"),
-            );
+            self.report(codes::K2853::tch_probe_404_turns_coordinates_by_about(&angle).at(self.loc(span)));
         }
         self.set_transformation(next)
     }
@@ -264,10 +244,8 @@ impl Run<'_> {
     pub(super) fn end_basic_rotation(&mut self, m: &MWord) -> Outcome {
         if let Some(probed) = self.st.frames.probed() {
             self.lose_all();
-            let message = "M143 ends a basic rotation, and the one that a touch probe cycle measured is known only at the machine";
-            let found = Diagnostic::new(codes::K9008, self.loc(m.span), message)
-                .also(probed, "this cycle is left out")
-                .help("take M143 out, and set the part up without a basic rotation; or split the program here");
+            let found =
+                codes::K9008::m143_ends_basic_rotation().at(self.loc(m.span)).also(probed, "this cycle is left out");
             self.report(found);
             return Err(Reported);
         }
@@ -276,14 +254,7 @@ impl Run<'_> {
             Some(angle) if angle.0 != 0.0 => self.set_transformation(next),
             Some(_) => Ok(()),
             None => {
-                self.job.diags.push_once(
-                    Diagnostic::new(
-                        codes::K2710,
-                        self.loc(m.span),
-                        "the basic rotation of the preset, if it has one, is not ended in the output",
-                    )
-                    .help("set the work offset of the target without a rotation"),
-                );
+                self.job.diags.push_once(codes::K2710::basic_rotation_of_preset().at(self.loc(m.span)));
                 Ok(())
             }
         }

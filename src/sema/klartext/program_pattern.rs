@@ -3,7 +3,7 @@
 //! What a place is to the program no manual at hand says; `[cycles] pattern_program` does. Source: K 4.3, 4.6
 //! (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::Pos;
 use crate::ir::contour::Path;
 use crate::machine::Axis;
@@ -17,22 +17,17 @@ use super::{Outcome, Reported, Run};
 impl Run<'_> {
     pub(super) fn run_program_pattern(&mut self, w: &Words, places: &Places, name: &str) -> Outcome {
         let Some(reading) = self.job.settings.cycles.klartext.pattern_program else {
-            return self.fail_help(
-                codes::K9001,
+            return self.refuse(
                 self.block_span(),
-                format!("CYCL CALL PAT with the program `{name}` of cycle 12: what the places are to it is open"),
-                Answer::key("cycles", "pattern_program").help("say it by `[cycles] pattern_program = \"shift\"` or \"position\", or call the program at each place by M99"),
+                codes::P9010::cycl_call_pat_with_program_of_cycle_12(&name)
+                    .answer(Answer::key("cycles", "pattern_program")),
             );
         };
         if places.iter().any(|place| place.surface != 0.0) {
             self.report(
-                Diagnostic::new(
-                    codes::K9001,
-                    self.here.origin.loc,
-                    format!("CYCL CALL PAT with the program `{name}` of cycle 12: the places have a Z, and what it shifts is open"),
-                )
-                .also(places.loc, "the pattern")
-                .help("leave Z out of the pattern"),
+                codes::P9010::cycl_call_pat_with_program(&name)
+                    .at(self.here.origin.loc)
+                    .also(places.loc, "the pattern"),
             );
             return Err(Reported);
         }
@@ -80,15 +75,7 @@ impl Run<'_> {
         let base = self.st.frames.transform().clone();
         let (first, second, _) = self.st.plane().axes();
         if !base.is_shift_only() || base.turn.0 != 0.0 || base.is_turned_as_a_whole() {
-            let message = format!(
-                "CYCL CALL PAT with the program `{name}` of cycle 12 under a rotation, mirror or scaling: along which axes the places shift is open"
-            );
-            return self.fail_help(
-                codes::K9001,
-                self.block_span(),
-                message,
-                "end the transformation in front of the pattern",
-            );
+            return self.refuse(self.block_span(), codes::P9010::cycl_call_pat_with_program_of_cycle(&name));
         }
         let mut shifted = base.clone();
         for (axis, by) in [(first, place.at.x), (second, place.at.y)] {
@@ -97,14 +84,7 @@ impl Run<'_> {
         self.set_transformation(shifted.clone())?;
         self.run_program(name)?;
         if *self.st.frames.transform() != shifted {
-            let message =
-                format!("the program `{name}` of cycle 12 changes the coordinate system, and the pattern shifts it");
-            return self.fail_help(
-                codes::K9001,
-                self.block_span(),
-                message,
-                "let the program leave the system as it was",
-            );
+            return self.refuse(self.block_span(), codes::P9010::program_of_cycle_12_changes_coordinate_system(&name));
         }
         self.set_transformation(base)
     }
@@ -112,15 +92,7 @@ impl Run<'_> {
     fn run_program(&mut self, name: &str) -> Outcome {
         self.run_whole(name)?;
         if self.st.compensation.is_on() {
-            let message = format!(
-                "the program `{name}` of cycle 12 ends with radius compensation on, and the pattern goes on to its next place"
-            );
-            return self.fail_help(
-                codes::K2407,
-                self.block_span(),
-                message,
-                "end the compensation in the program: `L R0`",
-            );
+            return self.refuse(self.block_span(), codes::K2407::program_of_cycle_12_ends_with_radius(&name));
         }
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! Statements that are known by name only: refused, or left out because no path depends on them.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::parser::klartext::ast::{Block, Refused};
 
 use crate::text::Span;
@@ -22,34 +22,26 @@ impl Run<'_> {
                 self.left_out("SEL TABLE only selects the table that datum shifts take rows of, and");
                 Ok(())
             }
-            Refused::SelectTable => self.fail_help(
-                codes::K1006,
-                span,
-                format!("{name} names no table"),
-                "write the name of the table: `SEL TABLE \"NAME.D\"`",
-            ),
+            Refused::SelectTable => self.refuse(span, codes::P1004::names_no_table(&name)),
             Refused::Contour => {
                 let by_parameter = name.get(..2).is_some_and(|head| head.eq_ignore_ascii_case("QC"));
                 let (name, span) = if by_parameter { self.block_name(block, text, 1) } else { (name, span) };
-                self.fail(codes::K9018, span, format!("{name}: contours that are put together are not supported"))
+                self.refuse(span, codes::K9018::contours_that_are_put_together_are_not(&name))
             }
             Refused::GlobalDef => self.global_def(block, text),
             Refused::Function if is_harmless(block.span.of(text)) => {
-                self.job.diags.push_once(Diagnostic::new(
-                    codes::K2703,
-                    self.here.origin.loc,
-                    format!("{} has no word in the output", self.block_name(block, text, 3).0),
-                ));
+                self.job.diags.push_once(
+                    codes::K2703::has_no_word_in_output(&self.block_name(block, text, 3).0).at(self.here.origin.loc),
+                );
                 Ok(())
             }
             Refused::Function => {
                 let (name, span) = self.block_name(block, text, words_of_name(&name));
                 if let Some(name) = named_branch(&name) {
                     self.lose_all();
-                    let help = "write the branch as a jump: `FN 9: IF +Q1 EQU +5 GOTO LBL 1`";
-                    return self.fail_help(codes::K9011, span, format!("{name} is not supported"), help);
+                    return self.refuse(span, codes::P9011::is_not_supported(&name));
                 }
-                self.refuse_motion(codes::K9011, span, &format!("{name} is not supported"))
+                self.refuse_motion(codes::P9011, span, &format!("{name} is not supported"))
             }
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.14 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::Deg;
 use crate::ir::Pos;
 use crate::machine::{Axis, AxisSet};
@@ -80,22 +80,12 @@ impl Run<'_> {
         for axis in end.known().without(AxisSet::MAIN).iter() {
             if !axis.is_rotary() {
                 if let Some(what) = self.st.frames.transform().touches_parallel(axis) {
-                    return self.fail_help(
-                        codes::K2506,
-                        w.axes_span,
-                        format!("{} moves while a {what} is active", axis.letter()),
-                        "reset the transformation before the block",
-                    );
+                    return self.refuse(w.axes_span, codes::K2506::moves_while_is_active(&axis.letter(), &what));
                 }
                 continue;
             }
             if self.st.feed.at_surface && cuts {
-                return self.fail_help(
-                    codes::K2509,
-                    w.axes_span,
-                    format!("{} moves at a feed under M116", axis.letter()),
-                    "switch M116 off with M117 and program degrees per minute",
-                );
+                return self.refuse(w.axes_span, codes::K2509::moves_at_feed_under_m116(&axis.letter()));
             }
             self.st.rotary.moves(axis);
             if w.incremental.contains(axis) {
@@ -118,12 +108,7 @@ impl Run<'_> {
         if !self.st.rotary.short_way || step.abs() <= 180.0 {
             return Ok(());
         }
-        self.fail_help(
-            codes::K9008,
-            w.axes_span,
-            format!("under M126 it is open whether I{}{step:+} goes its own way or the short one", axis.letter()),
-            "program M127 first, or the absolute angle",
-        )
+        self.refuse(w.axes_span, codes::K9008::under_m126_it_is_open_whether_i(&axis.letter(), &step))
     }
 
     /// Where a rotary axis goes in unbroken degrees, so that the output turns the same way.
@@ -137,14 +122,7 @@ impl Run<'_> {
             // `from` already holds the whole turns.
             let ahead = Deg(target - from).normal().0;
             if ahead == 180.0 {
-                let found = Diagnostic::new(
-                    codes::K2510,
-                    self.core.loc(span),
-                    format!(
-                        "{} goes half a turn, where both ways are as short; it turns in the positive sense",
-                        axis.letter()
-                    ),
-                );
+                let found = codes::K2510::goes_half_turn(&axis.letter()).at(self.core.loc(span));
                 self.core.report(found.help("program M127 if the sense of rotation matters"));
             }
             let step = if ahead > 180.0 { ahead - 360.0 } else { ahead };

@@ -2,6 +2,7 @@
 //!
 //! Source: F B7 (docs/sources.md).
 
+use crate::diag::codes;
 use crate::geo::Point2;
 use crate::ir::Feed;
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill};
@@ -18,7 +19,7 @@ impl Run<'_> {
     /// Cycle 231.
     pub(super) fn ruled_surface(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
         if call.placed() {
-            return self.cycle_unbuilt(cycle, "a pattern or CYCL CALL POS with a surface that has a place of its own");
+            return self.refuse_cycle(cycle, codes::P9010::pattern_or_cycl_call_pos_with_surface());
         }
         let mut corners = [Corner { at: Point2::origin(), height: 0.0 }; 4];
         for (corner, [first, second, height]) in corners.iter_mut().zip(CORNERS) {

@@ -4,7 +4,7 @@
 
 use core::f64::consts::PI;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::{Deg, Point2};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::milling::{Heights, Mill, Place};
@@ -28,8 +28,7 @@ impl Run<'_> {
         let Some(mill) = self.cutter_of(cycle, call)? else { return Ok(None) };
         let (length, width) = (self.above_zero(cycle, FIRST_SIDE)?, self.above_zero(cycle, SECOND_SIDE)?);
         if length <= width {
-            let what = format!("the slot length Q218 = {length} mm is not above its width Q219 = {width} mm");
-            return self.cycle_value(cycle, &what);
+            return self.refuse_value(cycle, codes::P2090::slot_length_q218_mm_is_not_above(&length, &width));
         }
         let half = (length - width) / 2.0;
         let place = Place { at: center, turn: Deg(self.cycle_option(cycle, TURN)?) };
@@ -43,7 +42,7 @@ impl Run<'_> {
         let (radius, width) = (self.above_zero(cycle, CIRCLE)? / 2.0, self.above_zero(cycle, SECOND_SIDE)?);
         let sweep = self.cycle_number(cycle, OPENING)?;
         if sweep <= 0.0 || sweep >= 360.0 {
-            return self.cycle_value(cycle, &format!("the opening angle Q248 = {sweep} is not above 0 and below 360"));
+            return self.refuse_value(cycle, codes::P2090::opening_angle_q248_is_not_above_0(&sweep));
         }
         let place = Place { at: center, turn: Deg(self.cycle_number(cycle, START_ANGLE)?) };
         let length = radius * sweep * PI / 180.0 + width;
@@ -54,10 +53,7 @@ impl Run<'_> {
     /// to say.
     pub(super) fn center_of_its_own(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Point2> {
         if call.by == By::Pattern {
-            return self.cycle_unbuilt(
-                cycle,
-                "a pattern with a centre of its own (Q216, Q217), so that every place would be the same,",
-            );
+            return self.refuse_cycle(cycle, codes::P9010::pattern_with_centre_of_its_own());
         }
         Ok(Point2::new(self.cycle_length(cycle, CENTER.0)?, self.cycle_length(cycle, CENTER.1)?))
     }
@@ -130,7 +126,8 @@ impl Run<'_> {
         let text = format!("cycle {}: each stroke falls by Q202; a stroke to and one fro may be meant", cycle.number);
         if self.job.diags.first_text(codes::K8142, &text) {
             self.report(
-                Diagnostic::new(codes::K8142, self.here.origin.loc, text)
+                codes::K8142::cycle_each_stroke_falls_by_q202(&cycle.number)
+                    .at(self.here.origin.loc)
                     .also(cycle.loc, "the cycle is defined here")
                     .help(
                         Answer::key("cycles", "q202")

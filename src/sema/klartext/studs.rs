@@ -2,6 +2,7 @@
 //!
 //! Source: K 6.5 (docs/sources.md).
 
+use crate::diag::codes;
 use crate::geo::Deg;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::milling::{Mill, Place};
@@ -26,15 +27,15 @@ impl Run<'_> {
         let raw = [self.above_zero(cycle, RAW.0)? / 2.0, self.above_zero(cycle, RAW.1)? / 2.0];
         let over = [raw[0] - half[0], raw[1] - half[1]];
         if over.iter().any(|way| *way < -1e-9) {
-            return self.cycle_value(cycle, "the blank (Q424, Q425) is smaller than the stud (Q218, Q219)");
+            return self.refuse_value(cycle, codes::P2090::blank_q424());
         }
         let corner = self.optional_length(cycle, CORNER)?;
         if corner < 0.0 {
-            return self.cycle_unbuilt(cycle, &format!("a chamfer at the corners (Q220={corner})"));
+            return self.refuse_cycle(cycle, codes::P9010::chamfer_at_corners_is_not_supported(&corner));
         }
         let approach = self.choice(cycle, APPROACH, 4)?;
         if approach != 0 {
-            return self.cycle_unbuilt(cycle, &format!("an approach at a corner (Q437={approach})"));
+            return self.refuse_cycle(cycle, codes::P9010::approach_at_corner_is_not_supported(&approach));
         }
         let turn = Deg(self.cycle_option(cycle, TURN)?);
         let to_middle = self.way_to_middle(cycle, half)?;
@@ -51,12 +52,11 @@ impl Run<'_> {
         let radius = self.above_zero(cycle, DIAMETER)? / 2.0;
         let raw = self.above_zero(cycle, RAW_DIAMETER)? / 2.0;
         if raw < radius - 1e-9 {
-            return self.cycle_value(cycle, "the blank (Q222) is smaller than the stud (Q223)");
+            return self.refuse_value(cycle, codes::P2090::blank_q222_is_smaller_than_stud());
         }
         let angle = if cycle.gives_q(START_ANGLE) { self.cycle_number(cycle, START_ANGLE)? } else { -1.0 };
         if angle != -1.0 && !(0.0..=359.0).contains(&angle) {
-            return self
-                .cycle_value(cycle, &format!("the angle of the approach Q376 = {angle} is not -1, or 0 to 359"));
+            return self.refuse_value(cycle, codes::P2090::angle_of_approach_q376_is_not_1(&angle));
         }
         let place = Place { at: self.call_point(cycle)?, turn: Deg(angle.max(0.0)) };
         let blank = Blank { reach: raw, stock: raw - radius, aside: ASIDE };

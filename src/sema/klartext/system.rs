@@ -3,7 +3,7 @@
 //! Source: K 5.7, and 7.2 for the unit of lengths (docs/sources.md). It lists ID 20 NR 1, ID 50, ID 210, ID 220 and ID 270;
 //! further answers are a reading that warns.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::lexer::klartext::QRef;
 use crate::machine::{Axis, Generation, ToolKey, Unit};
 use crate::parser::klartext::ast::{Addr, Block};
@@ -57,7 +57,7 @@ impl Run<'_> {
         while let Some(name) = words.next() {
             let value = match (name.addr, words.next()) {
                 (Addr::Name, Some(value)) if value.addr == Addr::Value => value,
-                _ => return self.fail(codes::K1001, name.span, "SYSREAD takes ID, NR and IDX with a value each"),
+                _ => return self.refuse(name.span, codes::P1001::sysread_takes_id()),
             };
             let whole = |n: f64| (n >= 0.0 && n.fract() == 0.0).then_some(n as u32);
             let n = self.number(value.value, value.span)?;
@@ -66,11 +66,7 @@ impl Run<'_> {
                 (b"NR", Some(n)) => request.nr = n,
                 (b"IDX", _) => request.idx = Some(n),
                 _ => {
-                    return self.fail(
-                        codes::K1001,
-                        value.span,
-                        "SYSREAD takes whole numbers behind ID and NR, and IDX",
-                    );
+                    return self.refuse(value.span, codes::P1001::sysread_takes_whole_numbers_behind_id());
                 }
             }
         }
@@ -91,12 +87,10 @@ impl Run<'_> {
         if said || value == 0.0 || self.level().frame.unit == Unit::Mm || !r.is_length() {
             return Ok(());
         }
-        self.fail_help(
-            codes::K2855,
+        self.refuse(
             block.span,
-            format!("{} is a length, and in an INCH program controls may give it in inches or in mm", r.name()),
-            Answer::key("control", "system_unit")
-                .help("say which by `[control] system_unit = \"program\"` or `\"mm\"`; a TNC7 gives mm (`klartext = \"tnc7\"`)"),
+            codes::K2855::is_length_in_inch_program_controls_may(&r.name())
+                .answer(Answer::key("control", "system_unit")),
         )
     }
 
@@ -165,12 +159,7 @@ impl Run<'_> {
                 self.unit_is_said(r, value, block)?;
                 if matches!((r.id, r.nr), (20, 2..) | (200, _)) {
                     self.job.diags.push_once(
-                        Diagnostic::new(
-                            codes::K8021,
-                            self.loc(block.span),
-                            format!("ID {} NR {} is answered as older programs use it", r.id, r.nr),
-                        )
-                        .help("check the value against the manual of the control, or assign it with FN 0"),
+                        codes::K8021::id_nr_is_answered_as_older_programs(&r.id, &r.nr).at(self.loc(block.span)),
                     );
                 }
                 Ok(value)
@@ -192,14 +181,10 @@ impl Run<'_> {
             }
             _ => "",
         };
-        self.fail_help(
-            codes::K9016,
+        self.refuse(
             block.span,
-            format!("system data ID {} NR {}{what} is known only at the machine{why}", r.id, r.nr),
-            Answer::variable(r.name(), meaning).help(format!(
-                "assign the value with FN 0 if it is always the same, or say it in partc.toml: `[variables]` with `\"{}\" = …`",
-                r.name()
-            )),
+            codes::K9016::system_data_id_nr_is_known(&r.id, &r.nr, &what, &why, &r.name())
+                .answer(Answer::variable(r.name(), meaning)),
         )
     }
 
@@ -214,12 +199,7 @@ impl Run<'_> {
     fn table_value(&mut self, r: Request, block: &Block) -> Outcome<f64> {
         let mm = self.unit_of_lengths();
         let Some(n) = r.idx.filter(|n| *n >= 1.0) else {
-            return self.fail_help(
-                codes::K9016,
-                block.span,
-                "ID 50 reads the tool table, and no manual says what it reads without a tool number in IDX",
-                "name the tool: `ID50 NR2 IDX5`",
-            );
+            return self.refuse(block.span, codes::K9016::id_50_reads_tool_table());
         };
         let key = ToolKey::Number(n.trunc() as u32, (n.fract() * 10.0).round() as u8);
         let mut data = self.job.settings.tools.table.get(&key).cloned();
@@ -242,12 +222,9 @@ impl Run<'_> {
                 self.unit_is_said(r, value, block)?;
                 Ok(value / mm)
             }
-            None => self.fail_help(
-                codes::K2008,
+            None => self.refuse(
                 block.span,
-                format!("the table data of tool {key} is not known"),
-                Answer::tool(&key, field_of(r.nr))
-                    .help(format!("add `[tools.{key}]` to partc.toml, or name the tool table under `[tools] table`")),
+                codes::P2004::table_data_of_tool_is_not_known(&key).answer(Answer::tool(&key, field_of(r.nr))),
             ),
         }
     }

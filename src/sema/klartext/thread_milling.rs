@@ -2,7 +2,7 @@
 //!
 //! Source: K 6.2, F B6 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::Deg;
 use crate::ir::Feed;
 use crate::ir::cycle::drilling::{Ahead, Breaks, Levels, Method};
@@ -43,10 +43,7 @@ impl Run<'_> {
         let feed = self.cycle_feed(cycle, SINK_FEED, None)?;
         match self.height_below(cycle, TOTAL_DEPTH, &thread.mill)? {
             Some(height) => {
-                self.way_of_cycle(
-                    cycle,
-                    "the countersink is made straight down in the middle; the circle beside the wall (Q357) is left out",
-                );
+                self.own_way_of(cycle, codes::K8141::countersink_is_made_straight_down_in_middle());
                 self.keep_above(cycle, &mut thread, height)?;
                 let approach = height + thread.mill.heights.clearance;
                 let sink = Sink { approach, height, radius: 0.0, counter_clockwise: true, feed };
@@ -62,7 +59,7 @@ impl Run<'_> {
     pub(super) fn thread_with_hole(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
         let Some(mut thread) = self.inside_thread(cycle, call, Turns::Once)? else { return Ok(None) };
         let Some(depth) = self.height_below(cycle, TOTAL_DEPTH, &thread.mill)? else {
-            return self.cycle_value(cycle, "the depth of the hole Q356 is 0");
+            return self.refuse_value(cycle, codes::P2090::depth_of_hole_q356_is_0());
         };
         // The hole is as wide as the tool.
         if thread.ways.positioning == Some(Positioning::Rapid) && thread.ways.beside.is_some() {
@@ -93,15 +90,10 @@ impl Run<'_> {
         let Some(mut thread) = self.inside_thread(cycle, call, Turns::Continuous)? else { return Ok(None) };
         let radius = thread.mill.radius;
         if thread.nominal - radius > radius + SAME {
-            let message = format!(
-                "cycle 265: tool radius too small: in a thread of {} mm (Q335) a tool of {} mm leaves a core in the middle",
-                2.0 * thread.nominal,
-                2.0 * radius
-            );
             self.report(
-                Diagnostic::new(codes::K2942, self.here.origin.loc, message)
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help("take a larger tool, or drill the core and mill the thread with cycle 262"),
+                codes::K2942::cycle_265(&(2.0 * thread.nominal), &(2.0 * radius))
+                    .at(self.here.origin.loc)
+                    .also(cycle.loc, "the cycle is defined here"),
             );
             return Err(Reported);
         }
@@ -121,7 +113,7 @@ impl Run<'_> {
                 }));
             }
             1.0 => thread.after.extend(front),
-            other => return self.cycle_value(cycle, &format!("Q360 = {other} is not 0 or 1")),
+            other => return self.refuse_value(cycle, codes::P2090::q360_is_not_0_or_1(&other)),
         }
         self.thread_cycle(cycle, thread)
     }
@@ -130,16 +122,10 @@ impl Run<'_> {
     pub(super) fn thread_on_stud(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
         let Some(touched) = self.job.settings.cycles.klartext.outside_thread else {
             self.report(
-                Diagnostic::new(
-                    codes::K9040,
-                    self.here.origin.loc,
-                    "cycle 267: no manual at hand says what the radius of the tool touches, the nominal diameter or the core",
-                )
-                .also(cycle.loc, "the cycle is defined here")
-                .help(
-                    Answer::key("cycles", "thread_267").help("`[cycles] thread_267 = \"core\"` where the radius of the tool is that of its tip, `\"nominal\"` where the tip \
-                     reaches the core when that radius reaches the nominal diameter"),
-                ),
+                codes::K9040::cycle_267()
+                    .answer(Answer::key("cycles", "thread_267"))
+                    .at(self.here.origin.loc)
+                    .also(cycle.loc, "the cycle is defined here"),
             );
             return Err(Reported);
         };
@@ -156,10 +142,7 @@ impl Run<'_> {
         let feed = self.cycle_feed(cycle, SINK_FEED, None)?;
         let front = self.front(cycle, &thread, feed)?;
         thread.before.extend(front);
-        self.way_of_cycle(
-            cycle,
-            "beside the stud the tool goes half a pitch below the thread: the shoulder has to lie that much deeper",
-        );
+        self.own_way_of(cycle, codes::K8141::beside_stud_tool_goes_half_pitch_below());
         self.thread_cycle(cycle, thread)
     }
 
@@ -170,12 +153,12 @@ impl Run<'_> {
         let feeds = Feeds { plane: feed, depth: feed };
         let Some(mill) = self.round_cutter(cycle, call, feeds)? else { return Ok(None) };
         if self.st.ctx.frame.linear().determinant() < 0.0 {
-            return self.cycle_unbuilt(cycle, "milling under a mirror, which would change the hand of the thread,");
+            return self.refuse_cycle(cycle, codes::P9010::milling_under_mirror());
         }
         let nominal = self.above_zero(cycle, NOMINAL)? / 2.0;
         let pitch = self.cycle_length(cycle, PITCH)?;
         if pitch == 0.0 {
-            return self.cycle_value(cycle, "the pitch Q239 is 0");
+            return self.refuse_value(cycle, codes::P2090::pitch_q239_is_0());
         }
         // Cycle 265 has no Q351: the hand of the thread decides.
         let takes = cycle.row().needed().any(|name| name == Name::Q(CLIMB.0));
@@ -227,23 +210,20 @@ impl Run<'_> {
             0.0 => Ok(Turns::Once),
             1.0 => Ok(Turns::Continuous),
             n if n > 1.0 && n <= 99_999.0 && n.fract() == 0.0 => Ok(Turns::Strips(n as u32)),
-            other => self.cycle_value(cycle, &format!("the threads of a step Q355 = {other} are no whole number")),
+            other => self.refuse_value(cycle, codes::P2090::threads_of_step_q355_are_no_whole(&other)),
         }
     }
 
     fn depth_of_core_hole(&mut self, cycle: &DefinedCycle, thread: &ThreadMilling) {
         let deeper = thread.pitch / 2.0;
-        let what = format!(
-            "the tool goes {deeper} mm, half a pitch, below the thread: its core hole has to be that much deeper"
-        );
-        self.way_of_cycle(cycle, &what);
+        self.own_way_of(cycle, codes::K8141::tool_goes_mm(&deeper));
     }
 
     /// A depth below the surface; nothing where it is 0.
     fn height_below(&mut self, cycle: &DefinedCycle, q: Q, mill: &Mill) -> Outcome<Option<f64>> {
         let depth = self.cycle_length(cycle, q)?;
         if depth > 0.0 {
-            return self.cycle_value(cycle, &format!("the depth {q} = {depth} is positive"));
+            return self.refuse_value(cycle, codes::P2090::depth_is_positive_2(&q, &depth));
         }
         Ok((depth != 0.0).then_some(mill.heights.reference + depth))
     }
@@ -252,7 +232,7 @@ impl Run<'_> {
     fn keep_above(&mut self, cycle: &DefinedCycle, thread: &mut ThreadMilling, floor: f64) -> Outcome {
         let room = thread.mill.heights.depth - floor;
         if room < -SAME {
-            return self.cycle_value(cycle, "the depth Q356 is less than the depth of the thread Q201");
+            return self.refuse_value(cycle, codes::P2090::depth_q356_is_less_than_depth());
         }
         let rises = thread.counter_clockwise != thread.left_hand;
         let deep = &mut thread.ways.along[usize::from(!rises)];
@@ -282,9 +262,9 @@ impl Run<'_> {
         );
         if self.job.diags.first_text(codes::K8111, &text) {
             self.report(
-                Diagnostic::new(codes::K8111, self.here.origin.loc, text)
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help("the offset counts from the middle of the thread to that of the cutter; check it in a picture (`partc plot`)"),
+                codes::K8111::cycle_circle_of_countersink(&cycle.number, &FRONT_OFFSET, &radius, &diameter)
+                    .at(self.here.origin.loc)
+                    .also(cycle.loc, "the cycle is defined here"),
             );
         }
     }

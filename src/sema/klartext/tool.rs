@@ -4,7 +4,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::function::{CutterData, Spindle};
 use crate::ir::{Feed, Function};
 use crate::lexer::klartext::Value;
@@ -106,7 +106,7 @@ impl Run<'_> {
     /// `TOOL DEF 5 L+0 R+4` defines a tool; `TOOL DEF 5` alone tells the changer which one comes next.
     pub(super) fn tool_def(&mut self, block: &Block, text: &[u8]) -> Outcome {
         let Some((tool, rest)) = self.named_tool(&block.words, text)? else {
-            return self.fail(codes::K1006, block.span, "TOOL DEF names no tool");
+            return self.refuse(block.span, codes::P1004::tool_def_names_no_tool());
         };
         let mm = self.level().frame.unit.mm();
         let (mut length, mut radius) = (None, None);
@@ -130,7 +130,7 @@ impl Run<'_> {
                         length = Some(self.number(value.value, value.span)? * mm);
                         at += 1;
                     }
-                    _ => return self.fail(codes::K1006, word.span, "L lacks its value"),
+                    _ => return self.refuse(word.span, codes::P1004::l_lacks_its_value()),
                 },
                 Addr::RadiusEmpty => {}
                 _ => return self.not_admitted(word, "TOOL DEF"),
@@ -138,7 +138,7 @@ impl Run<'_> {
         }
         if length.is_some() || radius.is_some() {
             let Named::Number(number, _) = tool else {
-                return self.fail(codes::K2010, block.span, "a tool that the program defines needs a number");
+                return self.refuse(block.span, codes::K2010::tool_that_program_defines_needs_number());
             };
             self.defined.insert(number, (length, radius));
             return Ok(());
@@ -158,21 +158,13 @@ impl Run<'_> {
         self.refuse_compensated("TOOL CALL stands");
         // The side stays: a contour that goes on compensated behind a tool change is refused.
         if self.st.compensation.is_on() && tool.is_some() {
-            self.report(
-                Diagnostic::new(codes::K2603, self.here.origin.loc, "TOOL CALL ends the radius compensation")
-                    .help("program a block with R0 first"),
-            );
+            self.report(codes::P2041::tool_call_ends_radius_compensation().at(self.here.origin.loc));
         }
         if call.axis.is_none()
             && self.st.tool.axis.is_none()
             && tool.as_ref().is_some_and(|t| *t != Named::Number(0, 0))
         {
-            return self.fail_help(
-                codes::K2004,
-                block.span,
-                "the first TOOL CALL has no tool axis",
-                "write it behind the tool number: `TOOL CALL 5 Z S2500`",
-            );
+            return self.refuse(block.span, codes::K2004::first_tool_call_has_no_tool_axis());
         }
         let turned = call.axis.is_some_and(|axis| self.st.tool.axis != Some(axis));
         if let Some(axis) = call.axis {
@@ -222,11 +214,7 @@ impl Run<'_> {
     pub(super) fn reads_feed_by_word(&self, span: Span) {
         let text = self.word_text(span);
         let what = if text.to_ascii_uppercase().contains("FZ") { "for each tooth" } else { "for each revolution" };
-        let message = format!("`{text}` is read as a feed {what}");
-        self.report_once(
-            Diagnostic::new(codes::K8026, self.loc(span), message)
-                .help("compare it with the control, or write the feed in mm/min"),
-        );
+        self.report_once(codes::K8026::is_read_as_feed(&text, &what).at(self.loc(span)));
     }
 
     /// G43 of the target adds the length of the tool to Z.
@@ -237,15 +225,10 @@ impl Run<'_> {
             return Ok(());
         }
         let [who, help] = self.job.settings.output.length_along_z();
-        let message = format!(
-            "with the tool axis {} the length of the tool acts along it, and {who} adds it to Z",
-            axis.letter()
-        );
-        self.fail_help(
-            codes::O9190,
+        self.refuse(
             span,
-            message,
-            Answer::key("output", "tool_length").one_of(&["\"off\""]).help(help),
+            codes::O9190::with_tool_axis_length_of_tool_acts(&axis.letter(), &who)
+                .help(Answer::key("output", "tool_length").one_of(&["\"off\""]).help(help)),
         )
     }
 
@@ -255,14 +238,7 @@ impl Run<'_> {
         if changed {
             self.function(Function::Plane(self.st.plane()));
             if self.st.frames.transform().angle.0 != 0.0 && self.st.frames.transform().plane != self.st.plane() {
-                self.report(
-                    Diagnostic::new(
-                        codes::K2511,
-                        self.here.origin.loc,
-                        format!("the tool axis becomes {}, and the rotation stays in its plane", axis.letter()),
-                    )
-                    .help("reset the rotation before the change, and program it again after"),
-                );
+                self.report(codes::K2511::tool_axis_becomes(&axis.letter()).at(self.here.origin.loc));
             }
         }
     }
@@ -312,26 +288,13 @@ impl Run<'_> {
 
     /// `S( VC = 120 )`
     fn cutting_speed<T>(&self, word: Word) -> Outcome<T> {
-        self.fail_help(
-            codes::K9011,
-            word.span,
-            format!(
-                "`{}` is a cutting speed, and partc does not compute the speed of the spindle from it",
-                self.word_text(word.span)
-            ),
-            "write the speed: S = 1000 · VC / (π · diameter of the tool)",
-        )
+        self.refuse(word.span, codes::P9011::is_cutting_speed(&self.word_text(word.span)))
     }
 
     /// Says once a tool that DR2 changes no path.
     fn note_corner_radius(&self, call: &Call, span: Span) {
         let Some(delta) = call.deltas[2].filter(|delta| *delta != 0.0) else { return };
-        let message =
-            format!("DR2 {delta:+} mm changes no path: in three axes the corner radius of the tool does not count");
-        self.report(
-            Diagnostic::new(codes::K2014, self.loc(span), message)
-                .help("give the oversize of the radius by DR and that of the length by DL"),
-        );
+        self.report(codes::K2014::dr2_mm_changes_no_path(&delta).at(self.loc(span)));
     }
 
     fn change_tool(&mut self, tool: &Named, call: &Call, turned: bool, span: Span) -> Outcome {
@@ -412,14 +375,7 @@ impl Run<'_> {
         let dropped = tool.call_deltas.iter().zip(&call.deltas).any(|(old, new)| *old != 0.0 && new.is_none());
         tool.call_deltas = new;
         if dropped {
-            self.report(
-                Diagnostic::new(
-                    codes::K2009,
-                    here,
-                    "this TOOL CALL does not repeat the oversizes in force, so they end",
-                )
-                .help("write DL, DR and DR2 again if they are to stay"),
-            );
+            self.report(codes::K2009::this_tool_call_does_not_repeat_oversizes().at(here));
         }
         self.send_cutter();
     }
@@ -437,21 +393,10 @@ impl Run<'_> {
     /// Before RL or RR: is there a tool, and is its radius what the target believes?
     pub(super) fn check_cutter(&mut self, span: Span) -> Outcome {
         match &self.st.tool.active {
-            None => self.fail_help(
-                codes::K2008,
-                span,
-                "radius compensation without a tool",
-                "program TOOL CALL before RL or RR",
-            ),
+            None => self.refuse(span, codes::P2004::radius_compensation_without_tool()),
             Some(tool) if tool.call_deltas[1] != 0.0 && tool.radius.is_none() => {
                 let called = tool.called.clone();
-                self.fail_help(
-                    codes::K2008,
-                    span,
-                    format!("tool {called} has an oversize DR, and its radius is not known"),
-                    Answer::tool(&called, "radius")
-                        .help(format!("add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block")),
-                )
+                self.refuse(span, codes::P2004::tool_has_oversize_dr(&called).answer(Answer::tool(&called, "radius")))
             }
             Some(_) => self.one_radius(span),
         }
@@ -462,11 +407,9 @@ impl Run<'_> {
         let Some(tool) = &self.st.tool.active else { return Ok(()) };
         let (Some(own), Some(table)) = (tool.radius, tool.other_radius) else { return Ok(()) };
         let called = &tool.called;
-        self.fail_help(
-            codes::K2890,
+        self.refuse(
             span,
-            format!("tool {called} has radius {own} in its TOOL DEF and {table} in the tool table"),
-            Answer::tool(called, "radius").help(format!("write the radius of the tool in use into both, or remove `radius` from `[tools.{called}]` or R from TOOL DEF")),
+            codes::K2890::tool_has_radius_in_its_tool_def(&called, &own, &table).answer(Answer::tool(called, "radius")),
         )
     }
 
@@ -478,17 +421,13 @@ impl Run<'_> {
                 Some(radius) => Ok(radius),
                 None => {
                     let called = tool.called.clone();
-                    self.fail_help(
-                        codes::K2008,
+                    self.refuse(
                         span,
-                        format!("the radius of tool {called} is not known"),
-                        Answer::tool(&called, "radius").help(format!(
-                            "add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block"
-                        )),
+                        codes::P2004::radius_of_tool_is_not_known(&called).answer(Answer::tool(&called, "radius")),
                     )
                 }
             },
-            None => self.fail_help(codes::K2008, span, "no tool is called", "program TOOL CALL first"),
+            None => self.refuse(span, codes::P2004::no_tool_is_called()),
         }
     }
 
@@ -505,7 +444,7 @@ impl Run<'_> {
 
     pub(super) fn spindle_speed(&mut self, speed: f64, span: Span) -> Outcome {
         if speed < 0.0 {
-            return self.fail(codes::O9002, span, format!("the spindle speed is {speed}"));
+            return self.refuse(span, codes::O9002::spindle_speed(&speed));
         }
         self.st.spindle.set_speed(speed);
         self.function(Function::Spindle(Spindle::Speed(speed)));
@@ -520,7 +459,7 @@ impl Run<'_> {
             (Addr::Text, _) => name(first.span.of(text)),
             (Addr::Value, Value::Param { q, .. }) if q.is_text() => match self.read(q, first.span)? {
                 Val::Text(text) => Named::Name(String::from_utf8_lossy(&text).into_owned()),
-                _ => return self.fail(codes::K2307, first.span, "a text parameter is needed"),
+                _ => return self.refuse(first.span, codes::P2024::text_parameter_is_needed()),
             },
             (Addr::Value, Value::Number(_)) => self.tool_number(first.span.of(text), first.span)?,
             (Addr::Value, value) => {
@@ -540,7 +479,7 @@ impl Run<'_> {
         let index = if index.trim_end_matches('0').is_empty() { Ok(0) } else { index.parse() };
         match (number.parse::<u32>(), index) {
             (Ok(number), Ok(index)) if f64::from(number) <= MOST_TOOLS => Ok(Named::Number(number, index)),
-            _ => self.fail(codes::K2010, span, format!("{text} is no tool number")),
+            _ => self.refuse(span, codes::K2010::is_no_tool_number(&text)),
         }
     }
 
@@ -551,11 +490,7 @@ impl Run<'_> {
             Named::Number(number, index) => {
                 let data = tools.by_number(*number, *index);
                 if data.is_none() && tools.complete && *number != 0 && !self.defined.contains_key(number) {
-                    self.report(Diagnostic::new(
-                        codes::K2007,
-                        self.loc(span),
-                        format!("tool {tool} is not in the tool table"),
-                    ));
+                    self.report(codes::P2006::tool_is_not_in_tool_table(&tool).at(self.loc(span)));
                 }
                 self.proposed.borrow_mut().call(*number);
                 let data = data.cloned().unwrap_or_default();
@@ -565,12 +500,9 @@ impl Run<'_> {
                         self.prints_tool(&ToolKey::Number(*number, *index), printed, span)?;
                         Ok((printed, data))
                     }
-                    None => self.fail_help(
-                        codes::K2006,
+                    None => self.refuse(
                         span,
-                        format!("tool {number}.{index} is an index, and the output has whole numbers only"),
-                        Answer::tool(tool, "number")
-                            .help(format!("give it a number in partc.toml: `[tools.{tool}]` with `number = …`")),
+                        codes::K2006::tool_is_index(&number, &index, &tool).answer(Answer::tool(tool, "number")),
                     ),
                 }
             }
@@ -583,7 +515,7 @@ impl Run<'_> {
                 }
                 _ => {
                     let help = self.proposed.borrow_mut().help(name, tools);
-                    let found = Diagnostic::new(codes::K2005, self.loc(span), format!("tool {tool} has no number"));
+                    let found = codes::K2005::tool_has_no_number(&tool).at(self.loc(span));
                     self.report(found.help(help));
                     Err(Reported)
                 }

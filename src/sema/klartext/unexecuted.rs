@@ -54,12 +54,7 @@ fn look(job: &Job<'_>, labels: &Labels, block: &Block, text: &[u8], here: &Site)
         .or_else(|| wrong_word(job, block, text, here))
         .or_else(|| {
             let code = refused(job, block, text)?;
-            let message =
-                format!("this block does not run; if it did, it would be refused: {} ({})", code.title, code.id);
-            Some(
-                Diagnostic::new(codes::K8001, here.loc(job, block.span), message)
-                    .help(format!("see `partc explain {}`", code.id)),
-            )
+            Some(codes::P8140::this_block_does_not_run(&code.title, &code.id).at(here.loc(job, block.span)))
         });
     if let Some(found) = found {
         job.diags.push(found);
@@ -68,9 +63,8 @@ fn look(job: &Job<'_>, labels: &Labels, block: &Block, text: &[u8], here: &Site)
 
 /// The finding for a jump that was never taken, where taking it would be `missing`.
 fn not_taken(missing: &Diagnostic) -> Diagnostic {
-    let code = codes::K2202;
-    let message = format!("this jump is not taken; if it were, it would be refused: {} ({})", missing.message, code.id);
-    let found = Diagnostic::new(codes::K8001, missing.label.loc, message);
+    let code = codes::P2011;
+    let found = codes::P8140::this_jump_is_not_taken(&missing.message, &code.id).at(missing.label.loc);
     match &missing.help {
         Some(help) => found.help(help.clone()),
         None => found.help(format!("see `partc explain {}`", code.id)),
@@ -111,16 +105,10 @@ fn wrong_word(job: &Job<'_>, block: &Block, text: &[u8], here: &Site) -> Option<
                 let found = here.diagnostic(job, problem);
                 return (!job.diags.any(|known| known.code == codes::K0801)).then_some(found);
             }
-            return Some(
-                Diagnostic::new(codes::K1005, loc(), format!("`{}` has no place in this block", shown()))
-                    .help("remove the word, or put it into a block where it belongs"),
-            );
+            return Some(codes::P1003::has_no_place_in_this_block(&shown()).at(loc()));
         }
         if block.words[..at].iter().any(|first| excludes(first, word)) {
-            return Some(
-                Diagnostic::new(codes::K1004, loc(), format!("`{}` repeats a word of this block", shown()))
-                    .help("remove one of the two"),
-            );
+            return Some(codes::P1002::repeats_word_of_this_block(&shown()).at(loc()));
         }
         // What follows may belong to the function.
         if matches!(word.addr, Addr::M(number) if m_table::takes_words(number)) {
@@ -146,7 +134,7 @@ fn begins_with_fz(word: &[u8]) -> bool {
 fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
     let code = match block.stmt {
         Stmt::Surface => Some(codes::K9015),
-        Stmt::Iso => Some(codes::K9009),
+        Stmt::Iso => Some(codes::P9012),
         Stmt::Refused(what, _) => match what {
             Refused::Plane => plane::tilts(block.span.of(text)).then_some(codes::K9004),
             Refused::TouchProbe => (!job.settings.control.klartext_choices.probing_left_out
@@ -154,17 +142,17 @@ fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
             .then_some(codes::K9005),
             Refused::Pattern => Some(codes::K9010),
             Refused::Contour => Some(codes::K9018),
-            Refused::GlobalDef => Some(codes::K9011),
-            Refused::Function if !refused::is_harmless(block.span.of(text)) => Some(codes::K9011),
+            Refused::GlobalDef => Some(codes::P9011),
+            Refused::Function if !refused::is_harmless(block.span.of(text)) => Some(codes::P9011),
             Refused::Function | Refused::SelectTable => None,
         },
         Stmt::FnOther { number: 26..=28, .. } => Some(codes::K9006),
         Stmt::FnOther { number: 17 | 25, .. } => Some(codes::K9014),
-        Stmt::FnOther { number: 24, .. } => Some(codes::K9011),
+        Stmt::FnOther { number: 24, .. } => Some(codes::P9011),
         Stmt::Cycle { number, part: None | Some(0) }
             if matches!(find(number).nature, Nature::Acting | Nature::Unknown) =>
         {
-            Some(codes::K9001)
+            Some(codes::P9010)
         }
         _ => None,
     };
@@ -179,7 +167,7 @@ fn refused(job: &Job<'_>, block: &Block, text: &[u8]) -> Option<&'static Code> {
         block.words.iter().find_map(|word| match word.addr {
             Addr::M(number) => refused_m(number, job),
             Addr::FeedOther if !begins_with_fz(word.span.of(text)) => Some(codes::K9013),
-            Addr::CuttingSpeed => Some(codes::K9011),
+            Addr::CuttingSpeed => Some(codes::P9011),
             _ => None,
         })
     })

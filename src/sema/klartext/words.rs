@@ -1,6 +1,6 @@
 //! The words of a path block, evaluated once and sorted by what they mean.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::ir::{Pos, Side};
 use crate::lexer::klartext::Value;
 use crate::machine::{Axis, AxisSet};
@@ -200,7 +200,7 @@ impl Run<'_> {
                     let (args, used) = self.m_arguments(number, word.span, &block.words[at..], block, w)?;
                     at += used;
                     if w.m.len() == MOST_M {
-                        return self.fail(codes::K1005, word.span, "too many M functions in one block");
+                        return self.refuse(word.span, codes::P1003::too_many_m_functions_in_one_block());
                     }
                     let changes =
                         m_table::entry(number).is_none() && self.job.settings.control.tool_change_m.contains(&number);
@@ -308,24 +308,14 @@ impl Run<'_> {
 
     #[cold]
     pub(super) fn feed_by_time<T>(&self, word: Word) -> Outcome<T> {
-        self.fail_help(
-            codes::K9013,
-            word.span,
-            format!(
-                "`{}` gives the time of the block in place of a feed, which is not supported",
-                self.word_text(word.span)
-            ),
-            "program the feed in mm/min or, with FU, in mm/rev",
-        )
+        self.refuse(word.span, codes::K9013::gives_time_of_block_in_place(&self.word_text(word.span)))
     }
 
     /// `word` says again what an earlier word of the block says.
     #[cold]
     pub(super) fn twice<T>(&self, word: Word, block: &Block) -> Outcome<T> {
         let text = self.word_text(word.span);
-        let found =
-            Diagnostic::new(codes::K1004, self.loc(word.span), format!("`{text}` repeats a word of this block"))
-                .help("remove one of the two");
+        let found = codes::P1002::repeats_word_of_this_block_so_remove_one(&text).at(self.loc(word.span));
         let first = block.words.iter().find(|first| same_matter(first.addr, word.addr));
         let found = match first.filter(|first| first.span.start < word.span.start) {
             Some(first) => found.also(self.loc(first.span), "the first one"),
@@ -352,7 +342,7 @@ impl Run<'_> {
             _ => "remove the word, or put it into a block where it belongs",
         };
         let block = if head.is_empty() { "this block".to_owned() } else { format!("this {head} block") };
-        self.fail_help(codes::K1005, word.span, format!("`{text}` has no place in {block}"), help)
+        self.refuse(word.span, codes::P1003::has_no_place(&text, &block).help(help))
     }
 
     /// What is wrong with the number that a word belongs to: `X-1.#IND`, `X1e5`.
@@ -409,12 +399,7 @@ impl Run<'_> {
                         }
                         Some(_) if number == 197 || number == 120 && !name.eq_ignore_ascii_case("LA") => {
                             let wanted = if number == 120 { "LA5" } else { "DL0.5" };
-                            return self.fail_help(
-                                codes::K2707,
-                                word.span,
-                                format!("`{name}` does not belong to M{number}"),
-                                format!("write `M{number} {wanted}`"),
-                            );
+                            return self.refuse(word.span, codes::K2707::does_not_belong_to_m(&name, &number, &wanted));
                         }
                         Some(value) if value.addr == Addr::Value => {
                             let scale = if name.eq_ignore_ascii_case("MB") { mm } else { 1.0 };
@@ -424,11 +409,7 @@ impl Run<'_> {
                         }
                         Some(next) if next.addr == Addr::Name && takes.retract => {}
                         _ => {
-                            return self.fail(
-                                codes::K2707,
-                                word.span,
-                                format!("`{name}` of M{number} lacks its value"),
-                            );
+                            return self.refuse(word.span, codes::K2707::of_m_lacks_its_value(&name, &number));
                         }
                     }
                 }
@@ -437,12 +418,7 @@ impl Run<'_> {
             at += 1;
         }
         if takes.retract && !args.given {
-            return self.fail_help(
-                codes::K2707,
-                span,
-                format!("M{number} lacks its path"),
-                "write `M140 MB 50` or `M140 MB MAX`",
-            );
+            return self.refuse(span, codes::K2707::m_lacks_its_path(&number));
         }
         Ok((args, at))
     }
@@ -462,12 +438,7 @@ impl Run<'_> {
         if clear {
             return Ok(());
         }
-        self.fail_help(
-            codes::K2707,
-            word.span,
-            format!("`{text}` behind M{number} may belong to it, or be where the block goes"),
-            format!("write the coordinates in front of M{number}, or M{number} into a block of its own without L"),
-        )
+        self.refuse(word.span, codes::K2707::behind_m_may_belong(&text, &number))
     }
 
     /// M3 with M4, M8 with M9 and the like.
@@ -479,13 +450,9 @@ impl Run<'_> {
                 }
                 if m_table::conflict(a.number, b.number) {
                     self.report(
-                        Diagnostic::new(
-                            codes::K1014,
-                            self.loc(b.span),
-                            format!("M{} contradicts M{}", b.number, a.number),
-                        )
-                        .also(self.loc(a.span), "the other one")
-                        .help("keep one of them, or put them into two blocks"),
+                        codes::P1005::m_contradicts_m(&b.number, &a.number)
+                            .at(self.loc(b.span))
+                            .also(self.loc(a.span), "the other one"),
                     );
                     return Err(super::Reported);
                 }

@@ -55,8 +55,9 @@ impl Run<'_> {
         let full = distance(start, end) <= SAME_POINT;
         if full && (w.centre[first].is_none() || w.centre[second].is_none()) {
             let missing = if w.centre[first].is_none() { first } else { second };
-            let text = format!("{} of this full circle is missing and counts as 0", ["I", "J", "K"][missing]);
-            self.report(Diagnostic::new(codes::M2009, self.loc(w.centre_span), text).help("write both words"));
+            self.report(
+                codes::M2009::of_this_full_circle_is_missing(&["I", "J", "K"][missing]).at(self.loc(w.centre_span)),
+            );
         }
         if full && let Some(center) = self.full_circle([words, start + words.coords], start, w.centre_span) {
             return center;
@@ -76,10 +77,7 @@ impl Run<'_> {
             false => (Reading::Coordinates, centres[0]),
         };
         if distance(start, center) <= tol {
-            let message = "the centre of this full circle lies on its start point";
-            let help =
-                "check I, J and K: under G90 they are coordinates of the centre, under G91 distances from the start";
-            return Some(self.fail_help(codes::M2010, span, message, help));
+            return Some(self.refuse(span, codes::P3001::centre_of_this_full_circle_lies()));
         }
         if distance(centres[0], centres[1]) <= SAME_POINT {
             return Some(Ok(center));
@@ -197,13 +195,10 @@ impl Run<'_> {
                 format!("{miss:.4} mm {what}")
             })
             .collect();
-        let message = format!("the end point misses the circle about the centre by {}", shown.join(", by "));
-        self.fail_help(
-            codes::M2010,
+        self.refuse(
             span,
-            message,
-            Answer::key("control", "circle_tolerance")
-                .help("check start, end and centre, or raise `[control] circle_tolerance`"),
+            codes::P3001::end_point_misses_circle_about_centre(&shown.join(", by "))
+                .answer(Answer::key("control", "circle_tolerance")),
         )
     }
 
@@ -211,9 +206,10 @@ impl Run<'_> {
         let [a, b] = plane_axes(self.st.plane).map(|i| Axis::ALL[i].letter());
         let show = |c: Point2| format!("{a}{:.3} {b}{:.3}", c.x, c.y);
         let radius = if self.st.diameter { " (X as radius)" } else { "" };
-        let message = format!("the centre can be {} or {}{radius}", show(centres[0]), show(centres[1]));
-        let help = Answer::key("control", "centres")
-            .help("set `[control] centres` to \"absolute\", \"relative\" or \"dimension\"");
-        self.fail_help(codes::M2005, span, message, help)
+        self.refuse(
+            span,
+            codes::M2005::centre_can(&show(centres[0]), &show(centres[1]), &radius)
+                .answer(Answer::key("control", "centres")),
+        )
     }
 }

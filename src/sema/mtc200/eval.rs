@@ -65,19 +65,19 @@ impl Formulas for Run<'_> {
                 let message = format!("the result of {a} {name} {b} depends on how the control rounds");
                 (codes::M2304, message, "use whole numbers of zero or more")
             }
-            Fault::Domain(f, x) => (codes::M2302, format!("{}({x}) does not exist", name(f)), ""),
-            Fault::Zero(_) => (codes::M2302, "the formula divides by zero".to_owned(), ""),
+            Fault::Domain(f, x) => (codes::P2022, format!("{}({x}) does not exist", name(f)), ""),
+            Fault::Zero(_) => (codes::P2022, "the formula divides by zero".to_owned(), ""),
             Fault::ZeroBy(_, by) => {
                 let said = by.said(&self.job, self.here.origin.loc);
-                (codes::M2302, format!("the formula divides by zero: {said}"), "")
+                (codes::P2022, format!("the formula divides by zero: {said}"), "")
             }
-            Fault::Missing => (codes::M1001, "the formula is empty".to_owned(), ""),
+            Fault::Missing => (codes::P1001, "the formula is empty".to_owned(), ""),
             Fault::TooLarge
             | Fault::TooLargeInt
             | Fault::Outside(..)
             | Fault::Misfit(_)
             | Fault::Mismatch(..)
-            | Fault::Said(_) => (codes::M2302, "the result of the formula is too large".to_owned(), ""),
+            | Fault::Said(_) => (codes::P2022, "the result of the formula is too large".to_owned(), ""),
         };
         let found = Diagnostic::new(code, self.loc(at.span), message);
         self.report(if help.is_empty() { found } else { found.help(help) });
@@ -102,9 +102,9 @@ impl Run<'_> {
     pub(super) fn number(&mut self, word: &Word, block: &Block) -> Outcome<f64> {
         match word.value {
             Value::Literal(n) if n.abs() <= LARGEST => Ok(n),
-            Value::Literal(_) => self.fail(codes::M2302, word.span, "the number is too large"),
+            Value::Literal(_) => self.refuse(word.span, codes::P2022::number_is_too_large()),
             Value::Formula(formula) => self.formula(formula, word.span, block),
-            Value::None | Value::Label(_) => self.fail(codes::M1003, word.span, "the word has no value"),
+            Value::None | Value::Label(_) => self.refuse(word.span, codes::M1003::word_has_no_value()),
         }
     }
 
@@ -121,17 +121,15 @@ impl Run<'_> {
         *slot = Some(Err(Reported));
         // Later uses are not worth another report.
         self.report(
-            Diagnostic::new(codes::M2301, self.loc(span), format!("@{number:03} was never set")).help(
-                Answer::key("variables", format!("@{number}"))
-                    .help(format!("give its value in partc.toml: `[variables]` with `\"@{number}\" = …`")),
-            ),
+            codes::P2020::was_never_set(&number)
+                .answer(Answer::key("variables", format!("@{number}")))
+                .at(self.loc(span)),
         );
         Err(Reported)
     }
 
     fn no_variable<T>(&self, number: u32, span: Span) -> Outcome<T> {
-        let message = format!("there is no variable @{number}");
-        self.fail_help(codes::M2303, span, message, "variables are @000 to @999")
+        self.refuse(span, codes::P2025::there_is_no_variable(&number))
     }
 
     /// A block that assigns variables; does nothing for other blocks.

@@ -4,7 +4,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::ir::Function;
 use crate::machine::AxisSet;
 use crate::parser::mtc200::{SPLIT, label_of};
@@ -56,11 +56,7 @@ impl Labels {
                 let loc = Loc { file, line: found.line, span: span.shifted(found.at) };
                 let first = Loc { file, line: first.line, span: Span::at(first.at, 1) };
                 let name = symbols.name(label);
-                job.diags.push(
-                    Diagnostic::new(codes::M2202, loc, format!("the label .{name} is set twice"))
-                        .also(first, "first set here")
-                        .help("rename one of them"),
-                );
+                job.diags.push(codes::P2010::label_is_set_twice(&name).at(loc).also(first, "first set here"));
                 continue;
             }
             labels.0.insert(label, place);
@@ -104,7 +100,7 @@ impl Run<'_> {
             }
         }
         if let Some(loc) = second.map(|place: Place| Loc { file, line: place.line, span: Span::at(place.at, 4) }) {
-            let found = Diagnostic::new(codes::M1012, loc, "a second program begins here");
+            let found = codes::P1009::second_program_begins_here().at(loc);
             self.report(found.help("put each program into a file of its own, named by its number: `5.npg` for JSR P5"));
         }
     }
@@ -157,9 +153,8 @@ impl Run<'_> {
             return Ok(true);
         }
         let Some(result) = self.result else {
-            let help = "assign the variable that the branch is about in the block before";
             self.stop_run();
-            return self.fail_help(codes::M2204, span, "no result was calculated before this branch", help);
+            return self.refuse(span, codes::M2204::no_result_was_calculated_before_this_branch());
         };
         if result != 0.0 && result.abs() < NEAR_ZERO {
             self.stop_run();
@@ -193,7 +188,7 @@ impl Run<'_> {
         self.is_alone(at);
         let name = self.symbols.name(label);
         let like = self.programs[at].known.labels.as_ref().and_then(|labels| labels.like(name, &self.symbols));
-        let found = Diagnostic::new(codes::M2201, self.loc(span), format!("the label .{name} is not set"));
+        let found = codes::P2011::label_is_not_set(&name).at(self.loc(span));
         // Going on past a jump would run blocks that never run.
         self.stop(match like {
             Some(like) => found.help(format!("did you mean `.{like}`?")),
@@ -212,8 +207,7 @@ impl Run<'_> {
     fn return_from(&mut self, span: Span) -> Outcome {
         if self.levels.len() < 2 {
             self.stop_run();
-            let help = "end the main part with RET in front of the subroutines";
-            return self.fail_help(codes::M2203, span, "RTS without a call by BSR or JSR", help);
+            return self.refuse(span, codes::M2203::rts_without_call_by_bsr_or_jsr());
         }
         if self.level().frame.called_program {
             let program = self.level().program;
@@ -249,7 +243,7 @@ impl Run<'_> {
     fn call_program(&mut self, number: u32) -> Outcome {
         let program = self.open_numbered(number)?;
         if self.is_running(program) {
-            return self.fatal(codes::P4003, format!("program {number} calls itself"));
+            return self.end_run(codes::P4003::program_calls_itself(&number));
         }
         self.programs[program].known.header = Header::Start;
         let start = self.programs[program].source.cursor.start();
@@ -259,7 +253,7 @@ impl Run<'_> {
     /// JMP ends this program with a reset of all modal states, and another one begins.
     fn jump_program(&mut self, number: u32) -> Outcome {
         if self.levels.len() > 1 {
-            return self.fatal(codes::M2206, "JMP in a subroutine leaves it without RTS");
+            return self.end_run(codes::P2013::jmp_in_subroutine_leaves_it_without_rts());
         }
         let program = self.open_numbered(number)?;
         let ended = self.level().program;
@@ -295,9 +289,7 @@ impl Run<'_> {
         let elsewhere = self.level().program != 0;
         if elsewhere || self.program().known.first.is_some_and(|first| place.at > first) {
             self.stop_run();
-            let message = format!("the next start would go on at .{}", self.symbols.name(label));
-            let help = "end the program with RET, or put the label at the top";
-            return self.fail_help(codes::M2208, span, message, help);
+            return self.refuse(span, codes::M2208::next_start_would_go(&self.symbols.name(label)));
         }
         self.end_of_program(true, span)
     }
@@ -306,8 +298,7 @@ impl Run<'_> {
     pub(super) fn end_of_program(&mut self, rewind: bool, span: Span) -> Outcome {
         if self.levels.iter().any(|level| level.frame.called_program) {
             self.stop_run();
-            let help = "end a called program with RTS";
-            return self.fail_help(codes::M2206, span, "a called program ends the whole job", help);
+            return self.refuse(span, codes::P2013::called_program_ends_whole_job());
         }
         let ended = self.level().program;
         self.is_alone(ended);
@@ -320,11 +311,7 @@ impl Run<'_> {
 
     fn warn_open(&mut self) {
         if self.st.compensation.is_on() {
-            let text = "the program ends with path compensation on";
-            self.report(
-                Diagnostic::new(codes::M2601, self.here.origin.loc, text)
-                    .help("program G40 with a straight move before the end"),
-            );
+            self.report(codes::P2041::program_ends_with_path_compensation().at(self.here.origin.loc));
         }
     }
 
@@ -335,29 +322,19 @@ impl Run<'_> {
         self.stop_run();
         if self.levels.len() > 1 {
             let site = self.level().site;
-            self.report(
-                Diagnostic::new(codes::M2207, site, "the subroutine called here has no RTS")
-                    .also(loc, "the file ends here")
-                    .help("add RTS at its end"),
-            );
+            self.report(codes::M2207::subroutine_called_here_has_no_rts().at(site).also(loc, "the file ends here"));
             return;
         }
         match self.program().known.header {
             Header::Open => {
-                self.report(
-                    Diagnostic::new(codes::M1002, loc, "the header of the file never ends")
-                        .help("a second line `%NPG` ends it"),
-                );
+                self.report(codes::M1002::header_of_file_never_ends().at(loc));
             }
             Header::Closed => {
-                self.report(
-                    Diagnostic::new(codes::M1008, loc, "the file ends without RET or M30")
-                        .help("it may have been cut off in transfer; if it is complete, add RET"),
-                );
+                self.report(codes::P1006::file_ends_without_ret_or_m30().at(loc));
             }
             Header::Start | Header::None => {
                 if self.is_between_percents() || self.may_end_open("RET or M30", "RET", None) {
-                    self.report(Diagnostic::new(codes::M1009, loc, "the program ends without RET or M30"));
+                    self.report(codes::P1007::program_ends_without_ret_or_m30().at(loc));
                 }
                 self.warn_open();
                 self.function(Function::End { rewind: false });

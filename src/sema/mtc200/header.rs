@@ -2,7 +2,7 @@
 //!
 //! Source: M 2.1 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::parser::mtc200::ast::{Block, Stmt};
 use crate::text::Span;
 
@@ -42,8 +42,7 @@ impl Run<'_> {
         self.program().known.header = next;
         if !fits {
             let span = block.span;
-            let help = "a header begins with a line `%NPG:…` and ends with a line `%NPG`";
-            let _: Outcome = self.fail_help(codes::M1002, span, "this line belongs into a file header", help);
+            let _: Outcome = self.refuse(span, codes::M1002::this_line_belongs_into_file_header());
             return;
         }
         if matches!(first, b'*' | b'$') {
@@ -58,8 +57,7 @@ impl Run<'_> {
         match self.program().known.header {
             Header::Open if !(blank && block.comments.is_empty()) => {
                 self.program().known.header = Header::Closed;
-                let help = "a second line `%NPG` ends the header";
-                let _: Outcome = self.fail_help(codes::M1002, block.span, "this line stands in the file header", help);
+                let _: Outcome = self.refuse(block.span, codes::M1002::this_line_stands_in_file_header());
             }
             Header::Start if !blank => self.program().known.header = Header::None,
             _ => {}
@@ -86,7 +84,6 @@ impl Run<'_> {
         if self.program().known.header == Header::Start {
             self.program().known.header = Header::None;
         }
-        let message = "the `%` that stands alone is a mark of the tape and is left out";
-        self.report(Diagnostic::new(codes::M8001, self.loc(block.span), message));
+        self.report(codes::M8001::that_stands_alone_is_mark_of_tape().at(self.loc(block.span)));
     }
 }

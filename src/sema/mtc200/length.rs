@@ -30,8 +30,7 @@ impl Run<'_> {
     pub(super) fn set_length(&mut self, on: bool, span: Span) -> Outcome {
         if self.noted.insert("G48".to_owned()) {
             let word = if on { "G48" } else { "G47" };
-            let message = format!("{word} has no word in the output, whose positions are those of the tool tip");
-            self.report(Diagnostic::new(codes::M8002, self.loc(span), message));
+            self.report(codes::M8002::has_no_word_in_output(&word).at(self.loc(span)));
         }
         let before = self.st.length;
         self.st.length = match (on, before) {
@@ -100,14 +99,13 @@ impl Run<'_> {
     fn nose_moved(&mut self, loc: Loc, why: &str) -> Outcome {
         let (_, _, third) = self.st.plane.axes();
         let letter = Axis::ALL[third].letter();
-        let message = format!("{letter} moves the spindle nose here ({why}), and the output moves the tool tip");
         if self.job.settings.control.mtc200.refuse_spindle_nose {
-            self.report(Diagnostic::new(codes::M9050, loc, message).help("program G48 in front of the move"));
+            self.report(codes::M9050::moves_spindle_nose_here(&letter, &why).at(loc));
             return Err(Reported);
         }
-        let help = Answer::key("control", "spindle_nose")
-            .help("program G48 before the move; to refuse such moves set `[control] spindle_nose = \"refuse\"`");
-        self.report(Diagnostic::new(codes::M8003, loc, message).help(help));
+        self.report(
+            codes::M8003::moves_spindle_nose_here(&letter, &why).answer(Answer::key("control", "spindle_nose")).at(loc),
+        );
         Ok(())
     }
 }

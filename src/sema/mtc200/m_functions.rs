@@ -3,7 +3,7 @@
 //! Source: M 5.4, 7, 8 (docs/sources.md). When an M function acts is not documented: what starts something acts
 //! before the move of its block, what ends something behind it.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::{Plane, Vec2};
 use crate::ir::function::{Coolant, CutterData, Spindle, Turn};
 use crate::ir::{self, Function, Side};
@@ -121,13 +121,14 @@ impl Run<'_> {
     pub(super) fn check_m(&mut self, w: &Words) -> Outcome {
         for (i, &(number, span)) in w.m().iter().enumerate() {
             if when(number).is_none() && !self.job.settings.output.pass_m.contains(&number) {
-                let help = Answer::pass_m(number)
-                    .help(format!("if the target machine understands it, add `[output] pass_m = [{number}]`"));
-                let message = format!("M{number} is a function of the machine builder");
-                self.report(Diagnostic::new(codes::M2701, self.loc(span), message).help(help));
+                self.report(
+                    codes::P2007::m_is_function_of_machine_so_if_target(&number)
+                        .answer(Answer::pass_m(number))
+                        .at(self.loc(span)),
+                );
             }
             if let Some((first, _)) = w.m()[..i].iter().find(|(first, _)| conflict(*first, number)) {
-                return self.fail(codes::M1010, span, format!("M{number} contradicts M{first} of the same block"));
+                return self.refuse(span, codes::P1005::m_contradicts_m_of_same_block(&number, &first));
             }
         }
         Ok(())
@@ -152,8 +153,7 @@ impl Run<'_> {
     /// An M function whose moment is not known.
     fn aux(&mut self, number: u32, span: Span, moves: bool) {
         if moves {
-            let text = format!("M{number} is printed before the move of its block");
-            self.report(Diagnostic::new(codes::M2704, self.loc(span), text).help("put it into a block of its own"));
+            self.report(codes::P2008::m_is_printed_before_move_of_its_block(&number).at(self.loc(span)));
         }
         self.function(Function::Aux(number));
         // It may be the one that starts a spindle of this machine.
@@ -225,15 +225,10 @@ impl Run<'_> {
 
     fn change(&mut self, span: Span) -> Outcome {
         let Some(number) = self.st.tool.selected else {
-            return self.fail_help(codes::M2012, span, "M6 without a selected tool", "program T before M6");
+            return self.refuse(span, codes::M2012::m6_without_selected_tool());
         };
         if self.st.compensation.is_on() {
-            return self.fail_help(
-                codes::M1006,
-                span,
-                "the tool changes under path compensation",
-                "program G40 before",
-            );
+            return self.refuse(span, codes::P1003::tool_changes_under_path_compensation());
         }
         self.st.tool.active = Some(number);
         self.length_acts_along_z(self.st.plane, span)?;
@@ -251,12 +246,10 @@ impl Run<'_> {
     pub(super) fn set_side(&mut self, side: Side, span: Span, w: &Words) -> Outcome {
         if side != Side::None {
             let Some(tool) = self.st.tool.active else {
-                let help = "program T and M6 before";
-                return self.fail_help(codes::M2012, span, "path compensation without a tool", help);
+                return self.refuse(span, codes::M2012::path_compensation_without_tool());
             };
             if self.st.compensation.sent() != Side::None && self.st.compensation.sent() != side {
-                let help = "program G40 with a straight move between them";
-                return self.fail_help(codes::M1006, span, "G41 and G42 follow each other without G40", help);
+                return self.refuse(span, codes::P1003::g41_g42_follow_each_other_without_g40());
             }
             if self.job.settings.output.compensation == Compensation::Resolve {
                 self.compute_compensation(tool, span)?;
@@ -286,17 +279,16 @@ impl Run<'_> {
         let print = "set `[output] compensation = \"control\"` to print G41 and G42";
         let printed = Answer::key("output", "compensation").one_of(&["\"control\""]);
         if self.st.tool.corrected {
-            let message = "what the correction D in force adds to the radius of the tool only the machine knows";
-            return self.fail_help(codes::M9004, span, message, printed.help(format!("leave D out, or {print}")));
+            return self.refuse(
+                span,
+                codes::P9013::what_correction_d_in_force_adds().help(printed.help(format!("leave D out, or {print}"))),
+            );
         }
         if self.st.tool.other_edge {
-            let message =
-                "the radius of the edge E in force only the machine knows: `[tools]` describes the first edge";
-            return self.fail_help(
-                codes::M9004,
+            return self.refuse(
                 span,
-                message,
-                printed.help(format!("compensate the first edge, or {print}")),
+                codes::P9013::radius_of_edge_e_in_force()
+                    .help(printed.help(format!("compensate the first edge, or {print}"))),
             );
         }
         Ok(())
@@ -317,14 +309,16 @@ impl Run<'_> {
                 Some(_) => format!("the radius of tool {tool} is below zero"),
                 None => format!("the radius of tool {tool} is not known"),
             };
-            return self.fail_help(codes::M9004, span, message, lacks("radius"));
+            return self.fail_help(codes::P9013, span, message, lacks("radius"));
         };
         let turns = self.job.settings.machine.kind == MachineKind::Lathe && self.st.plane == Plane::Zx;
         let edge = match known.and_then(|tool| tool.orientation).and_then(edge_direction) {
             Some(edge) if turns => edge,
             None if turns && radius > 0.0 => {
-                let message = format!("the cutting-edge position of tool {tool} is not known");
-                return self.fail_help(codes::M9004, span, message, lacks("orientation"));
+                return self.refuse(
+                    span,
+                    codes::P9013::cutting_edge_position_of_tool_is_not(&tool).help(lacks("orientation")),
+                );
             }
             _ => Vec2::zeros(),
         };
@@ -348,10 +342,7 @@ impl Run<'_> {
         {
             return Ok(());
         }
-        let message = format!(
-            "{before} blocks in front of this one do not move in the plane: the control takes the compensated contour as finished after {MOST_WITHOUT_MOVE}"
-        );
-        self.fail_help(codes::M9004, span, message, "put them in front of G41 and G42, or behind G40")
+        self.refuse(span, codes::P9013::blocks_in_front_of_this_one(&before, &MOST_WITHOUT_MOVE))
     }
 
     // Spindle.
@@ -370,7 +361,7 @@ impl Run<'_> {
 
     pub(super) fn speed_word(&mut self, at: At, limit: bool) -> Outcome {
         if at.value < 0.0 || (limit && at.value == 0.0) {
-            return self.fail(codes::M2705, at.span, format!("the spindle speed is {}", at.value));
+            return self.refuse(at.span, codes::M2705::spindle_speed(&at.value));
         }
         if limit {
             self.st.spindle.limit = Some(at.value);
@@ -387,13 +378,9 @@ impl Run<'_> {
             (false, _) | (true, InchSpeed::Metres) => at.value,
             (true, InchSpeed::Feet) => at.value * FOOT,
             (true, InchSpeed::Refuse) => {
-                let help =
-                    Answer::key("control", "inch_speed").help("set `[control] inch_speed` to \"metres\" or \"feet\"");
-                return self.fail_help(
-                    codes::M9007,
+                return self.refuse(
                     at.span,
-                    "the unit of the cutting speed under G70 is not known",
-                    help,
+                    codes::M9007::unit_of_cutting_speed_under_g70().answer(Answer::key("control", "inch_speed")),
                 );
             }
         };
@@ -413,7 +400,7 @@ impl Run<'_> {
     pub(super) fn dwell(&mut self, w: &Words, span: Span) -> Outcome {
         let Some(at) = w.feed else { return self.missing(span, "G04 needs its time: `G04 F2.5`") };
         if !(0.0..=MOST_DWELL).contains(&at.value) {
-            return self.fail(codes::M2705, at.span, format!("the dwell time is {}", at.value));
+            return self.refuse(at.span, codes::M2705::dwell_time(&at.value));
         }
         self.reading(Reading::Dwell, at.span, "the F of G04 counts in seconds");
         let unit = if self.job.settings.control.mtc200.dwell_ms { 1e-3 } else { 1.0 };

@@ -318,20 +318,13 @@ impl Run<'_> {
     fn check_p(&mut self, w: &Words) -> Outcome {
         let (Some(at), None) = (w.program, w.flow.filter(|flow| flow.flow.takes_program())) else { return Ok(()) };
         if w.g[Group::Once as usize].is_some() {
-            let help = "rotation of the zero offset is not supported: leave P out";
-            return self.fail_help(codes::M9002, at.span, "the angle P of an offset is not documented", help);
+            return self.refuse(at.span, codes::M9002::angle_p_of_offset_is_not_documented());
         }
         if self.st.motion.code() == Some(Motion::Thread) && !w.axes.known().is_empty() {
             if at.value == 0.0 {
                 return Ok(());
             }
-            let help = "move the start of the thread instead: a part of the lead earlier";
-            return self.fail_help(
-                codes::M9002,
-                at.span,
-                "the start angle of a thread has no word in the output",
-                help,
-            );
+            return self.refuse(at.span, codes::M9002::start_angle_of_thread_has_no_word());
         }
         self.not_here(at.span, "P has no meaning in this block")
     }
@@ -343,12 +336,7 @@ impl Run<'_> {
         let other_g = w.g.iter().filter(|g| g.is_some()).count() > 1;
         let other = [w.speed, w.tool, w.program, w.radius, w.chamfer, w.rounding].iter().any(Option::is_some);
         if other_g || other || w.has_centre() || !w.axes.known().is_empty() || !w.m().is_empty() || w.flow.is_some() {
-            return self.fail_help(
-                codes::M1006,
-                span,
-                "G04 stands beside other words",
-                "put G04 F… into a block of its own",
-            );
+            return self.refuse(span, codes::P1003::g04_stands_beside_other_words());
         }
         self.dwell(w, span)?;
         self.count_between()
@@ -387,8 +375,7 @@ impl Run<'_> {
             }
             G::Inch(on) => self.st.inch = on,
             G::Smooth if self.st.exact_stop => {
-                let text = "G08 cannot be programmed while G61 is active";
-                return self.fail_help(codes::M2013, span, text, "program G62 first");
+                return self.refuse(span, codes::M2013::g08_cannot_be_programmed_while_g61());
             }
             G::ExactStop(on) => {
                 self.st.exact_stop = on;
@@ -455,12 +442,12 @@ impl Run<'_> {
         {
             return Ok(());
         }
-        let [who, help] = settings.output.length_along_z();
-        let message = format!("outside G17 the length of the tool does not act along Z, to which {who} adds it");
-        let help = Answer::key("output", "tool_length")
-            .one_of(&["\"off\""])
-            .help(format!("{help}, or program the block under G17"));
-        self.fail_help(codes::O9190, span, message, help)
+        let [who, way] = settings.output.length_along_z();
+        self.refuse(
+            span,
+            codes::O9190::outside_g17_length_of_tool_does_not(&who, &way)
+                .answer(Answer::key("output", "tool_length").one_of(&["\"off\""])),
+        )
     }
 
     fn set_plane(&mut self, plane: Plane, span: Span) -> Outcome {
@@ -468,8 +455,7 @@ impl Run<'_> {
             return Ok(());
         }
         if self.st.compensation.is_on() || self.st.corners.is_open() {
-            let text = "the working plane changes inside a compensated contour or a corner";
-            return self.fail_help(codes::M1006, span, text, "program G40 before");
+            return self.refuse(span, codes::P1003::working_plane_changes_inside_compensated_contour());
         }
         self.length_acts_along_z(plane, span)?;
         self.st.plane = plane;

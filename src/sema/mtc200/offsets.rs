@@ -82,16 +82,10 @@ impl Run<'_> {
             return Ok(());
         }
         if self.st.compensation.is_on() {
-            return self.fail_help(
-                codes::M1006,
-                span,
-                "the zero offset changes under path compensation",
-                "program G40 before",
-            );
+            return self.refuse(span, codes::P1003::zero_offset_changes_under_path_compensation());
         }
         if offset == Offset::Machine && self.st.offsets.shift != [0.0; AXES] {
-            let help = "set the programmed offset to 0 before: `G50 X0 Y0 Z0`";
-            return self.fail_help(codes::M2101, span, "G53 while an offset of G50 or G51 is in force", help);
+            return self.refuse(span, codes::M2101::g53_while_offset_of_g50_or_g51());
         }
         match (self.st.offsets.offset, offset) {
             (Offset::Start, Offset::Work(number)) => self.core.moves_before_offset(number, span),
@@ -120,8 +114,7 @@ impl Run<'_> {
         if self.st.offsets.offset != Offset::Reset {
             return Ok(());
         }
-        let help = "program G54 to G59 at the top of this program";
-        self.fail_help(codes::M2102, span, "the zero offset after JMP depends on the machine", help)
+        self.refuse(span, codes::M2102::zero_offset_after_jmp_depends_on_machine())
     }
 
     /// G50, G51, G52.
@@ -130,20 +123,10 @@ impl Run<'_> {
             return self.missing(span, "the offset names no axis");
         }
         if self.st.compensation.is_on() {
-            return self.fail_help(
-                codes::M1006,
-                span,
-                "the zero offset changes under path compensation",
-                "program G40 before",
-            );
+            return self.refuse(span, codes::P1003::zero_offset_changes_under_path_compensation());
         }
         if self.st.offsets.offset == Offset::Machine {
-            return self.fail_help(
-                codes::M2101,
-                span,
-                "a programmed offset while G53 is active",
-                "program G54 to G59 before",
-            );
+            return self.refuse(span, codes::M2101::programmed_offset_while_g53_is_active());
         }
         let mut values = [0.0; AXES];
         for (axis, value) in w.axes.iter() {
@@ -158,17 +141,17 @@ impl Run<'_> {
                 }
                 if let Some(axis) = Axis::ALL.into_iter().find(|a| shift[a.index()] != 0.0 && !named.contains(*a)) {
                     let letter = axis.letter();
-                    let message = format!("G50 does not say whether {letter} keeps its offset");
-                    let help = format!("add {letter}0 to end it, or repeat its offset");
-                    return self.fail_help(codes::M2014, span, message, &help);
+                    return self.refuse(span, codes::M2014::g50_does_not_say_whether_keeps(&letter));
                 }
                 shift = values;
             }
             G::ShiftBy => add(&mut shift, &values),
             _ => match self.job.settings.control.mtc200.g52 {
                 G52::Refuse => {
-                    let help = Answer::key("control", "g52").help("set `[control] g52` to \"position\" or \"shift\"");
-                    return self.fail_help(codes::M9006, span, "the meaning of G52 is not known", help);
+                    return self.refuse(
+                        span,
+                        codes::M9006::meaning_of_g52_is_not_known().answer(Answer::key("control", "g52")),
+                    );
                 }
                 G52::Shift => add(&mut shift, &values),
                 G52::Position => {
@@ -192,7 +175,7 @@ impl Run<'_> {
     /// The zero point moves, the tool does not.
     fn put_in_force(&mut self, shift: [f64; AXES], span: Span) -> Outcome {
         let Some(frame) = Frame::new(Matrix3::identity(), shift) else {
-            return self.fail(codes::M2302, span, "the offset is too large");
+            return self.refuse(span, codes::P2022::offset_is_too_large());
         };
         self.st.position.keep_programmed();
         self.st.position.through_frame(&self.st.ctx.frame, &frame);
@@ -213,27 +196,22 @@ impl Run<'_> {
             return self.missing(span, "G74 names no axis: `G74 X0 Z0`");
         }
         if self.st.compensation.is_on() || self.st.corners.is_open() {
-            return self.fail_help(
-                codes::M1006,
-                span,
-                "G74 inside a compensated contour or a corner",
-                "program G40 before",
-            );
+            return self.refuse(span, codes::P1003::g74_inside_compensated_contour_or_corner());
         }
         let mut end = Pos::UNKNOWN;
         for (axis, value) in w.axes.iter() {
             let letter = axis.letter();
             if value != 0.0 {
-                let message = format!("{letter} only names its axis beside G74, so its value is 0");
-                return self.fail_help(codes::M1006, w.axes_span, message, format!("write {letter}0"));
+                return self.refuse(w.axes_span, codes::P1003::only_names_its_axis_beside_g74(&letter));
             }
             match self.job.settings.control.mtc200.home.get(&axis) {
                 Some(home) => end.set(axis, *home),
                 None => {
-                    let help = Answer::entry("control", "home", letter)
-                        .help(format!("set it in partc.toml: `[control] home = {{ {letter} = 0.0 }}`"));
-                    let message = format!("the home position of {letter} is known only to the machine");
-                    return self.fail_help(codes::M9005, span, message, &help);
+                    return self.refuse(
+                        span,
+                        codes::M9005::home_position_of_is_known(&letter)
+                            .answer(Answer::entry("control", "home", letter)),
+                    );
                 }
             }
         }

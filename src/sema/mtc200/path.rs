@@ -2,7 +2,7 @@
 //!
 //! Source: M 5, 6.1, 6.2, 8 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT};
 use crate::ir::contour::{
     Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path, Thread,
@@ -54,12 +54,7 @@ impl Run<'_> {
             if self.st.motion.is_lost() {
                 return Err(Reported);
             }
-            return self.fail_help(
-                codes::M2003,
-                w.axes_span.to(w.centre_span),
-                "no G00, G01, G02 or G03 stands before this block",
-                "program the kind of motion in this block or in one before it",
-            );
+            return self.refuse(w.axes_span.to(w.centre_span), codes::M2003::no_g00());
         };
         if self.st.offsets.offset() != Offset::Start && self.st.offsets.offset() != Offset::Machine {
             self.offset_is_certain(w.axes_span)?;
@@ -98,12 +93,7 @@ impl Run<'_> {
         if axis.is_rotary() || !self.st.inch {
             return Ok(value);
         }
-        self.fail_help(
-            codes::M9008,
-            span,
-            format!("{} may mean inches or degrees here", axis.letter()),
-            "program auxiliary axes under G71",
-        )
+        self.refuse(span, codes::M9008::may_mean_inches_or_degrees_here(&axis.letter()))
     }
 
     /// Where the block goes: the programmed axes, absolute, in mm (X: radius) and degrees.
@@ -151,14 +141,10 @@ impl Run<'_> {
     #[cold]
     fn refuse_shifted<T>(&mut self, axis: Axis, span: Span) -> Outcome<T> {
         let letter = axis.letter();
-        self.fail_help(
-            codes::M2018,
+        self.refuse(
             span,
-            format!("{letter} is incremental, and its zero offset changed since {letter} was programmed last"),
-            Answer::key("control", "g91_after_offset").help(format!(
-                "program {letter} once under G90 behind the offset, then go on with G91; or set `[control] \
-                 g91_after_offset` to \"with-offset\" or \"increment\""
-            )),
+            codes::M2018::is_incremental_its_zero_offset_changed_since(&letter)
+                .answer(Answer::key("control", "g91_after_offset")),
         )
     }
 
@@ -173,7 +159,7 @@ impl Run<'_> {
         let usual = format!("program an absolute position of {letter} first");
         let unknown = Unknown { position: &self.st.position, axis, lack: &|| Lack::Nothing, otherwise: " here" };
         let message = format!("the position of {letter} is not known");
-        self.position_unknown(codes::M2001, span, message, &usual, unknown)
+        self.position_unknown(codes::P2001, span, message, &usual, unknown)
     }
 
     /// Where a rotary axis goes in unbroken degrees: the short way.
@@ -183,14 +169,12 @@ impl Run<'_> {
         }
         let letter = axis.letter();
         if value.abs() > 360.0 {
-            let message = format!("{letter}{value} is more than a turn");
-            return self.fail_help(codes::M2017, span, message, "program it incrementally with G91");
+            return self.refuse(span, codes::M2017::is_more_than_turn(&letter, &value));
         }
         let Some(from) = self.st.position.get(axis) else { return Ok(value) };
         let ahead = Deg(value - from).normal().0;
         if (ahead - 180.0).abs() <= HALF_TURN {
-            let message = format!("{letter} moves exactly half a turn, either way");
-            return self.fail_help(codes::M2017, span, message, "program it incrementally with G91");
+            return self.refuse(span, codes::M2017::moves_exactly_half_turn(&letter));
         }
         Ok(from + if ahead > 180.0 { ahead - 360.0 } else { ahead })
     }
@@ -209,7 +193,7 @@ impl Run<'_> {
     fn feed_missing(&mut self, span: Span) -> Outcome<Feed> {
         // One report is enough.
         self.st.feed.presume();
-        self.fail_help(codes::M2002, span, "no feed is programmed for this move", "program F in this block")
+        self.refuse(span, codes::P2002::no_feed_is_programmed_for_this_move())
     }
 
     pub(super) fn set_feed(&mut self, at: At) -> Outcome {
@@ -217,14 +201,14 @@ impl Run<'_> {
             if self.job.settings.control.mtc200.zero_feed_keeps {
                 return Ok(());
             }
-            let help = Answer::key("control", "zero_feed")
-                .one_of(&["\"previous\""])
-                .help("program the feed that is meant, or set `[control] zero_feed = \"previous\"`");
-            return self.fail_help(codes::M2004, at.span, "the feed is 0", help);
+            return self.refuse(
+                at.span,
+                codes::P2003::feed_is_0().answer(Answer::key("control", "zero_feed").one_of(&["\"previous\""])),
+            );
         }
         let value = at.value * self.st.unit();
         if value < 0.0 {
-            return self.fail(codes::O1001, at.span, format!("the feed is {}", at.value));
+            return self.refuse(at.span, codes::O1001::feed(&at.value));
         }
         if let Some(feed) = self.st.feed.of(value) {
             self.st.feed.program(feed);
@@ -258,8 +242,7 @@ impl Run<'_> {
         }
         let end = self.target(w)?;
         if self.st.inch && feed.is_some() && end.known().common(AxisSet::MAIN).is_empty() {
-            let help = "program the feed under G71";
-            return self.fail_help(codes::M9008, w.axes_span, "the unit of the feed of these axes is not known", help);
+            return self.refuse(w.axes_span, codes::M9008::unit_of_feed_of_these_axes());
         }
         self.st.corners.may_follow = feed.is_some();
         let in_plane = plane_axes(self.st.plane).iter().any(|i| end.known().contains(Axis::ALL[*i]));
@@ -281,8 +264,7 @@ impl Run<'_> {
         let named = plane_axes(self.st.plane).iter().filter(|i| end.known().contains(Axis::ALL[**i])).count();
         let computed = self.job.settings.output.compensation == Compensation::Resolve;
         if named < 2 && computed && self.job.diags.first_time(codes::M8006, ()) {
-            let message = "the way to the contour or from it names one axis of the plane only; the other one stays";
-            self.report(Diagnostic::new(codes::M8006, self.loc(span), message).help("program both axes of the plane"));
+            self.report(codes::M8006::way_to_contour_or_from_it_names().at(self.loc(span)));
         }
     }
 
@@ -301,14 +283,14 @@ impl Run<'_> {
     fn machine_move(&mut self, w: &Words, feed: Option<Feed>) -> Outcome {
         let span = w.axes_span;
         if !self.job.settings.control.mtc200.g53_is_machine {
-            let help = Answer::key("control", "g53")
-                .one_of(&["\"machine\""])
-                .help("set `[control] g53 = \"machine\"` if positions under G53 are machine coordinates");
-            return self.fail_help(codes::M9005, span, "the block moves while G53 is active", help);
+            return self.refuse(
+                span,
+                codes::M9005::block_moves_while_g53_is_active()
+                    .answer(Answer::key("control", "g53").one_of(&["\"machine\""])),
+            );
         }
         if self.st.incremental || self.st.compensation.is_on() {
-            let message = "a move under G53 is absolute and has no path compensation";
-            return self.fail_help(codes::M9005, span, message, "program G90 and G40 before it");
+            return self.refuse(span, codes::M9005::move_under_g53_is_absolute());
         }
         let end = self.target(w)?;
         self.machine_position(end, feed);
@@ -329,19 +311,16 @@ impl Run<'_> {
         let plane = self.st.plane;
         let span = if w.axes_span.is_empty() { w.centre_span } else { w.axes_span };
         if self.st.offsets.offset() == Offset::Machine {
-            let help = "program G54 to G59 before the arc";
-            return self.fail_help(codes::M9005, span, "an arc under G53 has no counterpart in the output", help);
+            return self.refuse(span, codes::M9005::arc_under_g53_has_no_counterpart());
         }
         if self.st.compensation.changes() {
-            let help = "program a straight move between G40, G41 or G42 and the arc";
-            return self.fail_help(codes::M2011, span, "G41/G42 activated with circular interpolation", help);
+            return self.refuse(span, codes::P2040::g41_g42_activated_with_circular_interpolation());
         }
         if self.st.compensation.is_on() && self.st.transition.chamfers {
             self.no_chamfers(span)?;
         }
         if !w.has_centre() && w.radius.is_none() {
-            let help = "program I, J, K or R, or G01 if a line is meant";
-            return self.fail_help(codes::M2008, span, "the arc has neither centre nor radius", help);
+            return self.refuse(span, codes::P3002::arc_has_neither_centre_nor_radius());
         }
         let feed = self.cutting_feed(span)?;
         let (first, second, third) = plane.axes();
@@ -388,7 +367,7 @@ impl Run<'_> {
             return self.not_here(at.span, "an arc has a centre or a radius, not both");
         }
         if at.value == 0.0 {
-            return self.fail(codes::M2008, at.span, "the radius of the arc is 0");
+            return self.refuse(at.span, codes::P3002::radius_of_arc_is_0());
         }
         self.reading(
             Reading::ArcRadius,
@@ -399,33 +378,25 @@ impl Run<'_> {
     }
 
     fn no_chamfers(&self, span: Span) -> Outcome {
-        let help = "program G43: an arc leads around outside corners";
-        self.fail_help(codes::M9004, span, "chamfers at outside corners (G44) are not supported", help)
+        self.refuse(span, codes::P9013::chamfers_at_outside_corners())
     }
 
     /// G33: the lead counts along the axis of its letter, in radius also for X.
     fn thread(&mut self, w: &Words) -> Outcome {
         let span = w.axes_span;
         if self.st.offsets.offset() == Offset::Machine || self.st.compensation.is_on() {
-            return self.fail_help(
-                codes::M1006,
-                span,
-                "a thread under G53 or path compensation",
-                "program G54 and G40 before",
-            );
+            return self.refuse(span, codes::P1003::thread_under_g53_or_path_compensation());
         }
         if self.st.spindle.stands() {
-            let help = "program S and M3 or M4 before";
-            return self.fail_help(codes::M2019, span, "the spindle does not turn when G33 begins", help);
+            return self.refuse(span, codes::M2019::spindle_does_not_turn_when_g33_begins());
         }
         let mut leads = AxisSet::MAIN.iter().filter_map(|axis| Some((axis, w.centre[axis.index()]?)));
         let (Some((along, value)), None) = (leads.next(), leads.next()) else {
-            let help = "write the lead of the longer travel: K2 for Z, I2 for X";
-            return self.fail_help(codes::M2015, span, "G33 needs one lead: I, J or K", help);
+            return self.refuse(span, codes::M2015::g33_needs_one_lead());
         };
         let lead = value * self.st.unit();
         if lead <= 0.0 {
-            return self.fail(codes::M2015, w.centre_span, format!("the lead of the thread is {value}"));
+            return self.refuse(w.centre_span, codes::M2015::lead_of_thread(&value));
         }
         let end = self.target(w)?;
         if !end.known().without(AxisSet::MAIN).is_empty() {
@@ -438,13 +409,7 @@ impl Run<'_> {
         let longest = travel.iter().fold(0.0_f64, |most, way| most.max(*way));
         if longest <= SAME_POINT || travel[along.index()] < longest - SAME_POINT {
             let letter = ["I", "J", "K"][along.index()];
-            let message = format!("{letter} is not the lead of the longer travel");
-            return self.fail_help(
-                codes::M2015,
-                w.centre_span,
-                message,
-                "write the lead of the axis that travels farthest",
-            );
+            return self.refuse(w.centre_span, codes::M2015::is_not_lead_of_longer_travel(&letter));
         }
         if travel.iter().filter(|way| **way > SAME_POINT).count() > 1 {
             self.reading(
@@ -469,12 +434,10 @@ impl Run<'_> {
         };
         let size = at.value * self.st.unit();
         if size <= 0.0 {
-            return self.fail(codes::M1007, at.span, format!("{name} needs a length above zero"));
+            return self.refuse(at.span, codes::P1004::needs_length_above_zero(&name));
         }
         if !self.st.corners.may_follow || self.st.corners.is_open() {
-            let help = "write it at the end of the first of the two blocks, or between them";
-            let message = format!("no block that moves at feed stands before this {name}");
-            return self.fail_help(codes::M2016, at.span, message, help);
+            return self.refuse(at.span, codes::M2016::no_block_that_moves_at_feed_stands(&name));
         }
         let feed = self.cutting_feed(at.span)?;
         let shape =
@@ -503,8 +466,11 @@ impl Run<'_> {
         let Some(loc) = self.st.corners.open.site() else { return Ok(()) };
         if matches!(motion, Motion::Rapid | Motion::Thread) || self.st.offsets.offset() == Offset::Machine {
             self.st.corners.open.close();
-            let text = "the block behind a chamfer or rounding is no line or circle at feed";
-            self.report(Diagnostic::new(codes::M2016, self.loc(span), text).also(loc, "the corner is programmed here"));
+            self.report(
+                codes::M2016::block_behind_chamfer_or_rounding_is_no()
+                    .at(self.loc(span))
+                    .also(loc, "the corner is programmed here"),
+            );
             return Err(Reported);
         }
         Ok(())
@@ -515,8 +481,7 @@ impl Run<'_> {
         self.waits_in_contour(false, Span::default())?;
         self.st.corners.cannot_follow();
         let Some(loc) = self.st.corners.open.wait(MOST_BETWEEN) else { return Ok(()) };
-        let text = format!("more than {MOST_BETWEEN} blocks without motion stand behind this corner");
-        self.report(Diagnostic::new(codes::M2016, loc, text));
+        self.report(codes::M2016::more_than_blocks_without_motion_stand(&MOST_BETWEEN).at(loc));
         Err(Reported)
     }
 

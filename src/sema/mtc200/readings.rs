@@ -21,7 +21,7 @@ impl Run<'_> {
     #[cold]
     fn say_reading(&mut self, reading: Reading, span: Span, what: &str) {
         self.confirmed.push(reading);
-        let code = if reading == Reading::MFunctions { codes::M8005 } else { codes::M8004 };
+        let code = if reading == Reading::MFunctions { codes::M8005 } else { codes::P8106 };
         let help = format!("if the control does so, add `[control] confirmed = [\"{}\"]`", reading.name());
         let answer = Answer::item("control", "confirmed", format!("\"{}\"", reading.name()));
         self.report(Diagnostic::new(code, self.loc(span), what).help(answer.help(help)));

@@ -38,8 +38,7 @@ impl Run<'_> {
         if !word.is_g
             && let Some((what, help)) = known_word(&shown)
         {
-            let message = format!("`{shown}` ({what}) is not supported");
-            self.report(Diagnostic::new(codes::M9002, self.loc(*span), message).help(help));
+            self.report(codes::M9002::is_not_supported(&shown, &what).at(self.loc(*span)).help(help));
             return;
         }
         let (code, message) = word.unknown(&shown);
@@ -70,7 +69,7 @@ impl Run<'_> {
             Some(number) if reserved_m(number).is_some() => {}
             Some(number) => w.print_m(number, span),
             None if self.noted.insert(name.to_owned()) => {
-                self.report(Diagnostic::new(codes::M2702, self.loc(span), format!("`{name}` is left out")));
+                self.report(codes::M2702::is_left_out(&name).at(self.loc(span)));
             }
             None => {}
         }
@@ -81,7 +80,7 @@ impl Run<'_> {
 impl Strange {
     fn unknown(&self, shown: &str) -> (&'static Code, String) {
         if self.is_g {
-            (codes::M9001, format!("{shown} is no function of the control that is known"))
+            (codes::P9011, format!("{shown} is no function of the control that is known"))
         } else {
             (codes::M9002, format!("`{shown}` is no word of the control that is known"))
         }

@@ -1,6 +1,6 @@
 //! The words of a block, evaluated once and sorted by what they mean.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::Pos;
 use crate::machine::Axis;
 use crate::parser::mtc200::ast::{Block, Target, Value, Word};
@@ -191,9 +191,7 @@ impl Run<'_> {
             b'T' => &mut w.tool,
             b'P' => &mut w.program,
             b'E' if is_exponent(word.span, text) => {
-                let help = "write the number in full: 1000 for 1E3; put a blank in front of E if the word E is meant";
-                let message = "E behind a number looks like an exponent, which the control does not know";
-                return self.fail_help(codes::M9002, word.span, message, help);
+                return self.refuse(word.span, codes::M9002::e_behind_number_looks_like_exponent());
             }
             b'D' | b'E' => {
                 let number = self.whole(at, if letter == b'D' { "D" } else { "E" })?;
@@ -222,13 +220,10 @@ impl Run<'_> {
         if self.job.settings.control.mtc200.last_word_counts {
             return Ok(());
         }
-        self.fail_help(
-            codes::M1004,
+        self.refuse(
             span,
-            format!("{letter} stands twice in this block"),
-            Answer::key("control", "repeated_words")
-                .one_of(&["\"last\""])
-                .help("remove one of the two, or set `[control] repeated_words = \"last\"` in partc.toml"),
+            codes::P1002::stands_twice_in_this_block(&letter)
+                .answer(Answer::key("control", "repeated_words").one_of(&["\"last\""])),
         )
     }
 
@@ -243,7 +238,7 @@ impl Run<'_> {
         match slot {
             Some((_, first)) if *first != number => {
                 let first = *first;
-                self.fail(codes::M1005, at.span, format!("G{number} contradicts G{first} of the same block"))
+                self.refuse(at.span, codes::M1005::g_contradicts_g_of_same_block(&number, &first))
             }
             Some(_) => self.twice('G', at.span),
             None => {
@@ -258,9 +253,8 @@ impl Run<'_> {
     fn unknown_g(&mut self, w: &mut Words, number: u32, span: Span) -> Outcome {
         let name = format!("G{number}");
         if let Some(what) = g_functions::refused(number) {
-            let message = format!("{name} ({what}) is not supported");
             let help = g_functions::instead(number);
-            self.report(Diagnostic::new(codes::M9001, self.loc(span), message).help(help));
+            self.report(codes::P9011::is_not_supported_2(&name, &what).at(self.loc(span)).help(help));
             return Ok(());
         }
         w.strange.push(Strange { name, span, is_g: true });
@@ -278,7 +272,7 @@ impl Run<'_> {
             return self.twice('M', at.span);
         }
         if w.m.len() >= MOST_M {
-            return self.fail(codes::M1010, at.span, format!("more than {MOST_M} M functions in one block"));
+            return self.refuse(at.span, codes::P1005::more_than_m_functions_in_one_block(&MOST_M));
         }
         w.m.push((number, at.span));
         Ok(())
@@ -289,12 +283,7 @@ impl Run<'_> {
         let symbol = match word.target {
             Target::Name(symbol) => symbol,
             Target::Variable(_) => {
-                return self.fail_help(
-                    codes::M1011,
-                    word.span,
-                    "a variable is assigned in a block with other words",
-                    "put the assignment into a block of its own",
-                );
+                return self.refuse(word.span, codes::M1011::variable_is_assigned_in_block_with_other());
             }
             Target::Numbered(..) | Target::Letter(_) => return self.machine_word(w, word.span, text),
         };
@@ -304,11 +293,11 @@ impl Run<'_> {
             "RD" => self.corner_word(|w| &mut w.rounding, w, word, block, "RD"),
             "ACC" => {
                 if matches!(word.value, Value::None | Value::Label(_)) {
-                    return self.fail(codes::M1003, word.span, "ACC has no value");
+                    return self.refuse(word.span, codes::M1003::acc_has_no_value());
                 }
                 let value = self.number(word, block)?;
                 if w.silent[2].replace(At { value, span: word.span }).is_some() {
-                    return self.fail(codes::M1004, word.span, "ACC stands twice in this block");
+                    return self.refuse(word.span, codes::P1002::acc_stands_twice_in_this_block());
                 }
                 self.without_geometry("ACC", word.span);
                 Ok(())
@@ -316,9 +305,7 @@ impl Run<'_> {
             name => match flow_word(name) {
                 Some(flow) => self.sort_flow(w, flow, word, text),
                 None if FOREIGN.contains(&name) => {
-                    let message = format!("{name} depends on the running machine");
-                    let help = "write the way that is meant with BRA, or leave the command out";
-                    self.report(Diagnostic::new(codes::M9003, self.loc(word.span), message).help(help));
+                    self.report(codes::M9003::depends_on_running_machine(&name).at(self.loc(word.span)));
                     Ok(())
                 }
                 None => self.machine_word(w, word.span, text),
@@ -335,16 +322,11 @@ impl Run<'_> {
         name: &str,
     ) -> Outcome {
         if matches!(word.value, Value::None | Value::Label(_)) {
-            return self.fail_help(
-                codes::M1003,
-                word.span,
-                format!("{name} has no value"),
-                "write it as `CF2` or `RD2`",
-            );
+            return self.refuse(word.span, codes::M1003::has_no_value(&name));
         }
         let value = self.number(word, block)?;
         if w.chamfer.is_some() || w.rounding.is_some() {
-            return self.fail(codes::M1004, word.span, "one corner takes one CF or RD");
+            return self.refuse(word.span, codes::P1002::one_corner_takes_one_cf_or_rd());
         }
         *slot(w) = Some(At { value, span: word.span });
         Ok(())
@@ -356,24 +338,19 @@ impl Run<'_> {
             Value::Label(label) => Some(label),
             Value::Literal(_) | Value::Formula(_) => {
                 let name = readable(word.span.of(text)).into_owned();
-                return self.fail(codes::M1001, word.span, format!("`{name}` takes no value"));
+                return self.refuse(word.span, codes::P1001::takes_no_value(&name));
             }
         };
         let wants = matches!(flow, Flow::StopAndBranch | Flow::Branch(_) | Flow::Call | Flow::Reverse);
         if wants != label.is_some() {
             let name = readable(word.span.of(text)).into_owned();
             return match label {
-                None => self.fail_help(
-                    codes::M1007,
-                    word.span,
-                    format!("`{name}` names no label"),
-                    "write the label behind it: `BRA .LOOP`",
-                ),
-                Some(_) => self.fail(codes::M1006, word.span, format!("no label belongs to `{name}`")),
+                None => self.refuse(word.span, codes::P1004::names_no_label(&name)),
+                Some(_) => self.refuse(word.span, codes::P1003::no_label_belongs(&name)),
             };
         }
         if w.flow.is_some() {
-            return self.fail(codes::M1006, word.span, "two words of one block say where the program goes on");
+            return self.refuse(word.span, codes::P1003::two_words_of_one_block_say());
         }
         w.flow = Some(FlowWord { flow, label, span: word.span });
         Ok(())
@@ -393,8 +370,7 @@ impl Run<'_> {
             return;
         }
         self.noted.insert(name.to_owned());
-        let message = format!("{name} does not change the programmed path and has no word in the output");
-        self.report(Diagnostic::new(codes::M2703, self.loc(span), message));
+        self.report(codes::M2703::does_not_change_programmed_path(&name).at(self.loc(span)));
     }
 
     /// The whole number of a word.
@@ -403,7 +379,7 @@ impl Run<'_> {
         if (0.0..=1e6).contains(&at.value) && at.value.fract() == 0.0 {
             return Ok(at.value as u32);
         }
-        self.fail(codes::M2401, at.span, format!("{letter} takes a whole number, not {}", at.value))
+        self.refuse(at.span, codes::M2401::takes_whole_number(&letter, &at.value))
     }
 
     pub(super) fn put_back(&mut self, w: Box<Words>) {
@@ -412,12 +388,12 @@ impl Run<'_> {
 
     /// Reports a word that has no place in the block.
     pub(super) fn not_here<T>(&self, span: Span, message: impl Into<String>) -> Outcome<T> {
-        self.fail(codes::M1006, span, message)
+        self.fail(codes::P1003, span, message)
     }
 
     #[cold]
     pub(super) fn missing<T>(&self, span: Span, message: impl Into<String>) -> Result<T, Reported> {
-        self.fail(codes::M1007, span, message)
+        self.fail(codes::P1004, span, message)
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Comes in: the functions and moves that go out. Goes out: warning P0206 for a program that chooses tools and never changes one.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::Function;
 use crate::text::Loc;
 
@@ -57,13 +57,10 @@ impl<L: Language> Core<'_, L> {
         if self.errors() > 0 || self.in_doubt || self.job.settings.control.says_tool_change() {
             return;
         }
-        let message = format!(
-            "T chooses tool {number}, and the program has no M6: it cuts with the tool that is in the spindle at its start"
+        self.job.diags.push(
+            codes::P0206::t_chooses_tool(&number)
+                .answer(Answer::key("control", "tool_change").one_of(&["\"t\"", "\"m6\""]))
+                .at(loc),
         );
-        let help = Answer::key("control", "tool_change").one_of(&["\"t\"", "\"m6\""]).help(
-            "if T alone changes the tool, set `[control] tool_change = \"t\"`; if M6 is missing, program it; `tool_change = \"m6\"` takes \
-             the tool that is there",
-        );
-        self.job.diags.push(Diagnostic::new(codes::P0206, loc, message).help(help));
     }
 }

@@ -241,10 +241,7 @@ impl<L: Language> Core<'_, L> {
 
     #[cold]
     fn two_skip_levels(&self) {
-        let message = "`skip_blocks = [1]` leaves out blocks with / and blocks with /1, and this program has both; \
-                       on the control / is level 0, the first one, and /1 is the second";
-        let help = "write `skip_blocks = [0]` to leave out the blocks with / alone, `[0, 1]` for both";
-        self.report(Diagnostic::new(codes::P0201, self.here.origin.loc, message).help(help));
+        self.report(codes::P0201::skip_blocks_1_leaves_out_blocks().at(self.here.origin.loc));
     }
 
     /// A comment of the program, where the output shows them.
@@ -334,6 +331,6 @@ impl<L: Language> Core<'_, L> {
 
     /// The file cannot be read: the run ends.
     pub(super) fn unreadable<T>(&self, error: &std::io::Error) -> Outcome<T> {
-        self.fatal(codes::P0105, format!("the file cannot be read: {error}"))
+        self.end_run(codes::P0105::file_cannot_be_read(&error))
     }
 }

@@ -1,6 +1,6 @@
 //! Where a file ends without an end of program: most often it was cut off in transfer.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::text::{Loc, Span};
 
 use super::Language;
@@ -58,12 +58,11 @@ impl<L: Language> Core<'_, L> {
             return true;
         }
         let loc = self.end_of_text();
-        let help = Answer::key("control", "open_end").one_of(&["\"allow\""]).help(format!(
-            "the file may have been cut off in transfer; if it is complete, add {best}; for a control that needs no end, set \
-             `[control] open_end = \"allow\"`"
-        ));
         self.report(
-            Diagnostic::new(codes::P0007.alarm(alarm), loc, format!("the program ends without {end}")).help(help),
+            codes::P0007::program_ends(&end, &best)
+                .answer(Answer::key("control", "open_end").one_of(&["\"allow\""]))
+                .alarm(alarm)
+                .at(loc),
         );
         false
     }
@@ -85,10 +84,7 @@ impl<L: Language> Core<'_, L> {
         if !stem.last().is_some_and(|letter| letter.eq_ignore_ascii_case(&b'M')) {
             return;
         }
-        let message =
-            "the file stops in its last line, after `M2`, which may be the beginning of a longer word: it was cut off";
-        let help = "get the file anew; if `M2` is its end, write a line end after it";
-        self.report_cause(Diagnostic::new(codes::P0008, self.here.origin.loc, message).help(help));
+        self.report_cause(codes::P0008::file_stops_in_its_last_line_after().at(self.here.origin.loc));
     }
 
     /// Does the last line of the file have no line end either? Then the rest of it is missing, in a subprogram, too.
@@ -99,9 +95,7 @@ impl<L: Language> Core<'_, L> {
         if ends_its_line(&tail) {
             return false;
         }
-        let message = format!("the file stops in its last line, without {end}: it was cut off");
-        let help = format!("get the file anew; if its last line is complete, end it, and add {best}");
-        self.report(Diagnostic::new(codes::P0008, loc, message).help(help));
+        self.report(codes::P0008::file_stops_in_its_last_line(&end, &best).at(loc));
         true
     }
 }

@@ -1,6 +1,6 @@
 //! Entries of `partc.toml` that would make a word of the language vanish.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::text::{Loc, Span};
 
 use super::{Core, Language};
@@ -14,8 +14,7 @@ impl<L: Language> Core<'_, L> {
         }
         let named: Vec<String> = entries.iter().map(|(name, what)| format!("{name} ({what})")).collect();
         let loc = Loc { file: self.job.main, line: 1, span: Span::at(0, 1) };
-        let message = format!("`{key}` of partc.toml names {}", named.join(", "));
-        let found = Diagnostic::new(codes::P0205, loc, message).help(help);
+        let found = codes::P0205::of_partc_toml_names(&key, &named.join(", ")).at(loc).help(help);
         if !self.job.diags.knows(&found) {
             self.report(found);
         }

@@ -14,12 +14,10 @@ pub fn open_cursor(job: &Job<'_>, file: FileId, rules: SplitRules, from: Loc) ->
     };
     let name = job.sources.shown(file);
     let found = match error {
-        OpenError::Utf16 => Diagnostic::new(codes::P0001, from, format!("`{name}` is a UTF-16 file"))
-            .help("save it as UTF-8 or Windows-1252"),
-        OpenError::TooLarge => Diagnostic::new(codes::P0002, from, format!("`{name}` is over 4 GiB")),
-        OpenError::Empty => Diagnostic::new(codes::P0004, from, format!("`{name}` is empty"))
-            .help("check whether the file was transferred completely"),
-        OpenError::Io(error) => Diagnostic::new(codes::P0105, from, format!("`{name}` cannot be read: {error}")),
+        OpenError::Utf16 => codes::P0001::is_utf_16_file(&name).at(from),
+        OpenError::TooLarge => codes::P0002::is_over_4_gib(&name).at(from),
+        OpenError::Empty => codes::P0004::is_empty(&name).at(from),
+        OpenError::Io(error) => codes::P0105::cannot_be_read(&name, &error).at(from),
     };
     // The form of the program was looked at before it runs.
     if !job.diags.knows(&found) {
@@ -34,9 +32,9 @@ pub fn report_hole(job: &Job<'_>, file: FileId, cursor: &mut Cursor, block: Plac
     if let Some(Hole { place, inside }) = cursor.passed_hole(block) {
         let loc = Loc { file, line: place.line, span: Span::at(place.at, 1) };
         let found = if inside {
-            Diagnostic::new(codes::P0005, loc, "NUL or Ctrl-Z stands inside a block")
+            codes::P0005::nul_or_ctrl_z_stands_inside_block().at(loc)
         } else {
-            Diagnostic::new(codes::P0006, loc, "NUL or Ctrl-Z stands between the blocks of the program")
+            codes::P0006::nul_or_ctrl_z_stands_between_blocks().at(loc)
         };
         job.diags.push(found.help("something may be lost here: get the program anew").called(call));
     }
@@ -55,11 +53,11 @@ pub struct Wanted<'w> {
 
 /// Finds and opens the program that the block at `from` calls.
 pub fn open_program(job: &Job<'_>, wanted: &Wanted<'_>, from: Loc, call: CallPath) -> Option<FileId> {
-    find_program(job, wanted, from, call).map_err(|found| job.diags.push(found)).ok()
+    find_program(job, wanted, from, call).map_err(|found| job.diags.push(*found)).ok()
 }
 
 /// The same; a finding that is not reported yet where it cannot be opened.
-pub fn find_program(job: &Job<'_>, wanted: &Wanted<'_>, from: Loc, call: CallPath) -> Result<FileId, Diagnostic> {
+pub fn find_program(job: &Job<'_>, wanted: &Wanted<'_>, from: Loc, call: CallPath) -> Result<FileId, Box<Diagnostic>> {
     let found = match look_for(job, wanted, from, call) {
         Ok(opened) => match job.sources.add(opened) {
             Ok(id) => return Ok(id),
@@ -67,7 +65,7 @@ pub fn find_program(job: &Job<'_>, wanted: &Wanted<'_>, from: Loc, call: CallPat
         },
         Err(error) => not_opened(error, wanted.name, from),
     };
-    Err(found.called(call))
+    Err(Box::new(found.called(call)))
 }
 
 /// Is the program that the block at `from` calls nowhere, so that what `[programs]` says may stand for it?
@@ -89,9 +87,7 @@ fn look_for(job: &Job<'_>, wanted: &Wanted<'_>, from: Loc, call: CallPath) -> Re
         return beside;
     }
     let opened = job.files.open(&Request { within: Within::Anywhere, ..request })?;
-    let message = format!("`{name}` does not lie beside the program that names it; `{}` is taken", opened.name);
-    let help = "on the control a name without a path means the folder of the program that names it: put the file there, or write its path";
-    job.diags.push(Diagnostic::new(codes::P0107, from, message).help(help).called(call));
+    job.diags.push(codes::P0107::does_not_lie_beside_program_that_names(&name, &opened.name).at(from).called(call));
     Ok(opened)
 }
 
@@ -99,8 +95,8 @@ fn look_for(job: &Job<'_>, wanted: &Wanted<'_>, from: Loc, call: CallPath) -> Re
 pub fn not_opened(error: FileError, name: &str, from: Loc) -> Diagnostic {
     match error {
         FileError::NotFound { tried, similar } => {
-            let found = Diagnostic::new(codes::P0101, from, format!("program `{name}` is not found"))
-                .here(format!("looked for {}", tried.join(", ")));
+            let found =
+                codes::P0101::program_is_not_found(&name).at(from).here(format!("looked for {}", tried.join(", ")));
             match similar.first() {
                 Some(like) if tried.contains(like) => found.help(format!("`{like}` is there, and is no file")),
                 Some(like) => found.help(format!("did you mean `{like}`?")),
@@ -111,44 +107,36 @@ pub fn not_opened(error: FileError, name: &str, from: Loc) -> Diagnostic {
             }
         }
         FileError::Forbidden { why } => {
-            Diagnostic::new(codes::P0102, from, format!("program `{name}` may not be opened: {why}"))
-                .help(Answer::folder_of(&[name]).help("name its folder under `[include] roots`"))
+            codes::P0102::program_may_not_be_opened(&name, &why).answer(Answer::folder_of(&[name])).at(from)
         }
         FileError::Ambiguous { names } => {
             let folder = |name: &String| name.rsplit_once(['/', '\\']).map(|(folder, _)| folder.to_owned());
             let one_folder = names.windows(2).all(|pair| folder(&pair[0]) == folder(&pair[1]));
             let help = if one_folder { "rename all but one" } else { "rename all but one, or call it by its path" };
-            Diagnostic::new(codes::P0103, from, format!("program `{name}` may be any of {}", names.join(", ")))
-                .help(help)
+            codes::P0103::program_may_be_any(&name, &names.join(", ")).at(from).help(help)
         }
         FileError::NoRoot { prefix } => no_root(&prefix, from),
-        FileError::Io { why } => Diagnostic::new(codes::P0105, from, format!("program `{name}` cannot be read: {why}")),
+        FileError::Io { why } => codes::P0105::program_cannot_be_read(&name, &why).at(from),
     }
 }
 
 /// The finding for a drive or folder of the control that no root stands for.
 pub fn no_root(prefix: &str, from: Loc) -> Diagnostic {
-    Diagnostic::new(codes::P0104, from, format!("no folder is known for `{prefix}`")).help(
-        Answer::entry("include", "roots", prefix)
-            .help(format!("add `[include] roots = {{ \"{prefix}\" = \"folder\" }}` to partc.toml")),
-    )
+    codes::P0104::no_folder_is_known(&prefix).answer(Answer::entry("include", "roots", prefix)).at(from)
 }
 
 /// The finding for a called file that is not taken.
 pub fn refused(too_much: TooMuch, name: &str, from: Loc) -> Diagnostic {
     let mib = |bytes: u64| bytes.div_ceil(1 << 20);
     match too_much {
-        TooMuch::Files => Diagnostic::new(codes::P0106, from, "too many programs are called"),
+        TooMuch::Files => codes::P0106::too_many_programs_are_called().at(from),
         TooMuch::Bytes(size) => {
             let (size, most) = (mib(size), mib(MAX_CALLED));
-            let message =
-                format!("called program `{name}` has {size} MiB, more than the {most} MiB of one called file");
-            Diagnostic::new(codes::P0120, from, message).help("compile it as a main program, or split it")
+            codes::P0120::called_program_has_mib(&name, &size, &most).at(from)
         }
         TooMuch::AllBytes(all) => {
             let (all, most) = (mib(all), mib(MAX_ALL_CALLED));
-            let message = format!("with `{name}` the called programs have {all} MiB, more than {most} MiB together");
-            Diagnostic::new(codes::P0121, from, message).help("compile the large ones as main programs")
+            codes::P0121::with_called_programs_have_mib(&name, &all, &most).at(from)
         }
     }
 }

@@ -80,7 +80,7 @@ impl<L: Language> Core<'_, L> {
     }
 
     /// The same; a finding that is not reported yet where it cannot be opened.
-    pub fn find_called(&mut self, wanted: &Wanted<'_>) -> Result<Option<usize>, Diagnostic> {
+    pub fn find_called(&mut self, wanted: &Wanted<'_>) -> Result<Option<usize>, Box<Diagnostic>> {
         let origin = self.here.origin;
         self.budget.search();
         let file = find_program(&self.job, wanted, origin.loc, origin.call)?;
@@ -144,7 +144,7 @@ impl<L: Language> Core<'_, L> {
     /// Calls are nested deeper than `message` says it is possible.
     pub fn too_deep<T>(&self, message: impl Into<String>) -> Outcome<T> {
         match self.cycle_of_calls() {
-            Some(cycle) => self.fatal(codes::P4003, format!("{}: {cycle}", message.into())),
+            Some(cycle) => self.end_run(codes::P4003::of_another_kind(&message.into(), &cycle)),
             None => self.fatal(codes::P4003, message),
         }
     }

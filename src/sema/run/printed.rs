@@ -135,14 +135,13 @@ impl<L: Language> Core<'_, L> {
         }
         let (theirs, other_at, other_key) = (other.said.clone(), other.at, other.key.clone());
         let word = self.offset_word(number);
-        let message = format!("{said} is to be printed as {word}, and so was {theirs}");
         let key = if name.is_mapped() { name.key() } else { other_key.unwrap_or_else(|| name.key()) };
         let help = format!(
             "name another work offset of the target in `[datums] {key}`, and set it up there; to the same values if both \
              are one place"
         );
         let help = Answer::key("datums", &key).help(help);
-        let found = Diagnostic::new(codes::P0202, self.loc(place), message).help(help);
+        let found = codes::P0202::is_to_be_printed(&said, &word, &theirs).at(self.loc(place)).help(help);
         self.report(found.also(other_at, format!("{theirs} is printed as {word}")));
         Err(Reported)
     }
@@ -153,12 +152,7 @@ impl<L: Language> Core<'_, L> {
             return;
         }
         let word = self.offset_word(number);
-        let message = format!(
-            "moves stand in front of {word}: they run under the offset that is active on the target at the start"
-        );
-        let help =
-            "select the work offset in front of the first move; a retraction may be programmed in machine coordinates";
-        self.report(Diagnostic::new(codes::P0204, self.loc(place.into()), message).help(help));
+        self.report(codes::P2032::moves_stand_in_front(&word).at(self.loc(place.into())));
     }
 
     /// A work offset of the target that nothing else of the program is printed by, in words to put behind a key of `[datums]`:
@@ -186,13 +180,10 @@ impl<L: Language> Core<'_, L> {
     fn lacks_offset(&mut self, name: OffsetName<'_>, said: &str, number: u8, place: Where) -> Outcome {
         let target = self.job.settings.output.target;
         let Some(range) = target.offset_range() else {
-            let help = "take the word out: positions count from where the part is set up on the machine";
-            let message = format!("the target {} has no work offsets, and the program selects {said}", target.name);
-            return self.fail_help(codes::O9310, place, message, help);
+            return self.refuse(place, codes::O9310::target_has_no_work_offsets(&target.name, &said));
         };
         let printed =
             if name.is_mapped() { format!(", which `[datums]` maps to number {number},") } else { String::new() };
-        let message = format!("the target {} has no word for {said}{printed}: it has {range}", target.name);
         let key = name.key();
         let free = self.free_offset(&key);
         let help: Help = match name {
@@ -203,7 +194,7 @@ impl<L: Language> Core<'_, L> {
                 .help(format!("name one that it has: `[datums]` with `{key} = \"{free}\"`")),
             OffsetName::Fixed(_) => "set the part up in one of these, and select it in the program".into(),
         };
-        self.fail_help(codes::O9310, place, message, help)
+        self.refuse(place, codes::O9310::target_has_no_word(&target.name, &said, &printed, &range).help(help))
     }
 
     /// The word by which the target selects a work offset.

@@ -1,7 +1,7 @@
 //! Findings about the block in hand.
 
 use crate::diag::decimals::rounded;
-use crate::diag::{Answer, Code, Diagnostic, Help, Raised, Severity, codes};
+use crate::diag::{Answer, Diagnostic, Fault, Help, Raised, Severity, codes};
 use crate::parser::problem::Problem;
 use crate::sema::{Job, Outcome, Reported};
 use crate::text::{Loc, Span};
@@ -138,17 +138,36 @@ impl<L: Language> Core<'_, L> {
         Err(Reported)
     }
 
+    /// Reports a fault of words of the block, or of all of it, and gives up the block.
+    pub fn refuse<T>(&self, place: impl Into<Where>, fault: Fault) -> Outcome<T> {
+        self.say(place, fault);
+        Err(Reported)
+    }
+
+    /// Reports it, and goes on.
+    pub fn say(&self, place: impl Into<Where>, fault: Fault) {
+        self.report(fault.at(self.loc(place)));
+    }
+
+    /// Reports a fault of the whole block, and goes on.
+    pub fn say_here(&self, fault: Fault) {
+        self.report(fault.at(self.here.origin.loc));
+    }
+
+    /// Reports a fault of the whole block and ends the run: nobody knows where the program goes on.
+    pub fn end_run<T>(&self, fault: Fault) -> Outcome<T> {
+        self.stop(fault.at(self.here.origin.loc))
+    }
+
+    /// Reports it once for the whole program: each fact that its text says.
+    pub fn say_once(&self, place: impl Into<Where>, fault: Fault) {
+        self.report_once(fault.at(self.loc(place)));
+    }
+
     /// Reports it unless the same was said before.
     pub fn report_once(&self, found: Diagnostic) {
         if self.job.diags.first_text(found.code, &found.message) {
             self.report(found);
-        }
-    }
-
-    /// A note that is made once for the whole program: of each fact that its text says.
-    pub fn note_once(&self, code: &'static Code, place: impl Into<Where>, message: impl AsRef<str>) {
-        if self.job.diags.first_text(code, message.as_ref()) {
-            self.report(Diagnostic::new(code, self.loc(place), message.as_ref()));
         }
     }
 }

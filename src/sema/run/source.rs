@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::{CallPath, Diagnostic, codes};
+use crate::diag::{CallPath, codes};
 use crate::sema::Job;
 use crate::text::blocks::Place;
 use crate::text::{Cursor, FileId, Loc, Next, Span, SplitRules};
@@ -166,13 +166,13 @@ impl<B: Clone> Source<B> {
             }
             Ok(Next::TooLong { at, line }) => {
                 let loc = Loc { file: self.file, line, span: Span::at(at, 1) };
-                job.diags.push(Diagnostic::new(codes::P0003, loc, "block is longer than 1 MiB").called(call));
+                job.diags.push(codes::P0003::block_is_longer_than_1_mib().at(loc).called(call));
                 Read::TooLong
             }
             Ok(Next::End) => Read::End,
             Err(error) => {
                 let loc = Loc { file: self.file, line: place.line, span: Span::at(place.at, 0) };
-                let found = Diagnostic::new(codes::P0105, loc, format!("the file cannot be read: {error}"));
+                let found = codes::P0105::file_cannot_be_read(&error).at(loc);
                 job.diags.push(found.called(call));
                 Read::Broken
             }

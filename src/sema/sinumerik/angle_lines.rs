@@ -98,11 +98,7 @@ impl Channel<'_> {
         let lost = std::mem::take(&mut self.st.pair.lost);
         let Some(given) = angle else {
             let origin = self.st.pair.first.take().map(|pending| pending.origin);
-            let found = Diagnostic::new(
-                codes::S2070.alarm(10794),
-                self.here.origin.loc,
-                "the second line of the pair has no ANG",
-            );
+            let found = codes::S2070::second_line_of_pair_has_no_ang().at(self.here.origin.loc);
             let found = match origin {
                 Some(origin) => found.also(origin.loc, "the first line"),
                 None => found,
@@ -120,22 +116,13 @@ impl Channel<'_> {
         match (named, self.st.pair.first.take()) {
             ([true, true], Some(pending)) => self.second_line(pending, angle, &end, path, given.span),
             (_, Some(pending)) => {
-                let found = Diagnostic::new(
-                    codes::S2070.alarm(10794),
-                    self.loc(given.span),
-                    "the second line of the pair needs both end coordinates",
-                );
+                let found = codes::S2070::second_line_of_pair_needs_both_end().at(self.loc(given.span));
                 self.report(found.also(pending.origin.loc, "the first line"));
                 Err(Reported)
             }
             // The first line was refused.
             ([true, true], None) if lost => Err(Reported),
-            ([true, true], None) => self.fail_help(
-                codes::S2070.alarm(10795),
-                given.span,
-                "both end coordinates and an angle say too much",
-                "leave ANG out; only the second line of a pair has all three",
-            ),
+            ([true, true], None) => self.refuse(given.span, codes::S2070::both_end_coordinates()),
             ([false, false], None) => {
                 self.st.pair.lost = true;
                 if self.st.position.in_plane(plane).is_none() {
@@ -180,12 +167,7 @@ impl Channel<'_> {
             };
             if incremental {
                 self.st.pair.first = None;
-                return self.fail_help(
-                    codes::S2070,
-                    given.span,
-                    "the second line of the pair is programmed by increments, and from where they count is not documented",
-                    "program its end point in absolute coordinates: G90, or AC(…)",
-                );
+                return self.refuse(given.span, codes::S2070::second_line_of_pair_is_programmed());
             }
         }
         Ok(())
@@ -195,8 +177,7 @@ impl Channel<'_> {
     pub(super) fn only_lines_in_a_pair(&mut self, span: Span) -> Outcome {
         let Some(pending) = self.st.pair.first.take() else { return Ok(()) };
         self.st.position.lose(AxisSet::MAIN);
-        let message = "the second line of the pair is no straight line";
-        let found = Diagnostic::new(codes::S2070.alarm(10792), self.loc(span), message);
+        let found = codes::S2070::second_line_of_pair_is_no_straight().at(self.loc(span));
         self.report(found.also(pending.origin.loc, "the first line").help("program G0 or G1 in both blocks of a pair"));
         Err(Reported)
     }
@@ -210,20 +191,10 @@ impl Channel<'_> {
         let coord = |axis| end.get(axis).map_or(Coord::Open, Coord::At);
         let data = Data { x: coord(axes[0]), y: coord(axes[1]), ..line(angle) };
         let Ok(point) = ended(start, &data, None) else {
-            return self.fail_help(
-                codes::S2070.alarm(10795),
-                span,
-                "the end coordinate cannot be reached at this angle",
-                "the line runs at a right angle to the axis of the end coordinate",
-            );
+            return self.refuse(span, codes::S2070::end_coordinate_cannot_be_reached());
         };
         if (point - start).dot(&angle.unit()) < -BACK {
-            return self.fail_help(
-                codes::S2070.alarm(10795),
-                span,
-                "the end coordinate lies behind the start, seen along the angle",
-                "turn the angle by 180 degrees, or check the end coordinate",
-            );
+            return self.refuse(span, codes::S2070::end_coordinate_lies_behind_start());
         }
         let mut made = *end;
         made.set_in_plane(plane, point);
@@ -231,7 +202,7 @@ impl Channel<'_> {
     }
 
     fn second_line(&mut self, pending: Box<FirstLine>, angle: Deg, end: &Pos, path: Path, span: Span) -> Outcome {
-        let first = Diagnostic::new(codes::S2070.alarm(10791), self.loc(span), "");
+        let first = codes::S2070::of_another_kind().at(self.loc(span));
         let refuse = |run: &Self, message: &str, help: &str| -> Outcome {
             let found = Diagnostic { message: message.to_owned(), ..first.clone() };
             run.report(found.also(pending.origin.loc, "the first line").help(help));
@@ -284,8 +255,7 @@ impl Channel<'_> {
         self.stored_must_be_done()?;
         let Some(pending) = self.st.pair.first.take() else { return Ok(()) };
         self.st.pair.lost = true;
-        let found =
-            Diagnostic::new(codes::S2070.alarm(10793), pending.origin.loc, "the second line of the pair is missing");
+        let found = codes::S2070::second_line_of_pair_is_missing().at(pending.origin.loc);
         self.report(
             found
                 .also(self.loc(place), "this comes before it")
@@ -300,8 +270,7 @@ impl Channel<'_> {
         let Some(pending) = self.st.pair.first.take() else { return Ok(()) };
         self.st.pair.lost = true;
         self.st.position.lose(AxisSet::MAIN);
-        let message = "the first line of a pair stands under MCALL, and the call would come before its end is known";
-        let found = Diagnostic::new(codes::S2070, pending.origin.loc, message);
+        let found = codes::S2070::first_line_of_pair_stands_under_mcall().at(pending.origin.loc);
         self.report(found.help("program the end of the line, or end the modal call before by MCALL"));
         Err(Reported)
     }

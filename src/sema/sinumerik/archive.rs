@@ -19,21 +19,14 @@ impl Run<'_> {
         if self.levels.len() == 1 && self.program_level().executed && self.units.list[unit].start.at == 0 {
             let first = self.job.sources.bytes(self.here.file, Span::at(0, 4));
             if !first.contains(&b'%') {
-                return self.fail_help(
-                    codes::S2013,
-                    Where::Block,
-                    "blocks stand in front of the first program of this archive",
-                    "delete them, or give them a head of their own: %_N_NAME_MPF",
-                );
+                return self.refuse(Where::Block, codes::S2013::blocks_stand_in_front_of_first_program());
             }
         }
         if self.levels.len() > 1 || self.program_level().executed {
             let lost = self.blocks_behind_the_end();
             self.file_over();
             if lost {
-                let message = "blocks stand behind the `%` that closes the program, and no program of theirs begins";
-                let help = "delete the `%`, or give them a head of their own: %_N_NAME_MPF";
-                return self.fail_help(codes::S2013, Where::Block, message, help);
+                return self.refuse(Where::Block, codes::S2013::blocks_stand_behind_that_closes_program());
             }
             return Ok(());
         }

@@ -42,7 +42,7 @@ impl Run<'_> {
 
     fn assign(&mut self, word: &Word, block: &Block, text: &[u8]) -> Outcome {
         let Value::Formula(formula) = word.value else {
-            return self.fail(codes::S1001.alarm(12080), word.span, "`=` and a value are missing");
+            return self.refuse(word.span, codes::P1001::value_are_missing());
         };
         if let Target::Numbered(b'R', n, _) = word.target {
             let value = self.number(formula, block, text)?;
@@ -58,7 +58,7 @@ impl Run<'_> {
 
     fn set_r(&mut self, n: u32, value: f64, span: Span) -> Outcome {
         if n > MOST_R {
-            return self.fail(codes::S2018.alarm(17020), span, format!("there is no parameter R{n}"));
+            return self.refuse(span, codes::S2018::there_is_no_parameter_r(&n));
         }
         let origin = self.here.origin;
         self.job.trail.assigns(origin.loc, origin.call, || format!("R{n}"), value);
@@ -98,14 +98,14 @@ impl Run<'_> {
                         }
                         None => self.undefined(name, block.span),
                     },
-                    _ => self.fail(codes::S1001.alarm(12080), block.span, "this cannot count a loop"),
+                    _ => self.refuse(block.span, codes::P1001::this_cannot_count_loop()),
                 }
             }
             Target::Letter(letter) => match self.letter_variable(letter) {
                 Some(slot) => self.variable_value(slot, &[], block.span),
-                None => self.fail(codes::S1001.alarm(12080), block.span, "an address cannot count a loop"),
+                None => self.refuse(block.span, codes::P1001::address_cannot_count_loop()),
             },
-            Target::System(_) => self.fail(codes::S1001.alarm(12080), block.span, "this cannot count a loop"),
+            Target::System(_) => self.refuse(block.span, codes::P1001::this_cannot_count_loop()),
         }
     }
 
@@ -149,13 +149,13 @@ impl Run<'_> {
                     }
                     Base::Letter(letter) => match self.letter_variable(letter) {
                         Some(slot) => self.write_indexed(slot, &indices, value, span),
-                        None => self.fail(codes::S1001.alarm(12080), span, "this takes no value"),
+                        None => self.refuse(span, codes::P1001::this_takes_no_value()),
                     },
                 }
             }
             Target::Letter(letter) => match self.letter_variable(letter) {
                 Some(slot) => self.write_element(slot, &[], value, span),
-                None => self.fail(codes::S1001.alarm(12080), span, "this takes no value"),
+                None => self.refuse(span, codes::P1001::this_takes_no_value()),
             },
         }
     }
@@ -175,7 +175,7 @@ impl Run<'_> {
             let mut bytes = old.to_vec();
             let place = usize::try_from(*at).ok().and_then(|at| bytes.get_mut(at));
             let (Some(place), Val::Char(c)) = (place, character) else {
-                return self.fail(codes::S2018.alarm(12400), span, format!("the text has no character {at}"));
+                return self.refuse(span, codes::S2018::text_has_no_character(&at));
             };
             *place = c;
             return self.write_element(slot, &[], Val::text(&bytes), span);
@@ -234,18 +234,14 @@ impl Run<'_> {
                         match n {
                             Some(n) => Some(n),
                             None => {
-                                return self.fail(
-                                    codes::S2017.alarm(12260),
-                                    formula.span,
-                                    "REP counts elements by a whole number",
-                                );
+                                return self.refuse(formula.span, codes::S2017::rep_counts_elements_by_whole_number());
                             }
                         }
                     }
                 };
                 match list.into_iter().next() {
                     Some(value) => Ok(Some(Fill::Repeat(value, count))),
-                    None => self.fail(codes::S2017.alarm(12260), formula.span, "REP needs a value"),
+                    None => self.refuse(formula.span, codes::S2017::rep_needs_value()),
                 }
             }
             _ => Ok(None),
@@ -275,7 +271,7 @@ impl Run<'_> {
             Target::Letter(letter) if self.letter_variable(letter).is_some() => {
                 (self.letter_variable(letter).ok_or(Reported)?, None)
             }
-            _ => return self.fail(codes::S2005.alarm(12150), span, "a list of values fills an array"),
+            _ => return self.refuse(span, codes::P2024::list_of_values_fills_array()),
         };
         let mut values = Vec::new();
         for formula in args.map(|args| block.arguments(args).to_vec()).unwrap_or_default() {
@@ -285,7 +281,7 @@ impl Run<'_> {
         let Some(var) = self.vars.get(slot).cloned() else { return Err(Reported) };
         let start = if indices.is_empty() { Some(0) } else { var.offset(&indices) };
         let Some(start) = start.filter(|_| !var.sizes.is_empty()) else {
-            return self.fail(codes::S2018.alarm(12400), span, "the array has no such element");
+            return self.refuse(span, codes::S2018::array_has_no_such_element());
         };
         self.budget.take(var.values.len() as u64 / 16);
         let filled = self.filled(&var, start, fill, span)?;
@@ -317,11 +313,11 @@ impl Channel<'_> {
     pub(super) fn frame_component(&self, frame: &super::frames::FrameValue, args: &[Val], span: Span) -> Outcome<Val> {
         let (axis, component) = self.frame_place(args, span)?;
         let Some(axis) = axis else {
-            return self.fail(codes::S2028, span, "the frame of an axis that is left out is not known");
+            return self.refuse(span, codes::P2023::frame_of_axis_that_is_left_out());
         };
         match frame.component(axis, component) {
             Some(value) => Ok(Val::Real(value / self.st.component_unit(axis, component))),
-            None => self.fail(codes::S2034, span, "this chain of rotations and scales has no such components"),
+            None => self.refuse(span, codes::S2034::this_chain_of_rotations()),
         }
     }
 
@@ -340,7 +336,7 @@ impl Channel<'_> {
         if frame.set_component(axis, component, value) {
             return Ok(());
         }
-        self.fail(codes::S2034, span, "this component cannot be set: a chain of rotations and scales, or a factor 0")
+        self.refuse(span, codes::S2034::this_component_cannot_be_set())
     }
 }
 
@@ -350,10 +346,10 @@ impl Core<'_> {
         let Some(number) = value.number() else { return Ok(()) };
         match limits {
             [Some(least), _] if number < least => {
-                self.fail(codes::S2029.alarm(alarms[0]), span, format!("{number} is below the limit LLI {least}"))
+                self.refuse(span, codes::S2029::is_below_limit_lli(&number, &least).alarm(alarms[0]))
             }
             [_, Some(most)] if number > most => {
-                self.fail(codes::S2029.alarm(alarms[1]), span, format!("{number} is above the limit ULI {most}"))
+                self.refuse(span, codes::S2029::is_above_limit_uli(&number, &most).alarm(alarms[1]))
             }
             _ => Ok(()),
         }
@@ -362,8 +358,7 @@ impl Core<'_> {
     pub(super) fn check_length(&self, value: &Val, length: usize, span: Span) -> Outcome {
         match value {
             Val::Text(text) if text.len() > length => {
-                let message = format!("the text has {} characters, the variable takes {length}", text.len());
-                self.fail(codes::S2030.alarm(12210), span, message)
+                self.refuse(span, codes::S2030::text_has_characters(&text.len(), &length))
             }
             _ => Ok(()),
         }
@@ -386,12 +381,10 @@ impl Core<'_> {
                 Ok(made)
             }
             Err(NoValue::Type) => {
-                let message = format!("{} does not become {}", value.what(), type_name(kind));
-                self.fail(codes::S2005.alarm(alarms[0]), span, message)
+                self.refuse(span, codes::P2024::does_not_become(&value.what(), &type_name(kind)).alarm(alarms[0]))
             }
             Err(NoValue::Range) => {
-                let message = format!("the value lies outside what {} holds", type_name(kind));
-                self.fail(codes::S2029.alarm(alarms[1]), span, message)
+                self.refuse(span, codes::S2029::value_lies_outside_what_holds(&type_name(kind)).alarm(alarms[1]))
             }
         }
     }
@@ -402,8 +395,7 @@ impl Core<'_> {
         match fill {
             Fill::Set(list) => {
                 if list.len() > room {
-                    let message = format!("{} values for {room} elements", list.len());
-                    return self.fail(codes::S2017.alarm(12260), span, message);
+                    return self.refuse(span, codes::S2017::values_for_elements_2(&list.len(), &room));
                 }
                 for (at, value) in list.iter().enumerate().filter(|(_, value)| **value != Val::Missing) {
                     made.values[start + at] = self.converted(value, made.kind, span)?;
@@ -414,7 +406,7 @@ impl Core<'_> {
                 let value = self.converted(value, made.kind, span)?;
                 let count = count.unwrap_or(room);
                 if count > room {
-                    return self.fail(codes::S2017.alarm(12260), span, format!("{count} values for {room} elements"));
+                    return self.refuse(span, codes::S2017::values_for_elements(&count, &room));
                 }
                 for (at, element) in made.values.iter_mut().enumerate().skip(start).take(count) {
                     *element = value.clone();
@@ -435,12 +427,7 @@ impl Core<'_> {
         };
         match component {
             Some(found) => Ok(found),
-            None => self.fail_help(
-                codes::S2031.alarm(12040),
-                span,
-                "a component of a frame is an axis and one of TR, FI, RT, SC, MI",
-                "for example [X,TR]",
-            ),
+            None => self.refuse(span, codes::S2031::component_of_frame_is_axis()),
         }
     }
 }

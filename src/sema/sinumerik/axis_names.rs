@@ -7,7 +7,7 @@
 
 use rustc_hash::FxHashSet;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisUse, LONGEST_AXIS_NAME, Settings};
 use crate::text::Span;
@@ -130,8 +130,7 @@ impl Channel<'_> {
     fn given_axis(&mut self, named: NamedAxis, span: Span) -> Outcome<Option<Axis>> {
         let Some(axis) = named.axis else {
             if self.axis_names.noted.insert(named) {
-                let message = format!("the axis {} is left out, as `[machine] axes` says", named.text());
-                self.report(Diagnostic::new(codes::S8130, self.loc(span), message));
+                self.report(codes::S8130::axis_is_left_out(&named.text()).at(self.loc(span)));
             }
             return Ok(None);
         };
@@ -139,10 +138,19 @@ impl Channel<'_> {
         if first == named {
             return Ok(Some(axis));
         }
-        let message = format!("{} and {} would both be printed as {}", first.text(), named.text(), axis.letter());
-        let help = Answer::entry("machine", "axes", named.text()).one_of(&["\"leave-out\"", "\"A\"", "\"B\"", "\"C\"", "\"U\"", "\"V\"", "\"W\""]).help(
-            "give one of them another letter under `[machine] axes`, or \"leave-out\" if the target has no such axis",
-        );
-        self.fail_help(codes::S2130, span, message, help)
+        self.refuse(
+            span,
+            codes::S2130::would_both_be_printed(&first.text(), &named.text(), &axis.letter()).answer(
+                Answer::entry("machine", "axes", named.text()).one_of(&[
+                    "\"leave-out\"",
+                    "\"A\"",
+                    "\"B\"",
+                    "\"C\"",
+                    "\"U\"",
+                    "\"V\"",
+                    "\"W\"",
+                ]),
+            ),
+        )
     }
 }

@@ -36,15 +36,10 @@ impl Channel<'_> {
         let closes = |order: &[Axis; 3]| planes().any(|plane| self.closes(w, *order, plane, end));
         let Some(order) = ORDERS.into_iter().filter(|order| *order != now).find(closes) else { return Ok(()) };
         // One circle tells it for all.
-        if !self.job.diags.first_time(codes::S3007, order) {
+        if !self.job.diags.first_time(codes::P3001, order) {
             return Err(Reported);
         }
         let names = |order: [Axis; 3]| order.map(|axis| format!("\"{}\"", axis.letter())).join(", ");
-        let message = format!(
-            "the circle ends in {} and {}, and its centre is said along other axes: as they are in order here it does not close",
-            a.letter(),
-            b.letter()
-        );
         let [fitting, current] = [order, now].map(|order| format!("[{}]", names(order)));
         let help = format!(
             "it closes if the first axis of the control is {}: say so by `[machine] geometry_axes = {fitting}`; or check \
@@ -53,7 +48,7 @@ impl Channel<'_> {
         );
         let answer = Answer::key("machine", "geometry_axes").one_of(&[fitting, current]);
         let span = self.arc_span(w);
-        self.fail_help(codes::S3007.alarm(14040), span, message, answer.help(help))
+        self.refuse(span, codes::P3001::circle_ends(&a.letter(), &b.letter()).help(answer.help(help)))
     }
 
     /// Are start and end equally far from the centre, with I, J and K along the axes of `order`?

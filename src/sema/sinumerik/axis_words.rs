@@ -14,8 +14,7 @@ impl Channel<'_> {
         match self.printed_axis(named, given.span)? {
             Some(axis) => words.set_axis(&self.core, axis, given),
             None if words.beside.left_out.iter().any(|(known, _)| *known == named) => {
-                let message = format!("the axis {} stands twice in the block", named.text());
-                self.fail_help(codes::S2007.alarm(12000), given.span, message, "delete one of the words")
+                self.refuse(given.span, codes::P1002::axis_stands_twice_in_block(&named.text()))
             }
             None => {
                 words.beside.left_out.push((named, given.span));
@@ -30,11 +29,13 @@ impl Channel<'_> {
         if !self.st.modal_call.is_on() {
             return Ok(());
         }
-        let message = format!("{} takes the modal call to another place, and is left out", named.text());
-        let help = Answer::entry("machine", "axes", named.text())
-            .one_of(&["\"A\"", "\"B\"", "\"C\"", "\"U\"", "\"V\"", "\"W\""])
-            .help("print the axis (`[machine] axes`), or end the modal call before this block");
-        self.fail_help(codes::S9130, *span, message, help)
+        self.refuse(
+            *span,
+            codes::S9130::takes_modal_call_to_another_place(&named.text()).answer(
+                Answer::entry("machine", "axes", named.text())
+                    .one_of(&["\"A\"", "\"B\"", "\"C\"", "\"U\"", "\"V\"", "\"W\""]),
+            ),
+        )
     }
 
     /// The printed axis of a machine axis that G74 or G75 names: `X1` is the one of X.
@@ -52,11 +53,12 @@ impl Core<'_> {
     /// `B1=90` without an entry in the configuration.
     pub(super) fn unnamed_axis<T>(&self, axis: MachineAxis) -> Outcome<T> {
         let name = format!("{}{}", axis.letter as char, axis.number);
-        let message = format!("which axis {name} is, only the machine knows");
         let letter = axis.letter as char;
-        let help = Answer::entry("machine", "axes", &name).one_of(&[format!("\"{letter}\""), "\"leave-out\"".to_owned()]).help(format!(
-            "say it: `[machine] axes = {{ {name} = \"{letter}\" }}`, or \"leave-out\" for an axis that the target does not have"
-        ));
-        self.fail_help(codes::S2016.alarm(12050), axis.span, message, &help)
+        self.refuse(
+            axis.span,
+            codes::S2016::which_axis_is_only_machine_knows(&name, &letter).answer(
+                Answer::entry("machine", "axes", &name).one_of(&[format!("\"{letter}\""), "\"leave-out\"".to_owned()]),
+            ),
+        )
     }
 }

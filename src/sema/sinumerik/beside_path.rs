@@ -6,7 +6,7 @@
 //! Source: S 6 (docs/sources.md). The blocks between CTABDEF and CTABEND describe a table and move nothing; after it the
 //! state of the program is that of before.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::machine::AxisSet;
 use crate::parser::sinumerik::ast::{Base, Block, Formula, Op, Stmt, Target, Value, Word};
 use crate::sema::common::hidden::By;
@@ -120,12 +120,10 @@ impl Run<'_> {
         self.pending_must_be_done(call.span)?;
         match beside {
             Beside::TableEnds => {
-                let help = "write CTABDEF before its first point";
-                return self.fail_help(codes::S9005, call.span, "CTABEND ends no curve table", help);
+                return self.refuse(call.span, codes::P9010::ctabend_ends_no_curve_table());
             }
             Beside::Oscillates => {
-                let message = format!("{name} lacks the axis in brackets");
-                return self.fail_help(codes::S1001.alarm(12080), call.span, message, format!("write {name}[X]=…"));
+                return self.refuse(call.span, codes::P1001::lacks_axis_in_brackets(&name));
             }
             Beside::Couples | Beside::CouplesAll | Beside::CouplesAllButLast | Beside::Ends | Beside::Table => {}
         }
@@ -137,26 +135,19 @@ impl Run<'_> {
         };
         let couples = beside != Beside::Ends;
         if couples && following.is_empty() {
-            let message = format!("{name} lacks the axis that follows");
-            return self.fail(codes::S2021.alarm(14020), call.span, message);
+            return self.refuse(call.span, codes::S2021::lacks_axis_that_follows(&name));
         }
         for formula in following {
             match self.follower(*formula, block, text)? {
                 Follower::LeftOut => {}
                 Follower::Printed(axis) => {
-                    let message = format!(
-                        "{name} lets {axis} follow, and {axis} is in the output: without the coupling it would stand still"
+                    return self.refuse(
+                        formula.span,
+                        codes::P9010::lets_follow_and_is_in_output(&name, &axis).help(STANDS_IN_THE_OUTPUT),
                     );
-                    return self.fail_help(codes::S9005, formula.span, message, STANDS_IN_THE_OUTPUT);
                 }
                 Follower::Spindle(spindle) => {
-                    let message = format!("{name} lets {spindle} follow: a spindle that follows is never left out");
-                    return self.fail_help(
-                        codes::S9005,
-                        formula.span,
-                        message,
-                        "program its speed and sense as blocks",
-                    );
+                    return self.refuse(formula.span, codes::P9010::lets_follow(&name, &spindle));
                 }
             }
         }
@@ -183,10 +174,7 @@ impl Run<'_> {
                 None => Follower::LeftOut,
                 Some(_) => Follower::Printed(named.text().to_owned()),
             }),
-            other => {
-                let message = format!("an axis is needed, this is {}", other.what());
-                self.fail(codes::S2031.alarm(12040), formula.span, message)
-            }
+            other => self.refuse(formula.span, codes::S2031::axis_is_needed(&other.what())),
         }
     }
 
@@ -197,9 +185,9 @@ impl Run<'_> {
             let key = beside.key();
             let help = format!("it {what}: leave such words out, `[control] {key} = \"leave-out\"`");
             let help = Answer::key("control", key).one_of(&["\"leave-out\""]).help(help);
-            return self.fail_help(codes::S9005, span, format!("{name} ({kind}) is not supported"), help);
+            return self.refuse(span, codes::P9010::is_not_supported(&name, &kind).help(help));
         }
-        let found = Diagnostic::new(codes::S8166, self.loc(span), format!("{name} is left out: it {what}"));
+        let found = codes::S8166::is_left_out(&name, &what).at(self.loc(span));
         if !self.job.diags.knows(&found) {
             self.report(found.help("check that the part does not depend on it"));
         }
@@ -217,8 +205,7 @@ impl Run<'_> {
 
     fn oscillates(&mut self, name: &str, word: &Word, block: &Block, text: &[u8]) -> Outcome {
         let Target::Indexed(_, args) = word.target else {
-            let message = format!("{name} lacks the axis in brackets");
-            return self.fail_help(codes::S1001.alarm(12080), word.span, message, format!("write {name}[X]=…"));
+            return self.refuse(word.span, codes::P1001::lacks_axis_in_brackets(&name));
         };
         let named = self.axis_index(args, block, text)?;
         let mut printed = self.printed_axis(named, word.span)?.map(|_| named);
@@ -238,8 +225,10 @@ impl Run<'_> {
         }
         if let Some(axis) = printed {
             let axis = axis.text();
-            let message = format!("{name} (oscillation) moves {axis} beside the path, and {axis} is in the output");
-            return self.fail_help(codes::S9005, word.span, message, STANDS_IN_THE_OUTPUT);
+            return self.refuse(
+                word.span,
+                codes::P9010::oscillation_moves_beside_path(&name, &axis).help(STANDS_IN_THE_OUTPUT),
+            );
         }
         self.is_left_out_beside(Beside::Oscillates, name, word.span, "moves no axis of the output")
     }
@@ -280,8 +269,9 @@ impl Run<'_> {
         table.refused = true;
         let begun = table.loc;
         self.lose_all();
-        let message = "in a curve table only positions of axes are left out";
-        let found = Diagnostic::new(codes::S9005, self.loc(span), message).also(begun, "the table begins here");
+        let found = codes::P9010::in_curve_table_only_positions_of_axes()
+            .at(self.loc(span))
+            .also(begun, "the table begins here");
         self.report(found.help("take the table out of the copy that is compiled"));
         Err(Reported)
     }
@@ -323,11 +313,7 @@ impl Run<'_> {
     /// The program ends in a table.
     pub(super) fn report_open_table(&mut self) {
         if let Some(table) = self.curve_table.take() {
-            let found = Diagnostic::new(
-                codes::S9005,
-                table.loc,
-                "the curve table has no CTABEND: all blocks after it belong to it",
-            );
+            let found = codes::P9010::curve_table_has_no_ctabend().at(table.loc);
             self.report(found.help("write CTABEND after the last point of the table"));
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 0, 2.1, 2.6, 2.8 and 2.9 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::ir::contour::Path;
 use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Block, Target};
@@ -179,15 +179,13 @@ impl Channel<'_> {
         if let Some(angle) = w.get(Address::Ang)
             && !matches!(interpolation, GCode::G0 | GCode::G1)
         {
-            let help = "program G1 or G0 in front of it";
             self.st.pair.drop_first();
-            return self.fail_help(codes::S2070.alarm(10792), angle.span, "ANG= is for straight lines only", help);
+            return self.refuse(angle.span, codes::S2070::ang_is_for_straight_lines());
         }
         if !moves && matches!(interpolation, GCode::G33 | GCode::G331 | GCode::G332) {
             let lead = [Address::I, Address::J, Address::K].into_iter().find_map(|address| w.get(address));
             if let Some(lead) = lead {
-                let help = "program the end point of the thread with it";
-                return self.fail_help(codes::S2081.alarm(16740), lead.span, "the thread block moves no axis", help);
+                return self.refuse(lead.span, codes::S2081::thread_block_moves_no_axis());
             }
         }
         if !moves {
@@ -255,12 +253,7 @@ impl Channel<'_> {
         let [_, _, third] = self.st.roles();
         let lengths = if self.st.machine.lathe { [Axis::X, Axis::Z] } else { [third, third] };
         match w.axes.iter().find(|axis| lengths.contains(axis)).and_then(|axis| w.axis(axis)) {
-            Some(given) => self.fail_help(
-                codes::S9016,
-                given.span,
-                "under D0 the position counts without the length of the tool",
-                "program the retraction in machine coordinates (SUPA, G53), or select D1 before",
-            ),
+            Some(given) => self.refuse(given.span, codes::S9016::under_d0_position_counts_without_length()),
             None => Ok(()),
         }
     }
@@ -286,9 +279,7 @@ impl Core<'_> {
     /// A control may drill behind a bare G0 or F, too; read here: behind blocks that name an axis only.
     fn warn_of_trigger(&self, span: Span) {
         if self.job.diags.first_time(codes::S8033, ()) {
-            let message =
-                "under MCALL of a drilling cycle this block moves no axis; it is read as one that drills nothing";
-            let found = Diagnostic::new(codes::S8033, self.loc(span), message);
+            let found = codes::S8033::under_mcall_of_drilling_cycle_this_block().at(self.loc(span));
             self.report(found.help("put it in front of MCALL: some controls drill behind it once more"));
         }
     }
@@ -303,12 +294,7 @@ impl Core<'_> {
     }
 
     fn does_not_fit_code<T>(&self, span: Span, alarm: u32) -> Outcome<T> {
-        self.fail_help(
-            codes::S2012.alarm(alarm),
-            span,
-            "the word does not fit the other words of the block",
-            "check which G code of group 1 is in force, and what it takes",
-        )
+        self.refuse(span, codes::P1003::word_does_not_fit_other_words().alarm(alarm))
     }
 
     pub(super) fn check_interpolation(&self, code: GCode, span: Span) -> Outcome {
@@ -321,7 +307,6 @@ impl Core<'_> {
             GCode::G335 | GCode::G336 => "a thread on an arc",
             _ => "an interpolation of the machine builder",
         };
-        let message = format!("{} is {what}, which plain G-code cannot say", code.word());
-        self.fail_help(codes::S9002, span, message, "have the CAM system put out lines and arcs")
+        self.refuse(span, codes::S9002::is_which_plain_g_code_cannot_say(&code.word(), &what))
     }
 }

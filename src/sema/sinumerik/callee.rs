@@ -40,7 +40,7 @@ impl Run<'_> {
             return Ok(unit);
         }
         if self.missing.contains(&key) {
-            let again = Diagnostic::new(codes::S2002, self.loc(span), "");
+            let again = codes::S2002::of_another_kind().at(self.loc(span));
             if self.job.diags.knows(&again) {
                 self.report(again);
                 self.go_on_in_doubt();
@@ -68,19 +68,11 @@ impl Run<'_> {
             Found::One(At::File(file)) => return self.open_file(&file.name, file.within, Some((name, &file)), span),
             Found::Unplaced(unit, folder) => {
                 let program = &self.units.list[unit].name;
-                let message = format!("no folder is known for `{folder}`; the program {program} of this file is taken");
-                let help = format!("write the line `;$PATH={folder}` behind its head if it lies there");
-                self.report(Diagnostic::new(codes::P0107, loc, message).help(help));
+                self.report(codes::P0107::no_folder_is_known(&folder, &program).at(loc));
                 return Ok(unit);
             }
             Found::BesideByLine(file, folder) => {
-                let message = format!(
-                    "by its `;$PATH=` line `{}` lies in `{folder}`, where this call looks only if the main program lies there, too; it is taken",
-                    file.shown
-                );
-                let help =
-                    format!("write the line `;$PATH={folder}` after the head of the main program if both lie there");
-                self.report(Diagnostic::new(codes::P0107, loc, message).help(help));
+                self.report(codes::P0107::by_its_path_line_lies(&file.shown, &folder).at(loc));
                 return self.open_file(&file.name, file.within, Some((name, &file)), span);
             }
             Found::Nowhere(nowhere) => return Err(Missing::Nowhere(nowhere)),
@@ -120,10 +112,7 @@ impl Run<'_> {
     fn open_stand_in(&mut self, file: &str, name: &str, span: Span) -> Result<usize, Missing> {
         let request = Request { from: "", name: file, extensions: &[], within: Within::Configured };
         if let Err(FileError::NotFound { .. }) = self.job.files.open(&request) {
-            let message =
-                format!("there is no program `{name}`, and no file `{file}`, which `[programs]` gives for it");
-            let help = "put the file where `[programs]` says, counted from its partc.toml";
-            self.report(Diagnostic::new(codes::S2002.alarm(14011), self.loc(span), message).help(help));
+            self.report(codes::S2002::there_is_no_program_and_no(&name, &file).at(self.loc(span)));
             self.go_on_in_doubt();
             return Err(Missing::Reported);
         }
@@ -173,8 +162,7 @@ impl Run<'_> {
     pub(super) fn note_copy(&mut self, folder: &str, loc: Loc) {
         let Some((copy, control)) = self.job.files.copy_of(folder) else { return };
         if self.warned.copies.insert(control) {
-            let message = format!("`{copy}` stands for `{control}`, because of its name");
-            self.report(Diagnostic::new(codes::S8039, loc, message));
+            self.report(codes::S8039::stands_for_because_of_its_name(&copy, &control).at(loc));
         }
     }
 
@@ -182,8 +170,7 @@ impl Run<'_> {
     fn several(&self, name: &str, places: &[At], loc: Loc) -> Diagnostic {
         let files: Vec<&str> = places.iter().filter_map(file_name).collect();
         let all = places.len();
-        let message = format!("{all} programs are named `{}`, and no rule says which of them runs", called_name(name));
-        let mut found = Diagnostic::new(codes::S2046, loc, message);
+        let mut found = codes::S2046::programs_are_named(&all, &called_name(name)).at(loc);
         if !files.is_empty() {
             let files = files.join("` and `");
             found =
@@ -200,11 +187,7 @@ impl Run<'_> {
     /// A subprogram and a main program of one name in the folder of the main program.
     fn both_kinds(&self, name: &str, places: [&At; 2], loc: Loc) -> Diagnostic {
         let plain = called_name(name);
-        let mut found = Diagnostic::new(
-            codes::S2047,
-            loc,
-            format!("`{plain}_SPF` and `{plain}_MPF` both lie in the folder of the main program"),
-        );
+        let mut found = codes::S2047::spf_mpf_both_lie_in_folder(&plain).at(loc);
         let files: Vec<&str> = places.iter().filter_map(|at| file_name(at)).collect();
         if !files.is_empty() {
             found = found.here(format!("as `{}`", files.join("` and `")));
@@ -239,7 +222,8 @@ impl Run<'_> {
         span: Span,
     ) -> Outcome<T> {
         let Nowhere { tried, like, elsewhere } = nowhere;
-        let found = Diagnostic::new(codes::S2002.alarm(14011), self.loc(span), format!("there is no program `{name}`"))
+        let found = codes::S2002::there_is_no_program(&name)
+            .at(self.loc(span))
             .here(format!("looked for {}", tried.join(", ")));
         let known: Vec<&str> =
             self.units.list.iter().map(|unit| unit.name.as_str()).filter(|known| *known != name).collect();
@@ -279,11 +263,7 @@ impl Run<'_> {
         self.units.asked.clear();
         let _ = self.list_programs(0);
         if let Some(folder) = self.call_path.clone().filter(|folder| !self.search_knows(folder)) {
-            self.note_once(
-                codes::S8037,
-                span,
-                format!("no folder of this computer stands for `{folder}`; a program that it may have is refused"),
-            );
+            self.say_once(span, codes::S8037::no_folder_of_this_computer_stands(&folder));
         }
     }
 }
@@ -309,9 +289,5 @@ pub(super) fn called_name(name: &str) -> String {
 /// A folder of a backup and a `;$PATH=` line that contradict each other.
 fn in_two_places(places: &TwoPlaces, loc: Loc) -> Diagnostic {
     let TwoPlaces { shown, by_name, by_line } = places;
-    let message = format!(
-        "`{shown}` lies in `{by_name}` by the name of its folder, and in `{by_line}` by its `;$PATH=` line: which program this call means depends on it"
-    );
-    let help = "move the file to the folder of the line, or correct the line; `[include] roots` says which folder stands for which one of the control";
-    Diagnostic::new(codes::S2046, loc, message).help(help)
+    codes::S2046::lies_in_by_name_of_its_folder(&shown, &by_name, &by_line).at(loc)
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.6 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::parser::sinumerik::ast::{Args, Block, CallForm, Formula, Op};
 use crate::parser::symbols::Symbol;
 use crate::sema::run::{Level, Where};
@@ -209,12 +209,7 @@ impl Run<'_> {
                 self.st.modal_call = ModalCall::default();
                 Ok(())
             }
-            CallForm::Iso => self.fail_help(
-                codes::S9003,
-                block.span,
-                "ISOCALL calls a program in ISO dialect",
-                "translate the program, or leave the call out",
-            ),
+            CallForm::Iso => self.refuse(block.span, codes::P9012::isocall_calls_program_in_iso_dialect()),
         }
     }
 
@@ -227,30 +222,25 @@ impl Run<'_> {
         }
         match self.eval(formula, block, text)? {
             Val::Text(text) if !text.is_empty() => Ok(String::from_utf8_lossy(&text).into_owned()),
-            other => {
-                let message = format!("the name of a program is a text, this is {}", other.what());
-                self.fail(codes::S2005.alarm(12150), formula.span, message)
-            }
+            other => self.refuse(formula.span, codes::P2024::name_of_program_is_text(&other.what())),
         }
     }
 
     fn call_section(&mut self, unit: usize, from: Symbol, to: Symbol, span: Span) -> Outcome {
         let skeleton = match self.skeleton_of(unit) {
             Ok(made) => made,
-            Err(error) => return self.fail(codes::P0105, span, format!("the file cannot be read: {error}")),
+            Err(error) => return self.refuse(span, codes::P0105::file_cannot_be_read(&error)),
         };
         let forward = crate::parser::sinumerik::ast::Search::Forward;
         let any = crate::parser::sinumerik::ast::Search::Both;
         let Some(start) = skeleton.label(from, 0, any) else {
-            let message = format!("there is no label `{}` in the program", self.symbols.name(from));
             self.stop_run();
-            return self.fail(codes::S2003.alarm(14082), span, message);
+            return self.refuse(span, codes::P2011::there_is_no_label_in_program(&self.symbols.name(from)));
         };
         let end = if from == to { Some(start) } else { skeleton.label(to, start.place.at, forward) };
         let Some(end) = end else {
-            let message = format!("there is no label `{}` behind the first", self.symbols.name(to));
             self.stop_run();
-            return self.fail(codes::S2003.alarm(14082), span, message);
+            return self.refuse(span, codes::P2011::there_is_no_label_behind_first(&self.symbols.name(to)));
         };
         self.call_part(unit, Vec::new(), 1, false, Some((start.place, end.after.at)))
     }
@@ -278,8 +268,7 @@ impl Run<'_> {
             } else {
                 "replace it by plain moves, or compile the program without it"
             };
-            let message = format!("{word} ({what}) is not supported as a modal call");
-            return self.fail_help(codes::S9005, block.span, message, help);
+            return self.refuse(block.span, codes::P9010::is_not_supported_as_modal_call(&word, &what).help(help));
         }
         let arguments = self.arguments(args, block, text)?;
         if let Some(done) = self.modal_stand_in(&word, block.span, &arguments) {
@@ -320,7 +309,7 @@ impl Run<'_> {
             let is_main = unit.kind == UnitKind::Main && !self.iso;
             if is_main && self.may_end_open("M30, M2 or M17", "M30", Some(14000)) {
                 let loc = self.end_of_text();
-                let found = Diagnostic::new(codes::S2026.alarm(14000), loc, "the program ends without M30, M2 or M17");
+                let found = codes::P1007::program_ends_without_m30().at(loc);
                 self.report(found.help("write M30 as its last block"));
             } else if !is_main && !self.iso {
                 self.is_cut_off("M17 or RET", "M17");
@@ -382,10 +371,9 @@ impl Core<'_> {
 
     fn check_depth(&self) -> Outcome {
         if self.levels.len() >= self.job.settings.limits.call_depth {
-            let message = format!("programs and repeats are nested deeper than {}", self.levels.len());
             self.stop_run();
             let help = self.cycle_of_calls().unwrap_or_else(|| "call or repeat in fewer levels".to_owned());
-            self.fail_help(codes::P4003.alarm(14012), Where::Block, message, help)
+            self.refuse(Where::Block, codes::P4003::programs_repeats_are_nested_deeper(&self.levels.len()).help(help))
         } else {
             Ok(())
         }

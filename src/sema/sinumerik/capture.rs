@@ -102,12 +102,7 @@ impl Channel<'_> {
             return false;
         }
         self.stop_run();
-        let _: Outcome = self.fail_help(
-            codes::S2091,
-            Where::Block,
-            "the program ends inside a contour",
-            "put the label of the end of the contour in front of this block",
-        );
+        let _: Outcome = self.refuse(Where::Block, codes::S2091::program_ends_inside_contour());
         true
     }
 
@@ -121,13 +116,8 @@ impl Channel<'_> {
             return true;
         }
         capture.failed = true;
-        let message = format!("the contour `{}` holds a function of the machine", capture.name);
-        let _: Outcome = self.fail_help(
-            codes::S2091,
-            Where::Block,
-            message,
-            "move it in front of the call of the cycle: in which pass the control would carry it out is not known",
-        );
+        let name = capture.name.clone();
+        let _: Outcome = self.refuse(Where::Block, codes::S2091::contour_holds_function_of_machine(&name));
         true
     }
 
@@ -135,8 +125,8 @@ impl Channel<'_> {
     pub(super) fn no_positioning_in_contour(&mut self, span: Span) -> Outcome {
         let Some(capture) = self.capture.as_mut() else { return Ok(()) };
         capture.failed = true;
-        let message = format!("a positioning axis moves in the contour `{}`", capture.name);
-        self.fail_help(codes::S2091, span, message, "a contour is made of lines and arcs only")
+        let name = capture.name.clone();
+        self.refuse(span, codes::S2091::positioning_axis_moves_in_contour(&name))
     }
 
     /// Words that shape no contour: the cycle has its own compensation and feeds.
@@ -150,18 +140,14 @@ impl Channel<'_> {
             if let Some(capture) = &mut self.capture {
                 capture.failed = true;
             }
-            let message = format!("{word} stands in the contour `{name}`, which is a shape for a cycle");
-            let help =
-                "remove it from the contour: the cycle leads its tool beside the shape with arguments of its own";
-            return self.fail_help(codes::S2091, span, message, help);
+            return self.refuse(span, codes::S2091::stands_in_contour_which_is_shape(&word, &name));
         }
         let feeds = [Address::F, Address::Frc, Address::Frcm];
         if let Some((word, given)) =
             feeds.iter().zip(["F", "FRC", "FRCM"]).find_map(|(address, word)| Some((word, w.get(*address)?)))
-            && self.job.diags.first_time(codes::S8199, (word, &name))
+            && self.job.diags.first_time(codes::P8103, (word, &name))
         {
-            let message = format!("{word} in the contour `{name}` does not count: the cycle moves at its own feeds");
-            let found = Diagnostic::new(codes::S8199, self.loc(given.span), message);
+            let found = codes::P8103::in_contour_does_not_count(&word, &name).at(self.loc(given.span));
             self.report(
                 found.help(
                     "give the feed to the cycle; whether a control finishes at F of the contour is not known here",
@@ -175,8 +161,8 @@ impl Channel<'_> {
     pub(super) fn no_cycle_in_contour(&mut self, name: &str, span: Span) -> Outcome {
         let Some(capture) = self.capture.as_mut() else { return Ok(()) };
         capture.failed = true;
-        let message = format!("{name} stands in the contour `{}`", capture.name);
-        self.fail_help(codes::S2091, span, message, "a contour is made of lines and arcs only")
+        let contour = capture.name.clone();
+        self.refuse(span, codes::S2091::stands_in_contour(&name, &contour))
     }
 }
 
@@ -185,8 +171,8 @@ impl Core<'_> {
         let (origin, alarm, message, help) = match unfit {
             Unfit::Reported => return Err(Reported),
             Unfit::TooMany(origin) => {
-                let message = format!("the contour has more than {MOST_ELEMENTS} elements");
-                let found = Diagnostic::new(codes::S4001.alarm(61933), origin.loc, message).called(origin.call);
+                let found =
+                    codes::S4001::contour_has_more_than_elements(&MOST_ELEMENTS).at(origin.loc).called(origin.call);
                 self.report(found.also(call.loc, "called here").help("split it, or take splines of lines apart"));
                 return Err(Reported);
             }
@@ -225,7 +211,6 @@ impl Core<'_> {
         alarm: impl Into<Option<u32>>,
         what: &str,
     ) -> Outcome<T> {
-        let message = format!("contour `{}`: {what}", call.name);
-        self.fail(codes::S2091.alarm(alarm), place, message)
+        self.refuse(place, codes::S2091::contour(&call.name, &what).alarm(alarm))
     }
 }

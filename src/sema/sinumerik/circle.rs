@@ -2,7 +2,7 @@
 //!
 //! Source: S 2.3 to 2.5 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::angle::rotated;
 use crate::geo::arc::{center_by_radius, through};
 use crate::geo::{Deg, Plane, Point2};
@@ -73,31 +73,23 @@ impl Channel<'_> {
         let shape = match (w.take(Address::Cr), w.take(Address::Ar), center) {
             (Some(cr), None, None) => {
                 if !named {
-                    return self.fail_help(
-                        codes::S3003.alarm(14040),
-                        cr.span,
-                        "an arc by CR= needs an end point that differs from its start",
-                        "program the end point, or a full circle with I, J, K",
-                    );
+                    return self.refuse(cr.span, codes::P3002::arc_by_cr_needs_end_point());
                 }
                 let radius = cr.value * self.st.length_unit();
                 let chord = crate::geo::distance(start, to);
                 if chord <= SAME {
-                    return self.fail_help(
-                        codes::S3003.alarm(14040),
-                        cr.span,
-                        "the arc by CR= ends where it starts",
-                        "program a full circle with I, J, K",
-                    );
+                    return self.refuse(cr.span, codes::P3002::arc_by_cr_ends_where_it_starts());
                 }
                 if radius == 0.0 || chord > 2.0 * radius.abs() + self.circle_tolerance(radius) {
-                    let message = format!(
-                        "the points are {chord:.4} mm apart, CR={} reaches {:.4}",
-                        cr.value,
-                        2.0 * radius.abs()
+                    return self.refuse(
+                        cr.span,
+                        codes::S3001::points_are_mm_apart(
+                            &chord,
+                            &cr.value,
+                            &(2.0 * radius.abs()),
+                            &(chord / 2.0 / self.st.length_unit()),
+                        ),
                     );
-                    let help = format!("CR= has to be at least {:.4}", chord / 2.0 / self.st.length_unit());
-                    return self.fail_help(codes::S3001.alarm(14095), cr.span, message, &help);
                 }
                 ArcShape::Radius { radius, ccw, tol: self.circle_tolerance(radius) }
             }
@@ -105,19 +97,14 @@ impl Channel<'_> {
                 let sweep = self.opening(ar, ccw)?;
                 match center {
                     Some(_) if named => {
-                        return self.fail_help(
-                            codes::S3002.alarm(14900),
-                            ar.span,
-                            "AR= stands beside both a centre and an end point",
-                            "give the end point or the centre",
-                        );
+                        return self.refuse(ar.span, codes::S3002::ar_stands_beside_both_centre());
                     }
                     Some(center) => {
                         end.set_in_plane(plane, rotated(start, center, sweep));
                         ArcShape::Sweep { center, sweep }
                     }
                     None if named => ArcShape::Opening { sweep },
-                    None => return self.fail(codes::S3003.alarm(14040), ar.span, "AR= needs an end point or a centre"),
+                    None => return self.refuse(ar.span, codes::P3002::ar_needs_end_point_or_centre()),
                 }
             }
             (None, None, Some(center)) => {
@@ -130,20 +117,10 @@ impl Channel<'_> {
                 ArcShape::Center { center, ccw, tol: self.circle_tolerance(radius) }
             }
             (None, None, None) => {
-                return self.fail_help(
-                    codes::S3003.alarm(14040),
-                    span,
-                    "the arc has neither a centre nor a radius",
-                    "give I, J, K, CR= or AR=; for a straight line program G1",
-                );
+                return self.refuse(span, codes::P3002::arc_has_neither_centre_nor_so_give_i());
             }
             _ => {
-                return self.fail_help(
-                    codes::S3002.alarm(14900),
-                    span,
-                    "centre, CR= and AR= exclude each other",
-                    "keep one of them",
-                );
+                return self.refuse(span, codes::S3002::centre_cr());
             }
         };
         if !matches!(shape, ArcShape::Sweep { .. }) {
@@ -198,11 +175,7 @@ impl Channel<'_> {
                 i if i == first => &mut point.x,
                 i if i == second => &mut point.y,
                 _ => {
-                    let message =
-                        format!("this word counts along {}, which lies outside the plane of the circle", axis.letter());
-                    let help = "an arc in G17 takes I and J, in G18 K and I, in G19 J and K; a helix has `TURN=` for its whole turns, \
-                                and no pitch";
-                    return self.fail_help(codes::S2012.alarm(12110), given.span, message, help);
+                    return self.refuse(given.span, codes::P1003::this_word_counts_along(&axis.letter()));
                 }
             };
             w.take(*address);
@@ -212,7 +185,7 @@ impl Channel<'_> {
                 Mode::Ac => true,
                 Mode::Ic => false,
                 _ => {
-                    return self.fail(codes::S2012.alarm(12020), given.span, "only AC(…) and IC(…) fit here");
+                    return self.refuse(given.span, codes::P1003::only_ac_ic());
                 }
             };
             if absolute {
@@ -231,12 +204,7 @@ impl Channel<'_> {
     fn polar_circle(&mut self, w: &mut Words, ccw: bool) -> Outcome {
         for address in [Address::I, Address::J, Address::K, Address::Cr, Address::Ar] {
             if let Some(given) = w.get(address) {
-                return self.fail_help(
-                    codes::S3002.alarm(14900),
-                    given.span,
-                    "a polar arc has the pole as its centre",
-                    "leave the centre, CR= and AR= out, or program the end point by axes",
-                );
+                return self.refuse(given.span, codes::S3002::polar_arc_has_pole_as_its_centre());
             }
         }
         let plane = self.st.plane();
@@ -291,12 +259,10 @@ impl Channel<'_> {
         let across = self.parameters(VIA).into_iter().find(|(_, axis)| self.is_diameter_axis(*axis));
         let given = across.and_then(|(address, _)| w.get(address));
         if let Some(given) = given.filter(|given| !matches!(given.mode, Mode::Dac | Mode::Dic | Mode::Rac | Mode::Ric))
+            && self.job.diags.first_time(codes::S8048, ())
         {
-            let message = "the intermediate point of CIP is read as a diameter, like the end point";
-            if self.job.diags.first_time(codes::S8048, ()) {
-                let found = Diagnostic::new(codes::S8048, self.loc(given.span), message);
-                self.report(found.help("program DIAMOF for the circle if a radius is meant"));
-            }
+            let found = codes::S8048::intermediate_point_of_cip_is_read().at(self.loc(given.span));
+            self.report(found.help("program DIAMOF for the circle if a radius is meant"));
         }
     }
 
@@ -322,12 +288,7 @@ impl Channel<'_> {
                 None => None,
             };
             if !level(self.st.position.get(*axis)) || !level(end) {
-                return self.fail_help(
-                    codes::S9013,
-                    given.span,
-                    "the circle stands obliquely in space",
-                    "plain G-code has circles in the main planes only; have the CAM system put out lines",
-                );
+                return self.refuse(given.span, codes::S9013::circle_stands_obliquely_in_space());
             }
             w.take(*address);
         }
@@ -335,11 +296,9 @@ impl Channel<'_> {
         let mut end = self.targets(w)?;
         let to = self.end_in(&end, plane, start);
         let Some(point) = self.point_of(w, &self.parameters(VIA), plane, start, true)? else {
-            return self.fail_help(
-                codes::S3006.alarm(14920),
+            return self.refuse(
                 w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|g| g.span).unwrap_or_default(),
-                "CIP needs an intermediate point",
-                "give I1=, J1=, K1=",
+                codes::S3006::cip_needs_intermediate_point(),
             );
         };
         end.set_in_plane(plane, to);
@@ -350,12 +309,7 @@ impl Channel<'_> {
                 self.send(&end, Path::Line(feed));
                 return Ok(());
             }
-            return self.fail_help(
-                codes::S3006.alarm(14920),
-                span,
-                "start, intermediate point and end lie on one line",
-                "move the intermediate point off the line, between start and end of the arc",
-            );
+            return self.refuse(span, codes::S3006::start_intermediate_point());
         }
         self.send_arc(&end, Arc { plane, shape: ArcShape::Via { point }, turns }, feed, span)
     }
@@ -370,16 +324,12 @@ impl Core<'_> {
         if r1 <= SAME || r2 <= SAME {
             let message = if r1 <= SAME { "the arc starts in its centre" } else { "the arc ends in its centre" };
             let help = "I, J and K lead from the start to the centre, whatever G90 and G91 say; with AC(…) they are the centre itself";
-            return self.fail_help(codes::S3003.alarm(14040), span, message, help);
+            return self.fail_help(codes::P3002.alarm(14040), span, message, help);
         }
         if off > self.circle_tolerance(r1) + 1e-9 {
-            let message = format!("the start lies {r1:.4} mm from the centre, the end {r2:.4} mm");
-            return self.fail_help(
-                codes::S3007.alarm(14040),
+            return self.refuse(
                 span,
-                message,
-                Answer::key("control", "md21000")
-                    .help("check start, end and centre; `[control] md21000` and `md21010` set the tolerance"),
+                codes::P3001::start_lies_mm_from_centre_end(&r1, &r2).answer(Answer::key("control", "md21000")),
             );
         }
         match fitting_center(start, to, center, ccw, (r1, off)) {
@@ -387,12 +337,7 @@ impl Core<'_> {
                 self.warn_of_moved_centre(crate::geo::distance(point, center), self.circle_tolerance(r1), span);
                 Ok(point)
             }
-            None => {
-                let message = format!(
-                    "the start lies {r1:.4} mm from the centre, the end {r2:.4} mm, and no centre near it fits both"
-                );
-                self.fail_help(codes::S3007.alarm(14040), span, message, "check start, end and centre")
-            }
+            None => self.refuse(span, codes::P3001::start_lies_mm_from_centre(&r1, &r2)),
         }
     }
 
@@ -411,8 +356,7 @@ impl Core<'_> {
     /// A centre that has to move much for a small difference of the radii makes another arc.
     fn warn_of_moved_centre(&self, moved: f64, tolerance: f64, span: Span) {
         if is_moved_far(moved, tolerance) {
-            let message = format!("the centre is moved by {moved:.4} mm, so that start and end lie on one circle");
-            let found = Diagnostic::new(codes::G8101, self.loc(span), message);
+            let found = codes::G8101::centre_is_moved_by_mm(&moved).at(self.loc(span));
             self.report_once(found.help("program the end point and the centre with more decimals, or the arc by CR="));
         }
     }
@@ -441,13 +385,7 @@ impl Core<'_> {
 
     fn opening(&self, ar: Given, ccw: bool) -> Outcome<Deg> {
         if !(0.0001..=359.9999).contains(&ar.value) {
-            let message = format!("AR={} lies outside 0.0001 to 359.9999 degrees", ar.value);
-            return self.fail_help(
-                codes::S3004.alarm(14910),
-                ar.span,
-                message,
-                "the sense of rotation comes from G2 or G3",
-            );
+            return self.refuse(ar.span, codes::S3004::ar_lies_outside_0_0001_to_359(&ar.value));
         }
         Ok(Deg(if ccw { ar.value } else { -ar.value }))
     }
@@ -455,13 +393,7 @@ impl Core<'_> {
     pub(super) fn turns(&self, w: &mut Words) -> Outcome<u32> {
         let Some(turn) = w.take(Address::Turn) else { return Ok(0) };
         if turn.value.fract() != 0.0 || !(0.0..=MOST_TURNS).contains(&turn.value) {
-            let message = format!("TURN={} is no number of turns", turn.value);
-            return self.fail_help(
-                codes::S3005.alarm(14048),
-                turn.span,
-                message,
-                "TURN counts additional full circles, 0 to 999",
-            );
+            return self.refuse(turn.span, codes::S3005::turn_is_no_number_of_turns(&turn.value));
         }
         Ok(turn.value as u32)
     }

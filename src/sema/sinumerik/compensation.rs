@@ -5,7 +5,7 @@
 //!
 //! Source: S 2.12, S 2.13 (docs/sources.md); docs/compensation.md.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::{Deg, Plane, SAME_DIRECTION, Vec2};
 use crate::ir;
 use crate::ir::Side;
@@ -85,8 +85,7 @@ impl Channel<'_> {
         }
         if let Some(disc) = w.take(Address::Disc) {
             if !(0.0..=100.0).contains(&disc.value) {
-                let message = format!("DISC={} lies outside 0 to 100", disc.value);
-                return self.fail_help(codes::S2012, disc.span, message, "0 is the circle, 100 the intersection");
+                return self.refuse(disc.span, codes::P1003::disc_lies_outside_0_to_100(&disc.value));
             }
             if self.resolves() {
                 self.st.path.overshoot = disc.value;
@@ -103,16 +102,14 @@ impl Channel<'_> {
             if value == 0.0 {
                 return Ok(());
             }
-            let help = Answer::key("output", "compensation")
-                .one_of(&["\"resolve\""])
-                .help("put it into the tool data, or have the path computed: `[output] compensation = \"resolve\"`");
-            let message = "an offset of the tool that the program adds cannot be printed";
-            return self.fail_help(codes::S9010, offn.span, message, help);
+            return self.refuse(
+                offn.span,
+                codes::P9013::offset_of_tool_that_program_adds_cannot()
+                    .answer(Answer::key("output", "compensation").one_of(&["\"resolve\""])),
+            );
         }
         if value != self.st.path.normal && self.st.side() != Side::None && !self.st.compensation.waits() {
-            let message = "OFFN changes while radius compensation is on";
-            let help = "program it in the block of G41, G42 or G40";
-            return self.fail_help(codes::S9010, offn.span, message, help);
+            return self.refuse(offn.span, codes::P9013::offn_changes_while_radius_compensation());
         }
         self.st.path.normal = value;
         Ok(())
@@ -125,17 +122,15 @@ impl Channel<'_> {
             Some(tool.radius? + tool.deltas[1])
         };
         let Some(radius) = radius.or_else(listed) else {
-            let message = format!("the radius of T{number} D{edge} is not known");
-            let help = Answer::tool(number, "radius").help(format!(
-                "give it in partc.toml: `[tools.{number}] radius = 5.0`, or in the program: `$TC_DP6[{number},{edge}]=5`"
-            ));
-            return self.fail_help(codes::S9010, span, message, help);
+            return self.refuse(
+                span,
+                codes::P9013::radius_of_t_d_is_not_known(&number, &edge).answer(Answer::tool(number, "radius")),
+            );
         };
         let nose = self.nose(number, edge, radius, span)?;
         let normal = self.st.path.normal;
         if normal != 0.0 && (radius + normal) * radius < 0.0 {
-            let message = format!("OFFN={normal} is larger than the radius {radius} of the tool and swaps its side");
-            return self.fail_help(codes::S9010, span, message, "program the other one of G41 and G42");
+            return self.refuse(span, codes::P9013::offn_is_larger_than_radius_of_tool(&normal, &radius));
         }
         self.st.path.cutter = Some(Cutter { radius, nose });
         self.st.path.swaps = radius + normal < 0.0;
@@ -168,7 +163,7 @@ impl Channel<'_> {
             );
             (message, "program G40 with a move in the plane in between")
         };
-        self.fail_help(codes::S9010, span, message, help)
+        self.fail_help(codes::P9013, span, message, help)
     }
 
     /// The program gives the compensation other rules, if it is computed.
@@ -179,8 +174,7 @@ impl Channel<'_> {
             return Ok(());
         }
         if let Some((code, span)) = w.code_of(Group::CompensationType).filter(|(code, _)| code.index > 2) {
-            let message = format!("under {} the radius is compensated in space, which cannot be printed", code.word());
-            return self.fail_help(codes::S9010, span, message, "have the CAM system put out the centre path");
+            return self.refuse(span, codes::P9013::under_radius_is_compensated_in_space(&code.word()));
         }
         let place = w.codes.first().map_or(Where::Block, |(_, span)| (*span).into());
         self.check_corner_change(w);
@@ -220,26 +214,20 @@ impl Channel<'_> {
             GCode::KONT if round => Border::Around,
             GCode::KONT => Border::AroundOtherwise,
             code => {
-                let message =
-                    format!("{} leads to the contour and from it on a polynomial, which is not published", code.word());
-                return self.fail_help(codes::S9010, place, message, "program NORM or KONT, or the approach by arcs");
+                return self.refuse(place, codes::P9013::leads_to_contour(&code.word()));
             }
         };
         let keys = &self.job.settings.control.sinumerik.compensation;
         if self.st.path.overshoot > 0.0 {
             if !keys.disc_as_circle {
-                let message = format!(
-                    "under DISC={} the tool goes around corners on a curve that is not published",
-                    self.st.path.overshoot
+                return self.refuse(
+                    place,
+                    codes::P9013::under_disc_tool_goes_around_corners(&self.st.path.overshoot)
+                        .answer(Answer::key("control", "disc").one_of(&["\"circle\""])),
                 );
-                let help = Answer::key("control", "disc")
-                    .one_of(&["\"circle\""])
-                    .help("program DISC=0 or G451, or accept the circle: `[control] disc = \"circle\"`");
-                return self.fail_help(codes::S9010, place, message, help);
             }
             if self.job.diags.first_time(codes::S8193, self.st.path.overshoot.to_bits()) {
-                let message = format!("DISC={} is read as DISC=0: outside corners get circles", self.st.path.overshoot);
-                self.report(Diagnostic::new(codes::S8193, self.loc(place), message).help("check the corners"));
+                self.report(codes::S8193::disc_is_read_as_disc_0(&self.st.path.overshoot).at(self.loc(place)));
             }
         }
         let outside = if round {
@@ -284,9 +272,7 @@ impl Channel<'_> {
         let linear = self.st.ctx.frame.linear();
         let tilts = |a: usize| linear[(third, a)].abs() > SAME_DIRECTION || linear[(a, third)].abs() > SAME_DIRECTION;
         if !self.st.ctx.frame.is_shift() && (tilts(first) || tilts(second)) {
-            let message = "a frame tilts the working plane, and radius compensation is on";
-            let help = "turn the frame about the tool axis only, or have the CAM system put out the centre path";
-            return self.fail_help(codes::S9010, place, message, help);
+            return self.refuse(place, codes::P9013::frame_tilts_working_plane());
         }
         Ok(())
     }
@@ -298,9 +284,7 @@ impl Channel<'_> {
         if !on || w.axes.is_empty() || !self.job.diags.first_time(codes::S8195, code.word()) {
             return;
         }
-        let message =
-            format!("{} stands in a block of the contour: it counts from the end of this block on", code.word());
-        let found = Diagnostic::new(codes::S8195, self.loc(span), message);
+        let found = codes::S8195::stands_in_block_of_contour(&code.word()).at(self.loc(span));
         self.report(found.help("write it into a block without a move, in front of the element whose end it means"));
     }
 
@@ -328,8 +312,7 @@ impl Channel<'_> {
             return Ok(Vec2::zeros());
         }
         if self.st.plane() != Plane::Zx {
-            let message = format!("T{number} is a turning tool, and its nose is compensated in the plane ZX only");
-            return self.fail_help(codes::S9010, span, message, "select G18 in front of G41 and G42");
+            return self.refuse(span, codes::P9013::t_is_turning_tool(&number));
         }
         let position = self.edge_position(number, edge);
         let Some(way) = position.and_then(nose_of) else {
@@ -345,16 +328,12 @@ impl Channel<'_> {
                     )),
                 ),
             };
-            return self.fail_help(codes::S9010, span, message, help);
+            return self.fail_help(codes::P9013, span, message, help);
         };
         if way != Vec2::zeros() {
-            let message = format!(
-                "cutting-edge position {}: the centre of the nose lies Z{:+} X{:+} mm in radius from the programmed point",
-                position.unwrap_or(0.0),
-                way.x * radius,
-                way.y * radius
-            );
-            let found = Diagnostic::new(codes::S8194, self.loc(span), message);
+            let found =
+                codes::S8194::cutting_edge_position(&position.unwrap_or(0.0), &(way.x * radius), &(way.y * radius))
+                    .at(self.loc(span));
             self.report_once(found.help("compare it with the position in the tool data of the control"));
         }
         Ok(way * radius)

@@ -1,6 +1,6 @@
 //! Chamfers and roundings at the end of a block: CHF, CHR, RND, RNDM, FRC, FRCM.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::ir::Feed;
 use crate::ir::contour::{ArcChamfer, Blocks, Corner, CornerShape, LargeCorner};
 use crate::sema::common::corner::OpenCorner;
@@ -49,7 +49,7 @@ impl Channel<'_> {
         }
         if let Some(frcm) = w.take(Address::Frcm) {
             if frcm.value < 0.0 {
-                return self.fail(codes::S2041.alarm(14800), frcm.span, "the feed FRCM= is negative");
+                return self.refuse(frcm.span, codes::P2003::feed_frcm_is_negative());
             }
             self.st.corners.feed = (frcm.value > 0.0).then(|| self.st.feed_of(frcm.value));
         }
@@ -76,15 +76,11 @@ impl Channel<'_> {
         let unit = self.st.length_unit();
         // A rounding goes before a chamfer in the same block.
         if let (Some(_), Some(other)) = (rnd, chr.or(chf)) {
-            let found = Diagnostic::new(
-                codes::S8008,
-                self.loc(other.span),
-                "RND and a chamfer stand in one block: only RND counts",
-            );
+            let found = codes::S8008::rnd_chamfer_stand_in_one_block().at(self.loc(other.span));
             self.report(found.help("delete one of them"));
         }
         if let (Some(_), Some(chf)) = (chr, chf) {
-            return self.fail_help(codes::S2071, chf.span, "CHR and CHF stand in one block", "keep one of them");
+            return self.refuse(chf.span, codes::S2071::chr_chf_stand_in_one_block());
         }
         let explicit = rnd.is_some() || chr.is_some() || chf.is_some();
         let shape = match (rnd, chr, chf) {
@@ -95,15 +91,13 @@ impl Channel<'_> {
         };
         let feed = match frc {
             Some(frc) if frc.value > 0.0 => Some(self.st.feed_of(frc.value)),
-            Some(frc) => return self.fail(codes::S2041.alarm(14800), frc.span, "the feed FRC= is not above 0"),
+            Some(frc) => return self.refuse(frc.span, codes::P2003::feed_frc_is_not_above_0()),
             None => self.modal_corner_feed()?,
         };
         if !explicit && self.st.corners.rounding == 0.0 {
-            return self.fail_help(
-                codes::S2071,
+            return self.refuse(
                 frc.map(|given| given.span).unwrap_or_default(),
-                "FRC= stands without a chamfer or rounding",
-                "give RND=, CHR= or CHF= in the same block",
+                codes::S2071::frc_stands_without_chamfer_or_rounding(),
             );
         }
         let size = match shape {
@@ -122,9 +116,7 @@ impl Channel<'_> {
         if fits {
             return Ok(self.st.corners.feed);
         }
-        let message = "the kind of feed has changed since FRCM=, whose value counts in the other one";
-        let help = "program FRCM= again behind G94, G95 and G96, or FRCM=0";
-        self.fail_help(codes::S2040.alarm(10860), Where::Block, message, help)
+        self.refuse(Where::Block, codes::P2002::kind_of_feed_has_changed_since_frcm())
     }
 
     pub(super) fn send_corner(&mut self, corner: Option<Corner>) {
@@ -148,8 +140,7 @@ impl Channel<'_> {
             return Ok(());
         }
         let Some(loc) = self.st.corners.open.wait(MOST_BETWEEN) else { return Ok(()) };
-        let message = format!("more than {MOST_BETWEEN} blocks without a move stand behind the chamfer or rounding");
-        let found = Diagnostic::new(codes::S2071.alarm(10880), loc, message);
+        let found = codes::S2071::more_than_blocks_without_move_stand(&MOST_BETWEEN).at(loc);
         self.report(found.help("the control would leave the corner as it is: move the blocks away from it"));
         Err(Reported)
     }
@@ -161,16 +152,11 @@ impl Core<'_> {
     }
 
     pub(super) fn no_corner(&self, span: Span) -> Outcome<bool> {
-        self.fail_help(
-            codes::S2071.alarm(10882),
-            span,
-            "a chamfer or rounding stands in a block that does not move",
-            "write it into the block that leads to the corner",
-        )
+        self.refuse(span, codes::S2071::chamfer_or_rounding_stands_in_block())
     }
 
     fn negative<T>(&self, span: Span) -> Outcome<T> {
-        self.fail(codes::S2071.alarm(16500), span, "a chamfer or rounding is negative")
+        self.refuse(span, codes::S2071::chamfer_or_rounding_is_negative())
     }
 
     /// What the control does with a corner that does not fit.

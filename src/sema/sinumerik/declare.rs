@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.1 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::parser::sinumerik::SPLIT;
 use crate::parser::sinumerik::ast::{Block, Formula, Stmt, TypeName, Variable};
 use crate::parser::sinumerik::parse_block;
@@ -47,12 +47,7 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome {
         if self.program_level().executed && !global {
-            return self.fail_help(
-                codes::S2015.alarm(14500),
-                block.span,
-                "DEF stands behind executed blocks",
-                "move it to the top of the program",
-            );
+            return self.refuse(block.span, codes::S2015::def_stands_behind_executed_blocks());
         }
         self.program_level().declares |= !global;
         let length = match length {
@@ -61,7 +56,7 @@ impl Run<'_> {
                 match whole(n).and_then(|n| usize::try_from(n).ok()).filter(|n| *n <= LONGEST_TEXT) {
                     Some(n) => n,
                     None => {
-                        return self.fail(codes::S2030.alarm(12210), formula.span, "a text has 0 to 200 characters");
+                        return self.refuse(formula.span, codes::S2030::text_has_0_to_200_characters());
                     }
                 }
             }
@@ -89,14 +84,13 @@ impl Run<'_> {
         let Some(name) = variable.name else { return Ok(()) };
         let word = self.symbols.name(name).to_owned();
         if word.len() > LONGEST_NAME {
-            let message = format!("the name has {} characters", word.len());
-            return self.fail_help(codes::S1014.alarm(12420), variable.span, message, "shorten it to 31");
+            return self.refuse(variable.span, codes::S1014::name_has_characters(&word.len()));
         }
         let defined = self.loc(variable.span);
         // Those of the definition files are one level, in whichever of them they stand.
         let known = if global { self.vars.get(Slot::Global(name)) } else { self.vars.of_level(name) };
         if let Some(first) = known.map(|var| var.defined).filter(|first| *first != defined) {
-            let found = Diagnostic::new(codes::S2016.alarm(12170), defined, format!("`{word}` is defined twice"));
+            let found = codes::S2016::is_defined_twice(&word).at(defined);
             self.report(found.also(first, "the first definition").help("rename one of them"));
             return Err(Reported);
         }
@@ -114,8 +108,7 @@ impl Run<'_> {
             _ => Some("a word of the language"),
         };
         if let Some(what) = taken {
-            let message = format!("`{word}` is {what} and cannot be a variable");
-            return self.fail_help(codes::S2016.alarm(12170), variable.span, message, "choose another name");
+            return self.refuse(variable.span, codes::S2016::is_cannot_be_variable(&word, &what));
         }
         let mut sizes = Vec::new();
         for formula in block.arguments(variable.sizes).to_vec() {
@@ -123,20 +116,16 @@ impl Run<'_> {
             match whole(n).and_then(|n| u32::try_from(n).ok()).filter(|n| (1..=MOST_ELEMENTS).contains(n)) {
                 Some(n) => sizes.push(n),
                 None => {
-                    return self.fail(
-                        codes::S2018.alarm(12430),
-                        formula.span,
-                        "an array has 1 to 32767 elements in a direction",
-                    );
+                    return self.refuse(formula.span, codes::S2018::array_has_1_to_32767_elements());
                 }
             }
         }
         if sizes.len() > 3 {
-            return self.fail(codes::S2018.alarm(12190), variable.span, "an array has at most three directions");
+            return self.refuse(variable.span, codes::S2018::array_has_at_most_three_directions());
         }
         let count = sizes.iter().map(|n| u64::from(*n)).product::<u64>();
         if count > u64::from(MOST_ELEMENTS) * 4 {
-            return self.fail(codes::S2018.alarm(12380), variable.span, format!("{count} elements are too many"));
+            return self.refuse(variable.span, codes::S2018::elements_are_too_many(&count));
         }
         // Making them is work.
         self.budget.take(count / 64);
@@ -144,7 +133,7 @@ impl Run<'_> {
         if let [Some(least), Some(most)] = limits
             && least > most
         {
-            return self.fail(codes::S2029.alarm(12161), variable.span, format!("LLI {least} is above ULI {most}"));
+            return self.refuse(variable.span, codes::S2029::lli_is_above_uli(&least, &most));
         }
         let mut zero = Val::zero(kind);
         if zero.number().is_some() {
@@ -157,7 +146,7 @@ impl Run<'_> {
         let mut var = Var { kind, sizes, values, length, defined, lost: false, kept: Kept::default(), limits };
         if let Some(formula) = variable.value {
             if kind == TypeName::Frame {
-                return self.fail(codes::S2017.alarm(12261), formula.span, "a FRAME cannot be given a value by DEF");
+                return self.refuse(formula.span, codes::S2017::frame_cannot_be_given_value_by_def());
             }
             var = self.started(var, formula, block, text)?;
         }
@@ -167,7 +156,7 @@ impl Run<'_> {
         }
         self.job.trail.forget_zero(self.symbols.name(name));
         if !self.vars.define(name, var, global) {
-            return self.fail(codes::S2018.alarm(12380), variable.span, "the variables of the program are too large");
+            return self.refuse(variable.span, codes::S2018::variables_of_program_are_too_large());
         }
         Ok(())
     }
@@ -275,7 +264,7 @@ impl Run<'_> {
                 Stmt::Def { kind, length, .. } => self.def_block(kind, length, true, &block, &text),
                 Stmt::Define(span) => self.define_macro(span.of(&text), span),
                 Stmt::Empty | Stmt::Header | Stmt::Bad | Stmt::Redef(_) | Stmt::Words => Ok(()),
-                _ => self.fail(codes::S2013.alarm(12500), block.span, "a definition file holds DEF and DEFINE only"),
+                _ => self.refuse(block.span, codes::S2013::definition_file_holds_def()),
             };
         }
         self.here = here;

@@ -21,7 +21,7 @@ pub(super) fn words() -> &'static FxHashMap<&'static str, Meaning> {
 
 fn all() -> FxHashMap<&'static str, Meaning> {
     let mut map = FxHashMap::default();
-    for (list, code) in [(TRANSFORMATIONS, codes::S9006), (REFUSED, codes::S9005)] {
+    for (list, code) in [(TRANSFORMATIONS, codes::S9006), (REFUSED, codes::P9010)] {
         for (what, names) in list {
             let moves = !WITHOUT_MOVES.contains(what);
             for name in names.split(' ') {
@@ -31,7 +31,7 @@ fn all() -> FxHashMap<&'static str, Meaning> {
     }
     for cycle in super::cycles::rows() {
         let moves = !cycle.measures();
-        let refusal = Refusal { what: "machining cycle", code: codes::S9005, moves };
+        let refusal = Refusal { what: "machining cycle", code: codes::P9010, moves };
         map.insert(cycle.signature.name, Meaning::Procedure(Procedure::Refused(refusal)));
     }
     let simple = [

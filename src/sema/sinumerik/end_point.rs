@@ -2,7 +2,7 @@
 //!
 //! Source: S 2.1 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::Pos;
 use crate::machine::Axis;
 use crate::sema::run::Where;
@@ -38,18 +38,12 @@ impl Channel<'_> {
             Mode::Ac | Mode::Dac | Mode::Rac => false,
             Mode::Ic | Mode::Dic | Mode::Ric => true,
             Mode::Dc | Mode::Acp | Mode::Acn => {
-                let message = format!("{} is no rotary axis", axis.letter());
                 let alarm = match given.mode {
                     Mode::Dc => 16800,
                     Mode::Acp => 16810,
                     _ => 16820,
                 };
-                return self.fail_help(
-                    codes::S2061.alarm(alarm),
-                    given.span,
-                    message,
-                    "DC, ACP and ACN are for rotary axes",
-                );
+                return self.refuse(given.span, codes::S2061::is_no_rotary_axis(&axis.letter()).alarm(alarm));
             }
             Mode::Quick | Mode::PerMinute | Mode::PerTurn => return self.does_not_fit(given.span),
         };
@@ -96,11 +90,7 @@ impl Channel<'_> {
         if self.job.settings.control.sinumerik.frame_offset_incremental.is_some() {
             return Ok(chosen);
         }
-        let found = Diagnostic::new(
-            codes::S8007,
-            self.loc(span),
-            format!("the increment of {} follows a change of the frame", axis.letter()),
-        );
+        let found = codes::S8007::increment_of_follows_change_of_frame(&axis.letter()).at(self.loc(span));
         let how = if with_offset {
             "the frame is travelled, too (SD 42440 = 1)"
         } else {
@@ -128,16 +118,11 @@ impl Core<'_> {
 
     pub(super) fn no_diameter_axis<T>(&self, span: Span) -> Outcome<T> {
         if let Some(axis) = self.job.settings.machine.diameter_axis {
-            let message = format!("only {} counts in diameters (MD 20100)", axis.letter());
-            let help = "DAC, DIC, RAC, RIC and DIAMONA[…] are for this axis; program the other one as it is";
-            return self.fail_help(codes::S2060.alarm(16510), span, message, help);
+            return self.refuse(span, codes::S2060::only_counts_in_diameters(&axis.letter()));
         }
-        self.fail_help(
-            codes::S2060.alarm(16510),
+        self.refuse(
             span,
-            "no diameter axis is configured (MD 20100)",
-            Answer::key("machine", "diameter_axis")
-                .help("set `[machine] diameter_axis = \"X\"`, and `kind = \"lathe\"` for a lathe"),
+            codes::S2060::no_diameter_axis_is_configured().answer(Answer::key("machine", "diameter_axis")),
         )
     }
 }

@@ -88,7 +88,7 @@ impl Formulas for Run<'_> {
     fn operation(&mut self, op: &Op, machine: &mut Machine, at: At<'_>) -> Result<Val, Stop> {
         Ok(match *op {
             Op::Real(v) if v.is_finite() => Val::Real(v),
-            Op::Real(_) => return Ok(self.fail(codes::S2029.alarm(12160), at.span, "the number is too large")?),
+            Op::Real(_) => return Ok(self.refuse(at.span, codes::S2029::number_is_too_large())?),
             Op::Int(n) => int_or_real(n),
             Op::Bool(b) => Val::Bool(b),
             Op::Char(c) => Val::Char(c),
@@ -148,15 +148,15 @@ impl Formulas for Run<'_> {
 
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
         let (code, message) = match fault {
-            Fault::Misfit(what) => (codes::S2005.alarm(12150), format!("the operator does not fit {what}")),
-            Fault::Mismatch(a, b) => (codes::S2005.alarm(12150), format!("{a} and {b} do not go together here")),
-            Fault::Missing => (codes::S2005.alarm(12150), "a value is missing".to_owned()),
+            Fault::Misfit(what) => (codes::P2024.alarm(12150), format!("the operator does not fit {what}")),
+            Fault::Mismatch(a, b) => (codes::P2024.alarm(12150), format!("{a} and {b} do not go together here")),
+            Fault::Missing => (codes::P2024.alarm(12150), "a value is missing".to_owned()),
             Fault::Said(why) => (codes::S2030.alarm(14099), why),
             Fault::Zero(_) => return self.divided_by_zero(None, at),
             Fault::ZeroBy(_, by) => return self.divided_by_zero(Some(&by), at),
-            Fault::TooLargeInt => (codes::S2006.alarm(14051), "the result is too large for an INT".to_owned()),
+            Fault::TooLargeInt => (codes::P2022.alarm(14051), "the result is too large for an INT".to_owned()),
             Fault::TooLarge | Fault::Domain(..) | Fault::Open(..) | Fault::Outside(..) | Fault::OpenBetween(..) => {
-                (codes::S2006.alarm(14051), "the result is too large".to_owned())
+                (codes::P2022.alarm(14051), "the result is too large".to_owned())
             }
         };
         self.report(Diagnostic::new(code, self.loc(at.span), message));
@@ -171,7 +171,7 @@ impl Run<'_> {
             Some(by) => format!("division by zero: {}", by.said(&self.job, self.here.origin.loc)),
             None => "division by zero".to_owned(),
         };
-        let found = Diagnostic::new(codes::S2006.alarm(14051), self.loc(at.span), message);
+        let found = Diagnostic::new(codes::P2022.alarm(14051), self.loc(at.span), message);
         self.report(match &self.warned.unset[..] {
             [] => found.help(ZERO[usize::from(by.is_none())]),
             [first, rest @ ..] => found.help(rest.iter().fold(
@@ -235,16 +235,13 @@ impl Run<'_> {
         let value = self.eval(formula, block, text)?;
         match value.truth() {
             Some(truth) => Ok(truth),
-            None => {
-                let message = format!("a condition is needed, this is {}", value.what());
-                self.fail(codes::S2005.alarm(12150), formula.span, message)
-            }
+            None => self.refuse(formula.span, codes::P2024::condition_is_needed(&value.what())),
         }
     }
 
     pub(super) fn r_value(&mut self, n: u32, span: Span) -> Outcome<Val> {
         if n > MOST_R {
-            return self.fail(codes::S2018.alarm(17020), span, format!("there is no parameter R{n}"));
+            return self.refuse(span, codes::S2018::there_is_no_parameter_r(&n));
         }
         self.r_is_own(n, span)?;
         let (value, set) = self.vars.r(n).ok_or(Reported)?;
@@ -252,8 +249,7 @@ impl Run<'_> {
             self.warned.unset.push(format!("R{n}"));
         }
         if !set && self.warned.r.insert(n) {
-            let message = format!("R{n} is read before the program sets it; it counts as 0");
-            let found = Diagnostic::new(codes::S2025, self.loc(span), message);
+            let found = codes::P2021::r_is_read_before_program_sets(&n).at(self.loc(span));
             self.report(
                 found.help(
                     Answer::key("variables", format!("R{n}"))
@@ -317,8 +313,7 @@ impl Run<'_> {
         match self.meaning(name) {
             Meaning::Known(known) => self.not_compiled(name, known, span),
             Meaning::Procedure(Procedure::Refused(Refusal { what, .. })) => {
-                let message = format!("{} ({what}) is not supported", self.symbols.name(name));
-                self.fail_help(codes::S9005, span, message, "replace it by plain moves")
+                self.refuse(span, codes::P9010::is_not_supported_so_replace(&self.symbols.name(name), &what))
             }
             _ => self.undefined(name, span),
         }
@@ -328,8 +323,7 @@ impl Run<'_> {
     pub(super) fn undefined<T>(&self, name: Symbol, span: Span) -> Outcome<T> {
         let word = self.symbols.name(name);
         if matches!(self.vocabulary.get(word), Some(Meaning::Indexed(_))) {
-            let message = format!("{word} lacks the axis or spindle in brackets");
-            return self.fail_help(codes::S1001.alarm(12080), span, message, format!("write {word}[X]=…"));
+            return self.refuse(span, codes::P1001::lacks_axis_or_spindle_in_brackets(&word));
         }
         let names: Vec<&str> = self.vars.names().map(|symbol| self.symbols.name(symbol)).collect();
         let like = crate::machine::tree::did_you_mean(word, names);
@@ -346,7 +340,7 @@ impl Run<'_> {
         // A variable of all programs is nothing like one of this program.
         let files: Vec<String> = super::declare::DEFINITION_FILES.iter().map(|file| format!("{file}.DEF")).collect();
         let help = help.and(Answer::folder_of(&files));
-        self.fail_help(codes::S2001.alarm(12550), span, format!("the name `{word}` is not defined"), &help)
+        self.refuse(span, codes::S2001::name_is_not_defined(&word).help(&help))
     }
 
     /// The control has these in its own definition files.
@@ -357,8 +351,7 @@ impl Run<'_> {
         } else {
             super::measuring::leave_out()
         };
-        let message = format!("`{word}` is {what} of the measuring cycles, which the control keeps in its global data");
-        self.fail_help(codes::S9133, span, message, help)
+        self.refuse(span, codes::S9133::is_of_measuring_cycles(&word, &what).help(help))
     }
 
     pub(super) fn variable_value(&mut self, slot: Slot, indices: &[i32], span: Span) -> Outcome<Val> {
@@ -385,10 +378,7 @@ impl Run<'_> {
             }
             Base::Letter(letter) => match self.letter_variable(letter) {
                 Some(slot) => self.indexed_variable(slot, args, span),
-                None => {
-                    let message = format!("`{}` has no index here", letter as char);
-                    self.fail(codes::S1001.alarm(12080), span, message)
-                }
+                None => self.refuse(span, codes::P1001::has_no_index_here(&(letter as char))),
             },
             Base::System(name) => self.system_value(name, args, span),
             Base::Name(name) => {
@@ -419,7 +409,7 @@ impl Run<'_> {
             self.warn_of_kept(slot, &[], span);
             return match found {
                 Some(c) => Ok(Val::Char(c)),
-                None => self.fail(codes::S2018.alarm(12400), span, format!("the text has no character {index}")),
+                None => self.refuse(span, codes::S2018::text_has_no_character_2(&index)),
             };
         }
         self.variable_value(slot, indices, span)
@@ -433,9 +423,7 @@ impl Run<'_> {
             if !matches!(self.meaning(name), Meaning::Unknown) {
                 return self.undefined_word(name, span);
             }
-            let message = format!("there is no function `{}`", self.symbols.name(name));
-            let help = "a program is called in a block of its own, not in a formula";
-            return self.fail_help(codes::S2001.alarm(12550), span, message, help);
+            return self.refuse(span, codes::S2001::there_is_no_function(&self.symbols.name(name)));
         };
         let args = if args == [Val::Missing] { &[] } else { args };
         let made = match function {
@@ -455,10 +443,8 @@ impl Run<'_> {
             Err(error) => error,
         };
         match error {
-            NoResult::Count(takes) => self.fail(codes::S2021.alarm(14021), span, format!("{word} takes {takes}")),
-            NoResult::Type => {
-                self.fail(codes::S2005.alarm(12150), span, format!("{word} does not take a value of this type"))
-            }
+            NoResult::Count(takes) => self.refuse(span, codes::S2021::takes(&word, &takes)),
+            NoResult::Type => self.refuse(span, codes::P2024::does_not_take_value_of_this_type(&word)),
             NoResult::Domain(why) => {
                 let alarm = match word {
                     "SPRINT" => 14065,
@@ -467,7 +453,7 @@ impl Run<'_> {
                     "NUMBER" => 14098,
                     _ => 14051,
                 };
-                self.fail(codes::S2006.alarm(alarm), span, format!("{word}: {why}"))
+                self.refuse(span, codes::P2022::of_another_kind(&word, &why).alarm(alarm))
             }
         }
     }
@@ -477,8 +463,8 @@ impl Core<'_> {
     pub(super) fn as_number(&self, value: &Val, span: Span) -> Outcome<f64> {
         match value.number() {
             Some(v) if v.is_finite() => Ok(v),
-            Some(_) => self.fail(codes::S2006.alarm(14051), span, "the value is infinite"),
-            None => self.fail(codes::S2005.alarm(12150), span, format!("a number is needed, this is {}", value.what())),
+            Some(_) => self.refuse(span, codes::P2022::value_is_infinite()),
+            None => self.refuse(span, codes::P2024::number_is_needed(&value.what())),
         }
     }
 
@@ -489,15 +475,13 @@ impl Core<'_> {
             Err((at, alarm)) => {
                 let what = if alarm == BINARY_TOO_LARGE { "binary" } else { "hexadecimal" };
                 let span = Span::at(span.start + at as u32, 1);
-                let message = format!("the {what} constant in the text is larger than one character");
-                self.fail_help(codes::S2030.alarm(alarm), span, message, "a character has 8 bits: 'H00' to 'HFF'")
+                self.refuse(span, codes::S2030::constant_in_text_is_larger_than_one(&what).alarm(alarm))
             }
         }
     }
 
     pub(super) fn not_compiled<T>(&self, name: Symbol, known: &Known, span: Span) -> Outcome<T> {
-        let message = format!("{} ({}) is not compiled", self.symbols.name(name), known.what);
-        self.fail_help(codes::S9132, span, message, known.help)
+        self.refuse(span, codes::S9132::is_not_compiled(&self.symbols.name(name), &known.what).help(known.help))
     }
 
     /// Indices of an array, as whole numbers.
@@ -513,12 +497,12 @@ impl Core<'_> {
     pub(super) fn r_index(&self, args: &[Val], span: Span) -> Outcome<u32> {
         let [index] = args else {
             self.indices(args, span)?;
-            return self.fail(codes::S2018.alarm(12400), span, "an R parameter has one index");
+            return self.refuse(span, codes::S2018::r_parameter_has_one_index());
         };
         let index = self.index(index, span)?;
         match u32::try_from(index) {
             Ok(n) if n <= MOST_R => Ok(n),
-            _ => self.fail(codes::S2018.alarm(17020), span, format!("there is no parameter R{index}")),
+            _ => self.refuse(span, codes::S2018::there_is_no_parameter_r_2(&index)),
         }
     }
 

@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.6, 7.1 and 7.2 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::parser::sinumerik::ast::{Block, TypeName, Variable};
 use crate::parser::symbols::Symbol;
 use crate::text::Loc;
@@ -69,8 +69,9 @@ impl Run<'_> {
         if first.parameters == parameters {
             return Ok(());
         }
-        let message = format!("{} is declared a second time with other parameters", self.symbols.name(name));
-        let found = Diagnostic::new(codes::S2021.alarm(12480), loc, message).also(first.loc, "the first declaration");
+        let found = codes::S2021::is_declared_second_time_with_other_parameters(&self.symbols.name(name))
+            .at(loc)
+            .also(first.loc, "the first declaration");
         self.report(found.help("delete one of the two lines"));
         Err(Reported)
     }
@@ -89,8 +90,7 @@ impl Run<'_> {
         let is: Vec<Parameter> = block.variables.iter().map(Parameter::of).collect();
         let Some(what) = difference(&known.parameters, &is) else { return };
         known.told = true;
-        let message = format!("EXTERN does not fit the program {name}: {what}");
-        let found = Diagnostic::new(codes::S2021.alarm(14530), known.loc, message);
+        let found = codes::S2021::extern_does_not_fit_program(&name, &what).at(known.loc);
         let found = found.also(self.loc(block.span), "its PROC").help("write the types of PROC into the EXTERN line");
         self.report(found);
     }

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::ir::Feed;
 use crate::machine::{Axis, MachineKind, Settings};
 use crate::sema::run::Where;
@@ -118,8 +118,7 @@ impl Channel<'_> {
         if !self.st.feed.take_kind_open() {
             return;
         }
-        let message = "no block says what F counts: it is taken in mm per minute (G94)";
-        let found = Diagnostic::new(codes::S8045, self.loc(Where::Block), message);
+        let found = codes::S8045::no_block_says_what_f_counts().at(self.loc(Where::Block));
         self.report(
             found.help(
                 Answer::key("control", "md20150").help("program G94 or G95, or set `[control] md20150 = \"g95\"`"),
@@ -130,8 +129,7 @@ impl Channel<'_> {
     /// Says once that nothing turns the spindle that a feed per revolution waits for.
     fn spindle_feeds(&self) {
         if self.st.spindles.turn().is_none() && !self.is_capturing() && self.job.diags.first_time(codes::S8047, ()) {
-            let message = "no block in front of this feed per revolution starts the spindle";
-            let found = Diagnostic::new(codes::S8047, self.loc(Where::Block), message);
+            let found = codes::S8047::no_block_in_front_of_this_feed().at(self.loc(Where::Block));
             self.report(found.help(self.or_started_by_call("program M3 or M4 with a speed before it".into())));
         }
     }
@@ -169,7 +167,7 @@ impl Channel<'_> {
         let waits = rotary_only && !matches!(self.st.feed.word(), Some(Feed::PerRevolution(_)));
         if !waits && self.st.spindles.close_cut_speed() {
             let help = self.or_left_at_rapid("program S in m/min with G96; the S of before is a speed in turns".into());
-            return self.fail_help(codes::S2045.alarm(10900), Where::Block, "G96 has no cutting speed", help);
+            return self.refuse(Where::Block, codes::S2045::g96_has_no_cutting_speed().help(help));
         }
         if self.st.spindles.is_cutting() {
             self.says_shifted_diameter();
@@ -204,7 +202,7 @@ impl Channel<'_> {
                     Some(help) => help.into(),
                     None => self.or_left_at_rapid(help),
                 };
-                self.fail_help(codes::S2040.alarm(10860), Where::Block, "no feed is programmed", help)
+                self.refuse(Where::Block, codes::P2002::no_feed_is_programmed().help(help))
             }
         }
     }
@@ -223,7 +221,8 @@ impl Channel<'_> {
         let help = format!(
             "program F after {name}; or say under `[programs]` what it leaves: `feed = …` beside the rest of `{name} = {{ … }}`"
         );
-        let found = Diagnostic::new(codes::S8171, self.loc(Where::Block), message).also(left.call, "the call");
+        let found =
+            codes::S8171::this_cut_takes_feed_of_before(&name).at(self.loc(Where::Block)).also(left.call, "the call");
         self.report(found.help(help));
     }
 
@@ -234,12 +233,7 @@ impl Channel<'_> {
         if shift == 0.0 || self.st.spindles.keeps_speed() || !self.job.diags.first_time(codes::S8191, shift.to_bits()) {
             return;
         }
-        let message = format!(
-            "under G96 the frame shifts the diameter axis by {shift} mm in radius: the target takes its speed from the \
-             printed diameter, the control may take the programmed one"
-        );
-        let help = "end the shift in front of the cut, or program the speed by G97 S";
-        self.report(Diagnostic::new(codes::S8191, self.loc(Where::Block), message).help(help));
+        self.report(codes::S8191::under_g96_frame_shifts_diameter_axis(&shift).at(self.loc(Where::Block)));
     }
 
     /// Under G93 F is the time of its own block, which no other block has.
@@ -253,28 +247,20 @@ impl Channel<'_> {
         if w.feed_given || w.get(Address::Fb).is_some() {
             return Ok(());
         }
-        self.fail_help(
-            codes::S2040.alarm(10860),
-            Where::Block,
-            "under G93 the block has no F",
-            "program F in every block that cuts: it is 1 divided by the minutes of the block",
-        )
+        self.refuse(Where::Block, codes::P2002::under_g93_block_has_no_f())
     }
 
     pub(super) fn feed_code(&mut self, code: GCode, span: Span) -> Outcome {
         let old = self.st.codes.of(Group::FeedType);
         use GCode as G;
         if !matches!(code, G::G93 | G::G94 | G::G95 | G::G96 | G::G97 | G::G961 | G::G971) {
-            let message = format!("{} gives feeds that plain G-code cannot say", code.word());
-            return self.fail_help(codes::S9009, span, message, "program the feed by G94 or G95");
+            return self.refuse(span, codes::S9009::gives_feeds_that_plain_g_code_cannot(&code.word()));
         }
         if code.holds_cutting_speed() && self.job.settings.machine.diameter_axis.is_none() {
-            let message = "constant cutting speed needs a diameter axis (MD 20100)";
-            return self.fail_help(
-                codes::S2060.alarm(10870),
+            return self.refuse(
                 span,
-                message,
-                Answer::key("machine", "diameter_axis").help("set `[machine] diameter_axis = \"X\"`"),
+                codes::S2060::constant_cutting_speed_needs_diameter_axis()
+                    .answer(Answer::key("machine", "diameter_axis")),
             );
         }
         self.st.codes.activate(code);
@@ -290,9 +276,7 @@ impl Core<'_> {
     /// FB, for one block.
     fn block_feed(&self, w: &mut Words) -> Outcome<Option<Given>> {
         match w.take(Address::Fb) {
-            Some(fb) if fb.value <= 0.0 => {
-                self.fail(codes::S2041.alarm(14800), fb.span, format!("the feed FB={} is not above 0", fb.value))
-            }
+            Some(fb) if fb.value <= 0.0 => self.refuse(fb.span, codes::P2003::feed_fb_is_not_above_0(&fb.value)),
             fb => Ok(fb),
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.3 to 5.5 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::machine::tree::did_you_mean;
 use crate::parser::sinumerik::ast::{Arm, Block, Formula, Jump, JumpTarget, Search, Stmt, Target, When};
 use crate::parser::symbols::Symbol;
@@ -25,7 +25,7 @@ impl Run<'_> {
         let unit = self.level().frame.unit;
         match self.skeleton_of(unit) {
             Ok(made) => Ok(made),
-            Err(error) => self.fail(codes::P0105, Where::Block, format!("the file cannot be read: {error}")),
+            Err(error) => self.refuse(Where::Block, codes::P0105::file_cannot_be_read(&error)),
         }
     }
 
@@ -143,13 +143,13 @@ impl Run<'_> {
             let value = run.number(formula, block, text)?;
             match whole(value) {
                 Some(n) => Ok(n),
-                None => run.fail(codes::S2029.alarm(12560), formula.span, "the count of FOR fits no INT"),
+                None => run.refuse(formula.span, codes::S2029::count_of_for_fits_no_int()),
             }
         };
         let value = if counts {
             let now = self.read_target(variable, block, text)?;
             let Some(next) = now.number().and_then(whole).and_then(|n| n.checked_add(1)) else {
-                return self.fail(codes::S2029.alarm(12560), block.span, "the count of FOR fits no INT");
+                return self.refuse(block.span, codes::S2029::count_of_for_fits_no_int());
             };
             next
         } else {
@@ -239,7 +239,7 @@ impl Run<'_> {
     /// `"N100"`, `"100"` or `"LABEL"`.
     fn named_target(&mut self, value: &Val, from: u32, jump: Jump) -> Outcome<(Option<Mark>, String)> {
         let Some(text) = to_text(value).filter(|text| !text.is_empty()) else {
-            return self.fail(codes::S2003.alarm(14080), jump.span, "the jump target is no text");
+            return self.refuse(jump.span, codes::P2011::jump_target_is_no_text());
         };
         let shown = String::from_utf8_lossy(&text).into_owned();
         let upper = text.to_ascii_uppercase();
@@ -270,7 +270,7 @@ impl Run<'_> {
             Search::Backward => " in front of this block",
             _ => "",
         };
-        let found = Diagnostic::new(codes::S2003.alarm(14080), self.loc(jump.span), format!("there is no {what}{way}"));
+        let found = codes::P2011::there_is_no(&what, &way).at(self.loc(jump.span));
         let found = match (elsewhere, jump.target) {
             (Some(mark), _) => {
                 let loc = self.mark_loc(mark);
@@ -306,8 +306,7 @@ impl Run<'_> {
             Some(to) => {
                 let end = self.section_label(to, block.span)?;
                 if end.place.at < start.place.at {
-                    let message = "the last label of the section stands in front of its first";
-                    return self.fail(codes::S2003.alarm(14080), block.span, message);
+                    return self.refuse(block.span, codes::P2011::last_label_of_section_stands_in_front());
                 }
                 end.after.at
             }
@@ -317,8 +316,7 @@ impl Run<'_> {
                     Some(end) => end.after.at,
                     None if start.place.at < self.here.at => self.here.at,
                     None => {
-                        let message = "the section behind this block has no ENDLABEL";
-                        return self.fail(codes::S2003.alarm(14080), block.span, message);
+                        return self.refuse(block.span, codes::P2011::section_behind_this_block_has_no_endlabel());
                     }
                 }
             }
@@ -388,7 +386,7 @@ impl Run<'_> {
         }
         if self.in_main() {
             let help = if sub { "compile the program that calls this one" } else { "end it by M30" };
-            return self.fail_help(codes::S2020.alarm(14091), span, "RET stands in the main program", help);
+            return self.refuse(span, codes::S2020::ret_stands_in_main_program().help(help));
         }
         self.pending_must_be_done(span)?;
         let result = self.return_to(target.copied(), formulas, span, block, text);
@@ -415,18 +413,17 @@ impl Run<'_> {
             let value = run.number(*formula, block, text)?;
             match whole(value) {
                 Some(n) => Ok(n),
-                None => run.fail(codes::S2021.alarm(14020), formula.span, "this argument of RET is a whole number"),
+                None => run.refuse(formula.span, codes::S2021::this_argument_of_ret_is_whole_number()),
             }
         };
         let behind = number(self, 1, 0)? > 0;
         let levels = number(self, 2, 1)?;
         if number(self, 3, 0)? != 0 {
-            return self.fail(codes::S9001, span, "RET back to the start of the main program is for ISO programs");
+            return self.refuse(span, codes::P9011::ret_back_to_start_of_main_program());
         }
         let programs = self.levels.iter().filter(|level| matches!(level.frame.kind, FrameKind::Program { .. })).count();
         if levels < 1 || levels as usize > programs {
-            let message = format!("RET goes back over {levels} levels, and there are {programs}");
-            return self.fail_help(codes::S2020.alarm(14091), span, message, "check the third argument of RET");
+            return self.refuse(span, codes::S2020::ret_goes_back_over_levels(&levels, &programs));
         }
         if value.is_none() && levels == 1 {
             // Like M17: passes that remain are run.
@@ -467,7 +464,7 @@ impl Core<'_> {
 
     /// GOTOS starts the program again where the machine asks for it, which nothing does here.
     pub(super) fn says_goto_start(&self, span: Span) {
-        self.note_once(codes::S8049, span, "GOTOS is left out: the machine decides whether the program starts again");
+        self.say_once(span, codes::S8049::gotos_is_left_out());
     }
 
     fn mark_loc(&mut self, mark: Mark) -> crate::text::Loc {
@@ -479,10 +476,7 @@ impl Core<'_> {
         let fits = |n: &i32| (1..=MOST_PASSES).contains(n) && (f64::from(*n) - value).abs() < 1e-6;
         match whole(value).filter(fits) {
             Some(n) => Ok(n as u32),
-            None => {
-                let message = format!("P={value} is no number of passes");
-                self.fail_help(codes::S2019.alarm(14013), span, message, "P is a whole number, 1 to 9999")
-            }
+            None => self.refuse(span, codes::S2019::p_is_no_number_of_passes(&value)),
         }
     }
 }

@@ -46,12 +46,7 @@ impl Channel<'_> {
         if self.st.side() == Side::None {
             return Ok(());
         }
-        self.fail_help(
-            codes::S2080,
-            place,
-            "the frame changes while radius compensation is on",
-            "program G40 in a block in front of it",
-        )
+        self.refuse(place, codes::S2080::frame_changes_while_radius_compensation())
     }
 
     fn frame_statement(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
@@ -97,7 +92,7 @@ impl Channel<'_> {
             GCode::SCALE | GCode::ASCALE => {
                 let scale = self.geometry_values(w, 1.0)?;
                 if scale.contains(&0.0) {
-                    return self.fail(codes::S2034, span, "a scaling factor is 0");
+                    return self.refuse(span, codes::S2034::scaling_factor_is_0());
                 }
                 FrameValue::scaled(scale)
             }
@@ -112,8 +107,7 @@ impl Channel<'_> {
                 FrameValue::mirrored(mirror)
             }
             _ => {
-                let message = format!("{} turns the plane by solid angles, which is not supported", code.word());
-                return self.fail_help(codes::S9001, span, message, "use ROT with angles about the axes");
+                return self.refuse(span, codes::P9011::turns_plane_by_solid_angles(&code.word()));
             }
         };
         let frame = match (adds, bare) {
@@ -132,14 +126,11 @@ impl Channel<'_> {
     fn axial_shift(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
         let small = self.job.settings.control.sinumerik.model == "802d";
         if w.axes.is_empty() && !small {
-            let message = format!("{} has no axes", code.word());
-            let help = Answer::key("control", "sinumerik")
-                .help("on an 802D it selects a work offset: set `[control] sinumerik = \"802d\"`");
-            return self.fail_help(codes::S2013.alarm(12120), span, message, help);
+            return self
+                .refuse(span, codes::S2013::has_no_axes(&code.word()).answer(Answer::key("control", "sinumerik")));
         }
         if small && !w.axes.is_empty() {
-            let message = format!("{} selects a work offset on an 802D and moves in the same block", code.word());
-            return self.fail_help(codes::S2013, span, message, "give the selection a block of its own");
+            return self.refuse(span, codes::S2013::selects_work_offset_on_802d(&code.word()));
         }
         if w.axes.is_empty() && small {
             let number = if code == GCode::G58 { 5 } else { 6 };
@@ -183,8 +174,7 @@ impl Core<'_> {
             match values.get_mut(axis.index()) {
                 Some(place) => *place = given.value,
                 None => {
-                    let message = format!("{} is no geometry axis", axis.letter());
-                    return self.fail(codes::S2031.alarm(16440), given.span, message);
+                    return self.refuse(given.span, codes::S2031::is_no_geometry_axis(&axis.letter()));
                 }
             }
         }

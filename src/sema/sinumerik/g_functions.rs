@@ -2,7 +2,7 @@
 //!
 //! Source: S 3 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::ir::Side;
 use crate::machine::AxisSet;
 use crate::text::Span;
@@ -75,16 +75,10 @@ impl Channel<'_> {
 
     pub(super) fn plane_change(&mut self, code: GCode, span: Span) -> Outcome {
         if self.st.side() != Side::None {
-            return self.fail_help(
-                codes::S2080.alarm(10757),
-                span,
-                "the plane changes while radius compensation is on",
-                "program G40 in a block in front of it",
-            );
+            return self.refuse(span, codes::S2080::plane_changes_while_radius_compensation());
         }
         if let Some(origin) = self.st.pair.refuse_first() {
-            let message = "the plane changes between the two lines of a pair";
-            let found = Diagnostic::new(codes::S2070.alarm(10790), origin.loc, message);
+            let found = codes::S2070::plane_changes_between_two_lines_of_pair().at(origin.loc);
             self.report(found.also(self.loc(span), "here").help("change the plane in front of the first line"));
             self.st.position.lose(AxisSet::MAIN);
             return Err(Reported);
@@ -101,12 +95,7 @@ impl Channel<'_> {
                 self.iso = true;
                 self.st.position.lose(AxisSet::ALL);
                 self.lost();
-                return self.fail_help(
-                    codes::S9003,
-                    span,
-                    "G291 switches to ISO dialect",
-                    "translate the ISO part, or compile it by itself",
-                );
+                return self.refuse(span, codes::P9012::g291_switches_to_iso_dialect());
             }
             GCode { group: Group::PointToPoint, index: 2.. } => "point-to-point travel",
             GCode::PAROT => "a frame turned to the workpiece",
@@ -117,8 +106,7 @@ impl Channel<'_> {
             GCode::CUTCONON if !self.resolves() => "compensation with a constant offset",
             _ => return Ok(()),
         };
-        let message = format!("{} is {what}, which cannot be printed", code.word());
-        self.fail_help(codes::S9001, span, message, "leave it out, or replace it by plain moves")
+        self.refuse(span, codes::P9011::is_which_cannot_be_printed(&code.word(), &what))
     }
 }
 
@@ -134,8 +122,7 @@ impl Core<'_> {
 
     pub(super) fn two_shapes(&self, a: GCode, first: Span, b: GCode, second: Span) -> Outcome {
         let (a, b) = (a.word(), b.word());
-        let message = format!("{a} and {b} cannot stand in one block");
-        let found = Diagnostic::new(codes::S2009.alarm(12070), self.loc(second), message);
+        let found = codes::S2009::cannot_stand_in_one_block(&a, &b).at(self.loc(second));
         self.report(found.also(self.loc(first), "the other one").help("give each a block of its own"));
         Err(Reported)
     }

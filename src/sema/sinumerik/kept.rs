@@ -3,7 +3,7 @@
 //! What such a variable holds when the program begins is known only where `[variables]` says it. Until the program writes an
 //! element, reading it is a guess, which is said. Source: S 5.1 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::parser::sinumerik::ast::TypeName;
 use crate::text::Span;
 
@@ -49,14 +49,13 @@ impl Run<'_> {
         if !self.warned.kept.insert((name, element)) {
             return;
         }
-        let message = format!("`{word}` is read before the program sets it; it counts as its start value");
         let help: Help = if is_number {
             Answer::variable(&word, "the value that the control keeps in it")
                 .help("set it in the program, or give the value that the control keeps in it under [variables]")
         } else {
             "set it in the program: what the control keeps in it is not known here".into()
         };
-        let found = Diagnostic::new(codes::S2025, self.loc(span), message);
+        let found = codes::P2021::is_read_before_program_sets(&word).at(self.loc(span));
         self.report(found.also(defined, "it is defined here").help(help));
     }
 }

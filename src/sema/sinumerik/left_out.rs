@@ -12,9 +12,6 @@ use super::g_groups::{GCode, Group};
 use super::value::Val;
 use super::{Core, Outcome, Run};
 
-const DYNAMICS: &str = "words that only shape speed and accuracy are left out";
-const CONTROL: &str = "words that only steer the control, or switch off what is not on, are left out";
-
 impl Run<'_> {
     /// FGROUP: the axes along which F counts. Without arguments, or with the geometry axes, it is the path.
     pub(super) fn feed_axes(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
@@ -43,8 +40,7 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome {
         if !matches!(name, "WRITE" | "DELETE") {
-            let message = format!("{name} takes values from a file of the control");
-            return self.fail(codes::S9001, span, message);
+            return self.refuse(span, codes::P9011::takes_values_from_file_of_control(&name));
         }
         self.note_word(codes::S8017, span, format!("{name} works on a file of the control and is left out"));
         let Some(formula) = formulas.first().filter(|formula| !formula.is_missing()) else { return Ok(()) };
@@ -71,11 +67,11 @@ impl Run<'_> {
 
 impl Core<'_> {
     pub(super) fn dynamics_are_left_out(&self, span: Span) {
-        self.note_once(codes::S8002, span, DYNAMICS);
+        self.say_once(span, codes::S8002::words_that_only_shape_speed());
     }
 
     pub(super) fn control_words_are_left_out(&self, span: Span) {
-        self.note_once(codes::S8103, span, CONTROL);
+        self.say_once(span, codes::S8103::words_that_only_steer_control());
     }
 
     /// Does the computed path have the feed that `code` says?
@@ -108,9 +104,7 @@ impl Core<'_> {
                 self.changes_feeds(format!("{name} {what}, which is left out"), span);
             }
             Group::RapidInterpolation if self.job.diags.first_time(codes::S8102, ()) => {
-                let message =
-                    "under RTLIOF each axis runs at its own rapid traverse; the output goes straight to the point";
-                let found = Diagnostic::new(codes::S8102, self.loc(span), message);
+                let found = codes::S8102::under_rtliof_each_axis_runs().at(self.loc(span));
                 self.report(found.help("check that both ways are free, or program RTLION"));
             }
             Group::WorkingArea | Group::WorkingAreaChoice => self.limits_are_left_out(span),
@@ -125,7 +119,7 @@ impl Core<'_> {
             | Group::OrientationPath
             | Group::OrientationVector
             | Group::OrientationContinuity => {
-                self.note_once(codes::S8104, span, "words for tool orientation are left out: the output turns no tool");
+                self.say_once(span, codes::S8104::words_for_tool_orientation_are_left_out());
             }
             // SAR, splines, punching, transformations and frames of the tool are refused themselves.
             Group::Buffer
@@ -155,19 +149,14 @@ impl Core<'_> {
     }
 
     fn tool_data_differ(&self, code: GCode, what: &str, span: Span) {
-        let message = format!("{} {what}: the target has tool data of its own", code.word());
-        let found = Diagnostic::new(codes::S8010, self.loc(span), message);
+        let found = codes::S8010::target_has_tool_data_of_its_own(&code.word(), &what).at(self.loc(span));
         if !self.job.diags.knows(&found) {
             self.report(found);
         }
     }
 
     pub(super) fn limits_are_left_out(&self, span: Span) {
-        self.note_once(
-            codes::S8013,
-            span,
-            "working-area limits and lowest speeds (G25, G26) are left out; G26 S limits the spindle speed",
-        );
+        self.say_once(span, codes::S8013::working_area_limits());
     }
 
     pub(super) fn changes_feeds(&self, message: String, span: Span) {
@@ -189,8 +178,7 @@ impl Core<'_> {
         if value >= 0.0 || value.fract() != -0.5 {
             return;
         }
-        let message = format!("{value} is rounded to {made}: the manuals do not say how negative halves are rounded");
-        let found = Diagnostic::new(codes::S8107, self.loc(span), message);
+        let found = codes::S8107::is_rounded_to_manuals_do_not_say(&value, &made).at(self.loc(span));
         if !self.job.diags.knows(&found) {
             self.report(found.help("keep the value off the half"));
         }

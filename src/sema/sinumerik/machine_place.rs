@@ -3,7 +3,7 @@
 //! With MD 10760 = 0 the control places the tip of the tool, the target the nose of the spindle: what is printed is a
 //! tool length off unless it is added. Source: S 4.8 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::machine::{Axis, AxisSet};
 use crate::sema::run::Where;
 use crate::text::Span;
@@ -75,8 +75,10 @@ impl Channel<'_> {
         }
         match length {
             ToolLength::Known(length) => {
-                let message = format!("the tool length {length} is added to machine coordinates of {}", axis.letter());
-                self.note_once(codes::S8105, place, message);
+                self.say_once(
+                    place,
+                    codes::S8105::tool_length_is_added_to_machine_coordinates(&length, &axis.letter()),
+                );
                 Ok(value + length)
             }
             _ => self.length_is_needed(axis, place),
@@ -99,19 +101,16 @@ impl Channel<'_> {
         }
         let plane = if third == Axis::Y { "G18" } else { "G19" };
         let [who, help] = output.length_along_z();
-        let message =
-            format!("under {plane} the length of the tool acts along {}, and {who} adds it to Z", third.letter());
         let help = format!("{help}, or program the block under G17");
         let help = Answer::key("output", "tool_length").one_of(&["\"off\""]).help(help);
-        self.report(Diagnostic::new(codes::O9190, self.loc(Where::Block), message).help(help));
+        self.report(
+            codes::O9190::under_length_of_tool_acts_along(&plane, &third.letter(), &who)
+                .at(self.loc(Where::Block))
+                .help(help),
+        );
     }
 
     fn length_is_needed<T>(&self, axis: Axis, place: impl Into<Where>) -> Outcome<T> {
-        let message = format!(
-            "the control goes to this machine coordinate of {} with the tip of the tool (MD 10760 = 0), the target with its \
-             spindle: the length of the tool is not known",
-            axis.letter()
-        );
         let ways = "write D0 in the block, or set `[control] md10760 = true`";
         let help = match self.st.tool.active() {
             Some(number) if !self.st.machine.lathe => {
@@ -120,7 +119,7 @@ impl Channel<'_> {
             _ => Help::from(ways),
         };
         let help = help.and(Answer::key("control", "md10760").one_of(&["true"]));
-        self.fail_help(codes::S9102, place, message, &help)
+        self.refuse(place, codes::P2005::control_goes_to_this_machine_coordinate(&axis.letter()).help(&help))
     }
 
     /// SUPD: the tool offsets do not count in this block.
@@ -129,14 +128,9 @@ impl Channel<'_> {
         let moves = self.st.machine.lathe || w.axes.iter().any(|axis| self.st.tool_axes().contains(axis));
         let radius = self.st.side() != crate::ir::Side::None;
         if radius || moves && self.active_length() != ToolLength::Off {
-            return self.fail_help(
-                codes::S9102,
-                span,
-                "SUPD moves the spindle, not the tip of the tool, to this position",
-                "write D0 in a block in front of it, and the coordinate of the spindle by SUPA",
-            );
+            return self.refuse(span, codes::P2005::supd_moves_spindle());
         }
-        self.note_once(codes::S8103, span, "SUPD is left out: no tool offset counts in the axes of the block");
+        self.say_once(span, codes::S8103::supd_is_left_out());
         Ok(())
     }
 }
@@ -144,13 +138,11 @@ impl Channel<'_> {
 impl Core<'_> {
     fn says_tip_in_machine_coordinates(&self, place: impl Into<Where>) {
         if self.job.diags.first_time(codes::S8106, ()) {
-            let message = "the control goes to this machine coordinate with the tip of the tool (MD 10760 = 0), the target \
-                           with its spindle: a tool length lower";
             let help = "write D0 in the block; or set `[output] tool_length = \"G43\"` with the lengths of the tools, or \
                         `[control] md10760 = true`";
             let help = Answer::key("output", "tool_length").one_of(&["\"G43\""]).help(help);
             let help = help.and(Answer::key("control", "md10760").one_of(&["true"]));
-            self.report(Diagnostic::new(codes::S8106, self.loc(place), message).help(help));
+            self.report(codes::S8106::control_goes_to_this_machine_coordinate().at(self.loc(place)).help(help));
         }
     }
 }

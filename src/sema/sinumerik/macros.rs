@@ -29,16 +29,11 @@ impl Run<'_> {
         let body = body.trim_ascii_start();
         let keyword = body.get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"AS"));
         if len == 0 || !keyword {
-            return self.fail_help(
-                codes::S1001.alarm(12080),
-                span,
-                "a macro is written DEFINE NAME AS words",
-                "DEFINE M_START AS M3 S1000",
-            );
+            return self.refuse(span, codes::P1001::macro_is_written_define_name_as_words());
         }
         let body = body[2..].trim_ascii();
         if body.len() > MOST_MACRO {
-            return self.fail(codes::S2030.alarm(12280), span, "the text of a macro has at most 256 characters");
+            return self.refuse(span, codes::S2030::text_of_macro_has_at_most_256());
         }
         let symbol = self.symbols.intern(name);
         if let Some(message) = self.macro_in_use(symbol) {
@@ -50,12 +45,10 @@ impl Run<'_> {
             return self.fail_help(codes::S2016.alarm(alarm), span, message, "choose a name that means nothing yet");
         }
         if self.language.macros.get(&symbol).is_some_and(|known| **known != *body) {
-            let message = format!("the macro `{}` is defined twice", self.symbols.name(symbol));
-            return self.fail_help(codes::S2016.alarm(12270), span, message, "rename one of them");
+            return self.refuse(span, codes::S2016::macro_is_defined_twice(&self.symbols.name(symbol)));
         }
         if self.vars.find(symbol).is_some() {
-            let message = format!("`{}` is a variable already", self.symbols.name(symbol));
-            return self.fail(codes::S2016.alarm(12270), span, message);
+            return self.refuse(span, codes::S2016::is_variable_already(&self.symbols.name(symbol)));
         }
         if self.language.macros.insert(symbol, body.into()).as_deref() != Some(body) {
             // Blocks that were read before may contain the name.

@@ -72,8 +72,7 @@ impl Run<'_> {
             Some(value) => self.st.system.set(key, value),
             None => self.st.system.forget(&key),
         }
-        let message = "the arguments of the measuring cycles, which the control keeps in its global data, are left out";
-        self.note_once(codes::S8168, span, message);
+        self.say_once(span, codes::S8168::arguments_of_measuring_cycles());
     }
 
     /// The value of one of their names in a formula: what the program wrote, or what `[variables]` says; `None` for another name.
@@ -91,8 +90,8 @@ impl Run<'_> {
                 "give it under [variables]: \"{key}\" = value; the measuring cycles keep it in the global data of the control"
             );
             let help = Answer::variable(&key, meaning_of(name, args).unwrap_or_default()).help(help);
-            let message = format!("`{key}` is a result of the measuring cycles{}", said_meaning(name, args));
-            return self.fail_help(codes::S9133, span, message, help);
+            return self
+                .refuse(span, codes::S9133::is_result_of_measuring_cycles(&key, &said_meaning(name, args)).help(help));
         };
         self.says_given(&key, value, true, span);
         Ok(Some(Val::Real(value)))
@@ -124,21 +123,10 @@ impl Channel<'_> {
         self.pending_must_be_done(span)?;
         let ignored = self.job.settings.programs.get(name) == Some(&StandIn::Ignored);
         if !ignored && !self.job.settings.control.klartext_choices.probing_left_out {
-            return self.fail_help(
-                codes::S9005,
-                span,
-                format!("{name} (measuring cycle) is not supported"),
-                leave_out(),
-            );
+            return self.refuse(span, codes::P9010::measuring_cycle_is_not_supported(&name).help(leave_out()));
         }
         if self.st.side() != Side::None || self.is_capturing() {
-            let message = format!("{name} stands under radius compensation or in a contour");
-            return self.fail_help(
-                codes::S9005,
-                span,
-                message,
-                "program G40 before it, and measure outside the contour",
-            );
+            return self.refuse(span, codes::P9010::stands_under_radius_compensation_or_in_contour(&name));
         }
         let what = match self.set_by(name, values) {
             Sets::Nothing => "",
@@ -149,8 +137,7 @@ impl Channel<'_> {
             }
         };
         let loc = self.loc(span);
-        let message = format!("{name} is left out: what it measures is known at the machine only{what}");
-        let found = Diagnostic::new(codes::S8167, loc, message);
+        let found = codes::P8104::is_left_out_what_it_measures(&name, &what).at(loc);
         if !self.job.diags.knows(&found) {
             self.report(found.help(
                 "set up on the target what this cycle measures, before the program runs; look at the next rapid move: the target stands \
@@ -201,31 +188,23 @@ impl Channel<'_> {
         let which = number.map_or_else(String::new, |number| format!(" (KNUM {number})"));
         let message = format!("{name} corrects a work offset{which} by what it measures");
         match self.job.settings.control.klartext_choices.probing_datum {
-            Some(true) if self.st.tool.others_worked() => self.fail_help(
-                codes::S9024,
-                span,
-                format!("{message}, and another tool worked before it: one work offset cannot be both"),
-                "split the program before the cycle",
-            ),
-            Some(true) if self.st.offsets.is_basic_said() => self.fail_help(
-                codes::S9024,
-                span,
-                format!("{message}, and the coordinates count from the basic system, or from an offset that the program writes"),
-                "select a work offset of the machine: G54",
-            ),
+            Some(true) if self.st.tool.others_worked() => {
+                self.refuse(span, codes::S9024::another_tool_worked_before(&message))
+            }
+            Some(true) if self.st.offsets.is_basic_said() => {
+                self.refuse(span, codes::S9024::coordinates_count_from_basic_system(&message))
+            }
             Some(true) => Ok(()),
             Some(false) => {
                 let help = Answer::key("control", "probing_datum").one_of(&["\"set\""]);
                 let help = help.help("`[control] probing_datum = \"refuse\"` compiles no such program");
-                self.fail_help(codes::S9024, span, message, help)
+                self.refuse(span, codes::S9024::corrects_work_offset_by_what(&name, &which).help(help))
             }
-            None => {
-                let help = Answer::key("control", "probing_datum").one_of(&["\"set\""]).help(
-                    "if the work offset of the target is already as this cycle sets it when the program starts, set \
-                     `[control] probing_datum = \"set\"`",
-                );
-                self.fail_help(codes::S9024, span, message, help)
-            }
+            None => self.refuse(
+                span,
+                codes::S9024::corrects_work_offset_by_what_it_measures(&name, &which)
+                    .answer(Answer::key("control", "probing_datum").one_of(&["\"set\""])),
+            ),
         }
     }
 
@@ -259,7 +238,7 @@ impl Channel<'_> {
         } else {
             format!("{} is left out with its move: where {letters} {stops} is known at the machine only", probe.name)
         };
-        let found = Diagnostic::new(codes::S8167, loc, message);
+        let found = Diagnostic::new(codes::P8104, loc, message);
         if !self.job.diags.knows(&found) {
             self.report(found.help("check what follows: no move of the target stands for this one"));
         }
@@ -305,7 +284,7 @@ impl Channel<'_> {
                 "check what follows: no move of the target stands for this one",
             ),
         };
-        let found = Diagnostic::new(codes::S8167, loc, message);
+        let found = Diagnostic::new(codes::P8104, loc, message);
         if !self.job.diags.knows(&found) {
             self.report(found.help(help));
         }
@@ -327,17 +306,14 @@ impl Channel<'_> {
             return Ok(None);
         }
         if word != "$AC_MEA" {
-            let message = format!(
-                "`{key}` has no value: {name} in line {} touches nothing, as `[control] probing_contact` says",
-                at.line
-            );
-            let help = "take `probing_contact` out of `[control]`: then each value is asked for";
-            return self.fail_help(codes::S2028, span, message, help);
+            return self.refuse(span, codes::P2023::has_no_value(&key, &name, &at.line));
         }
         let message =
             format!("`{key}` is 0: {name} in line {} touches nothing, as `[control] probing_contact` says", at.line);
         if self.job.diags.first_text(codes::S8169, &message) {
-            let found = Diagnostic::new(codes::S8169, self.loc(span), message).also(at, "it is measured here");
+            let found = codes::S8169::is_0_in_line_touches_nothing(&key, &name, &at.line)
+                .at(self.loc(span))
+                .also(at, "it is measured here");
             self.report(found.help("check that the control goes the same way through the program"));
         }
         Ok(Some(Val::Int(0)))
@@ -345,8 +321,7 @@ impl Channel<'_> {
 
     /// G4, TRANS and their kin take no words of moves.
     pub(super) fn measures_beside(&self, probe: ProbeWord, span: Span) -> Outcome {
-        let found =
-            Diagnostic::new(codes::S2013.alarm(12120), self.loc(probe.span), format!("{} needs a move", probe.name));
+        let found = codes::S2013::needs_move(&probe.name).at(self.loc(probe.span));
         self.report(
             found
                 .also(self.loc(span), "this word moves no axis along a path")
@@ -357,23 +332,12 @@ impl Channel<'_> {
 
     pub(super) fn may_leave_probe_out(&mut self, probe: ProbeWord) -> Outcome {
         if !self.job.settings.control.klartext_choices.probing_left_out {
-            return self.fail_help(
-                codes::S9005,
-                probe.span,
-                format!("{} (measuring) is not supported", probe.name),
-                leave_out(),
-            );
+            return self.refuse(probe.span, codes::P9010::measuring_is_not_supported(&probe.name).help(leave_out()));
         }
         self.pending_must_be_done(probe.span)?;
         let open = self.st.side() != Side::None || self.st.compensation.waits() || self.soft.is_some();
         if open || self.is_capturing() || self.st.modal_call.is_on() {
-            let message = format!("{} stands under radius compensation, in a contour or under MCALL", probe.name);
-            return self.fail_help(
-                codes::S9005,
-                probe.span,
-                message,
-                "program G40 before it, and measure outside of contours and modal calls",
-            );
+            return self.refuse(probe.span, codes::P9010::stands_under_radius_compensation(&probe.name));
         }
         Ok(())
     }
@@ -390,7 +354,7 @@ impl Channel<'_> {
     pub(super) fn leaves_touched(&mut self, axes: AxisSet, rapid: bool) -> Outcome {
         let (position, here) = (&self.st.position, self.here.origin.loc);
         let left = if self.is_capturing() { AxisSet::EMPTY } else { position.left_by_calls() };
-        if let Some(found) = move_beside(codes::S2042, position, left, axes, &self.st.ctx.frame, here) {
+        if let Some(found) = move_beside(codes::P2001, position, left, axes, &self.st.ctx.frame, here) {
             self.report(found);
             self.lose_all();
             return Err(Reported);
@@ -406,10 +370,8 @@ impl Channel<'_> {
         self.st.touched = None;
         let letters: Vec<String> = missing.iter().map(|axis| axis.letter().to_string()).collect();
         let letters = letters.join(" and ");
-        let message = format!(
-            "this block moves without {letters}, and where a probe left {letters} is known at the machine only"
-        );
-        let found = Diagnostic::new(codes::S9023, self.here.origin.loc, message)
+        let found = codes::S9023::this_block_moves(&letters)
+            .at(self.here.origin.loc)
             .also(touched.loc, "the measuring is left out here");
         self.report(found.help(format!("program {letters} in this block, in absolute coordinates")));
         self.lose_all();
@@ -429,8 +391,9 @@ impl Channel<'_> {
     pub(super) fn says_given(&mut self, key: &str, value: f64, by_cycle: bool, span: Span) {
         let last = if by_cycle { self.measured.cycle.as_ref() } else { self.measured.last.as_ref() };
         let Some((name, at)) = last else { return };
-        let message = format!("`{key}` = {value} of `[variables]` is taken for what {name} in line {} finds", at.line);
-        let found = Diagnostic::new(codes::S8169, self.loc(span), message).also(*at, "it is measured here");
+        let found = codes::S8169::of_variables_is_taken_for_what(&key, &value, &name, &at.line)
+            .at(self.loc(span))
+            .also(*at, "it is measured here");
         if self.job.diags.first_text(codes::S8169, &found.message) {
             self.report(
                 found.help("one value stands for all measurings of the program: check that it is right for this one"),

@@ -477,12 +477,7 @@ impl Run<'_> {
     fn execute_line(&mut self, line: &[u8], span: Span) -> Outcome {
         if self.depth >= MOST_TEXTS {
             self.stop_run();
-            return self.fail_help(
-                codes::P4003.alarm(14012),
-                span,
-                "texts that execute texts are nested too deep",
-                "check for an EXECSTRING that executes itself",
-            );
+            return self.refuse(span, codes::P4003::texts_that_execute_texts_are_nested_too());
         }
         self.depth += 1;
         let result = self.execute_text(line, span);
@@ -515,11 +510,7 @@ impl Run<'_> {
             // The program goes on at the target, as behind a jump that stands there.
             Stmt::IfJump => self.if_jumps(&block, &line),
             Stmt::Goto(jump) => self.jump(jump, &block, &line),
-            _ => self.fail(
-                codes::S2013.alarm(12080),
-                span,
-                "a control structure or declaration cannot be executed as a text",
-            ),
+            _ => self.refuse(span, codes::S2013::control_structure_or_declaration_cannot_be_executed()),
         }
     }
 

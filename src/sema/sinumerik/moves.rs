@@ -82,15 +82,10 @@ impl Channel<'_> {
     pub(super) fn machine_move(&mut self, w: &mut Words, code: GCode, span: Span) -> Outcome {
         self.pending_must_be_done(span)?;
         if !matches!(code, GCode::G0 | GCode::G1) || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
-            return self.fail_help(
-                codes::S9011,
-                span,
-                "in machine coordinates only straight moves can be printed",
-                "program G0 or G1 with axes in this block",
-            );
+            return self.refuse(span, codes::S9011::in_machine_coordinates_only_straight_moves_can());
         }
         if self.st.side() != Side::None {
-            return self.fail(codes::S2080, span, "a block in machine coordinates under radius compensation");
+            return self.refuse(span, codes::S2080::block_in_machine_coordinates_under_radius_compensation());
         }
         let feed = self.path_feed(w, code == GCode::G0)?;
         // Where the tip goes; nothing where the spindle nose does.
@@ -103,18 +98,12 @@ impl Channel<'_> {
                 _ => false,
             };
             if incremental {
-                return self.fail_help(
-                    codes::S9011,
-                    given.span,
-                    "an increment in machine coordinates starts from a place that only the machine knows",
-                    "program the machine coordinate with AC(…) or under G90",
-                );
+                return self.refuse(given.span, codes::S9011::increment_in_machine_coordinates_starts_from_place());
             }
             let directed = matches!(given.mode, Mode::Dc | Mode::Acp | Mode::Acn);
             if axis.is_rotary() && (directed || self.st.machine.modulo.contains(axis)) {
                 let letter = axis.letter();
-                let message = format!("the way of {letter} to a machine position is left to the target");
-                self.note_once(codes::S8044, given.span, message);
+                self.say_once(given.span, codes::S8044::way_of_to_machine_position_is_left(&letter));
             }
             let mut value = if axis.is_rotary() { given.value } else { self.length(axis, given, false)? };
             if !self.job.settings.control.sinumerik.machine_moves_without_tool {
@@ -139,42 +128,28 @@ impl Channel<'_> {
     pub(super) fn positioning(&mut self, w: &mut Words) -> Outcome {
         if !w.axes.is_empty() || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
             let span = w.beside.positioning[0].given.span;
-            return self.fail_help(
-                codes::S9008,
-                span,
-                "POS beside a path motion: the two run at the same time",
-                "give POS a block of its own",
-            );
+            return self.refuse(span, codes::S9008::pos_beside_path_motion());
         }
         if let Some(first) = w.beside.positioning.first() {
             self.no_positioning_in_contour(first.given.span)?;
         }
         if let Some((_, span)) = w.code_of(Group::Suppression) {
-            return self.fail_help(
-                codes::S9011,
-                span,
-                "a positioning axis in machine coordinates or without its tool offset cannot be printed",
-                "program the axis by G0 or G1 in this block",
-            );
+            return self.refuse(span, codes::S9011::positioning_axis_in_machine_coordinates());
         }
         for at in 0..w.beside.positioning.len() {
             let positioning = w.beside.positioning[at];
             let axis = positioning.axis;
             if axis.is_main() && !self.st.ctx.frame.is_shift() {
-                return self.fail_help(
-                    codes::S9008.alarm(16430),
+                return self.refuse(
                     positioning.given.span,
-                    format!("{} is a positioning axis while the frame is turned or scaled", axis.letter()),
-                    "program the axis by G0 or G1",
+                    codes::S9008::is_positioning_axis_while_frame_is_turned(&axis.letter()),
                 );
             }
             let value = self.target(axis, positioning.given)?;
             let Some(feed) = self.st.feed.of_axis(axis) else {
-                return self.fail_help(
-                    codes::S2040.alarm(10860),
+                return self.refuse(
                     positioning.given.span,
-                    format!("the feed of {} as a positioning axis is a machine datum", axis.letter()),
-                    "give it: FA[X]=500",
+                    codes::P2002::feed_of_as_positioning_axis_is_machine(&axis.letter()),
                 );
             };
             let unit = if axis.is_rotary() { 1.0 } else { self.st.feed_unit() };
@@ -188,11 +163,6 @@ impl Channel<'_> {
 
 impl Core<'_> {
     pub(super) fn in_machine_only_lines<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {
-        self.fail_help(
-            codes::S9011,
-            place,
-            format!("{message}, as G500 wants"),
-            Answer::key("datums", "G500").help("select a work offset (G54) for it, say which one G500 is (`[datums] G500 = \"G55\"`), or have the program write its offsets"),
-        )
+        self.refuse(place, codes::S9011::as_g500_wants(&message).answer(Answer::key("datums", "G500")))
     }
 }

@@ -48,12 +48,7 @@ impl Run<'_> {
                 words.calls.interrupt = Some(word.span);
             }
             _ if words.calls.word.is_some() => {
-                return self.fail_help(
-                    codes::S2013.alarm(12080),
-                    word.span,
-                    "two calls stand in one block",
-                    "give each call a block of its own",
-                );
+                return self.refuse(word.span, codes::S2013::two_calls_stand_in_one_block());
             }
             _ => words.calls.word = Some(CallWord { name, meaning, args, span: word.span }),
         }
@@ -77,8 +72,7 @@ impl Run<'_> {
             Meaning::Address(Address::Prio) if interrupts(words) => {
                 let given = self.given(word, block, text)?;
                 if !(1.0..=128.0).contains(&given.value) {
-                    let message = "the priority of an interrupt is 1 to 128";
-                    return self.fail(codes::S2021.alarm(14660), word.span, message);
+                    return self.refuse(word.span, codes::S2021::priority_of_interrupt_is_1_to_128());
                 }
             }
             Meaning::Address(Address::Dynamics) => {
@@ -108,8 +102,8 @@ impl Run<'_> {
                 self.oscillation_word(&own, word, block, text)?;
             }
             Meaning::Procedure(Procedure::Refused(Refusal { what, .. })) => {
-                let message = format!("{} ({what}) is not supported", self.symbols.name(name));
-                return self.fail_help(codes::S9005, word.span, message, "replace it by plain moves");
+                return self
+                    .refuse(word.span, codes::P9010::is_not_supported_so_replace(&self.symbols.name(name), &what));
             }
             _ => {
                 if self.definitions_known() {
@@ -125,8 +119,7 @@ impl Run<'_> {
     fn dynamics_word(&self, words: &mut Words, name: Symbol, value: Option<f64>, span: Span) -> Outcome {
         match self.symbols.name(name) {
             "OVR" if value != Some(100.0) => {
-                let message = "OVR= changes every feed by a factor";
-                return self.fail_help(codes::S9009, span, message, "program the feed itself, and OVR=100");
+                return self.refuse(span, codes::S9009::ovr_changes_every_feed_by_factor());
             }
             "ADIS" => words.smoothing.distance = value,
             "CTOL" => words.smoothing.tolerance = value,
@@ -144,7 +137,7 @@ impl Run<'_> {
             } else {
                 ("STOPRE takes no argument", "write STOPRE alone")
             };
-            return self.fail_help(codes::S1001.alarm(12080), span, what, help);
+            return self.fail_help(codes::P1001.alarm(12080), span, what, help);
         }
         self.control_words_are_left_out(span);
         // It ends the look-ahead.
@@ -288,31 +281,27 @@ impl Run<'_> {
                 let given = self.given(word, block, text)?;
                 let known = u8::try_from(group).ok().and_then(Group::of).filter(|group| group.takes_index());
                 let Some(known) = known else {
-                    let message = format!("G group {group} cannot be set by index");
-                    return self.fail(codes::S2010.alarm(12470), word.span, message);
+                    return self.refuse(word.span, codes::S2010::g_group_cannot_be_set_by_index(&group));
                 };
                 let size = known.size();
                 let index = whole(given.value).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=size).contains(n));
                 match index {
                     Some(index) => words.add_code(&self.core, GCode::new(known, index), word.span),
-                    None => {
-                        let message = format!("G group {group} has the indices 1 to {size}, not {}", given.value);
-                        self.fail(codes::S2011.alarm(12475), word.span, message)
-                    }
+                    None => self.refuse(word.span, codes::S2011::g_group_has_indices_1(&group, &size, &given.value)),
                 }
             }
-            _ => self.fail(codes::S1001.alarm(12080), word.span, format!("`{}` takes no index", letter as char)),
+            _ => self.refuse(word.span, codes::P1001::takes_no_index(&(letter as char))),
         }
     }
 
     pub(super) fn index_number(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<i32> {
         let [formula] = *block.arguments(args) else {
-            return self.fail(codes::S2018.alarm(12430), block.span, "one index is needed");
+            return self.refuse(block.span, codes::S2018::one_index_is_needed());
         };
         let value = self.number(formula, block, text)?;
         match whole(value) {
             Some(n) => Ok(n),
-            None => self.fail(codes::S2018.alarm(12410), formula.span, "an index is a whole number"),
+            None => self.refuse(formula.span, codes::S2018::index_is_whole_number()),
         }
     }
 
@@ -320,21 +309,18 @@ impl Run<'_> {
         let n = self.index_number(args, block, text)?;
         match u8::try_from(n) {
             Ok(n) if (1..=20).contains(&n) => Ok(n),
-            _ => self.fail(codes::S2018.alarm(12430), block.span, format!("there is no spindle {n}")),
+            _ => self.refuse(block.span, codes::S2018::there_is_no_spindle(&n)),
         }
     }
 
     /// The axis in brackets.
     pub(super) fn axis_index(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<NamedAxis> {
         let [formula] = *block.arguments(args) else {
-            return self.fail(codes::S2031.alarm(12040), block.span, "one axis is needed in brackets");
+            return self.refuse(block.span, codes::S2031::one_axis_is_needed_in_brackets());
         };
         match self.eval(formula, block, text)? {
             Val::Axis(axis) => Ok(axis),
-            other => {
-                let message = format!("an axis is needed in brackets, this is {}", other.what());
-                self.fail(codes::S2031.alarm(12040), formula.span, message)
-            }
+            other => self.refuse(formula.span, codes::S2031::axis_is_needed_in_brackets(&other.what())),
         }
     }
 
@@ -352,8 +338,8 @@ impl Run<'_> {
                 let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
                 if named.axis.is_some_and(|axis| words.axes.contains(axis)) {
-                    let message = format!("the axis {} stands twice in the block", named.text());
-                    return self.fail_help(codes::S2007.alarm(16420), given.span, message, "delete one of the words");
+                    return self
+                        .refuse(given.span, codes::P1002::axis_stands_twice_in_block_so_delete_one(&named.text()));
                 }
                 self.axis_word(words, named, given)
             }
@@ -370,8 +356,7 @@ impl Run<'_> {
                 let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
                 if given.value <= 0.0 {
-                    let message = format!("the feed {} of a positioning axis is not above 0", given.value);
-                    return self.fail(codes::S2041.alarm(14810), given.span, message);
+                    return self.refuse(given.span, codes::P2003::feed_of_positioning_axis_is_not_above(&given.value));
                 }
                 if let Some(axis) = named.axis {
                     words.beside.feeds.push((axis, given.value));
@@ -380,9 +365,7 @@ impl Run<'_> {
             }
             Indexed::Override => {
                 if self.given(word, block, text)?.value != 100.0 {
-                    let message = "OVRA[…]= changes the feed of an axis or the speed of a spindle by a factor";
-                    let help = "program the feed itself, and OVRA[…]=100";
-                    return self.fail_help(codes::S9009, word.span, message, help);
+                    return self.refuse(word.span, codes::S9009::ovra_changes_feed_of_axis_or_speed());
                 }
                 Ok(())
             }
@@ -406,11 +389,9 @@ impl Run<'_> {
                     words.beside.left_out.push((named, word.span));
                     return Ok(());
                 }
-                self.fail_help(
-                    codes::S9008,
+                self.refuse(
                     word.span,
-                    "an axis that moves beside the path cannot be printed",
-                    Answer::key("machine", "axes").help("move the axis in a path block, or by POS[…]; leave out an axis that the target does not have: `[machine] axes`"),
+                    codes::S9008::axis_that_moves_beside_path_cannot().answer(Answer::key("machine", "axes")),
                 )
             }
             Indexed::CutAxis => {
@@ -418,17 +399,12 @@ impl Run<'_> {
                 if named.axis.is_some() && named.axis == self.job.settings.machine.diameter_axis {
                     return Ok(());
                 }
-                let message = format!("SCC refers G96 to {}, which is not the diameter axis", named.text());
-                let help = Answer::key("machine", "diameter_axis")
-                    .help("name it: `[machine] diameter_axis`, or program S in turns under G97");
-                self.fail_help(codes::S9132, word.span, message, help)
+                self.refuse(
+                    word.span,
+                    codes::S9132::scc_refers_g96(&named.text()).answer(Answer::key("machine", "diameter_axis")),
+                )
             }
-            Indexed::Polynomial => self.fail_help(
-                codes::S9002,
-                word.span,
-                "polynomials cannot be printed",
-                "have the CAM system put out lines and arcs",
-            ),
+            Indexed::Polynomial => self.refuse(word.span, codes::S9002::polynomials_cannot_be_printed()),
         }
     }
 
@@ -480,12 +456,7 @@ impl Run<'_> {
                 words.h = Some(word.span);
             }
             b'A' | b'B' | b'C' if (2..=7).contains(&number) => {
-                return self.fail_help(
-                    codes::S9006,
-                    word.span,
-                    format!("{}{number}= gives the direction of the tool", letter as char),
-                    "have the CAM system put out three axes, or the rotary axes themselves",
-                );
+                return self.refuse(word.span, codes::S9006::gives_direction_of_tool(&(letter as char), &number));
             }
             b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => {
                 self.given(word, block, text)?;

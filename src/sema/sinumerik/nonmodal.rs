@@ -2,7 +2,7 @@
 //!
 //! Source: S 1.5, 2.1, 4.2, 5.6 and 6 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos, Side};
 use crate::machine::Axis;
@@ -34,7 +34,7 @@ impl Run<'_> {
                 self.dwell(span, w)?;
             }
             GCode::G63 => {
-                self.note_once(codes::S8025, span, "G63: the tap needs a compensating chuck on the target");
+                self.say_once(span, codes::S8025::g63_tap_needs_compensating_chuck_on_target());
                 self.technology(w)?;
                 self.early_functions(w)?;
                 moved = true;
@@ -96,23 +96,16 @@ impl Channel<'_> {
                 match speed {
                     Some(speed) => s.value * 60.0 / speed,
                     None => {
-                        let help = "give the time in seconds: G4 F1.5";
-                        return self.fail_help(
-                            codes::S2045.alarm(10900),
-                            s.span,
-                            "a dwell in turns needs a fixed spindle speed",
-                            help,
-                        );
+                        return self.refuse(s.span, codes::S2045::dwell_in_turns_needs_fixed_spindle_speed());
                     }
                 }
             }
             _ => {
-                let help = "G4 F1.5 waits seconds, G4 S20 turns of the spindle; G4 P is of another language";
-                return self.fail_help(codes::S2013.alarm(12120), span, "G4 takes F or S", help);
+                return self.refuse(span, codes::S2013::g4_takes_f_or_s());
             }
         };
         if !(0.0..=MOST_SECONDS).contains(&seconds) {
-            return self.fail(codes::S2041, span, "a dwell lies between 0 and 100000 seconds");
+            return self.refuse(span, codes::P2003::dwell_lies_between_0());
         }
         if !self.waits_in_tap(seconds) {
             self.function(Function::Dwell(seconds));
@@ -155,22 +148,19 @@ impl Channel<'_> {
                 Some(value) => end.set(*axis, *value),
                 None => {
                     let letter = axis.letter();
-                    return self.fail_help(
-                        codes::S9008,
+                    return self.refuse(
                         span,
-                        format!("where {} moves {letter} to is a machine datum", code.word()),
-                        Answer::entry("machine", key, letter)
-                            .help(format!("give it in machine coordinates: `[machine] {key} = {{ {letter} = 0.0 }}`")),
+                        codes::S9008::where_moves_to_is_machine_datum(&code.word(), &letter, &key)
+                            .answer(Answer::entry("machine", key, letter)),
                     );
                 }
             }
         }
         if self.st.side() != Side::None {
-            return self.fail(codes::S2080.alarm(14091), span, "a fixed point is approached under radius compensation");
+            return self.refuse(span, codes::S2080::fixed_point_is_approached_under_radius_compensation());
         }
         if named.is_empty() && w.beside.machine.is_empty() && w.beside.left_out.is_empty() {
-            let message = format!("{} names no axis: nothing moves", code.word());
-            let found = Diagnostic::new(codes::S8192, self.loc(span), message);
+            let found = codes::S8192::names_no_axis(&code.word()).at(self.loc(span));
             self.report(found.help(format!("name the axes, as in {} X1=0 Z1=0", code.word())));
         } else if !named.is_empty() {
             self.machine_rapid(end);
@@ -190,12 +180,7 @@ impl Core<'_> {
     }
 
     pub(super) fn not_alone<T>(&self, span: Span) -> Outcome<T> {
-        self.fail_help(
-            codes::S2013.alarm(12120),
-            span,
-            "this word cannot stand beside the code that shapes the block",
-            "give it a block of its own",
-        )
+        self.refuse(span, codes::S2013::this_word_cannot_stand_beside_code())
     }
 
     /// FP of G75; without it the first fixed point is meant (MD 30600).
@@ -203,10 +188,7 @@ impl Core<'_> {
         let Some(given) = w.take(Address::Fp) else { return Ok(1) };
         match super::value::whole(given.value).and_then(|n| u8::try_from(n).ok()) {
             Some(n @ 1..=4) if f64::from(n) == given.value => Ok(n),
-            _ => {
-                let message = format!("there is no fixed point {}", given.value);
-                self.fail_help(codes::S2012, given.span, message, "G75 has the fixed points FP=1 to FP=4")
-            }
+            _ => self.refuse(given.span, codes::P1003::there_is_no_fixed_point(&given.value)),
         }
     }
 }

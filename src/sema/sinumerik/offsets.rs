@@ -2,7 +2,7 @@
 //!
 //! Source: S 4.7 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::{Function, Side};
 use crate::sema::run::{OffsetName, Where};
 
@@ -95,7 +95,7 @@ impl Channel<'_> {
         self.st.codes.activate(GCode::new(Group::WorkOffset, index));
         self.st.frames.select_offset(number);
         if self.st.side() != Side::None {
-            return self.fail(codes::S2080, place, "the work offset changes while radius compensation is on");
+            return self.refuse(place, codes::S2080::work_offset_changes_while_radius_compensation());
         }
         if let Some(frame) = self.st.frames.written(number).cloned() {
             self.resolved_offset_note(place);
@@ -118,11 +118,9 @@ impl Channel<'_> {
                     return self.core.prints_offset(OffsetName::Word { word: &word, mapped: false }, number, place);
                 }
                 let free = self.core.free_offset(&word);
-                return self.fail_help(
-                    codes::S9014,
+                return self.refuse(
                     place,
-                    format!("{word} has no counterpart on the target"),
-                    Answer::key("datums", &word).help(format!("name one: `[datums] {word} = \"{free}\"`")),
+                    codes::P9014::has_no_counterpart_on_target(&word, &free).answer(Answer::key("datums", &word)),
                 );
             }
         };
@@ -148,10 +146,7 @@ impl Channel<'_> {
         self.st.position.take_start(&self.st.ctx.frame);
         if moved == FromBasic::AtStart {
             let word = offset_word(number);
-            let message = format!(
-                "moves stand in front of {word}: they run under the offset that is active on the target at the start"
-            );
-            let found = Diagnostic::new(codes::S8131, self.loc(place), message);
+            let found = codes::P2032::moves_stand_in_front_of_they_run(&word).at(self.loc(place));
             self.report(found.help("select the work offset in front of the first move"));
         }
         Ok(())
@@ -168,11 +163,7 @@ impl Channel<'_> {
         }
         if let Some(basic) = &datums.basic {
             let frame = FrameValue::shifted(&basic.iter().map(|(axis, value)| (*axis, *value)).collect::<Vec<_>>());
-            self.note_once(
-                codes::S8011,
-                place,
-                "under G500 positions are printed in machine coordinates with G53, through `[datums] basic`",
-            );
+            self.say_once(place, codes::S8011::under_g500_positions_are_printed_in_machine());
             return self.counts_from(Outer::Machine, Some(frame));
         }
         // Seen from a printed offset whose place is known, the basic system lies the other way.
@@ -181,11 +172,7 @@ impl Channel<'_> {
         {
             let back: Vec<_> = values.iter().map(|(axis, value)| (*axis, -*value)).collect();
             let word = offset_word(number);
-            self.note_once(
-                codes::S8011,
-                place,
-                format!("positions under G500 are printed in {word}, through its values in `[datums]`"),
-            );
+            self.say_once(place, codes::S8011::positions_under_g500_are_printed_in_through(&word));
             return self.counts_from(Outer::Printed(number), Some(FrameValue::shifted(&back)));
         }
         self.counts_from(Outer::Unrelated, None);
@@ -215,9 +202,7 @@ impl Channel<'_> {
             return;
         }
         self.st.offsets.moved_from_basic = FromBasic::UnderG500;
-        let message = "positions under G500 are printed as they stand: the offset that is active on the target \
-                       has to be zero, or to lie where the basic system of the control lies";
-        self.note_once(codes::S8011, Where::Block, message);
+        self.say_once(Where::Block, codes::S8011::positions_under_g500_are_printed());
         self.machine_moves_beside_g500(Where::Block);
     }
 
@@ -228,11 +213,9 @@ impl Channel<'_> {
         if !both || self.job.settings.datums.basic.is_some() || !self.job.diags.first_time(codes::S8190, ()) {
             return;
         }
-        let message = "moves in machine coordinates (G53, G153, SUPA) stand beside moves under G500, and where the basic \
-                       system lies from the machine zero is not known";
         let help = "give the basic frame: `[datums] basic = { X = 0.0, Y = 0.0, Z = 0.0 }`";
         let help = Answer::datum("basic").help(help);
-        self.report(Diagnostic::new(codes::S8190, self.loc(place), message).help(help));
+        self.report(codes::S8190::moves_in_machine_coordinates().at(self.loc(place)).help(help));
     }
 
     /// A written offset counts from the basic system, a printed one from where the machine has it: nobody knows the
@@ -244,12 +227,7 @@ impl Channel<'_> {
 
     pub(super) fn mixed_offsets(&mut self, place: impl Into<Where>) -> Outcome {
         self.st.position.clear();
-        self.fail_help(
-            codes::S9017,
-            place,
-            "the program uses a work offset that it writes itself beside one of the machine",
-            "let it write all the offsets it uses, or none",
-        )
+        self.refuse(place, codes::S9017::program_uses_work_offset_that_it_writes())
     }
 }
 
@@ -260,37 +238,27 @@ impl Core<'_> {
         if !self.job.settings.datums.offsets.contains_key(word) {
             return self.unrelated(place, "moves under G500 stand in front of");
         }
-        let message = format!(
-            "moves under G500 stand in front of {word}: they were printed as they stand, before a work offset was selected"
-        );
         let help = format!(
             "select {word} in front of the first move, then G500 is printed through its values in `[datums]`; or give the \
              basic frame (`[datums] basic = {{ X = 0.0, Y = 0.0, Z = 0.0 }}`)"
         );
-        self.fail_help(codes::S9131, place, message, Answer::datum("basic").help(help))
+        self.refuse(place, codes::S9131::moves_under_g500_stand_in_front(&word).help(Answer::datum("basic").help(help)))
     }
 
     /// G500 beside an offset of the machine: nobody knows the way between the two.
     pub(super) fn unrelated<T>(&self, place: impl Into<Where>, what: &str) -> Outcome<T> {
-        self.fail_help(
-            codes::S9131,
+        self.refuse(
             place,
-            format!("{what} a work offset of the machine, and where it lies from the basic system is not known"),
-            Answer::datum("basic").help(
-                "give the basic frame (`[datums] basic = { X = 0.0, Y = 0.0, Z = 0.0 }`), the values of the offset (`[datums] G54 = { … }`), or the offset that G500 stands for (`[datums] G500 = \"G55\"`)",
-            )
-            .and(Answer::datum("G54"))
-            .and(Answer::key("datums", "G500")),
+            codes::S9131::work_offset_of_machine(&what).answers([
+                Answer::datum("basic"),
+                Answer::datum("G54"),
+                Answer::key("datums", "G500"),
+            ]),
         )
     }
 
     pub(super) fn resolved_offset_note(&self, place: impl Into<Where>) {
-        self.note_once(
-            codes::S8012,
-            place,
-            "a work offset that the program writes itself is put into the coordinates, no G54 is printed: the offset active \
-             on the target has to be zero",
-        );
+        self.say_once(place, codes::S8012::work_offset_that_program_writes_itself());
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.6 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::parser::sinumerik::ast::{Args, Base, Block, Formula, Op, TypeName, Variable};
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
@@ -116,13 +116,11 @@ impl Run<'_> {
     pub(super) fn proc_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
         let level = self.program_level();
         if level.executed {
-            return self.fail(codes::S2015.alarm(14500), block.span, "PROC stands behind executed blocks");
+            return self.refuse(block.span, codes::S2015::proc_stands_behind_executed_blocks());
         }
         if std::mem::replace(&mut level.declares, true) {
-            let help = "write PROC as the first block of the program, in front of DEF and EXTERN";
             // Its parameters are defined all the same: what reads them is right.
-            let _: Outcome =
-                self.fail_help(codes::S2015.alarm(14520), block.span, "PROC stands inside the definition part", help);
+            let _: Outcome = self.refuse(block.span, codes::S2015::proc_stands_inside_definition_part());
         }
         let level = self.program_level();
         let arguments = level.arguments.take().unwrap_or_default();
@@ -144,7 +142,7 @@ impl Run<'_> {
         if arguments.len() > block.variables.len() {
             let loc = arguments[block.variables.len()].loc;
             let count = block.variables.len();
-            let found = Diagnostic::new(codes::S2021.alarm(12340), loc, format!("the program takes {count} arguments"));
+            let found = codes::S2021::program_takes_arguments(&count).at(loc);
             self.report(found.also(self.loc(block.span), "its parameters"));
             for variable in block.variables.clone() {
                 self.lose_parameter(variable);
@@ -174,7 +172,7 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome {
         let Some(name) = variable.name else {
-            return self.fail(codes::S2021.alarm(12080), variable.span, "a parameter of PROC needs a name");
+            return self.refuse(variable.span, codes::S2021::parameter_of_proc_needs_name());
         };
         let left_out = argument.is_some();
         let given = argument.as_ref().filter(|a| a.reference.is_some() || a.value != Val::Missing);
@@ -194,12 +192,10 @@ impl Run<'_> {
                     value
                 }
                 Err(_) => {
-                    let message = format!(
-                        "parameter {shown} is {}, the argument is {}",
-                        type_name(variable.kind),
-                        argument.value.what()
+                    self.report(
+                        codes::S2021::parameter_is_argument(&shown, &type_name(variable.kind), &argument.value.what())
+                            .at(argument.loc),
                     );
-                    self.report(Diagnostic::new(codes::S2021.alarm(12330), argument.loc, message));
                     return Err(Reported);
                 }
             },
@@ -219,8 +215,9 @@ impl Run<'_> {
         if let (Val::Text(text), Some(argument)) = (&value, given)
             && text.len() > length
         {
-            let message = format!("the text has {} characters, parameter {shown} takes {length}", text.len());
-            self.report(Diagnostic::new(codes::S2030.alarm(12210), argument.loc, message).help("shorten it"));
+            self.report(
+                codes::S2030::text_has_characters_parameter_takes(&text.len(), &shown, &length).at(argument.loc),
+            );
             return Err(Reported);
         }
         let var = Var {
@@ -269,22 +266,13 @@ impl Run<'_> {
                 if !self.job.diags.first_time(codes::S2021, ()) {
                     return Err(Reported);
                 }
-                return self.fail_help(
-                    codes::S2021.alarm(12300),
-                    variable.span,
-                    format!("parameter {shown} is VAR: this is a subprogram, and needs a caller"),
-                    "compile the program that calls it",
-                );
+                return self.refuse(variable.span, codes::S2021::parameter_is_var_this_is_subprogram(&shown));
             }
             // An empty place between commas, or too few arguments.
             return self.missing_argument(&shown, if left_out { 14010 } else { 12300 });
         };
         let Some(reference) = argument.reference else {
-            let message = format!("parameter {shown} is VAR and needs a variable");
-            self.report(
-                Diagnostic::new(codes::S2021.alarm(12320), argument.loc, message)
-                    .help("a formula cannot take the result"),
-            );
+            self.report(codes::S2021::parameter_is_var_and_needs_variable(&shown).at(argument.loc));
             return Err(Reported);
         };
         let (kind, array) = match reference {
@@ -298,13 +286,10 @@ impl Run<'_> {
         if kind != variable.kind || array != wants_array {
             let what = |kind, array| format!("{}{}", type_name(kind), if array { " array" } else { "" });
             let alarm = if array == wants_array { 12330 } else { 12360 };
-            let message = format!(
-                "parameter {shown} is VAR {}, the argument is {}",
-                what(variable.kind, wants_array),
-                what(kind, array)
-            );
             self.report(
-                Diagnostic::new(codes::S2021.alarm(alarm), argument.loc, message).help("both need the same type"),
+                codes::S2021::parameter_is_var(&shown, &what(variable.kind, wants_array), &what(kind, array))
+                    .alarm(alarm)
+                    .at(argument.loc),
             );
             return Err(Reported);
         }
@@ -340,19 +325,14 @@ impl Core<'_> {
             return Ok(());
         }
         let site = self.call_site();
-        let message = format!("the argument for parameter {name} is missing");
-        self.report(
-            Diagnostic::new(codes::S2021.alarm(alarm), site, message)
-                .help("give a variable; this parameter has no default"),
-        );
+        self.report(codes::S2021::argument_for_parameter_is_missing(&name).alarm(alarm).at(site));
         Err(Reported)
     }
 
     /// A call waits for a PROC that does not come.
     pub(super) fn refuse_arguments(&mut self) {
         if let Some(argument) = self.program_level().arguments.take().and_then(|list| list.into_iter().next()) {
-            let message = "arguments are given, but the program has no PROC";
-            let found = Diagnostic::new(codes::S2021.alarm(14510), argument.loc, message);
+            let found = codes::S2021::arguments_are_given().at(argument.loc);
             self.report(found.help("write `PROC NAME(…)` as the first block of the called program"));
         }
     }

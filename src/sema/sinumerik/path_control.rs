@@ -147,8 +147,7 @@ impl Run<'_> {
             },
         };
         if tolerance < 0.0 {
-            let message = format!("CYCLE832 with a tolerance of {tolerance}");
-            return self.fail_help(codes::S2045, span, message, "a tolerance is above zero; CYCLE832() ends it");
+            return self.refuse(span, codes::S2045::cycle832_with_tolerance(&tolerance));
         }
         if given.nth(1).is_some() {
             self.dynamics_are_left_out(span);

@@ -99,6 +99,6 @@ impl Channel<'_> {
         let lack = || self.zero_in_machine(axis).err().unwrap_or(Lack::Nothing);
         let unknown = Unknown { position: &self.st.position, axis, lack: &lack, otherwise: "" };
         let message = format!("where {} stands is not known", axis.letter());
-        self.position_unknown(codes::S2042, place, message, usual, unknown)
+        self.position_unknown(codes::P2001, place, message, usual, unknown)
     }
 }

@@ -64,10 +64,9 @@ impl Channel<'_> {
         for axis in w.axes.iter() {
             if axis != first && axis != second {
                 let given = w.axis(axis).unwrap_or_default();
-                let message = format!("{} is no axis of the working plane", axis.letter());
                 let help = format!("a pole has {} and {}", first.letter(), second.letter());
                 let help = if axis == third { format!("{help}; check G17, G18, G19") } else { help };
-                return self.fail_help(codes::S2050.alarm(14270), given.span, message, &help);
+                return self.refuse(given.span, codes::S2050::is_no_axis_of_working_plane(&axis.letter()).help(&help));
             }
         }
         let base = match code {
@@ -92,7 +91,7 @@ impl Channel<'_> {
                 return self.mixed(span);
             }
             let (Some(ap), Some(rp)) = (ap, rp) else {
-                return self.fail_help(codes::S2012.alarm(12110), span, "a polar pole needs AP= and RP=", "give both");
+                return self.refuse(span, codes::P1003::polar_pole_needs_ap());
             };
             self.check_angle(ap, 14260)?;
             self.check_radius(rp, 14250)?;
@@ -134,8 +133,7 @@ impl Channel<'_> {
                 None => {
                     self.st.position.lose(AxisSet::MAIN);
                     self.lost();
-                    let help = "program RP=… in this block";
-                    return self.fail_help(codes::S2054, span, "RP= was never programmed", help);
+                    return self.refuse(span, codes::S2054::rp_was_never_programmed());
                 }
             },
         };
@@ -146,7 +144,7 @@ impl Channel<'_> {
                     Mode::Plain => self.st.is(GCode::G91),
                     Mode::Ac => false,
                     Mode::Ic => true,
-                    _ => return self.fail(codes::S2012.alarm(12020), ap.span, "only AC(…) and IC(…) fit AP="),
+                    _ => return self.refuse(ap.span, codes::P1003::only_ac_and_ic_fit_ap()),
                 };
                 if incremental {
                     let base = match self.st.polar.angle {
@@ -176,37 +174,25 @@ impl Channel<'_> {
         self.st.polar.lost = true;
         self.st.position.lose(AxisSet::MAIN);
         self.lost();
-        let message = format!("{what} was not programmed since the pole or the plane was set");
-        self.fail_help(codes::S2054, span, message, "program AP=… and RP=… in this block")
+        self.refuse(span, codes::S2054::was_not_programmed_since_pole_or_plane(&what))
     }
 }
 
 impl Core<'_> {
     fn mixed<T>(&self, span: Span) -> Outcome<T> {
-        self.fail_help(
-            codes::S2051.alarm(14280),
-            span,
-            "AP= or RP= stands beside an axis of the working plane",
-            "give the end point by AP= and RP=, or by its axes",
-        )
+        self.refuse(span, codes::S2051::ap_or_rp_stands_beside_axis())
     }
 
     fn check_angle(&self, ap: Given, alarm: u32) -> Outcome {
         if ap.value.abs() > 360.0 {
-            let message = format!("AP={} lies outside -360 to 360 degrees", ap.value);
-            return self.fail(codes::S2053.alarm(alarm), ap.span, message);
+            return self.refuse(ap.span, codes::S2053::ap_lies_outside_360_to_360_degrees(&ap.value).alarm(alarm));
         }
         Ok(())
     }
 
     fn check_radius(&self, rp: Given, alarm: u32) -> Outcome {
         if rp.value < 0.0 {
-            return self.fail_help(
-                codes::S2052.alarm(alarm),
-                rp.span,
-                format!("RP={} is negative", rp.value),
-                "a polar radius is positive; turn AP by 180 degrees instead",
-            );
+            return self.refuse(rp.span, codes::S2052::rp_is_negative(&rp.value).alarm(alarm));
         }
         Ok(())
     }

@@ -83,27 +83,17 @@ impl Run<'_> {
         if (super::formula_functions::find(&name).is_some() || super::words::is_modifier(&name))
             && !self.own_program(&name)
         {
-            let help = format!("give its value to a variable or a word: X={name}(…)");
-            return self.fail_help(
-                codes::S1001.alarm(12080),
-                call.span,
-                format!("{name} is a function and no block"),
-                &help,
-            );
+            return self.refuse(call.span, codes::P1001::is_function_no_block(&name));
         }
         let cycle = name.strip_prefix("CYCLE").is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
         if cycle && !self.own_program(&name) {
             self.st.position.lose(AxisSet::ALL);
             self.lost();
-            let message = format!("{name} (a cycle of the control or of the machine builder) is not supported");
             let line = NameOfCall { name: &name, text: None, arguments: true, tool_waits: false }.line();
-            let help = format!("replace it by plain moves, or put its program beside this one; or {line}");
-            return self.fail_help(codes::S9005, call.span, message, &help);
+            return self.refuse(call.span, codes::P9010::cycle_of_control_or_of_machine_builder(&name, &line));
         }
         if matches!(self.meaning(call.name), Meaning::Address(_) | Meaning::Indexed(_)) && !self.own_program(&name) {
-            let message = format!("{name} is a word of the language and lacks its value");
-            let help = format!("give its value: {name}=… or {name}[…]=…");
-            return self.fail_help(codes::S1001.alarm(12080), call.span, message, &help);
+            return self.refuse(call.span, codes::P1001::is_word_of_language(&name));
         }
         self.call_program(&name, call.span, Some(call), passes, block, text)
     }
@@ -139,12 +129,7 @@ impl Run<'_> {
         let letters = name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '.');
         if letters.len() < name.len() && matches!(self.vocabulary.get(letters), Some(Meaning::Address(_))) {
             let digits = &name[letters.len()..];
-            return self.fail_help(
-                codes::S1001.alarm(12080),
-                call.span,
-                format!("`=` is missing in `{name}`"),
-                format!("an address of more than one letter takes `=`: {letters}={digits}"),
-            );
+            return self.refuse(call.span, codes::P1001::is_missing(&name, &letters, &digits));
         }
         let mut known: Vec<&str> = self.vocabulary.keys().copied().collect();
         known.sort_unstable();
@@ -153,7 +138,7 @@ impl Run<'_> {
             Some(like) => format!("did you mean `{like}`?"),
             None => "a call needs a block of its own; an address takes `=`".to_owned(),
         };
-        self.fail_help(codes::S2001.alarm(12550), call.span, format!("the word `{name}` is not known here"), &help)
+        self.refuse(call.span, codes::S2001::word_is_not_known_here(&name).help(&help))
     }
 
     pub(super) fn call_program(
@@ -231,11 +216,7 @@ impl Run<'_> {
             Procedure::SetAlarm => self.set_alarm(&formulas, call.span, block, text),
             Procedure::SetMaster => self.set_master_block(&formulas, call.span, block, text),
             Procedure::Channel => {
-                self.note_once(
-                    codes::S8015,
-                    call.span,
-                    "words that synchronize channels are left out: the output has one channel",
-                );
+                self.say_once(call.span, codes::S8015::words_that_synchronize_channels_are_left_out());
                 Ok(())
             }
             Procedure::Actions => {
@@ -244,7 +225,7 @@ impl Run<'_> {
                 Ok(())
             }
             Procedure::Interrupt => {
-                self.note_once(codes::S8016, call.span, "interrupt programs are left out");
+                self.say_once(call.span, codes::S8016::interrupt_programs_are_left_out());
                 Ok(())
             }
             Procedure::FileAccess => self.file_access(&name, &formulas, call.span, block, text),
@@ -253,7 +234,7 @@ impl Run<'_> {
             Procedure::Return => self.return_block(&formulas, call.span, block, text),
             Procedure::Transformation(on) => self.transformation(on, &formulas, call.span, block, text),
             Procedure::TransformationOff | Procedure::DiameterChannel if !formulas.is_empty() => {
-                self.fail(codes::S2021.alarm(12090), call.span, format!("{name} takes no argument"))
+                self.refuse(call.span, codes::S2021::takes_no_argument(&name))
             }
             Procedure::TransformationOff => {
                 if !self.transformation_off(call.span)? {
@@ -268,12 +249,7 @@ impl Run<'_> {
             }
             Procedure::Swivel => self.swivel(&formulas, call.span, block, text),
             Procedure::GeoAxes => self.geo_axes(&formulas, call.span, block, text),
-            Procedure::EndLabel => self.fail_help(
-                codes::S1001.alarm(12080),
-                call.span,
-                "ENDLABEL is a label, and its colon is missing",
-                "write `ENDLABEL:` at the start of the block",
-            ),
+            Procedure::EndLabel => self.refuse(call.span, codes::P1001::endlabel_is_label()),
             Procedure::DiameterChannel => {
                 self.st.diameter = None;
                 Ok(())
@@ -288,9 +264,7 @@ impl Run<'_> {
         let alarm = formulas.first().and_then(|formula| self.number(*formula, block, text).ok());
         if let Some(number) = alarm.filter(|number| !(60_000.0..70_000.0).contains(number)) {
             self.stop_run();
-            let message = format!("SETAL({number}) is no alarm of a program");
-            let help = "programs have the alarms 60000 to 69999";
-            return self.fail_help(codes::S2027.alarm(15700), span, message, help);
+            return self.refuse(span, codes::P2026::setal_is_no_alarm_of_program(&number));
         }
         for formula in formulas {
             let value = self.eval(*formula, block, text)?;
@@ -303,7 +277,7 @@ impl Run<'_> {
             Some((cause, help)) => (format!(": {cause}"), help),
             None => (String::new(), "it found its own data wrong: look at the conditions before SETAL"),
         };
-        self.fail_help(codes::S2027, span, format!("the program raises alarm{shown}{cause}"), help)
+        self.refuse(span, codes::P2026::program_raises_alarm(&shown, &cause).help(help))
     }
 
     /// SETMS
@@ -314,7 +288,7 @@ impl Run<'_> {
         };
         match whole(n).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=20).contains(n)) {
             Some(n) => self.set_master(n, span),
-            None => self.fail(codes::S2045, span, format!("there is no spindle {n}")),
+            None => self.refuse(span, codes::S2045::there_is_no_spindle(&n)),
         }
     }
 
@@ -323,7 +297,7 @@ impl Run<'_> {
         self.st.position.lose(AxisSet::ALL);
         self.lost();
         let help = super::cycles::instead(name);
-        let help = if code.id != codes::S9005.id {
+        let help = if code.id != codes::P9010.id {
             help.into()
         } else if super::cycles::is_program(name) {
             let file = format!("{{ file = \"stubs/{name}.SPF\" }}");
@@ -363,15 +337,11 @@ impl Run<'_> {
 
     pub(super) fn exec_string(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
         let [formula] = *formulas else {
-            return self.fail(codes::S2021.alarm(14021), span, "EXECSTRING takes one text");
+            return self.refuse(span, codes::S2021::execstring_takes_one_text());
         };
         match self.eval(formula, block, text)? {
             Val::Text(line) => self.execute_line(&line, span),
-            other => self.fail(
-                codes::S2005.alarm(12150),
-                formula.span,
-                format!("a text is needed, this is {}", other.what()),
-            ),
+            other => self.refuse(formula.span, codes::P2024::text_is_needed(&other.what())),
         }
     }
 
@@ -383,16 +353,13 @@ impl Run<'_> {
                 Val::Text(folder) => Some(String::from_utf8_lossy(&folder).into_owned()).filter(|it| !it.is_empty()),
                 Val::Missing => None,
                 other => {
-                    let message = format!("a text is needed, this is {}", other.what());
-                    return self.fail(codes::S2005.alarm(12150), formula.span, message);
+                    return self.refuse(formula.span, codes::P2024::text_is_needed(&other.what()));
                 }
             },
-            _ => return self.fail(codes::S2021.alarm(14021), span, "CALLPATH takes one text"),
+            _ => return self.refuse(span, codes::S2021::callpath_takes_one_text()),
         };
         if let Some(wrong) = folder.as_deref().filter(|folder| !folder.starts_with('/')) {
-            let message = format!("`{wrong}` is no folder of the control");
-            let help = "write its path from the root: CALLPATH(\"/_N_WKS_DIR/_N_SHAFT_WPD\")";
-            return self.fail_help(codes::S2021.alarm(14009), span, message, help);
+            return self.refuse(span, codes::S2021::is_no_folder_of_control(&wrong));
         }
         self.extend_search(folder, span);
         Ok(())
@@ -403,11 +370,7 @@ impl Run<'_> {
             let [number, axis] = pair else { break };
             let n = self.number(*number, block, text)?;
             if !(0.0..=3.0).contains(&n) {
-                return self.fail(
-                    codes::S2021.alarm(14414),
-                    span,
-                    format!("GEOAX names geometry axis {n}; there are 1 to 3"),
-                );
+                return self.refuse(span, codes::S2021::geoax_names_geometry_axis(&n));
             }
             let place = whole(n).and_then(|n| usize::try_from(n).ok()).and_then(|n| n.checked_sub(1));
             let same = match (
@@ -418,12 +381,10 @@ impl Run<'_> {
                 _ => false,
             };
             if !same {
-                return self.fail_help(
-                    codes::S9001,
+                return self.refuse(
                     span,
-                    "GEOAX gives the geometry axes other names",
-                    Answer::key("machine", "geometry_axes")
-                        .help("name the axes of the machine by `[machine] geometry_axes`"),
+                    codes::P9011::geoax_gives_geometry_axes_other_names()
+                        .answer(Answer::key("machine", "geometry_axes")),
                 );
             }
         }
@@ -446,11 +407,6 @@ impl Core<'_> {
     }
 
     pub(super) fn call_not_alone<T>(&self, span: Span) -> Outcome<T> {
-        self.fail_help(
-            codes::S2013.alarm(12120),
-            span,
-            "a call stands beside other words",
-            "give the call a block of its own",
-        )
+        self.refuse(span, codes::S2013::call_stands_beside_other_words())
     }
 }

@@ -246,11 +246,7 @@ impl Units {
                 line: mark.place.line,
                 span: Span::at(mark.place.at, mark.after.at - mark.place.at),
             };
-            let found = Diagnostic::new(
-                codes::S2004.alarm(12640),
-                loc,
-                format!("{} is not closed", if word == Word::Else { "IF" } else { name(word) }),
-            );
+            let found = codes::S2004::is_not_closed(&(if word == Word::Else { "IF" } else { name(word) })).at(loc);
             push_once(job, found.help(format!("write {} at its end", closing(word))));
         }
         entry.cursor.seek(job.sources, back)?;
@@ -303,12 +299,7 @@ impl Skeleton {
         match word {
             Word::If | Word::While | Word::For | Word::Loop | Word::Repeat => {
                 if open.len() == MOST_NESTED {
-                    let message = format!("structures are nested more than {MOST_NESTED} deep");
-                    push_once(
-                        job,
-                        Diagnostic::new(codes::S2004.alarm(12641), loc, message)
-                            .help("move the inner part into a subprogram"),
-                    );
+                    push_once(job, codes::S2004::structures_are_nested_more_than_deep(&MOST_NESTED).at(loc));
                 }
                 open.push((word, mark));
                 return;
@@ -345,7 +336,7 @@ impl Skeleton {
                 }
             }
         }
-        let found = Diagnostic::new(codes::S2004.alarm(12640), loc, format!("{} has no opening", name(word)));
+        let found = codes::S2004::has_no_opening(&name(word)).at(loc);
         let found = match open.last() {
             Some((opener, from)) => {
                 let opened =
@@ -390,11 +381,10 @@ fn push_once(job: &Job<'_>, found: Diagnostic) {
 
 /// A label that stands a second time: a jump takes the nearest one in its direction.
 fn label_again(name: &str, loc: Loc, first: &Mark) -> Diagnostic {
-    let message = format!("the label `{name}` stands twice in this program");
     let place = Span::at(first.place.at, first.after.at.saturating_sub(first.place.at + 1));
-    Diagnostic::new(codes::S8036.alarm(12450), loc, message)
+    codes::S8036::label_stands_twice_in_this_program(&name)
+        .at(loc)
         .also(Loc { line: first.place.line, span: place, ..loc }, "here for the first time")
-        .help("rename one of them; a jump goes to the nearest one in its direction")
 }
 
 /// The nearest mark in the direction of the search; a block finds itself backwards.

@@ -1,6 +1,6 @@
 //! What is still open at the end of the run.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::text::{FileId, Loc, Span};
 
 use super::Run;
@@ -12,12 +12,11 @@ impl Run<'_> {
         let _: super::Outcome = self.soft_must_be_done();
         // Of a computed path that is an error, which is made where the path is.
         if self.st.side() != crate::ir::Side::None && !self.st.path.is_computed() {
-            let found =
-                Diagnostic::new(codes::S2082, self.here.origin.loc, "the program ends with radius compensation on");
+            let found = codes::P2041::program_ends_with_radius_compensation_2().at(self.here.origin.loc);
             self.report(found.help("program G40 with a straight move before the end"));
         }
         if let Some(open) = self.open_modal_call() {
-            let found = Diagnostic::new(codes::S8038, self.here.origin.loc, "the program ends with a modal call on");
+            let found = codes::S8038::program_ends_with_modal_call().at(self.here.origin.loc);
             self.report(found.also(open, "MCALL stands here").help("write MCALL in a block of its own before the end"));
         }
         let unit = self.levels.first().map_or(0, |level| level.frame.unit);
@@ -36,8 +35,7 @@ impl Run<'_> {
             let len = len.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(len.len());
             let start = Loc { file: FileId(0), line: start.line, span: Span::at(start.at, len as u32) };
             let name = &self.units.list[unit].name;
-            let message = format!("the file holds several main programs; {name} is compiled");
-            let found = Diagnostic::new(codes::S8003, start, message);
+            let found = codes::S8003::file_holds_several_main_programs(&name).at(start);
             self.job.diags.push(found.help(format!("put {} into files of their own", others.join(", "))));
         }
     }

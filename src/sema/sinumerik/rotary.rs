@@ -49,8 +49,7 @@ impl Channel<'_> {
         }
         let Some(at) = self.st.position.get(axis) else {
             let letter = axis.letter();
-            let message = format!("where {letter} stands is not known: its way to this position is left to the target");
-            self.note_once(codes::S8044, given.span, message);
+            self.say_once(given.span, codes::S8044::where_stands_is_not_known_its_way(&letter));
             return Ok(given.value);
         };
         let shift = self.st.ctx.frame.shift_of(axis);
@@ -67,9 +66,7 @@ impl Channel<'_> {
             return self.unknown_axis(axis, given.span);
         }
         let letter = axis.letter();
-        let message =
-            format!("where {letter} stands is not known: the shortest way of {letter}=DC(…) is left to the target");
-        self.note_once(codes::S8044, given.span, message);
+        self.say_once(given.span, codes::S8044::where_stands_is_not_known(&letter));
         Ok(given.value)
     }
 }
@@ -78,21 +75,14 @@ impl Core<'_> {
     /// Which way is meant depends on where the turn of the axis begins: in the program or on the machine.
     fn modulo_under_a_shift(&self, axis: Axis, span: Span) -> Outcome<f64> {
         let letter = axis.letter();
-        self.fail_help(
-            codes::S9101,
-            span,
-            format!("the sense in which {letter} turns is not known: its zero is shifted, and it counts modulo 360"),
-            format!("write {letter}=DC(…), ACP(…) or ACN(…)"),
-        )
+        self.refuse(span, codes::S9101::sense_in_which_turns_is_not_known(&letter))
     }
 
     fn inside_one_turn(&self, given: Given) -> Outcome {
         if (0.0..360.0).contains(&given.value) {
             return Ok(());
         }
-        let message = format!("{} lies outside 0 to 359.999", given.value);
-        let help = "positions of an axis that counts modulo 360 lie inside one turn; write more turns as increments";
-        self.fail_help(codes::S2061.alarm(16830), given.span, message, help)
+        self.refuse(given.span, codes::S2061::lies_outside_0_to_359_999(&given.value))
     }
 }
 

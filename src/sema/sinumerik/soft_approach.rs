@@ -12,7 +12,7 @@
 //!
 //! Source: S 2.13 (docs/sources.md); docs/compensation.md.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::arc::tangent_at;
 use crate::geo::soft::{Shape, touch};
 use crate::geo::{Plane, Point2, SAME_DIRECTION, SAME_POINT, Vec2, cross, direction};
@@ -96,8 +96,7 @@ impl Channel<'_> {
     /// A block with one of the codes. `before` is the way of the block before; the technology of the block was taken.
     pub(super) fn soft_block(&mut self, code: GCode, span: Span, w: &mut Words, before: Path) -> Outcome {
         let Some((shape, approaches)) = shape_of(code) else {
-            let message = format!("{} is not supported", code.word());
-            return self.fail_help(codes::S9001, span, message, "program the way by plain moves");
+            return self.refuse(span, codes::P9011::is_not_supported_so_program_way(&code.word()));
         };
         let ends = w.code_of(Group::Compensation).is_some_and(|(code, _)| code == GCode::G40);
         let side = if ends && self.st.compensation.waits() { self.st.compensation.left() } else { self.st.side() };
@@ -113,28 +112,19 @@ impl Channel<'_> {
             ""
         };
         if !other.is_empty() {
-            let message = format!("{} is not supported {other}", code.word());
-            return self.fail_help(
-                codes::S9001,
-                span,
-                message,
-                "program the approach and the retraction by plain moves",
-            );
+            return self.refuse(span, codes::P9011::is_not_supported_so_program_approach(&code.word(), &other));
         }
         if self.soft.is_some() {
             return self.soft_fault(span, 10743, "the approach before has no contour yet", "let its contour follow");
         }
         if approaches && side != Side::None && self.resolves() && !self.st.compensation.waits() {
-            let message = format!("{} stands in a contour whose compensation has begun already", code.word());
-            let help = "end the contour with G40, or program G41 or G42 in the block of the approach";
-            return self.fail_help(codes::S9010, span, message, help);
+            return self.refuse(span, codes::P9013::stands_in_contour_whose_compensation_has_begun(&code.word()));
         }
         self.pending_must_be_done(span)?;
         let sizes = self.soft_sizes((shape, approaches), side, span, w)?;
         let scale = self.st.ctx.frame.uniform_scale();
         if side != Side::None && scale.is_none_or(|scale| (scale - 1.0).abs() > SAME_DIRECTION) {
-            let message = format!("{} under scaling is not supported: the tool is not scaled", code.word());
-            return self.fail_help(codes::S9001, span, message, "end the scaling in front of the contour");
+            return self.refuse(span, codes::P9011::under_scaling_is_not_supported(&code.word()));
         }
         let end = self.targets(w)?;
         self.st.compensation.is_over();
@@ -178,7 +168,7 @@ impl Channel<'_> {
         };
         let infeed = match w.take(Address::Fad) {
             Some(fad) if fad.value <= 0.0 => {
-                return self.fail(codes::S2041.alarm(14800), fad.span, "the feed FAD is not above 0");
+                return self.refuse(fad.span, codes::P2003::feed_fad_is_not_above_0());
             }
             fad => {
                 let falls = self.st.is(GCode::G340);
@@ -191,7 +181,7 @@ impl Channel<'_> {
                     None
                 };
                 if let (Some(fad), Some(why)) = (fad, why) {
-                    self.note_once(codes::S8196, fad.span, format!("FAD has no effect here: {why}"));
+                    self.say_once(fad.span, codes::S8196::fad_has_no_effect_here(&why));
                 }
                 fad.map(|fad| self.infeed(fad))
             }
@@ -219,12 +209,7 @@ impl Channel<'_> {
         let feed = if w.feed_given || !before.is_rapid() { self.st.feed.word() } else { None };
         let whole = sizes.infeed.is_some() && self.st.is(GCode::G340);
         if feed.is_none() && !whole {
-            return self.fail_help(
-                codes::S2040.alarm(10860),
-                span,
-                format!("{} has no feed: the block before is at rapid traverse", code.word()),
-                "program F in this block",
-            );
+            return self.refuse(span, codes::P2002::has_no_feed(&code.word()));
         }
         let named = end.get(first).is_some() || end.get(second).is_some();
         self.soft = Some(Box::new(Soft {
@@ -246,11 +231,7 @@ impl Channel<'_> {
     /// Something that cannot stand between an approach and its contour.
     pub(super) fn soft_must_be_done(&mut self) -> Outcome {
         let Some(soft) = self.soft.take() else { return Ok(()) };
-        let found = Diagnostic::new(
-            codes::S2083.alarm(10744),
-            soft.here.loc(&self.job, soft.span),
-            format!("no contour element follows {}", soft.name),
-        );
+        let found = codes::S2083::no_contour_element_follows(&soft.name).at(soft.here.loc(&self.job, soft.span));
         self.job.diags.push(found.called(soft.here.origin.call).help("let a path block of the plane follow"));
         self.lose_all();
         Err(Reported)
@@ -347,12 +328,7 @@ impl Channel<'_> {
         };
         match chosen {
             Some(chosen) if own.is_none_or(|own| own == chosen) => Ok(chosen),
-            Some(_) => self.fail_help(
-                codes::S9001,
-                span,
-                "the way leads to the other side of the contour than the radius compensation",
-                "program G140, or the other one of G141 and G142",
-            ),
+            Some(_) => self.refuse(span, codes::P9011::way_leads_to_other_side_of_contour()),
             None if shape == Shape::Line => Ok(1.0),
             None => self.soft_fault(
                 span,
@@ -390,8 +366,7 @@ impl Channel<'_> {
             && soft.before.is_rapid()
             && self.job.diags.first_time(codes::S8197, &soft.name)
         {
-            let message = format!("{} has no DISCL: the tool goes to the contour plane at rapid traverse", soft.name);
-            let found = Diagnostic::new(codes::S8197, self.loc(soft.span), message);
+            let found = codes::S8197::has_no_discl(&soft.name).at(self.loc(soft.span));
             self.report(found.help("program DISCL, and FAD for the way from there"));
         }
         let place = |p: Option<Point2>, z: Option<f64>| {
@@ -455,9 +430,7 @@ impl Channel<'_> {
             return self.soft_fault(span, 10741, "DISCL lies outside the way between the two planes", help);
         }
         if self.st.is(GCode::G340) && safe == contour && start != contour {
-            let help = "program DISCL above 0, or G341";
-            let message = "under G340 without DISCL the tool comes down in a way that is not confirmed";
-            return self.fail_help(codes::S9001, span, message, help);
+            return self.refuse(span, codes::P9011::under_g340_without_discl_tool_comes_down());
         }
         let between = |height: Height| (safe..=start.max(safe)).contains(&height.over(contour));
         if plane.is_some_and(|height| !between(height)) {
@@ -481,8 +454,7 @@ impl Channel<'_> {
         let plane = self.st.plane();
         let [first, second, third] = self.st.roles();
         if side != Side::None && !ends {
-            let message = format!("{} leaves the radius compensation on", code.word());
-            return self.fail_help(codes::S9001, span, message, "write G40 into the block");
+            return self.refuse(span, codes::P9011::leaves_radius_compensation(&code.word()));
         }
         let Some(at) = self.st.position.in_plane(plane) else {
             let axis = if self.st.position.get(first).is_none() { first } else { second };
@@ -501,7 +473,7 @@ impl Channel<'_> {
         let heights = self.retract_heights(&sizes, end.get(third), span)?;
         let Some(feed) = self.st.feed.word() else {
             self.st.feed.lose();
-            return self.fail_help(codes::S2040.alarm(10860), span, "no feed is programmed", "program F in this block");
+            return self.refuse(span, codes::P2002::no_feed_is_programmed_so_program_f());
         };
         self.straight_border();
         let rises = self.st.is(GCode::G340);

@@ -39,8 +39,7 @@ impl Channel<'_> {
     pub(super) fn master_feeds(&self, place: impl Into<Where>) {
         let master = self.st.spindles.master();
         if master != MAIN_SPINDLE && !self.is_capturing() {
-            let message = format!("the feed per revolution of spindle {master}, the master, is printed per minute");
-            self.note_once(codes::S8253, place, message);
+            self.say_once(place, codes::S8253::feed_per_revolution_of_spindle(&master));
         }
     }
 
@@ -50,12 +49,7 @@ impl Channel<'_> {
         if master == MAIN_SPINDLE {
             return Ok(());
         }
-        self.fail_help(
-            codes::S9007,
-            place,
-            format!("{what} follows spindle {master}, the master; the target follows its first spindle"),
-            "make spindle 1 the master: SETMS(1)",
-        )
+        self.refuse(place, codes::S9007::follows_spindle(&what, &master))
     }
 
     /// S words of a block.
@@ -118,10 +112,7 @@ impl Channel<'_> {
     pub(super) fn left_speed_is_known(&mut self, needs: &str) -> Outcome {
         let Some(lost) = self.speed_lost.take().filter(|_| !self.is_capturing()) else { return Ok(()) };
         let (name, call) = *lost;
-        let message = format!("{needs}, and {name} in line {} leaves a speed that is not known", call.line);
-        let help =
-            format!("program S after {name}; or say the speed: `speed = 1000` in place of \"lost\" under `[programs]`");
-        self.fail_help(codes::S2045, Where::Block, message, help)
+        self.refuse(Where::Block, codes::S2045::in_line_leaves_speed_that_is_not(&needs, &name, &call.line))
     }
 
     /// Refuses to start spindle `n` without a speed that is known.
@@ -135,16 +126,10 @@ impl Channel<'_> {
 
     fn speed(&mut self, s: SWord, constant: bool) -> Outcome {
         if s.value > 1e6 {
-            return self.fail(codes::S2045, s.span, format!("the speed S{} is out of all range", s.value));
+            return self.refuse(s.span, codes::S2045::speed_s_is_out_of_all_range(&s.value));
         }
         if s.value < 0.0 {
-            let help = "the sense of rotation comes from M3 or M4";
-            return self.fail_help(
-                codes::S2045.alarm(14840),
-                s.span,
-                format!("the speed S{} is negative", s.value),
-                help,
-            );
+            return self.refuse(s.span, codes::S2045::speed_s_is_negative(&s.value));
         }
         match s.spindle {
             Some(n) if n != self.st.spindles.master() => {
@@ -233,12 +218,11 @@ impl Channel<'_> {
         let (spos, sposa) = (w.take(Address::Spos), w.take(Address::Sposa));
         let Some(given) = spos.or(sposa) else { return Ok(()) };
         if let (Some(_), Some(second)) = (spos, sposa) {
-            return self.fail(codes::S2007.alarm(12000), second.span, "SPOS= and SPOSA= stand in one block");
+            return self.refuse(second.span, codes::P1002::spos_sposa_stand_in_one_block());
         }
         let master = self.st.spindles.master();
         if let Some(m) = w.m.iter().find(|m| m.number == 19 && m.spindle.is_none_or(|n| n == master)) {
-            let help = "leave M19 out: SPOS= says where the spindle stops";
-            return self.fail_help(codes::S2045, m.span, "M19 and SPOS= stop the spindle in one block", help);
+            return self.refuse(m.span, codes::S2045::m19_spos_stop_spindle_in_one_block());
         }
         let from = match given.mode {
             Mode::Plain | Mode::Ac | Mode::Dc => 0.0,
@@ -249,12 +233,7 @@ impl Channel<'_> {
             Mode::Ic => match self.st.spindles.angle() {
                 Some(angle) => angle,
                 None => {
-                    return self.fail_help(
-                        codes::S2045,
-                        given.span,
-                        "where the spindle stands, from which SPOS=IC(…) counts, is not known",
-                        "stop it by SPOS= at an angle first",
-                    );
+                    return self.refuse(given.span, codes::S2045::where_spindle_stands_from_which_spos());
                 }
             },
             _ => return self.does_not_fit(given.span),
@@ -273,12 +252,7 @@ impl Channel<'_> {
             Mode::Plain | Mode::Ac | Mode::Dc => {}
             Mode::Acp | Mode::Acn => self.sense_of_position_is_left_out(given.span),
             Mode::Ic => {
-                return self.fail_help(
-                    codes::S2045,
-                    given.span,
-                    format!("where spindle {n} stands, from which SPOS=IC(…) counts, is not known"),
-                    "program the angle absolutely",
-                );
+                return self.refuse(given.span, codes::S2045::where_spindle_stands(&n));
             }
             _ => return self.does_not_fit(given.span),
         }
@@ -288,7 +262,7 @@ impl Channel<'_> {
     }
 
     fn sense_of_position_is_left_out(&self, span: Span) {
-        self.note_once(codes::S8031, span, "the sense in which SPOS=ACP(…) and ACN(…) turn the spindle is not printed");
+        self.say_once(span, codes::S8031::sense_in_which_spos_acp());
     }
 
     /// `LIMS=` of the master.
@@ -337,16 +311,11 @@ impl Channel<'_> {
             return Ok(());
         }
         if self.st.spindles.is_cutting() && self.st.spindles.turn().is_some() {
-            return self.fail_help(
-                codes::S2045,
-                span,
-                "the master spindle changes while it turns at a constant cutting speed",
-                "stop it by M5, or program G97 with a speed, in front of SETMS",
-            );
+            return self.refuse(span, codes::S2045::master_spindle_changes_while_it_turns());
         }
         self.st.spindles.select_master(n);
         self.function(Function::FeedSpindle(n));
-        self.note_once(codes::S8014, span, format!("S and M words without a number go to spindle {n} from here on"));
+        self.say_once(span, codes::S8014::s_m_words_without_number_go(&n));
         Ok(())
     }
 }
@@ -373,26 +342,16 @@ impl Core<'_> {
     }
 
     pub(super) fn spindle_number(&self, n: u8, span: Span) -> Outcome {
-        if (1..=MOST_SPINDLES).contains(&n) {
-            Ok(())
-        } else {
-            self.fail(codes::S2045, span, format!("there is no spindle {n}"))
-        }
+        if (1..=MOST_SPINDLES).contains(&n) { Ok(()) } else { self.refuse(span, codes::S2045::there_is_no_spindle(&n)) }
     }
 
     /// `words` name a speed limit of a spindle.
     fn check_limit(&self, words: &str, limit: f64, span: Span) -> Outcome {
         if limit == 0.0 {
-            let help = format!("give the highest speed in turns per minute: {words}2500");
-            return self.fail_help(
-                codes::S2045,
-                span,
-                format!("the speed limit {words} is 0: the spindle would stand"),
-                help,
-            );
+            return self.refuse(span, codes::S2045::speed_limit_is_0(&words));
         }
         if limit < 0.0 {
-            return self.fail(codes::S2045.alarm(14820), span, format!("the speed limit {words} is negative"));
+            return self.refuse(span, codes::S2045::speed_limit_is_negative(&words));
         }
         Ok(())
     }

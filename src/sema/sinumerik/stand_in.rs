@@ -120,19 +120,14 @@ impl Run<'_> {
         }
         self.st.modal_call.end();
         if changes {
-            let message = format!("{name} changes the tool, as `[programs]` says, and MCALL calls it behind each move");
-            let help = "call it without MCALL; or look at what `[programs]` says of it";
-            return Some(self.fail_help(codes::S2043, span, message, help));
+            return Some(self.refuse(span, codes::S2043::changes_tool(&name)));
         }
         if super::cycles::measures(name) {
             return Some(self.measuring_is_ignored(name, span, arguments));
         }
         let left = self.job.settings.left_by(name);
         if left != Leaves::default() {
-            let message =
-                format!("MCALL calls {name} after each move, and `[programs]` says what one call of it leaves");
-            let help = "call it without MCALL; or look at what `[programs]` says of it";
-            return Some(self.fail_help(codes::S2043, span, message, help));
+            return Some(self.refuse(span, codes::S2043::mcall_calls_after_each_move(&name)));
         }
         Some(self.leave_call_out(name, span, arguments).and_then(|()| self.leave_technology(name, span)))
     }
@@ -162,8 +157,7 @@ impl Channel<'_> {
         if !left.lost.is_empty() {
             let loc = self.loc(span);
             if self.st.side() != Side::None {
-                let message = format!("{name} moves axes under radius compensation, as `[programs]` says");
-                let refused = self.fail_help(codes::S2042, span, message, "program G40 before the call");
+                let refused = self.refuse(span, codes::P2001::moves_axes_under_radius_compensation_as_programs(&name));
                 self.lose_all();
                 return refused;
             }
@@ -240,7 +234,7 @@ impl Channel<'_> {
     }
 
     fn says_stand_in(&mut self, span: Span, what: String) {
-        let found = Diagnostic::new(codes::S8135, self.loc(span), what);
+        let found = Diagnostic::new(codes::P8105, self.loc(span), what);
         if !self.job.diags.knows(&found) {
             self.report(found);
         }
@@ -255,7 +249,7 @@ impl Channel<'_> {
         passes: u32,
     ) -> Outcome {
         if passes != 1 {
-            return self.fail(codes::S2043, span, format!("{name} changes the tool {passes} times"));
+            return self.refuse(span, codes::S2043::changes_tool_times(&name, &passes));
         }
         match change.tool {
             Some(place) => {
@@ -263,9 +257,7 @@ impl Channel<'_> {
                 self.st.tool.choose(number);
             }
             None if self.st.tool.next().is_none() => {
-                let message = format!("no tool is chosen for {name}");
-                let help = format!("program T in front of {name}, or name its argument: `{name} = {{ tool = 1 }}`");
-                return self.fail_help(codes::S2043, span, message, &help);
+                return self.refuse(span, codes::S2043::no_tool_is_chosen(&name));
             }
             None => {}
         }
@@ -276,8 +268,7 @@ impl Channel<'_> {
             Some((place, value)) => match value.number() {
                 Some(edge) => self.edge_number(edge, span)?,
                 None => {
-                    let message = format!("argument {place} of {name} is no D number");
-                    return self.fail(codes::S2043.alarm(17180), span, message);
+                    return self.refuse(span, codes::S2043::argument_of_is_no_d_number(&place, &name));
                 }
             },
         }
@@ -301,13 +292,10 @@ impl Channel<'_> {
                 let tool = String::from_utf8_lossy(text).into_owned();
                 self.tool_by_name(&tool, span)
             }
-            None | Some(Val::Missing) => {
-                let help = "count the arguments for `[programs]` from 1";
-                self.fail_help(codes::S2043, span, format!("{name} has no argument {place}"), help)
-            }
+            None | Some(Val::Missing) => self.refuse(span, codes::S2043::has_no_argument(&name, &place)),
             Some(value) => match value.number().filter(|n| n.fract() == 0.0 && (0.0..=32_000.0).contains(n)) {
                 Some(number) => self.tool_by_number(number as u32, span),
-                None => self.fail(codes::S2043.alarm(17190), span, format!("argument {place} of {name} is no tool")),
+                None => self.refuse(span, codes::S2043::argument_of_is_no_tool(&place, &name)),
             },
         }
     }

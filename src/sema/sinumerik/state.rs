@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::Plane;
 use crate::ir::contour::{Ctx, CtxRef};
 use crate::ir::{Feed, Frame, Side};
@@ -288,9 +288,7 @@ impl Channel<'_> {
         if chosen == Some(true) {
             self.st.frames.set_settable(frame);
         } else if chosen.is_none() {
-            let message =
-                "the program with SAVE changed the frame of the work offset; it stays changed (MD 10617, bit 0 = 0)";
-            let found = Diagnostic::new(codes::S9018, self.here.origin.loc, message);
+            let found = codes::S9018::program_with_save_changed_frame_of_work().at(self.here.origin.loc);
             self.report(
                 found.help(
                     Answer::key("control", "md10617")
@@ -305,11 +303,7 @@ impl Channel<'_> {
         let Some(frame) = self.st.frames.total().map() else {
             self.st.position.lose(AxisSet::ALL);
             self.st.frames.set_programmable(FrameValue::default());
-            let _: super::Outcome = self.fail(
-                codes::S2034,
-                Where::Block,
-                "the frame cannot be used: a factor or a shift is zero or out of all range",
-            );
+            let _: super::Outcome = self.refuse(Where::Block, codes::S2034::frame_cannot_be_used());
             return;
         };
         if frame != self.st.ctx.frame {
@@ -326,8 +320,7 @@ impl Channel<'_> {
         let [_, _, axis] = self.st.roles();
         let turned = |frame: &Frame| frame.linear()[(axis.index(), axis.index())] < 0.0;
         if turned(next) && !turned(&self.st.ctx.frame) {
-            let message = format!("the tool axis {} is mirrored", axis.letter());
-            let found = Diagnostic::new(codes::S8198, self.here.origin.loc, message);
+            let found = codes::P2030::tool_axis_is_mirrored_2(&axis.letter()).at(self.here.origin.loc);
             self.report(found.help("check that this is meant; most often another axis is"));
         }
     }

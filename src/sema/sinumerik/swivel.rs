@@ -55,20 +55,15 @@ impl Run<'_> {
             match values.get_mut(at) {
                 Some(place) => *place = value,
                 None => {
-                    let message = format!("CYCLE800 takes {MOST} arguments");
-                    return self.fail(codes::S2021.alarm(12340), formula.span, message);
+                    return self.refuse(formula.span, codes::S2021::cycle800_takes_arguments(&MOST));
                 }
             }
             if (ANGLES..AFTER).contains(&at) && value != 0.0 {
                 self.st.position.lose(AxisSet::ALL);
                 self.lost();
                 let name = ["_A", "_B", "_C"].get(at - ANGLES).copied().unwrap_or_default();
-                let message = format!(
-                    "CYCLE800 swivels the working plane by `{name}` = {value} (argument {}), which plain G-code in three axes cannot say",
-                    at + 1
-                );
-                let help = "have the CAM system put out the swivelled part by itself";
-                return self.fail_help(codes::S9006, formula.span, message, help);
+                return self
+                    .refuse(formula.span, codes::S9006::cycle800_swivels_working_plane(&name, &value, &(at + 1)));
             }
             self.known_code(at, value, formula.span)?;
         }
@@ -104,15 +99,13 @@ impl Channel<'_> {
         }
         self.st.position.lose(AxisSet::ALL);
         self.lost();
-        let message = format!("CYCLE800 has no {value} as `{name}` (argument {})", at + 1);
-        self.fail_help(codes::S9006, span, message, format!("give {wanted}"))
+        self.refuse(span, codes::S9006::cycle800_has_no(&value, &name, &(at + 1), &wanted))
     }
 
     fn swivel_by_nothing(&mut self, swivel: &Swivel, span: Span) -> Outcome {
         let turned = Axis::ALL.into_iter().filter(|axis| axis.is_rotary());
         if let Some(axis) = turned.into_iter().find(|axis| self.st.position.get(*axis).is_some_and(|at| at != 0.0)) {
-            let message = format!("CYCLE800 may turn {} back to 0", axis.letter());
-            return self.fail_help(codes::S9006, span, message, "program the rotary axis, and leave CYCLE800 out");
+            return self.refuse(span, codes::S9006::cycle800_may_turn_back_to_0(&axis.letter()));
         }
         self.shift_is_clear(swivel, span)?;
         self.swivel_retracts(swivel, span)?;
@@ -147,12 +140,7 @@ impl Channel<'_> {
     fn shift_is_clear(&mut self, swivel: &Swivel, span: Span) -> Outcome {
         let shifts = swivel.shift != [0.0; 3] || *self.st.frames.swivelled() != FrameValue::default();
         if self.st.side() != Side::None && shifts {
-            return self.fail_help(
-                codes::S2080,
-                span,
-                "the frame changes while radius compensation is on",
-                "program G40 in a block in front of it",
-            );
+            return self.refuse(span, codes::S2080::frame_changes_while_radius_compensation());
         }
         let programmed = !swivel.resets && self.st.frames.programmable().map().is_none_or(|frame| !frame.is_identity());
         let lathe = shifts && self.st.machine.lathe;
@@ -162,15 +150,9 @@ impl Channel<'_> {
         self.st.position.lose(AxisSet::ALL);
         self.lost();
         if lathe {
-            let message = "CYCLE800 shifts the workpiece, and whether X0 and X1 are diameters is not documented";
-            return self.fail_help(codes::S9006, span, message, "shift by TRANS in place of CYCLE800");
+            return self.refuse(span, codes::S9006::cycle800_shifts_workpiece());
         }
-        self.fail_help(
-            codes::S9006,
-            span,
-            "CYCLE800 for a new plane deletes the programmed frames, and for an additive one takes them over: TRANS, ROT, SCALE or MIRROR is active",
-            "program TRANS without axes in front of CYCLE800, and the frame again behind it",
-        )
+        self.refuse(span, codes::S9006::cycle800_for_new_plane_deletes_programmed_frames())
     }
 
     /// The retraction in front of swivelling: 0 none, 1 along Z, 2 along Z and then X and Y, 4 as far as possible along
@@ -184,8 +166,7 @@ impl Channel<'_> {
             4.0 => (&[&[Axis::Z]], &machine.swivel_retract_most, "swivel_retract_most"),
             5.0 => return self.swivel_retracts_by(swivel.way, span),
             other => {
-                let message = format!("CYCLE800 has no retraction {other}");
-                return self.fail_help(codes::S9006, span, message, "0 none, 1 Z, 2 Z and XY, 4 and 5 along the tool");
+                return self.refuse(span, codes::S9006::cycle800_has_no_retraction(&other));
             }
         };
         let missing: Vec<Axis> = steps.concat().into_iter().filter(|axis| !points.contains_key(axis)).collect();
@@ -197,8 +178,7 @@ impl Channel<'_> {
                  (SUPA G0 Z…) and 0 as the first argument"
             ));
             let help = others.iter().fold(help, |help, axis| help.and(Answer::entry("machine", key, axis.letter())));
-            let message = "CYCLE800 retracts the tool to a place that is a machine datum";
-            return self.fail_help(codes::S9006, span, message, &help);
+            return self.refuse(span, codes::S9006::cycle800_retracts_tool_to_place().help(&help));
         }
         self.retracts_uncompensated(span)?;
         for axes in steps {
@@ -214,7 +194,7 @@ impl Channel<'_> {
     fn retracts_uncompensated(&mut self, span: Span) -> Outcome {
         self.pending_must_be_done(span)?;
         if self.st.side() != Side::None {
-            return self.fail(codes::S2080, span, "CYCLE800 retracts under radius compensation");
+            return self.refuse(span, codes::S2080::cycle800_retracts_under_radius_compensation());
         }
         Ok(())
     }
@@ -223,8 +203,7 @@ impl Channel<'_> {
     fn swivel_retracts_by(&mut self, way: f64, span: Span) -> Outcome {
         self.retracts_uncompensated(span)?;
         if way < 0.0 {
-            let message = "the retraction `_FR_I` (argument 15) of CYCLE800 is below 0";
-            return self.fail_help(codes::S9006, span, message, "give the way along the tool without sign");
+            return self.refuse(span, codes::S9006::retraction_fr_i());
         }
         let Some(at) = self.st.position.get(Axis::Z) else { return self.unknown_axis(Axis::Z, span) };
         let mut end = Pos::UNKNOWN;

@@ -67,13 +67,7 @@ impl Run<'_> {
         let code = String::from_utf8_lossy(block.span.of(text)).to_ascii_uppercase();
         let shown = shown(&code);
         let Some(effects) = effects(&code) else {
-            let help = "write what it does behind DO";
-            return self.fail_help(
-                codes::S9004.alarm(12080),
-                span,
-                "the synchronized action has no DO that can be read",
-                help,
-            );
+            return self.refuse(span, codes::S9004::synchronized_action_has_no_do_that_can());
         };
         for effect in &effects {
             let reached = match effect {
@@ -83,16 +77,13 @@ impl Run<'_> {
                 }
                 _ => continue,
             };
-            let message = format!("the synchronized action `{shown}` cannot be left out: {reached}");
-            let help = "take the action out, and program what it does in blocks of the program";
-            return self.fail_help(codes::S9004, span, message, help);
+            return self.refuse(span, codes::S9004::synchronized_action_cannot_be_left_out(&shown, &reached));
         }
         if !self.job.settings.control.sinumerik.beside.synchronized {
             let help = "if the target needs nothing of it, leave such actions out: `[control] synchronized_actions = \
                         \"leave-out\"`; or replace it by blocks of the program";
             let help = Answer::key("control", "synchronized_actions").one_of(&["\"leave-out\""]).help(help);
-            let message = "synchronized actions run beside the program, as the machine's signals come";
-            return self.fail_help(codes::S9004, span, message, help);
+            return self.refuse(span, codes::S9004::synchronized_actions_run_beside_program().help(help));
         }
         let loc = self.loc(span);
         for effect in &effects {
@@ -160,11 +151,9 @@ impl Channel<'_> {
     }
 
     fn is_set_beside<T>(&self, name: &str, at: Loc, span: Span) -> Outcome<T> {
-        let message = format!(
-            "`{name}` is set by the synchronized action in line {}, which is left out: its value is not known",
-            at.line
-        );
-        let found = Diagnostic::new(codes::S9022, self.loc(span), message).also(at, "this action sets it");
+        let found = codes::S9022::is_set_by_synchronized_action_in_line(&name, &at.line)
+            .at(self.loc(span))
+            .also(at, "this action sets it");
         self.report(found.help("let the program compute the value itself, and take it out of the action"));
         Err(super::Reported)
     }

@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::machine::Axis;
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
@@ -45,7 +45,7 @@ impl Run<'_> {
             "CROT" => self.triple(args, 0.0, span).map(|angles| frame(FrameValue::rotated(angles))),
             "CSCALE" => self.triple(args, 1.0, span).and_then(|scale| {
                 if scale.contains(&0.0) {
-                    return self.fail(codes::S2034, span, "a scaling factor is 0");
+                    return self.refuse(span, codes::S2034::scaling_factor_is_0());
                 }
                 Ok(frame(FrameValue::scaled(scale)))
             }),
@@ -54,41 +54,38 @@ impl Run<'_> {
             "INVFRAME" => match args {
                 [Val::Frame(inner)] => match inner.inverse() {
                     Some(made) => Ok(frame(made)),
-                    None => self.fail(codes::S2034, span, "the frame cannot be inverted"),
+                    None => self.refuse(span, codes::S2034::frame_cannot_be_inverted()),
                 },
-                _ => self.fail(codes::S2021.alarm(14021), span, "INVFRAME takes a frame"),
+                _ => self.refuse(span, codes::S2021::invframe_takes_frame()),
             },
             "AXNAME" => self.axis_of_text(args, span),
             "ISVAR" | "ISFILE" => self.is_known(name, args, span),
             "MODAXVAL" => match args {
                 [_, value] => match value.number() {
                     Some(v) => Ok(Val::Real(v - 360.0 * libm::floor(v / 360.0))),
-                    None => self.fail(codes::S2005.alarm(12150), span, "MODAXVAL takes an axis and an angle"),
+                    None => self.refuse(span, codes::P2024::modaxval_takes_axis()),
                 },
-                _ => self.fail(codes::S2021.alarm(14021), span, "MODAXVAL takes an axis and an angle"),
+                _ => self.refuse(span, codes::S2021::modaxval_takes_axis()),
             },
             // SET and REP
-            _ => {
-                self.fail(codes::S2005.alarm(12150), span, format!("{name} fills an array and is no value of its own"))
-            }
+            _ => self.refuse(span, codes::P2024::fills_array(&name)),
         }
     }
 
     fn is_known(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Val> {
         let [Val::Text(text)] = args else {
-            return self.fail(codes::S2021.alarm(14021), span, format!("{name} takes a text"));
+            return self.refuse(span, codes::S2021::takes_text(&name));
         };
         let wanted = String::from_utf8_lossy(text).into_owned();
         if name == "ISVAR" {
             if wanted.trim_start().starts_with('$') {
-                let message = format!("whether the control has `{wanted}` is known on the machine only");
-                return self.fail(codes::S2028, span, message);
+                return self.refuse(span, codes::P2023::whether_control_has_is_known_on_machine(&wanted));
             }
             return Ok(Val::Bool(self.is_variable(&wanted)));
         }
         let file = self.units.list[self.unit()].file;
         if let Err(error) = self.list_programs(0).and_then(|()| self.list_programs(file)) {
-            return self.fail(codes::P0105, span, format!("the file cannot be read: {error}"));
+            return self.refuse(span, codes::P0105::file_cannot_be_read(&error));
         }
         // Of a folder that nothing is known of, what lies beside the main program is asked for.
         let there = self.search(|path| {
@@ -135,8 +132,7 @@ impl Channel<'_> {
             "`{key}` = {given} of `[variables]` is not used: the program, `[tools]` or another key make it {taken}"
         );
         if self.job.diags.first_text(codes::S8172, &message) {
-            let help = format!("take `\"{key}\"` out of `[variables]`, or correct what says otherwise");
-            self.report(Diagnostic::new(codes::S8172, self.loc(span), message).help(help));
+            self.report(codes::S8172::of_variables_is_not_used(&key, &given, &taken).at(self.loc(span)));
         }
     }
 
@@ -168,13 +164,12 @@ impl Channel<'_> {
             }
             return Ok(Val::Real(value));
         }
-        let message = format!("the value of `{key}` is known on the machine only{}", said_meaning(&word, args));
         let help = self.tool_is_asked(&word, args, &key).unwrap_or_else(|| {
             let meaning = meaning_of(&word, args).unwrap_or_default();
             let help = Answer::variable(&key, meaning).help(format!("give it under [variables]: \"{key}\" = value"));
             if word == "$AC_MEA" { or_untouched(help) } else { help }
         });
-        self.fail_help(codes::S2028, span, message, help)
+        self.refuse(span, codes::P2023::value_of_is_known_on_machine(&key, &said_meaning(&word, args)).help(help))
     }
 
     fn known_value(&mut self, word: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
@@ -182,7 +177,7 @@ impl Channel<'_> {
             "$PI" => Val::Real(core::f64::consts::PI),
             "$P_EP" | "$AA_IW" => {
                 let [Val::Axis(named)] = args else {
-                    return self.fail(codes::S2031.alarm(12040), span, format!("`{word}` needs an axis: `{word}[X]`"));
+                    return self.refuse(span, codes::S2031::needs_axis(&word));
                 };
                 let Some(axis) = named.axis else { return Ok(None) };
                 Val::Real(self.position_value(axis, span)?)
@@ -225,7 +220,7 @@ impl Channel<'_> {
                 let group = args.first().and_then(Val::number).and_then(whole).and_then(|n| usize::try_from(n).ok());
                 match group.and_then(|group| self.st.codes.shown(group)) {
                     Some(index) => Val::Int(i32::from(index)),
-                    None => return self.fail(codes::S2018.alarm(17020), span, "there is no such G group"),
+                    None => return self.refuse(span, codes::S2018::there_is_no_such_g_group()),
                 }
             }
             "$P_AXN1" => Val::Axis(self.axis_names.of(self.st.roles()[0])),
@@ -352,20 +347,16 @@ impl Channel<'_> {
             }
             "$P_UIFR" => {
                 let Some((number, rest)) = self.offset_number(args, span)? else {
-                    return self.fail(codes::S2018.alarm(17020), span, "the number of the work offset is missing");
+                    return self.refuse(span, codes::S2018::number_of_work_offset_is_missing());
                 };
                 let old = match self.offset_frame(number) {
                     Some(frame) => frame,
                     None if rest.is_empty() => FrameValue::default(),
                     None => {
                         let word = offset_word(number);
-                        let message =
-                            format!("one component of {word} is set, the others are known on the machine only");
-                        return self.fail_help(
-                            codes::S2028,
+                        return self.refuse(
                             span,
-                            message,
-                            Answer::key("datums", &word).help(format!("give {word} under [datums]")),
+                            codes::P2023::one_component_of_is_set(&word).answer(Answer::key("datums", &word)),
                         );
                     }
                 };
@@ -394,26 +385,14 @@ impl Channel<'_> {
                 Ok(())
             }
             _ if word.starts_with("$A_") || word.starts_with("$AC_") || word.starts_with("$AN_") => {
-                self.note_once(
-                    codes::S8006,
-                    span,
-                    format!("`{word}` is an output or a counter of the control and is left out"),
-                );
+                self.say_once(span, codes::S8006::is_output_or_counter_of_control(&word));
                 self.st.system.set(system_key(&word, args), value);
                 Ok(())
             }
-            _ if word.starts_with("$P_") && !word.contains("FR") => self.fail_help(
-                codes::S2028.alarm(17070),
-                span,
-                format!("`{word}` is the state of the program and cannot be set"),
-                "program the words that bring the state about",
-            ),
-            _ => self.fail_help(
-                codes::S2028,
-                span,
-                format!("`{word}` cannot be set by a compiled program"),
-                "it changes the machine or the control; set it there",
-            ),
+            _ if word.starts_with("$P_") && !word.contains("FR") => {
+                self.refuse(span, codes::P2023::is_state_of_program(&word))
+            }
+            _ => self.refuse(span, codes::P2023::cannot_be_set_by_compiled_program(&word)),
         }
     }
 
@@ -425,17 +404,13 @@ impl Channel<'_> {
             // Read by increments and threads. Behind a new tool length no increment has a place to count from.
             "$SC_FRAME_OFFSET_INCR_PROG" | "$SC_THREAD_START_ANGLE" | "$SC_TOOL_OFFSET_INCR_PROG" => {}
             "$SC_DRY_RUN_FEED" | "$SC_SINGLEBLOCK2_STOPRE" => {
-                self.note_once(codes::S8006, span, format!("`{word}` is for trial runs only and is left out"));
+                self.say_once(span, codes::S8006::is_for_trial_runs(&word));
             }
             _ if changes => {
                 let shown = value.number().unwrap_or(0.0);
-                return self.fail_help(
-                    codes::S9103,
+                return self.refuse(
                     span,
-                    format!("`{word}` is a setting datum, and what it changes is not compiled"),
-                    Answer::key("variables", &key).help(format!(
-                        "leave it out; if the machine has this value anyhow, say so under [variables]: \"{key}\" = {shown}"
-                    )),
+                    codes::S9103::is_setting_datum(&word, &key, &shown).answer(Answer::key("variables", &key)),
                 );
             }
             _ => {}
@@ -448,9 +423,7 @@ impl Channel<'_> {
         if args.is_empty() {
             return match value {
                 Val::Frame(frame) => Ok((**frame).clone()),
-                other => {
-                    self.fail(codes::S2005.alarm(12150), span, format!("a frame is needed, this is {}", other.what()))
-                }
+                other => self.refuse(span, codes::P2024::frame_is_needed(&other.what())),
             };
         }
         let mut frame = old.clone();
@@ -461,15 +434,11 @@ impl Channel<'_> {
     /// `AXNAME("X")`
     fn axis_of_text(&mut self, args: &[Val], span: Span) -> Outcome<Val> {
         let [Val::Text(text)] = args else {
-            return self.fail(codes::S2021.alarm(14021), span, "AXNAME takes a text");
+            return self.refuse(span, codes::S2021::axname_takes_text());
         };
         let name = String::from_utf8_lossy(text).to_ascii_uppercase();
         let Some(named) = self.axis_names.find(&name) else {
-            return self.fail(
-                codes::S2006.alarm(14097),
-                span,
-                format!("AXNAME: `{name}` names no axis of this machine"),
-            );
+            return self.refuse(span, codes::P2022::axname_names_no_axis_of_this_machine(&name));
         };
         self.printed_axis(named, span)?;
         Ok(Val::Axis(named))
@@ -480,12 +449,7 @@ impl Channel<'_> {
         let mut pairs = Vec::new();
         for pair in args.chunks(2) {
             let [Val::Axis(axis), value] = pair else {
-                return self.fail_help(
-                    codes::S2021.alarm(14020),
-                    span,
-                    "axes and values follow each other",
-                    "for example (X,10,Y,20)",
-                );
+                return self.refuse(span, codes::S2021::axes_and_values_follow_each_other());
             };
             let value = self.as_number(value, span)?;
             // The shift of an axis that is left out moves nothing.
@@ -499,7 +463,7 @@ impl Channel<'_> {
     /// `CRPL(n, angle)`: 0 the working plane, 1 about Z, 2 about Y, 3 about X.
     fn rotated_in_plane(&self, args: &[Val], span: Span) -> Outcome<Val> {
         let [plane, angle] = args else {
-            return self.fail(codes::S2021.alarm(14021), span, "CRPL takes a plane and an angle");
+            return self.refuse(span, codes::S2021::crpl_takes_plane());
         };
         let angle = self.as_number(angle, span)?;
         let about = match plane.number().and_then(whole) {
@@ -507,7 +471,7 @@ impl Channel<'_> {
             Some(1) => 2,
             Some(2) => 1,
             Some(3) => 0,
-            _ => return self.fail(codes::S2021.alarm(14020), span, "the plane of CRPL is 0 to 3"),
+            _ => return self.refuse(span, codes::S2021::plane_of_crpl_is_0_to_3()),
         };
         let mut angles = [0.0; 3];
         if let Some(place) = angles.get_mut(about) {
@@ -523,7 +487,7 @@ impl Core<'_> {
         let Some((first, rest)) = args.split_first() else { return Ok(None) };
         match first.number().and_then(whole).and_then(|n| u8::try_from(n).ok()).filter(|n| *n <= 99) {
             Some(number) => Ok(Some((number, rest))),
-            None => self.fail(codes::S2018.alarm(17020), span, "work offsets have the numbers 0 to 99"),
+            None => self.refuse(span, codes::S2018::work_offsets_have_numbers_0_to_99()),
         }
     }
 
@@ -543,18 +507,13 @@ impl Core<'_> {
         let mut values = [neutral; 3];
         for pair in args.chunks(2) {
             let [Val::Axis(axis), value] = pair else {
-                return self.fail_help(
-                    codes::S2021.alarm(14020),
-                    span,
-                    "axes and values follow each other",
-                    "for example (Z,45)",
-                );
+                return self.refuse(span, codes::S2021::axes_values_follow_each_other());
             };
             let value = self.as_number(value, span)?;
             match axis.axis.and_then(|axis| values.get_mut(axis.index())) {
                 Some(place) => *place = value,
                 None => {
-                    return self.fail(codes::S2031.alarm(12040), span, format!("{} is no geometry axis", axis.text()));
+                    return self.refuse(span, codes::S2031::is_no_geometry_axis_2(&axis.text()));
                 }
             }
         }
@@ -572,7 +531,7 @@ impl Core<'_> {
                 }
                 // A number behind the axis does not matter.
                 other if other.number().is_some() => {}
-                _ => return self.fail(codes::S2021.alarm(14020), span, "CMIRROR takes geometry axes"),
+                _ => return self.refuse(span, codes::S2021::cmirror_takes_geometry_axes()),
             }
         }
         Ok(frame(FrameValue::mirrored(mirror)))

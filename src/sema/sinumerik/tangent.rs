@@ -145,9 +145,7 @@ impl Channel<'_> {
         let known = self.tangential_arc(plane, start, to, turns)?;
         let frame_changed = matches!(self.st.heading, Heading::Behind { .. });
         if let Heading::Behind { turned: true, .. } = self.st.heading {
-            let message =
-                "the frame has turned since the block in front of CT, and the direction of CT is turned with it";
-            self.note_once(codes::S8042, Where::Block, message);
+            self.say_once(Where::Block, codes::S8042::frame_has_turned_since_block_in_front());
         }
         match known {
             Some(TangentArc::Arc { center, ccw }) if frame_changed => {

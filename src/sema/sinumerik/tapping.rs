@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::Plane;
 use crate::ir::contour::{CtxRef, Path, Thread};
 use crate::ir::cycle::drilling::MOST_PECKS;
@@ -172,7 +172,7 @@ impl Channel<'_> {
         self.angle_is_of_no_tap();
         let Some(open) = self.st.taps.open.take() else { return };
         if open.inside.is_some() {
-            let found = Diagnostic::new(codes::S2081, open.origin.loc, "G331 taps down, and no G332 comes back");
+            let found = codes::S2081::g331_taps_down().at(open.origin.loc);
             let help = "program G332 to the height where G331 began after it, with nothing but G4 in between";
             self.report(found.help(help));
             self.st.position.lose(AxisSet::of(open.tap.axis));
@@ -201,8 +201,7 @@ impl Channel<'_> {
             self.st.taps.lead = Some((given.axis, given.lead));
         }
         let Some((axis, lead)) = self.st.taps.lead else {
-            let help = "program K along Z: positive for a right-hand thread, negative for a left-hand one";
-            return self.fail_help(codes::S2081.alarm(16720), span, "the tapped thread has no lead", help);
+            return self.refuse(span, codes::S2081::tapped_thread_has_no_lead());
         };
         self.starts_are_known(w, span)?;
         self.taps_along(axis, &end, w, span)?;
@@ -212,8 +211,7 @@ impl Channel<'_> {
             return Ok(());
         }
         if self.st.offsets.in_machine() {
-            let help = "select a work offset (G54) before the hole";
-            return self.fail_help(codes::S2081, span, "a hole is tapped in coordinates of the machine", help);
+            return self.refuse(span, codes::S2081::hole_is_tapped_in_coordinates_of_machine());
         }
         if code == GCode::G331 {
             self.taps_in((axis, lead), to, span)?
@@ -267,13 +265,11 @@ impl Channel<'_> {
         let deeper = down * (open.tap.strokes.first().map_or(open.at(), |stroke| stroke.to) - open.tap.start) > 0.0;
         let waits = open.inside.is_some_and(|(_, waits)| waits > 0.0);
         if !same || !deeper || waits || open.speeds[0] != speed {
-            let message = "G331 goes on with another pitch, at another speed or in another direction";
-            let help = "program the steps of one hole alike, or retract by G0 between two holes";
             self.st.taps.open = None;
-            return self.fail_help(codes::S2081, span, message, help);
+            return self.refuse(span, codes::S2081::g331_goes_on_with_another_pitch());
         }
         if open.tap.strokes.len() >= MOST_PECKS {
-            return self.fail(codes::S2081, span, "the tap makes too many steps");
+            return self.refuse(span, codes::S2081::tap_makes_too_many_steps());
         }
         open.inside = Some((to, 0.0));
         Ok(())
@@ -286,17 +282,14 @@ impl Channel<'_> {
         let Some((open, (depth, dwell))) =
             self.st.taps.open.as_mut().and_then(|open| open.inside.map(|inside| (open, inside)))
         else {
-            let help = "program G331 down to the depth before it, and one G332 back";
-            return self.fail_help(codes::S2081, span, "G332 comes back, and no G331 went down", help);
+            return self.refuse(span, codes::S2081::g332_comes_back());
         };
         let from = open.tap.strokes.last().map_or(open.tap.start, |stroke| stroke.back);
         let same = open.tap.axis == axis && open.tap.turn == turn && (open.tap.lead - lead.abs()).abs() <= STILL;
         let alike = open.tap.strokes.is_empty() || open.speeds[1] == speed;
         if !same || !alike || (to - depth) * (from - depth) <= 0.0 {
-            let message = "G332 comes back with another pitch, at another speed than before, or not back";
-            let help = "program the lead of G331 and a height towards its start";
             self.st.taps.open = None;
-            return self.fail_help(codes::S2081, span, message, help);
+            return self.refuse(span, codes::S2081::g332_comes_back_with_another_pitch());
         }
         open.tap.strokes.push(Stroke { to: depth, back: to, dwell });
         (open.inside, open.speeds[1]) = (None, speed);
@@ -307,8 +300,7 @@ impl Channel<'_> {
         if let Some(before) = self.st.spindles.turn() {
             self.st.spindles.set_turn(None);
             let (m, word) = (if before == Turn::Clockwise { "M3" } else { "M4" }, code.word());
-            let message = format!("the spindle stands after {word}: the {m} before it does not count any more");
-            self.note_once(codes::S8041, span, message);
+            self.say_once(span, codes::S8041::spindle_stands_after(&word, &m));
         }
         self.st.spindles.forget_angle();
     }
@@ -317,25 +309,16 @@ impl Channel<'_> {
     pub(super) fn only_tapping(&self, w: &Words) -> Outcome {
         let master = |m: &&MWord| self.st.spindles.is_master(m.spindle);
         if let Some(m) = w.m.iter().filter(master).find(|m| matches!(m.number, 3..=5 | 19 | 70)) {
-            let message = format!("M{} stands in a block that taps", m.number);
-            let help = "leave it out: the sign of the lead turns the spindle, which stands before and after the tap";
-            return self.fail_help(codes::S2045, m.span, message, help);
+            return self.refuse(m.span, codes::S2045::m_stands_in_block_that_taps(&m.number));
         }
         if self.st.codes.of(Group::Motion) == GCode::G332 && self.st.taps.is_inside() {
             self.nothing_at_the_depth(w)?;
         }
         if let Some(given) = w.get(Address::Spos).or(w.get(Address::Sposa)) {
-            let help = "give SPOS= a block of its own before G331";
-            return self.fail_help(codes::S2045, given.span, "SPOS= stands in a block that taps", help);
+            return self.refuse(given.span, codes::S2045::spos_stands_in_block_that_taps());
         }
         if let Some(s) = w.s.iter().find(|s| s.value < 0.0) {
-            let help = "the sign of the lead turns the spindle; program S without a sign";
-            return self.fail_help(
-                codes::S2045.alarm(16763),
-                s.span,
-                format!("the speed S{} is negative", s.value),
-                help,
-            );
+            return self.refuse(s.span, codes::S2045::speed_s_is_negative_so_sign(&s.value));
         }
         match [Address::Rnd, Address::Chf, Address::Chr, Address::Frc].iter().find_map(|address| w.get(*address)) {
             Some(given) => self.does_not_fit(given.span),
@@ -348,25 +331,17 @@ impl Channel<'_> {
         let m = w.m.iter().find(|m| !matches!(m.number, 0..=2 | COOLANT_OFF | 17 | 30));
         let tool = w.get(Address::T).map(|tool| ("T".to_owned(), tool.span));
         let Some((name, span)) = m.map(|m| (format!("M{}", m.number), m.span)).or(tool) else { return Ok(()) };
-        let message = format!("{name} stands in the block of G332 and would act while the tap is in the hole");
-        let help = format!("program {name} in a block before G331 or after G332");
-        self.fail_help(codes::S2045, span, message, help)
+        self.refuse(span, codes::S2045::stands_in_block_of_g332(&name))
     }
 
     fn tapping_speed(&self, span: Span) -> Outcome {
         if self.st.codes.of(Group::FeedType).holds_cutting_speed() || self.st.spindles.is_cutting() {
-            return self.fail_help(
-                codes::S2045,
-                span,
-                "rigid tapping under a constant cutting speed (G96): the speed of the spindle is not fixed",
-                "program G97 with S in turns per minute before it",
-            );
+            return self.refuse(span, codes::S2045::rigid_tapping_under_constant_cutting_speed());
         }
-        let help = "program S in this block or before";
         match self.st.spindles.speed() {
             Some(speed) if speed > 0.0 => Ok(()),
-            Some(_) => self.fail_help(codes::S2045.alarm(16763), span, "the speed of rigid tapping is 0", help),
-            None => self.fail_help(codes::S2045.alarm(16760), span, "rigid tapping has no speed S", help),
+            Some(_) => self.refuse(span, codes::S2045::speed_of_rigid_tapping_is_0()),
+            None => self.refuse(span, codes::S2045::rigid_tapping_has_no_speed_s()),
         }
     }
 
@@ -378,19 +353,14 @@ impl Channel<'_> {
         };
         if let Some(other) = w.axes.iter().filter(|other| *other != axis).find(moves) {
             let given = w.axis(other).map(|given| given.span).unwrap_or_default();
-            let message = format!("{} moves beside the tapping axis {}", other.letter(), axis.letter());
-            let help = "position the tool over the hole in a block before G331";
-            return self.fail_help(codes::S2081, given, message, help);
+            return self.refuse(given, codes::S2081::moves_beside_tapping_axis(&other.letter(), &axis.letter()));
         }
         if !moves(&axis) {
-            let message = format!("{} does not move, so nothing is tapped", axis.letter());
-            return self.fail_help(codes::S2081.alarm(16740), span, message, "program the depth of the hole");
+            return self.refuse(span, codes::S2081::does_not_move(&axis.letter()));
         }
         let column = self.st.ctx.frame.linear().column(axis.index());
         if (0..3).any(|row| column[row] != f64::from(u8::from(row == axis.index()))) {
-            let message = format!("the frame turns, mirrors or scales {}, along which the block taps", axis.letter());
-            let help = "end the frame before G331, and program the hole in plain coordinates";
-            return self.fail_help(codes::S9002, span, message, help);
+            return self.refuse(span, codes::S9002::frame_turns(&axis.letter()));
         }
         Ok(())
     }

@@ -56,12 +56,7 @@ impl Channel<'_> {
         if let Some(f) = w.take(Address::F) {
             if f.value <= 0.0 {
                 self.st.feed.lose();
-                return self.fail_help(
-                    codes::S2041.alarm(14800),
-                    f.span,
-                    format!("the feed F{} is not above 0", f.value),
-                    "program a feed above 0",
-                );
+                return self.refuse(f.span, codes::P2003::feed_f_is_not_above_0(&f.value));
             }
             w.feed_given = true;
             self.st.feed.program(self.st.feed_of(f.value));
@@ -73,7 +68,7 @@ impl Channel<'_> {
         }
         if let Some(d) = w.take(Address::D) {
             if let Some(h) = w.h {
-                return self.fail(codes::S2012.alarm(14197), h, "D and H stand in one block");
+                return self.refuse(h, codes::P1003::d_h_stand_in_one_block());
             }
             // The edge is that of the tool that M6 brings.
             if w.m.iter().any(|m| m.number == 6) {
@@ -98,24 +93,19 @@ impl Channel<'_> {
             if let Some(given) = w.take(address)
                 && given.value != 0.0
             {
-                return self.fail_help(
-                    codes::S9010,
-                    given.span,
-                    "an offset of the tool that the program adds cannot be printed",
-                    "put it into the tool data",
-                );
+                return self.refuse(given.span, codes::P9013::offset_of_tool_that_program_adds());
             }
         }
         if let Some(given) = w.take(Address::Tcarr)
             && given.value != 0.0
         {
-            return self.fail(codes::S9001, given.span, "orientable tool carriers cannot be printed");
+            return self.refuse(given.span, codes::P9011::orientable_tool_carriers_cannot_be_printed());
         }
         if self.st.path.is_computed() && (!w.codes.is_empty() || shaped) {
             self.rules_change(w)?;
         }
         if let Some(span) = w.h {
-            self.note_once(codes::S8005, span, "H functions are for the machine's own control and are left out");
+            self.say_once(span, codes::S8005::h_functions_are_for_machines_own_control());
         }
         Ok(())
     }
@@ -136,25 +126,17 @@ impl Channel<'_> {
         if let [first, second, ..] = spindles.as_slice()
             && first.spindle == second.spindle
         {
-            let message = format!("M{} and M{} stand in one block", first.number, second.number);
-            return self.fail_help(codes::S2045.alarm(14760), second.span, message, "give each a block of its own");
+            return self.refuse(second.span, codes::S2045::m_and_m_stand_in_one(&first.number, &second.number));
         }
         let mut ends = w.m.iter().filter(|m| matches!(m.number, 2 | 17 | 30));
         if let (Some(first), Some(second)) = (ends.next(), ends.next()) {
-            let message = format!("M{} and M{} stand in one block: each ends a program", first.number, second.number);
-            return self.fail_help(codes::S2045.alarm(14760), second.span, message, "leave one of them out");
+            return self.refuse(second.span, codes::S2045::m_m_stand_in_one_block(&first.number, &second.number));
         }
         if let Some(sixth) = w.m.get(MOST_M) {
-            return self.fail_help(
-                codes::S2007.alarm(12010),
-                sixth.span,
-                "a block has at most five M functions",
-                "divide the block",
-            );
+            return self.refuse(sixth.span, codes::P1002::block_has_at_most_five_m_functions());
         }
         if let Some(fourth) = w.s.get(MOST_S) {
-            let message = "a block has at most three S words";
-            return self.fail_help(codes::S2007.alarm(12010), fourth.span, message, "divide the block");
+            return self.refuse(fourth.span, codes::P1002::block_has_at_most_three_s_words());
         }
         for m in &w.m {
             self.early_function(*m, w)?;
@@ -167,9 +149,7 @@ impl Channel<'_> {
             && !matches!(m.number, 3..=5 | 19 | 40..=45 | 70)
         {
             // `M80=1` is M function 1 of address extension 80, which is neither M80 nor M1.
-            let message = format!("what M{n}={} does is up to the machine builder", m.number);
-            let help = "leave it out, or call what it does by an M function without `=`";
-            return self.fail_help(codes::S2044, m.span, message, help);
+            return self.refuse(m.span, codes::P2007::what_m(&n, &m.number));
         }
         let spindle = match m.number {
             3 => Spindle::Start(Turn::Clockwise),
@@ -216,23 +196,12 @@ impl Channel<'_> {
             9 if self.st.taps.is_inside() => {}
             9 => self.function(Function::Coolant(Coolant::Off)),
             number if self.job.settings.output.pass_m.contains(&number) => self.function(Function::Aux(number)),
-            40..=45 => self.note_once(codes::S8004, m.span, "gear steps M40 to M45 are left out"),
+            40..=45 => self.say_once(m.span, codes::S8004::gear_steps_m40_to_m45_are_left()),
             70 => {
-                return self.fail_help(
-                    codes::S9001,
-                    m.span,
-                    "M70 makes the spindle an axis, which plain G-code cannot say",
-                    Answer::pass_m(70)
-                        .help("leave it out if the axis stands ready, or list it: `[output] pass_m = [70]`"),
-                );
+                return self.refuse(m.span, codes::P9011::m70_makes_spindle_axis().answer(Answer::pass_m(70)));
             }
             96..=99 => {
-                return self.fail_help(
-                    codes::S2044,
-                    m.span,
-                    format!("M{} calls programs in ISO dialect only", m.number),
-                    "a subprogram is called by its name, as in L100 or POCKET",
-                );
+                return self.refuse(m.span, codes::P2007::m_calls_programs_in_iso_dialect(&m.number));
             }
             number => {
                 let usual = format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`");
@@ -244,8 +213,7 @@ impl Channel<'_> {
                         .and(Answer::changing_m(number)),
                     None => Answer::pass_m(number).help(usual),
                 };
-                let message = format!("what M{number} does is up to the machine builder");
-                return self.fail_help(codes::S2044, m.span, message, help);
+                return self.refuse(m.span, codes::P2007::what_m_does_is_up_to_machine(&number).help(help));
             }
         }
         Ok(())

@@ -75,8 +75,7 @@ impl Channel<'_> {
         self.master_is_main(span, "the lead of a thread")?;
         self.speed_is_known()?;
         if self.st.spindles.turn().is_none() && self.job.diags.first_time(codes::S8034, ()) {
-            let found =
-                Diagnostic::new(codes::S8034, self.loc(span), "no block in front of this thread starts the spindle");
+            let found = codes::S8034::no_block_in_front_of_this_thread().at(self.loc(span));
             self.report(found.help("program M3 or M4 with a speed in front of the thread"));
         }
         let follows = self.st.threads.chain.is_some();
@@ -88,18 +87,12 @@ impl Channel<'_> {
         let start_angle = named.or_else(set).filter(|(_, given)| given.value != 0.0);
         if let Some(given) = self.lead_words(w)? {
             if given.lead < 0.0 {
-                let help = "the spindle makes the hand of the thread: M3 or M4; program the lead without a sign";
-                return self.fail_help(codes::S2081, given.span, "the lead of the thread is negative", help);
+                return self.refuse(given.span, codes::S2081::lead_of_thread_is_negative());
             }
             self.st.threads.lead = Some((given.axis, given.lead));
         }
         let Some((axis, lead)) = self.st.threads.lead else {
-            return self.fail_help(
-                codes::S2081.alarm(16720),
-                span,
-                "the thread has no lead",
-                "program K along Z, I along X",
-            );
+            return self.refuse(span, codes::S2081::thread_has_no_lead());
         };
         self.starts_are_known(w, span)?;
         let way = |axis: Axis| match (end.get(axis), self.st.position.get(axis)) {
@@ -107,13 +100,7 @@ impl Channel<'_> {
             _ => 0.0,
         };
         if let Some(longer) = AxisSet::MAIN.iter().find(|other| way(*other) > way(axis) + STILL) {
-            let message = format!("the lead is given along {}, but {} moves further", axis.letter(), longer.letter());
-            return self.fail_help(
-                codes::S2081.alarm(16730),
-                span,
-                message,
-                "give the lead along the axis that moves further",
-            );
+            return self.refuse(span, codes::S2081::lead_is_given_along(&axis.letter(), &longer.letter()));
         }
         if let Some((word, given)) = start_angle {
             self.shift_start(word, given, &end, (axis, lead), follows)?;
@@ -135,8 +122,7 @@ impl Channel<'_> {
         follows: bool,
     ) -> Outcome {
         if !(0.0..360.0).contains(&start.value) {
-            let message = format!("the start angle {word}={} lies outside 0 to 359.999", start.value);
-            return self.fail_help(codes::S9012, start.span, message, "program the angle within one turn");
+            return self.refuse(start.span, codes::S9012::start_angle_lies_outside_0_to_359(&word, &start.value));
         }
         let why = if follows {
             "this thread follows on another one, which fixes its angle"
@@ -148,14 +134,12 @@ impl Channel<'_> {
             ""
         };
         if !why.is_empty() {
-            let message = format!("the start angle of the thread cannot be made by a shift of its start: {why}");
-            let help = "program the start point farther back by lead · angle / 360, and no SF=";
-            return self.fail_help(codes::S9012, start.span, message, help);
+            return self.refuse(start.span, codes::S9012::start_angle_of_thread_cannot_be_made(&why));
         }
         let back = lead * start.value / 360.0;
         let (Some(to), Some(from)) = (end.get(axis), self.st.position.get(axis)) else { return Err(Reported) };
         if (to - from).abs() <= STILL {
-            return self.fail(codes::S2081.alarm(16740), start.span, "the thread does not move along its lead");
+            return self.refuse(start.span, codes::S2081::thread_does_not_move_along_its_lead());
         }
         // The start lies on the line of the thread, tapered ones included.
         let part = back / (to - from).abs();
@@ -165,12 +149,8 @@ impl Channel<'_> {
                 shifted.set(axis, from - (to - from) * part);
             }
         }
-        let message = format!(
-            "{word}={} is made by a start that lies {back:.4} mm farther back along {}, where the tool goes at rapid",
-            start.value,
-            axis.letter()
-        );
-        let found = Diagnostic::new(codes::S8133, self.loc(start.span), message);
+        let found = codes::S8133::is_made_by_start_that_lies_mm(&word, &start.value, &back, &axis.letter())
+            .at(self.loc(start.span));
         self.report(found.help("see that nothing stands there"));
         self.send(&shifted, Path::Rapid);
         Ok(())
@@ -186,9 +166,7 @@ impl Channel<'_> {
     pub(super) fn no_start_angle_by_setting(&self, span: Span) -> Outcome {
         match self.start_angle_by_setting(span).filter(|given| given.value != 0.0) {
             Some(Given { value, .. }) => {
-                let message = format!("whether `{START_ANGLE}={value}` holds for the threads of a cycle is not known");
-                let help = format!("set it to 0 in front of the cycle: {START_ANGLE}=0");
-                self.fail_help(codes::S9012, span, message, &help)
+                self.refuse(span, codes::S9012::whether_holds_for_threads_of_cycle(&START_ANGLE, &value))
             }
             None => Ok(()),
         }
@@ -201,8 +179,7 @@ impl Channel<'_> {
             return Ok(());
         }
         let span = corner.map_or(span, |given| given.span);
-        let help = "program the transition as elements of its own, and RNDM=0 in front of the thread";
-        self.fail_help(codes::S2071, span, "a thread has no corner to chamfer or round", help)
+        self.refuse(span, codes::S2071::thread_has_no_corner_to_chamfer())
     }
 
     /// I, J and K.
@@ -212,12 +189,10 @@ impl Channel<'_> {
         for (address, axis) in [Address::I, Address::J, Address::K].into_iter().zip(axes) {
             let Some(lead) = w.take(address) else { continue };
             if lead.value == 0.0 {
-                let help = "write the lead, or give the variable behind the address its value before this block";
-                return self.fail_help(codes::S2081.alarm(16720), lead.span, "the lead of the thread is 0", help);
+                return self.refuse(lead.span, codes::S2081::lead_of_thread_is_0());
             }
             if !w.axes.contains(axis) {
-                let message = format!("the lead counts along {}, which the block does not move", axis.letter());
-                return self.fail(codes::S2081.alarm(16730), lead.span, message);
+                return self.refuse(lead.span, codes::S2081::lead_counts_along(&axis.letter()));
             }
             found = Some(Lead { axis, lead: lead.value * self.st.length_unit(), span: lead.span });
         }

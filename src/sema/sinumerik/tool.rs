@@ -2,7 +2,7 @@
 //!
 //! Source: S 2.12 and 2.15 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::function::CutterData;
 use crate::ir::{Function, Side};
 use crate::machine::tools::ToolKey;
@@ -156,7 +156,7 @@ impl Channel<'_> {
             None if t.value.fract() == 0.0 && (0.0..=32_000.0).contains(&t.value) => {
                 self.tool_by_number(t.value as u32, t.span)?
             }
-            None => return self.fail(codes::S2043.alarm(17190), t.span, format!("T{} is no tool number", t.value)),
+            None => return self.refuse(t.span, codes::S2043::t_is_no_tool_number(&t.value)),
         };
         self.proposed.call(number);
         if number != 0 {
@@ -167,8 +167,7 @@ impl Channel<'_> {
         self.st.tool.choose(number);
         let settings = &self.job.settings.tools;
         if settings.complete && number != 0 && settings.called(number).is_none() {
-            let found =
-                Diagnostic::new(codes::S8009, self.loc(t.span), format!("tool {number} is not in the tool table"));
+            let found = codes::P2006::tool_is_not_in_tool_table_2(&number).at(self.loc(t.span));
             self.report(found.help("add it to the table, or check the number"));
         }
         if self.changes_by_t() {
@@ -215,22 +214,17 @@ impl Channel<'_> {
             _ => {
                 let help = self.proposed.help(name, tools);
                 self.st.tool.waits_unnamed = true;
-                self.fail_help(codes::S2043.alarm(17191), span, format!("the tool `{name}` has no number"), &help)
+                self.refuse(span, codes::S2043::tool_has_no_number(&name).help(&help))
             }
         }
     }
 
     pub(super) fn change_tool(&mut self) -> Outcome {
         let Some(number) = self.st.tool.next else {
-            return self.fail_help(codes::S2043, Where::Block, "no tool is chosen", "program T in front of M6");
+            return self.refuse(Where::Block, codes::S2043::no_tool_is_chosen_so_program_t());
         };
         if self.st.side() != Side::None {
-            return self.fail_help(
-                codes::S2080.alarm(10780),
-                Where::Block,
-                "the tool changes while radius compensation is on",
-                "program G40 in a block in front of it",
-            );
+            return self.refuse(Where::Block, codes::S2080::tool_changes_while_radius_compensation());
         }
         let printed = self.job.settings.tools.printed_number(number);
         self.st.tool.change_to(number);
@@ -254,11 +248,10 @@ impl Channel<'_> {
             if let (Some(first), Some(other)) = (length(1), length(edge))
                 && first != other
             {
-                let message = format!(
-                    "length {} of D{edge} of T{number} is {other} mm, and that of D1 is {first} mm: the target has one length for a tool",
-                    parameter - 2
+                return self.refuse(
+                    span,
+                    codes::S9021::length_of_d_of_t_is_mm(&(parameter - 2), &edge, &number, &other, &first),
                 );
-                return self.fail_help(codes::S9021, span, message, "give the edge a tool number of its own");
             }
         }
         Ok(())
@@ -267,7 +260,7 @@ impl Channel<'_> {
     /// Edge number `d` comes into force.
     pub(super) fn edge_number(&mut self, d: f64, span: Span) -> Outcome {
         if d.fract() != 0.0 || !(0.0..=32_000.0).contains(&d) {
-            return self.fail(codes::S2043.alarm(17180), span, format!("D{d} is no edge number"));
+            return self.refuse(span, codes::S2043::d_is_no_edge_number(&d));
         }
         let edge = d as u32;
         if self.st.tool.edge.is_some_and(|old| old != edge) {
@@ -275,29 +268,14 @@ impl Channel<'_> {
         }
         let changes = self.st.tool.edge != Some(edge) || self.st.tool.rewritten;
         if self.st.side() != Side::None && !self.st.compensation.starts && changes {
-            return self.fail_help(
-                codes::S2080,
-                span,
-                "the cutting edge changes while radius compensation is on",
-                "program G40 in a block in front of it",
-            );
+            return self.refuse(span, codes::S2080::cutting_edge_changes_while_radius_compensation());
         }
         self.refuse_other_length(edge, span)?;
         self.st.tool.select_edge(edge);
         if edge > 1 && self.has_length_of_first(edge) {
-            self.note_once(
-                codes::S8010,
-                span,
-                "cutting edges other than D1 are not printed: the target knows one offset a tool",
-            );
+            self.say_once(span, codes::S8010::cutting_edges_other_than_d1_are_not());
         } else if edge > 1 && self.job.diags.first_time(codes::S8254, (self.st.tool.active, edge)) {
-            let message = format!(
-                "D{edge} is not printed, and its lengths are not known: the target takes those of D1, and goes wrong by the \
-                 difference"
-            );
-            let help =
-                "give the edge a tool number of its own, or tell its lengths: `$TC_DP3` to `$TC_DP5` in the tool data";
-            self.report(Diagnostic::new(codes::S8254, self.loc(span), message).help(help));
+            self.report(codes::S8254::d_is_not_printed(&edge).at(self.loc(span)));
         }
         Ok(())
     }
@@ -355,8 +333,7 @@ impl Channel<'_> {
             }
             if self.st.codes.of(Group::CompensationType).index > 2 {
                 let kind = self.st.codes.of(Group::CompensationType).word();
-                let message = format!("under {kind} the radius is compensated in space, which cannot be printed");
-                return self.fail_help(codes::S9010, span, message, "have the CAM system put out the centre path");
+                return self.refuse(span, codes::P9013::under_radius_is_compensated_in_space_which_cannot(&kind));
             }
             self.st.compensation.open = Some(span);
             if !self.resolves() {
@@ -394,15 +371,10 @@ impl Channel<'_> {
             "select a tool before".into()
         };
         let Some(number) = self.st.tool.active.filter(|n| *n != 0) else {
-            return self.fail_help(codes::S2080.alarm(10750), span, "radius compensation without a tool", help);
+            return self.refuse(span, codes::S2080::radius_compensation_without_tool().help(help));
         };
         if self.st.tool.edge_in_doubt {
-            return self.fail_help(
-                codes::S2080,
-                span,
-                "D was programmed between T and M6: which edge is in force behind M6 is machine datum 20270",
-                "program D behind M6",
-            );
+            return self.refuse(span, codes::S2080::d_was_programmed_between_t());
         }
         let edge = self.st.tool.edge_or_first();
         let radius = self.cutter_radius(number, edge, span)?;
@@ -429,11 +401,7 @@ impl Channel<'_> {
         if !self.st.tool.rewritten {
             return Ok(());
         }
-        let message = format!(
-            "the data of T{number} D{edge} were written after its selection, and no D stands after them: whether they \
-             count already is not documented"
-        );
-        self.fail_help(codes::S9010, span, message, format!("program D{edge} after the assignment"))
+        self.refuse(span, codes::P9013::data_of_t_d_were_written_after(&number, &edge))
     }
 
     /// The same for G41 and G42 themselves, which do not come into force without it.
@@ -460,17 +428,10 @@ impl Channel<'_> {
     /// The radius that the program gives an edge, with its wear; `None` for that of the target's own table.
     fn cutter_radius(&self, number: u32, edge: u32, span: Span) -> Outcome<Option<f64>> {
         if edge == 0 {
-            let help = "select the edge in front of G41 or G42: D1";
-            return self.fail_help(codes::S2080, span, "radius compensation under D0, which has no radius", help);
+            return self.refuse(span, codes::S2080::radius_compensation_under_d0());
         }
         if self.st.system.is_written("$P_AD[6]") || self.st.system.is_written("$P_AD[15]") {
-            let message = "the program changes the radius of the active tool by `$P_AD`";
-            return self.fail_help(
-                codes::S9010,
-                span,
-                message,
-                "write `$TC_DP6` of the tool in front of its selection",
-            );
+            return self.refuse(span, codes::P9013::program_changes_radius_of_active_tool());
         }
         let written = |parameter: u8| {
             let key = format!("$TC_DP{parameter}[{number},{edge}]");
@@ -488,9 +449,7 @@ impl Channel<'_> {
             (_, wear) => {
                 let what =
                     if wear.is_some() { "the program writes its wear only" } else { "the target knows that of D1" };
-                let message = format!("the radius of T{number} D{edge} is not known: {what}");
-                let help = format!("write it in front of G41 or G42: `$TC_DP6[{number},{edge}]=…`");
-                self.fail_help(codes::S9010, span, message, &help)
+                self.refuse(span, codes::P9013::radius_of_t_d_is_not(&number, &edge, &what))
             }
         }
     }
@@ -506,8 +465,7 @@ impl Channel<'_> {
             // The plane position does not change, so the offset can wait for the next move in the plane.
             self.st.compensation.leaving_open = true;
             if !self.resolves() && self.job.diags.first_time(codes::S8134, ()) {
-                let message = "G40 stands in front of a move that leaves the plane alone: the offset is taken off in the next move in the plane";
-                let found = Diagnostic::new(codes::S8134, self.loc(span), message);
+                let found = codes::S8134::g40_stands_in_front_of_move().at(self.loc(span));
                 self.report(found.help("program G40 with a move in the plane; some controls show alarm 10754 here"));
             }
             return Ok(());
@@ -518,9 +476,7 @@ impl Channel<'_> {
         }
         let alarm = if on { 10753 } else { 10754 };
         let what = if in_plane { "on an arc" } else { "without a move in the plane" };
-        let message = format!("radius compensation {} {what}", if on { "starts" } else { "ends" });
-        let help = "program G41, G42 or G40 with G0 or G1 and an axis of the plane";
-        self.fail_help(codes::S2080.alarm(alarm), span, message, help)
+        self.refuse(span, codes::S2080::radius_compensation(&(if on { "starts" } else { "ends" }), &what).alarm(alarm))
     }
 
     /// What ends the compensation on the target while the tool still stands beside the contour: its next move would go
@@ -541,8 +497,7 @@ impl Channel<'_> {
 
 impl Core<'_> {
     pub(super) fn says_shape(&self, span: Span, word: &str) {
-        let message = format!("{word} is left out: the target enters, leaves and rounds a compensated contour its way");
-        self.note_once(codes::S8043, span, message);
+        self.say_once(span, codes::S8043::is_left_out(&word));
     }
 
     pub(super) fn g40_had_no_move<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {

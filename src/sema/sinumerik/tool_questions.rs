@@ -23,17 +23,12 @@ impl Run<'_> {
             [Val::Text(name)] => (name, Some(1)),
             [Val::Text(name), sister] => (name, sister.number().and_then(whole)),
             _ => {
-                return self.fail(
-                    codes::S2021.alarm(14021),
-                    span,
-                    "GETT takes the name of a tool and the number of its sister",
-                );
+                return self.refuse(span, codes::S2021::gett_takes_name_of_tool());
             }
         };
         let name = String::from_utf8_lossy(name).into_owned();
         if sister != Some(1) {
-            let message = format!("GETT asks for a sister of \"{name}\", which only the control knows");
-            return self.fail_help(codes::S9005, span, message, "write the number of the tool itself");
+            return self.refuse(span, codes::P9010::gett_asks_for_sister(&name));
         }
         if let Some(number) = self.st.system.tool_named(&name) {
             return Ok(Val::Int(i32::try_from(number).unwrap_or(0)));
@@ -52,17 +47,12 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome {
         let [variable, spindle @ ..] = formulas else {
-            return self.fail(
-                codes::S2021.alarm(14020),
-                span,
-                format!("{name} lacks the variable that takes the tool"),
-            );
+            return self.refuse(span, codes::S2021::lacks_variable_that_takes_tool(&name));
         };
         if let Some(spindle) = spindle.first().filter(|formula| !formula.is_missing()) {
             let number = self.number(*spindle, block, text)?;
             if whole(number) != Some(i32::from(self.st.spindles.master())) {
-                let message = format!("{name} asks for the tool of spindle {number}, which is not the master");
-                return self.fail_help(codes::S9005, spindle.span, message, "write the number of the tool itself");
+                return self.refuse(spindle.span, codes::P9010::asks_for_tool_of_spindle(&name, &number));
             }
         }
         let tool = &self.st.tool;
@@ -73,19 +63,19 @@ impl Run<'_> {
         let given = || self.job.settings.variables.get(variable_name).copied().and_then(whole);
         let Some(number) = number.and_then(|number| i32::try_from(number).ok()).or_else(given) else {
             let meaning = meaning_of(variable_name, &[]).unwrap_or_default();
-            let message = format!("{name} asks for the {meaning}, and the program has selected none");
             let help = format!("select a tool before it, or give it under [variables]: \"{variable_name}\" = number");
-            return self.fail_help(codes::S2028, span, message, Answer::variable(variable_name, meaning).help(help));
+            return self.refuse(
+                span,
+                codes::P2023::asks_for_program_has_selected_none(&name, &meaning)
+                    .help(Answer::variable(variable_name, meaning).help(help)),
+            );
         };
         match self.reference(*variable, block, text)? {
             Some(reference) => {
                 self.set_reference(reference, number);
                 Ok(())
             }
-            None => {
-                let message = format!("{name} needs a variable, which takes the number of the tool");
-                self.fail(codes::S2021.alarm(14020), variable.span, message)
-            }
+            None => self.refuse(variable.span, codes::S2021::needs_variable(&name)),
         }
     }
 }

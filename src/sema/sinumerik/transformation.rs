@@ -2,7 +2,7 @@
 //!
 //! What is printed for them is the user's choice. Source: S 2.16 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::transformation::Surface;
 use crate::ir::{Function, Side, Transformation};
 use crate::machine::{Axis, AxisSet, MachineKind, Transmit};
@@ -40,8 +40,10 @@ impl Run<'_> {
         let mut given = [None; 3];
         let most = if on == OnSurface::Face { 1 } else { 3 };
         if let Some(more) = formulas.get(most) {
-            let message = format!("{} takes {most} argument{}", on.word(), if most == 1 { "" } else { "s" });
-            return self.fail(codes::S2021.alarm(12340), more.span, message);
+            return self.refuse(
+                more.span,
+                codes::S2021::takes_argument(&on.word(), &most, &(if most == 1 { "" } else { "s" })),
+            );
         }
         for (place, formula) in given.iter_mut().zip(formulas) {
             if !formula.is_missing() {
@@ -73,14 +75,10 @@ impl Channel<'_> {
         span: Span,
     ) -> Outcome<Surface> {
         if let Some((number, span)) = number.filter(|(number, _)| *number != 1.0) {
-            let message =
-                format!("{} selects transformation {number}: which axes it uses, only the machine knows", on.word());
-            let help = "select the first one, or compile the face in Cartesian axes";
-            return self.fail_help(codes::S2280, span, message, help);
+            return self.refuse(span, codes::S2280::selects_transformation(&on.word(), &number));
         }
         if let Some((_, span)) = wall.filter(|(wall, _)| *wall != 0.0) {
-            let help = "leave the third argument out, and program the path of the tool's centre";
-            return self.fail_help(codes::S2280, span, "TRACYL corrects the walls of a groove by a real Y axis", help);
+            return self.refuse(span, codes::S2280::tracyl_corrects_walls_of_groove_by_real());
         }
         if on == OnSurface::Face {
             return Ok(Surface::Face);
@@ -88,8 +86,7 @@ impl Channel<'_> {
         let (given, at) = diameter.unwrap_or((0.0, span));
         let diameter = given * self.st.length_unit();
         if !(1e-3..1e6).contains(&diameter) {
-            let message = format!("the working diameter of TRACYL is {given}");
-            return self.fail_help(codes::S2280, at, message, "give the diameter at which Y counts: TRACYL(80)");
+            return self.refuse(at, codes::S2280::working_diameter_of_tracyl(&given));
         }
         Ok(Surface::Mantle { diameter })
     }
@@ -99,13 +96,10 @@ impl Channel<'_> {
         let as_seen = match self.job.settings.cycles.transmit {
             Transmit::Refuse => {
                 let what = if on == OnSurface::Face { "face" } else { "mantle" };
-                let help = Answer::key("cycles", "transmit").one_of(&["\"polar\"", "\"cartesian\""]).help("set `[cycles] transmit = \"polar\"` for X and the rotary axis, or \"cartesian\" for a control that \
-                            transforms by itself");
-                return self.fail_help(
-                    codes::S9006,
+                return self.refuse(
                     span,
-                    format!("{word} machines the {what} in axes that the target may not have"),
-                    help,
+                    codes::S9006::machines_in_axes_that_target_may_not(&word, &what)
+                        .answer(Answer::key("cycles", "transmit").one_of(&["\"polar\"", "\"cartesian\""])),
                 );
             }
             Transmit::Cartesian => true,
@@ -123,10 +117,7 @@ impl Channel<'_> {
         self.axes_change(rotary);
         if as_seen {
             self.lost();
-            let message = format!(
-                "{word}: face machining in virtual Cartesian axes; needs a machine with X, Y or a control transformation"
-            );
-            self.note_once(codes::S8250, span, message);
+            self.say_once(span, codes::S8250::face_machining_in_virtual_cartesian_axes(&word));
         } else {
             self.st.position.move_to(&seen);
             self.function(Function::Transformation(Some(by)));
@@ -135,8 +126,7 @@ impl Channel<'_> {
                 OnSurface::Face => format!("the tool stands over the positive X of the program at {letter}0"),
                 OnSurface::Mantle => format!("Y0 of the program lies at {letter}0"),
             };
-            let message = format!("{word} is printed with X and {letter}: X0 lies on the axis of rotation, and {zero}");
-            self.note_once(codes::S8251, span, message);
+            self.say_once(span, codes::S8251::is_printed_with_x(&word, &letter, &zero));
         }
         self.says_diameter(on, span);
         Ok(())
@@ -175,20 +165,14 @@ impl Channel<'_> {
     fn may_transform(&mut self, span: Span) -> Outcome {
         self.pending_must_be_done(span)?;
         if self.st.side() != Side::None || self.st.compensation.is_leaving() {
-            let help = "program G40 with a straight move in front of it";
-            return self.fail_help(codes::S2281, span, "radius compensation is on where the axes change", help);
+            return self.refuse(span, codes::S2281::radius_compensation_is_on_where_axes_change());
         }
         let kept = self.job.settings.control.sinumerik.transformation_keeps_frame;
         if !self.st.ctx.frame.is_identity() && !kept {
-            let help = Answer::key("control", "md10602").one_of(&["1"]).help(
-                "program the frame behind this block (TRANS without values in front of it), or set \
-                        `[control] md10602 = 1` if it stays on the machine",
-            );
-            return self.fail_help(
-                codes::S2281,
+            return self.refuse(
                 span,
-                "a frame is in force where the axes change, and the control may delete it (MD 10602)",
-                help,
+                codes::S2281::frame_is_in_force_where_axes_change()
+                    .answer(Answer::key("control", "md10602").one_of(&["1"])),
             );
         }
         Ok(())
@@ -198,19 +182,14 @@ impl Channel<'_> {
     fn has_axes_for(&mut self, on: OnSurface, span: Span) -> Outcome {
         let machine = &self.job.settings.machine;
         if on == OnSurface::Mantle && machine.kind != MachineKind::Lathe {
-            let help = Answer::key("machine", "kind")
-                .help("set `[machine] kind = \"lathe\"` if the tool points along X to a workpiece that turns about Z");
-            return self.fail_help(
-                codes::S2280,
+            return self.refuse(
                 span,
-                "which axes TRACYL uses on a milling machine, only the machine knows",
-                help,
+                codes::S2280::which_axes_tracyl_uses_on_milling_machine().answer(Answer::key("machine", "kind")),
             );
         }
         let y = self.st.ctx.frame.apply(self.st.position.at()).get(Axis::Y).filter(|y| y.abs() > 1e-6);
         if let Some(y) = y.filter(|_| self.st.transformation.is_none()) {
-            let message = format!("the Y axis stands at {y} where X and the rotary axis take over");
-            return self.fail_help(codes::S2281, span, message, "program Y0 in front of it");
+            return self.refuse(span, codes::S2281::y_axis_stands_at_where_x(&y));
         }
         Ok(())
     }
@@ -220,8 +199,7 @@ impl Channel<'_> {
         let counts =
             self.job.settings.machine.diameter_axis == Some(Axis::X) && self.st.diameter_mode() != Diameter::Off;
         if on == OnSurface::Face && counts && self.job.diags.first_time(codes::S8252, ()) {
-            let message = "diameter programming is on at TRANSMIT: X of the face is read as a diameter";
-            let found = Diagnostic::new(codes::S8252, self.loc(span), message);
+            let found = codes::S8252::diameter_programming_is_on_at_transmit().at(self.loc(span));
             self.report(found.help("program DIAMOF behind TRANSMIT if X and Y of the face count alike"));
         }
     }
@@ -231,7 +209,6 @@ impl Channel<'_> {
         if self.st.transformation.is_none() || !TURNING.contains(&name) {
             return Ok(());
         }
-        let message = format!("{name} is not possible while TRANSMIT or TRACYL is on");
-        self.fail_help(codes::S2282.alarm(61020), span, message, "program TRAFOOF in front of it")
+        self.refuse(span, codes::S2282::is_not_possible_while_transmit_or_tracyl(&name))
     }
 }

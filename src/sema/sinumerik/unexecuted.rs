@@ -179,12 +179,7 @@ impl<'a> Unexecuted<'a> {
             _ => "",
         };
         // The control looks for the target when it jumps.
-        let message =
-            format!("this jump is not made; if it were, there is no {what}{way} (alarm 14080, {})", codes::S2003.id);
-        Some(
-            Diagnostic::new(codes::S8040, here.loc(self.job, jump.span), message)
-                .help("check the target and the sense of the jump"),
-        )
+        Some(codes::P8140::this_jump_is_not_made(&what, &way, &codes::P2011.id).at(here.loc(self.job, jump.span)))
     }
 
     fn label(&mut self, name: Symbol, block: &Block, at: u32, here: &Site) -> Option<Diagnostic> {
@@ -208,11 +203,11 @@ impl<'a> Unexecuted<'a> {
                 let word = self.symbols.name(name).to_owned();
                 match self.vocabulary.get(word.as_str()) {
                     Some(_) if is_built(&word) || self.stands_for(&word) => None,
-                    Some(_) => Some(refused(self.job, here, block.span, codes::S9005)),
+                    Some(_) => Some(refused(self.job, here, block.span, codes::P9010)),
                     None => self.program(&word, None, block.span, here),
                 }
             }
-            CallForm::Iso => Some(refused(self.job, here, block.span, codes::S9003)),
+            CallForm::Iso => Some(refused(self.job, here, block.span, codes::P9012)),
             CallForm::Path { .. } | CallForm::Section { .. } | CallForm::ModalOff => None,
         }
     }
@@ -243,10 +238,6 @@ impl<'a> Unexecuted<'a> {
             }
         };
         (!is_here).then(|| {
-            let message = format!(
-                "this block does not run; if it did, it would call `{bare}`, which is not here ({})",
-                codes::S2002.id
-            );
             let call = NameOfCall {
                 name: without_extension(&bare),
                 text: text.flatten(),
@@ -255,7 +246,9 @@ impl<'a> Unexecuted<'a> {
             };
             let known = self.vocabulary.get(call.name).is_some_and(|known| reserved(*known).is_some());
             let help = if known { call.help_of_word() } else { call.help() };
-            Diagnostic::new(codes::S8040, here.loc(self.job, span), message).help(help)
+            codes::P8140::this_block_does_not_run_if_it_did(&bare, &codes::S2002.id)
+                .at(here.loc(self.job, span))
+                .help(help)
         })
     }
 
@@ -295,9 +288,9 @@ impl<'a> Unexecuted<'a> {
                 None => continue,
                 Some(Ok(code)) => code,
                 Some(Err(number)) => {
-                    let message = format!("G{number} is not known");
                     return Some(
-                        Diagnostic::new(codes::S2010.alarm(12470), here.loc(self.job, word.span), message)
+                        codes::S2010::g_is_not_known(&number)
+                            .at(here.loc(self.job, word.span))
                             .help(in_place_of(number)),
                     );
                 }
@@ -332,7 +325,7 @@ impl<'a> Unexecuted<'a> {
                 let known = value <= 9.0 || matches!(value as u32, 17 | 19 | 30 | 40..=45);
                 let passed = self.job.settings.output.pass_m.contains(&(value as u32))
                     || self.job.settings.control.tool_change_m.contains(&(value as u32));
-                (!known && !passed).then(|| refused(self.job, here, word.span, codes::S2044))
+                (!known && !passed).then(|| refused(self.job, here, word.span, codes::P2007))
             }
             (Target::Name(name), Value::None | Value::Call(_)) => {
                 let shown = self.symbols.name(name).to_owned();
@@ -382,17 +375,12 @@ fn repeated_words(check: &Unexecuted<'_>, block: &Block, here: &Site) -> Option<
     };
     for (at, word) in block.words.iter().enumerate().filter(|(_, word)| once(word)) {
         if block.words[..at].iter().any(|first| first.target == word.target) {
-            let message = "the address stands twice in the block";
-            return Some(
-                Diagnostic::new(codes::S2007.alarm(12000), here.loc(check.job, word.span), message)
-                    .help("delete one of the words"),
-            );
+            return Some(codes::P1002::address_stands_twice_in_block().at(here.loc(check.job, word.span)));
         }
     }
     None
 }
 
 fn refused(job: &Job<'_>, here: &Site, span: Span, code: &'static Code) -> Diagnostic {
-    let message = format!("this block does not run; if it did, it would be refused: {} ({})", code.title, code.id);
-    Diagnostic::new(codes::S8040, here.loc(job, span), message).help(format!("see `partc explain {}`", code.id))
+    codes::P8140::this_block_does_not_run(&code.title, &code.id).at(here.loc(job, span))
 }

@@ -291,12 +291,7 @@ impl Run<'_> {
             seen.get_or_insert(word.span);
         }
         if let (Some(assigned), Some(_)) = (words.assigned, words.other) {
-            return self.fail_help(
-                codes::S2014.alarm(12080),
-                assigned,
-                "an assignment stands beside other words",
-                "give the assignment a block of its own",
-            );
+            return self.refuse(assigned, codes::S2014::assignment_stands_beside_other_words());
         }
         Ok(())
     }
@@ -343,8 +338,7 @@ impl Run<'_> {
             self.no_modifier(given)?;
         }
         if letter == b'R' {
-            let help = "the radius of an arc is CR=";
-            return self.fail_help(codes::S2016.alarm(12050), word.span, "the address R has no meaning", help);
+            return self.refuse(word.span, codes::S2016::address_r_has_no_meaning());
         }
         if let Some(named) = self.axis_names.letter(letter) {
             return self.axis_word(words, named, given);
@@ -353,12 +347,9 @@ impl Run<'_> {
             b'G' => self.g_word(words, given),
             b'M' => words.add_m(&self.core, None, given),
             b'F' => words.set_address(&self.core, Address::F, given),
-            b'S' if words.s.iter().any(|s| s.spindle.is_none()) => self.fail_help(
-                codes::S2007.alarm(12000),
-                given.span,
-                "S stands twice in the block",
-                "delete one of the words",
-            ),
+            b'S' if words.s.iter().any(|s| s.spindle.is_none()) => {
+                self.refuse(given.span, codes::P1002::s_stands_twice_in_block())
+            }
             b'S' => {
                 words.s.push(SWord { spindle: None, value: given.value, span: given.span });
                 Ok(())
@@ -372,24 +363,18 @@ impl Run<'_> {
                 words.h = Some(given.span);
                 Ok(())
             }
-            b'P' if words.calls.passes.is_some() => self.fail_help(
-                codes::S2007.alarm(12000),
-                given.span,
-                "P stands twice in the block",
-                "delete one of the words",
-            ),
+            b'P' if words.calls.passes.is_some() => self.refuse(given.span, codes::P1002::p_stands_twice_in_block()),
             b'P' => {
                 words.calls.passes = Some(given);
                 Ok(())
             }
             b'L' => words.set_subprogram(&self.core, word, given),
             _ => {
-                let message = format!("the address {} is not known", letter as char);
                 let help = match letter {
                     b'E' => "an exponent is written EX: 1EX5 for 1e5; axes are X Y Z A B C U V W",
                     _ => "check the letter; axes are X Y Z A B C U V W",
                 };
-                self.fail_help(codes::S2016.alarm(12050), word.span, message, help)
+                self.refuse(word.span, codes::S2016::address_is_not_known(&(letter as char)).help(help))
             }
         }
     }
@@ -397,12 +382,9 @@ impl Run<'_> {
     fn g_word(&mut self, words: &mut Words, given: Given) -> Outcome {
         match self.gcodes.get(given.value) {
             Some(code) => words.add_code(&self.core, code, given.span),
-            None => self.fail_help(
-                codes::S2010.alarm(12470),
-                given.span,
-                format!("G{} is not known", given.value),
-                in_place_of(given.value),
-            ),
+            None => {
+                self.refuse(given.span, codes::S2010::g_is_not_known_2(&given.value).help(in_place_of(given.value)))
+            }
         }
     }
 
@@ -433,9 +415,9 @@ impl Run<'_> {
             Value::Literal { value, .. } if value.is_finite() => {
                 Ok(Given { value, mode: Mode::Plain, span: word.span })
             }
-            Value::Literal { .. } => self.fail(codes::S2029.alarm(12160), word.span, "the number is too large"),
+            Value::Literal { .. } => self.refuse(word.span, codes::S2029::number_is_too_large()),
             Value::Formula(formula) => self.given_formula(formula, word.span, block, text),
-            Value::None | Value::Call(_) => self.fail(codes::S1001.alarm(12080), word.span, "the word has no value"),
+            Value::None | Value::Call(_) => self.refuse(word.span, codes::P1001::word_has_no_value()),
         }
     }
 
@@ -444,7 +426,7 @@ impl Run<'_> {
             && let Some(mode) = Mode::of(self.symbols.name(*name))
         {
             if *count != 1 {
-                return self.fail(codes::S2021.alarm(14021), formula.span, "the modifier takes one value");
+                return self.refuse(formula.span, codes::S2021::modifier_takes_one_value());
             }
             let inner = Formula { to: formula.to - 1, ..formula };
             let value = self.number(inner, block, text)?;
@@ -458,11 +440,10 @@ impl Run<'_> {
 impl Words {
     pub fn set_subprogram(&mut self, core: &Core<'_>, word: &Word, given: Given) -> Outcome {
         let Value::Literal { digits, whole: true, value } = word.value else {
-            return core.fail(codes::S1001.alarm(12080), word.span, "a subprogram number is written in digits: L10");
+            return core.refuse(word.span, codes::P1001::subprogram_number_is_written_in_digits());
         };
         if self.calls.number.is_some() {
-            let help = "give each call a block of its own";
-            return core.fail_help(codes::S2007.alarm(12000), given.span, "L stands twice in the block", help);
+            return core.refuse(given.span, codes::P1002::l_stands_twice_in_block());
         }
         let width = usize::from(digits);
         self.calls.number = Some((format!("L{value:0width$}"), given.span));
@@ -471,8 +452,8 @@ impl Words {
 
     pub fn set_axis(&mut self, core: &Core<'_>, axis: Axis, given: Given) -> Outcome {
         if self.axes.contains(axis) {
-            let message = format!("the axis {} stands twice in the block", axis.letter());
-            return core.fail_help(codes::S2007.alarm(12000), given.span, message, "delete one of the words");
+            return core
+                .refuse(given.span, codes::P1002::axis_stands_twice_in_block_so_delete_one_of_words(&axis.letter()));
         }
         if given.mode.is_feed() {
             return core.misplaced_modifier(given.span);
@@ -488,12 +469,7 @@ impl Words {
             core.no_modifier(given)?;
         }
         if self.given & 1 << address as u64 != 0 {
-            return core.fail_help(
-                codes::S2007.alarm(12000),
-                given.span,
-                "the address stands twice in the block",
-                "delete one of the words",
-            );
+            return core.refuse(given.span, codes::P1002::address_stands_twice_in_block());
         }
         self.given |= 1 << address as u64;
         self.addresses[address as usize] = given;
@@ -523,7 +499,7 @@ impl Words {
     pub fn add_m(&mut self, core: &Core<'_>, spindle: Option<u8>, given: Given) -> Outcome {
         core.no_modifier(given)?;
         if given.value < 0.0 || given.value > 1e9 || given.value.fract() != 0.0 {
-            return core.fail(codes::S2044, given.span, format!("M{} is no M function", given.value));
+            return core.refuse(given.span, codes::P2007::m_is_no_m_function(&given.value));
         }
         let mut number = given.value as u32;
         if core.job.settings.control.tool_change_m.contains(&number) {
@@ -542,7 +518,6 @@ impl Core<'_> {
 
     #[cold]
     pub(super) fn misplaced_modifier(&self, span: Span) -> Outcome {
-        let help = "AC(…), IC(…), DC(…) and their kin are for end points, centres, polar words and SPOS=, PM(…) and PR(…) for FAD=";
-        self.fail_help(codes::S2012.alarm(12020), span, "this address takes no such modifier", help)
+        self.refuse(span, codes::P1003::this_address_takes_no_such_modifier())
     }
 }

@@ -42,12 +42,9 @@ impl Run<'_> {
             ProgramPart::Contour => self.geometry_block(w, block, text),
             ProgramPart::Turret => self.turret_line(w, text),
             ProgramPart::Unread => Ok(()),
-            ProgramPart::Head | ProgramPart::Names | ProgramPart::Between => self.fail_help(
-                codes::T1008,
-                block.span,
-                "words have no place in this section",
-                "blocks that machine stand in the section MACHINING",
-            ),
+            ProgramPart::Head | ProgramPart::Names | ProgramPart::Between => {
+                self.refuse(block.span, codes::T1008::words_have_no_place_in_this_section())
+            }
         }
     }
 
@@ -106,12 +103,7 @@ impl Run<'_> {
             let both = plan.claimed & function.letters & w.present();
             if both != 0 {
                 let letter = (b'A' + both.trailing_zeros() as u8) as char;
-                return self.fail_help(
-                    codes::T1006,
-                    fun.span,
-                    format!("two functions of the block take {letter}"),
-                    "put the second function into a block of its own",
-                );
+                return self.refuse(fun.span, codes::P1005::two_functions_of_block_take(&letter));
             }
             plan.claimed |= function.letters;
             if let Some(slot) = functions.get_mut(i) {
@@ -119,12 +111,7 @@ impl Run<'_> {
             }
             plan.only_path &= function.kind.is_path();
             if function.kind.is_motion() && plan.motion.replace((function, *fun)).is_some() {
-                return self.fail_help(
-                    codes::T1006,
-                    fun.span,
-                    format!("G{} and another move or cycle stand in one block", fun.number),
-                    "put the second one into a block of its own",
-                );
+                return self.refuse(fun.span, codes::P1005::g_another_move_or_cycle_stand(&fun.number));
             }
         }
         self.check_words(w, &plan, &functions)?;
@@ -143,26 +130,18 @@ impl Run<'_> {
     fn no_such_function<T>(&self, fun: Fun, known: Option<&Function>) -> Outcome<T> {
         if let Some(owner) = belongs(fun.number) {
             let what = known.map_or_else(String::new, |function| format!(" ({})", function.name));
-            let message = format!("G{}{what} is a function of {owner}; partc does not support it yet", fun.number);
-            return self.fail(codes::T9001, fun.span, message);
+            return self.refuse(fun.span, codes::P9011::g_is_function(&fun.number, &what, &owner));
         }
         match known {
-            Some(function) => {
-                self.fail(codes::T9001, fun.span, format!("G{} ({}) is not supported", fun.number, function.name))
-            }
-            None => self.fail_help(
-                codes::T9001,
-                fun.span,
-                format!("G{} is not known", fun.number),
-                "check the number; functions of other controls have to be converted",
-            ),
+            Some(function) => self.refuse(fun.span, codes::P9011::g_is_not_supported(&fun.number, &function.name)),
+            None => self.refuse(fun.span, codes::P9011::g_is_not_known(&fun.number)),
         }
     }
 
     fn check_same(&self, w: &Words, i: usize) -> Outcome {
         let fun = w.g()[i];
         if w.g()[..i].iter().any(|other| other.number == fun.number) {
-            return self.fail(codes::T1002, fun.span, format!("G{} stands twice in the block", fun.number));
+            return self.refuse(fun.span, codes::P1002::g_stands_twice_in_block(&fun.number));
         }
         Ok(())
     }
@@ -179,34 +158,22 @@ impl Run<'_> {
         while rest != 0 {
             let letter = b'A' + rest.trailing_zeros() as u8;
             if let Some(num) = marked(letter) {
-                return self.fail_help(
-                    codes::T1003,
-                    num.span,
-                    format!("{} takes a plain number here", letter as char),
-                    "only X and Z can be incremental or left open with `?`",
-                );
+                return self.refuse(num.span, codes::P1003::takes_plain_number_here(&(letter as char)));
             }
             rest &= rest - 1;
         }
         for (addr, num) in w.longs() {
             let name = addr.to_string();
             if !functions.iter().flatten().any(|function| function.takes(&name)) {
-                return self.fail_help(
-                    codes::T1003,
-                    num.span,
-                    format!("no function of the block takes {name}"),
-                    "remove the word, or put it where it belongs",
-                );
+                return self.refuse(num.span, codes::P1003::no_function_of_block_takes_so_remove_word(&name));
             }
             if num.unknown {
-                return self.fail(codes::T1003, num.span, format!("{name} takes a number"));
+                return self.refuse(num.span, codes::P1003::takes_number(&name));
             }
         }
         let named = plan.motion.is_some_and(|(function, _)| function.cycle.is_some_and(Cycle::takes_name));
         match w.texts().iter().find(|(addr, _)| !(named && addr.to_string() == "ID")) {
-            Some((addr, span)) => {
-                self.fail(codes::T1003, *span, format!("no function of the block takes a text at {addr}"))
-            }
+            Some((addr, span)) => self.refuse(*span, codes::P1003::no_function_of_block_takes_text(&addr)),
             None => Ok(()),
         }
     }
@@ -217,26 +184,12 @@ impl Run<'_> {
         let span = w.span(letter, self.block_span());
         let letter = letter as char;
         if !moves && matches!(letter, 'X' | 'Z') {
-            return self.fail_help(
-                codes::T2001,
-                span,
-                "the block has coordinates and no function that moves",
-                "write G0 or G1 into the block",
-            );
+            return self.refuse(span, codes::T2001::block_has_coordinates());
         }
         if matches!(letter, 'C' | 'Y' | 'U' | 'W') {
-            return self.fail(
-                codes::T9004,
-                span,
-                format!("{letter} belongs to the C axis, the Y axis or a second slide, which are not supported here"),
-            );
+            return self.refuse(span, codes::T9004::belongs_to_c_axis(&letter));
         }
-        self.fail_help(
-            codes::T1003,
-            span,
-            format!("no function of the block takes {letter}"),
-            "remove the word, or put it where it belongs",
-        )
+        self.refuse(span, codes::P1003::no_function_of_block_takes(&letter))
     }
 
     fn before_motion(&mut self, w: &Words, plan: &Plan, text: &[u8]) -> Outcome {
@@ -303,24 +256,14 @@ impl Run<'_> {
             _ => {}
         }
         if self.st.compensation.is_on() && function.kind != Kind::Dwell {
-            return self.fail_help(
-                codes::T2021,
-                fun.span,
-                format!("G{} stands under nose radius compensation", fun.number),
-                "program G40 with a straight move before it",
-            );
+            return self.refuse(fun.span, codes::T2021::g_stands_under_nose_radius_compensation(&fun.number));
         }
         match function.kind {
             Kind::MachineRapid => self.machine_rapid(w),
             Kind::ChangePoint => self.change_point(w),
             Kind::Dwell => self.dwell(w),
             Kind::SingleThread => self.single_thread(w),
-            Kind::EndOfContour => self.fail_help(
-                codes::T3003,
-                fun.span,
-                "G80 ends a contour, and none was begun",
-                "a cycle such as G817 or G31 begins the contour",
-            ),
+            Kind::EndOfContour => self.refuse(fun.span, codes::T3003::g80_ends_contour()),
             Kind::Cycle => match function.cycle {
                 Some(cycle) => self.begin_cycle(cycle, w),
                 None => Err(Reported),
@@ -333,7 +276,7 @@ impl Run<'_> {
     fn dwell(&mut self, w: &Words) -> Outcome {
         let num = self.needed(w, b'F', "the time in seconds", self.block_span())?;
         if num.value < 0.0 {
-            return self.fail(codes::T1007, num.span, "a dwell time is not negative");
+            return self.refuse(num.span, codes::T1007::dwell_time_is_not_negative());
         }
         self.function(Item::Dwell(num.value));
         Ok(())

@@ -4,7 +4,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::lexer::turning::{Addr, VarKind, VarRef};
 use crate::parser::symbols::Symbols;
 use crate::parser::turning::ast::{Section, Stmt};
@@ -78,8 +78,7 @@ impl Names {
             let section = passed.site.loc(job, passed.block.span);
             let place = blocks.texts.cursor.place();
             if names.places.insert(name.clone(), place).is_some() {
-                let message = format!("the subprogram `{name}` stands twice in this file");
-                job.diags.push(Diagnostic::new(codes::T2011, section, message).help("give one of them another name"));
+                job.diags.push(codes::T2011::subprogram_stands_twice_in_this_file(&name).at(section));
             }
         }
         names
@@ -108,15 +107,10 @@ impl Run<'_> {
         let arguments = self.arguments(w)?;
         let external = self.sections.family() == Family::Basic || self.choice(w, b'V', 0, 1)? == 1;
         if let Some(num) = w.get(b'Q').filter(|num| num.value != 1.0) {
-            return self.fail_help(
-                codes::T9007,
-                num.span,
-                "whether Q counts passes or repeats no manual at hand says",
-                "write the L block as often as it shall run",
-            );
+            return self.refuse(num.span, codes::T9007::whether_q_counts_passes_or_repeats_no());
         }
         if name.is_empty() {
-            return self.fail(codes::T1005, self.block_span(), "the name of the subprogram is missing");
+            return self.refuse(self.block_span(), codes::P1004::name_of_subprogram_is_missing());
         }
         if external { self.call_file(&name, arguments) } else { self.call_section(&name, arguments) }
     }
@@ -126,24 +120,19 @@ impl Run<'_> {
         let mut locals = Locals::default();
         let stray = w.present() & !letters("VQI");
         if stray != 0 || !w.g().is_empty() || !w.m().is_empty() || w.texts().len() > 1 {
-            return self.fail_help(
-                codes::T1003,
-                self.block_span(),
-                "the block of a call holds words that no manual at hand describes",
-                "hand over values with LA to LF, LH and I, and put functions into blocks of their own",
-            );
+            return self.refuse(self.block_span(), codes::P1003::block_of_call_holds_words_that_no());
         }
         let singles = [w.get(b'V'), w.get(b'Q'), w.get(b'I')].into_iter().flatten();
         let open = singles.chain(w.longs().iter().map(|(_, num)| *num)).find(|num| num.unknown || num.incremental);
         if let Some(num) = open {
-            return self.fail(codes::T1003, num.span, "a call takes plain numbers");
+            return self.refuse(num.span, codes::P1003::call_takes_plain_numbers());
         }
         let mut give = |addr: Addr, value: f64| {
             locals.insert(VarRef { kind: VarKind::Argument, number: addr.0 }, Some(value));
         };
         for (addr, num) in w.longs() {
             if !ADMITTED.iter().any(|name| Addr::of(name.as_bytes()) == Some(*addr)) {
-                return self.fail(codes::T1003, num.span, format!("{addr} hands no value over"));
+                return self.refuse(num.span, codes::P1003::hands_no_value_over(&addr));
             }
             give(*addr, num.value);
         }
@@ -164,7 +153,7 @@ impl Run<'_> {
             known.sort_unstable();
             let upper = name.to_ascii_uppercase();
             let like = crate::machine::tree::did_you_mean(&upper, known).map(str::to_owned);
-            let found = Diagnostic::new(codes::T2011, here, format!("there is no section SUBPROGRAM \"{name}\""));
+            let found = codes::T2011::there_is_no_section_subprogram(&name).at(here);
             return self.stop(match like {
                 Some(like) => found.help(format!("did you mean `{like}`?")),
                 None => found.help("write V1 for a subprogram in a file of its own"),
@@ -186,7 +175,7 @@ impl Run<'_> {
             level.program == program && (known == kind || (kind == LevelKind::External && known == LevelKind::Main))
         };
         if self.levels.iter().any(runs) {
-            return self.fatal(codes::T2012, format!("`{name}` calls itself"));
+            return self.end_run(codes::P2012::calls_itself_2(&name));
         }
         let limit = self.job.settings.limits.call_depth.min(DEEPEST);
         if self.levels.len() > limit {
@@ -207,7 +196,7 @@ impl Run<'_> {
     pub(super) fn return_from_subprogram(&mut self) -> Outcome {
         if let Some(nest) = self.level().frame.nests.last() {
             let loc = nest.loc;
-            self.report(Diagnostic::new(codes::T1009, loc, "this is not closed when the subprogram ends"));
+            self.report(codes::T1009::this_is_not_closed_when_subprogram_ends().at(loc));
         }
         if let Some(frame) = self.leave()? {
             self.sections.part = frame.part;

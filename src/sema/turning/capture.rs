@@ -47,12 +47,7 @@ impl Run<'_> {
             return (cycle.run)(self, w, Behind { outline: None, side: None });
         }
         if let Some(m) = w.m().iter().find(|m| !matches!(m.number, 3 | 4 | 8)) {
-            return self.fail_help(
-                codes::T1006,
-                m.span,
-                format!("M{} stands in the block of a cycle whose contour follows", m.number),
-                "put it in front of the cycle or behind its G80",
-            );
+            return self.refuse(m.span, codes::P1005::m_stands_in_block_of_cycle_whose(&m.number));
         }
         self.capture = Some(Box::new(Capture {
             cycle,
@@ -88,12 +83,7 @@ impl Run<'_> {
         };
         if let Some(side) = side {
             if !capture.builder.is_empty() || capture.builder.has_start() || capture.side.is_some() {
-                return self.fail_help(
-                    codes::T2021,
-                    side.span,
-                    format!("G{} stands inside of the contour of G89", side.number),
-                    "program it once, in the block after G89",
-                );
+                return self.refuse(side.span, codes::T2021::g_stands_inside_of_contour_of_g89(&side.number));
             }
             capture.side = Some(side);
             if functions.is_empty() && w.present() == 0 {
@@ -101,27 +91,21 @@ impl Run<'_> {
             }
         }
         let [fun] = *functions else {
-            return self.fail_help(
-                codes::T3003,
+            return self.refuse(
                 block.span,
-                format!(
-                    "the contour of G{} ({}) holds a block that is no element",
-                    capture.cycle.number, capture.cycle.signature.what
-                ),
-                "close the contour with a block that holds G80 alone",
+                codes::T3003::contour_of_g_holds_block(&capture.cycle.number, &capture.cycle.signature.what),
             );
         };
         let form = matches!(fun.number, 22 | 23 | 25 | 34 | 37);
         let path = matches!(fun.number, 0..=3 | 12 | 13);
         if !(path || form && self.sections.family() == Family::DinPlus) {
-            return self.fail_help(
-                codes::T3003,
+            return self.refuse(
                 fun.span,
-                format!(
-                    "G{} cannot stand in the contour of G{} ({})",
-                    fun.number, capture.cycle.number, capture.cycle.signature.what
+                codes::T3003::g_cannot_stand_in_contour_of_g(
+                    &fun.number,
+                    &capture.cycle.number,
+                    &capture.cycle.signature.what,
                 ),
-                "close the contour with a block that holds G80 alone",
             );
         }
         self.contour_element(w, block, fun, &mut capture.builder)
@@ -130,16 +114,12 @@ impl Run<'_> {
     /// G80
     fn end_of_contour(&mut self, mut capture: Capture, w: &Words) -> Outcome {
         if w.present() != 0 || !w.m().is_empty() || !w.texts().is_empty() {
-            return self.fail(codes::T1003, self.block_span(), "G80 stands alone in its block");
+            return self.refuse(self.block_span(), codes::P1003::g80_stands_alone_in_its_block());
         }
         self.known_words(w, capture.cycle.number)?;
         if let Some(outline) = self.contour_words(w, capture.cycle.number)? {
             if !capture.builder.is_empty() || capture.broken {
-                return self.fail(
-                    codes::T1006,
-                    self.block_span(),
-                    "the contour stands in blocks and in the words of G80",
-                );
+                return self.refuse(self.block_span(), codes::P1005::contour_stands_in_blocks());
             }
             self.blank_of_form(&mut capture, w)?;
             return self.captured_cycle(&capture, &outline);
@@ -154,7 +134,7 @@ impl Run<'_> {
                 self.flaw(&flaw);
                 Err(Reported)
             }
-            Ok(_) if empty => self.fail(codes::T3003, self.block_span(), "the contour has no element"),
+            Ok(_) if empty => self.refuse(self.block_span(), codes::T3003::contour_has_no_element()),
             Ok(outline) => self.captured_cycle(&capture, &outline),
         }
     }
@@ -165,16 +145,11 @@ impl Run<'_> {
         for (addr, num) in w.longs() {
             let name = addr.to_string();
             if num.unknown {
-                return self.fail(codes::T1003, num.span, format!("{name} takes a number"));
+                return self.refuse(num.span, codes::P1003::takes_number(&name));
             }
             let form = number == 869 && BLANK_OF_FORM.contains(&name.as_str());
             if !form && !known.contains(&name.as_str()) {
-                return self.fail_help(
-                    codes::T1003,
-                    num.span,
-                    format!("G80 takes no {name} behind G{number}"),
-                    "remove the word, or put it where it belongs",
-                );
+                return self.refuse(num.span, codes::P1003::g80_takes_no_behind_g(&name, &number));
             }
         }
         Ok(())
@@ -185,15 +160,10 @@ impl Run<'_> {
         for name in BLANK_OF_FORM {
             let Some(num) = w.long(name) else { continue };
             if capture.words.long(name).is_some() {
-                return self.fail_help(
-                    codes::T1006,
-                    num.span,
-                    format!("{name} stands in the block of G869 and in the words of G80"),
-                    "leave one of the two out",
-                );
+                return self.refuse(num.span, codes::P1005::stands_in_block_of_g869(&name));
             }
             if num.value < 0.0 {
-                return self.fail(codes::T1007, num.span, "the oversize of a blank is not negative");
+                return self.refuse(num.span, codes::T1007::oversize_of_blank_is_not_negative());
             }
             // What the cycle finds is shown at its own block.
             capture.words.add_long(name, Num { span: capture.function, ..num });

@@ -21,12 +21,7 @@ impl Run<'_> {
         let at = self.stand()?;
         for (letter, what) in [(b'B', "the first corner of the section"), (b'J', "the element in front of it")] {
             if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
-                return self.fail_help(
-                    codes::T9007,
-                    num.span,
-                    format!("{} of G89: how it makes {what} is shown in a picture only", letter as char),
-                    "begin the contour with the element in front of the corner, and write the corner at its end",
-                );
+                return self.refuse(num.span, codes::T9007::of_g89_how_it_makes_is_shown(&(letter as char), &what));
             }
         }
         let section = self.contour_of(w, outline, 0)?;
@@ -40,9 +35,10 @@ impl Run<'_> {
                     Some(nose) => Some(nose),
                     None if self.known_tool().and_then(|tool| tool.radius) == Some(0.0) => None,
                     None => {
-                        let message =
-                            format!("G{} compensates the nose radius of the tool, which is not known", fun.number);
-                        return self.fail_help(codes::T2024, self.block_span(), message, self.asks_for_nose());
+                        return self.refuse(
+                            self.block_span(),
+                            codes::P2004::g_compensates_nose_radius_of_tool(&fun.number).help(self.asks_for_nose()),
+                        );
                     }
                 }
             }

@@ -35,27 +35,20 @@ impl Run<'_> {
             820 => true,
             869 => !self.recess_tool()?.1,
             _ => {
-                return self.fail_help(
-                    codes::T9007,
-                    num.span,
-                    format!("a contour in the words of G80 ({addr}) is not supported for G{number}"),
-                    "write the contour with G0, G1, G2 and G3 blocks before G80",
-                );
+                return self.refuse(num.span, codes::T9007::contour_in_words_of_g80_is_not(&addr, &number));
             }
         };
         if self.job.settings.control.turning.refuse_contour_words == Some(true) {
-            return self.fail_help(
-                codes::T9007,
+            return self.refuse(
                 num.span,
-                format!("no manual at hand lists the words of G80 ({addr})"),
-                Answer::key("control", "contour_words").help("write the contour with G0, G1, G2 and G3 blocks before G80, or set `[control] contour_words = \"documented\"`"),
+                codes::T9007::no_manual_at_hand_lists_words(&addr).answer(Answer::key("control", "contour_words")),
             );
         }
         self.depends_on(Question::ContourWords, num.span);
         let form = self.form_of(w, swapped)?;
         let points = if number == 869 { form.recess() } else { form.step() };
         let Some(points) = points else {
-            return self.fail(codes::T3002, self.block_span(), "the angles leave no room between start and end");
+            return self.refuse(self.block_span(), codes::T3002::angles_leave_no_room_between_start());
         };
         let outline = self.outline_of(&points, swapped).map_err(|flaw| {
             self.flaw(&flaw);
@@ -69,17 +62,12 @@ impl Run<'_> {
         let mm = self.st.mm();
         for name in ["EC", "IC", "KC", "HC"] {
             if let Some(num) = w.long(name).filter(|num| num.value != 0.0) {
-                return self.fail_help(
-                    codes::T9007,
-                    num.span,
-                    format!("{name} in a contour of G80 is not supported: no manual at hand describes it"),
-                    "write the contour with G0, G1, G2 and G3 blocks before G80",
-                );
+                return self.refuse(num.span, codes::T9007::in_contour_of_g80_is_not_supported(&name));
             }
         }
         let needed = |name: &str| match w.long(name) {
             Some(num) => Ok(num.value * mm),
-            None => self.fail(codes::T1005, span, format!("{name} is missing: the contour has no start or no end")),
+            None => self.refuse(span, codes::P1004::is_missing_contour_has_no_start(&name)),
         };
         let point = |x: f64, z: f64| if swapped { Vec2::new(x / 2.0, z) } else { Vec2::new(z, x / 2.0) };
         let lean = |name: &str| match w.long(name) {
@@ -88,11 +76,11 @@ impl Run<'_> {
                 let (sin, cos) = Deg(num.value).sin_cos();
                 Ok(sin / cos)
             }
-            Some(num) => self.fail(codes::T1007, num.span, format!("{name} lies between 0 and 90 degrees")),
+            Some(num) => self.refuse(num.span, codes::T1007::lies_between_0(&name)),
         };
         let rim = |name: &str| w.long(name).map_or(Transition::Sharp, |num| transition_of(num.value * mm));
         let corner = match w.long("RC") {
-            Some(num) if num.value < 0.0 => return self.fail(codes::T1007, num.span, "RC is a radius"),
+            Some(num) if num.value < 0.0 => return self.refuse(num.span, codes::T1007::rc_is_radius()),
             num => num.map_or(Transition::Sharp, |num| transition_of(num.value * mm)),
         };
         Ok(Form {

@@ -418,13 +418,9 @@ impl Run<'_> {
         if self.sections.family() != Family::Basic {
             return Ok(());
         }
-        self.fail_help(
-            codes::T2017,
+        self.refuse(
             self.block_span(),
-            "the MANUALplus 4110 has no G869, and a program without sections is one of that control",
-            Answer::key("control", "heidenhain_turning").help(
-                "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml if it is for a later control",
-            ),
+            codes::T2017::manualplus_4110_has_no_g869().answer(Answer::key("control", "heidenhain_turning")),
         )
     }
 }

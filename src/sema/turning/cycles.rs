@@ -27,8 +27,7 @@ impl Run<'_> {
             None => self.referenced(w, left_out)?,
         };
         if section.edges.len() > MOST_EDGES {
-            let message = format!("the contour of a cycle has more than {MOST_EDGES} elements");
-            return self.fail(codes::T3003, self.block_span(), message);
+            return self.refuse(self.block_span(), codes::T3003::contour_of_cycle_has_more_than_elements(&MOST_EDGES));
         }
         Ok(section)
     }
@@ -41,12 +40,8 @@ impl Run<'_> {
             2 => (false, true),
             3 => (false, false),
             _ => {
-                return self.fail_help(
-                    codes::T9007,
-                    w.span(b'V', self.block_span()),
-                    "V4 (only the chamfer or rounding of an element) is not supported",
-                    "write the chamfer as an element of its own",
-                );
+                return self
+                    .refuse(w.span(b'V', self.block_span()), codes::T9007::v4_only_chamfer_or_rounding_of_element());
             }
         };
         let left_out = self.left_out(w)?;
@@ -68,12 +63,12 @@ impl Run<'_> {
             return self.named_contour(name, w, left_out);
         }
         let Some(first) = w.long("NS") else {
-            return self.fail(codes::T1005, span, "the cycle has neither NS nor a contour behind it");
+            return self.refuse(span, codes::P1004::cycle_has_neither_ns_nor_contour());
         };
         let number = |value: f64| (value.fract() == 0.0 && (0.0..=99_999.0).contains(&value)).then_some(value as u32);
         let last = w.long("NE");
         let (Some(ns), Some(ne)) = (number(first.value), number(last.map_or(first.value, |num| num.value))) else {
-            return self.fail(codes::T1007, first.span, "NS and NE are block numbers");
+            return self.refuse(first.span, codes::T1007::ns_and_ne_are_block_numbers());
         };
         let mut missing = ns;
         let mut found = Vec::new();
@@ -92,12 +87,7 @@ impl Run<'_> {
             }
         }
         if found.len() > 1 {
-            return self.fail_help(
-                codes::T2019,
-                first.span,
-                format!("the block number {ns} stands in two contours"),
-                "number the blocks of the geometry sections so that each number stands once",
-            );
+            return self.refuse(first.span, codes::T2019::block_number_stands_in_two_contours(&ns));
         }
         if let Some(section) = found.pop() {
             return Ok(section);
@@ -111,19 +101,9 @@ impl Run<'_> {
     #[cold]
     fn no_element<T>(&self, first: Num, missing: u32) -> Outcome<T> {
         if self.geometry.starts.contains(&missing) {
-            return self.fail_help(
-                codes::T2019,
-                first.span,
-                format!("N{missing} is the start point of a contour (G0), not an element of it"),
-                "name the first element that is cut: the G1, G2 or G3 block behind the start point",
-            );
+            return self.refuse(first.span, codes::T2019::n_is_start_point_of_contour(&missing));
         }
-        self.fail_help(
-            codes::T2019,
-            first.span,
-            format!("no element of a contour has the block number {missing}"),
-            "NS and NE name blocks of the geometry sections; each number may stand there once",
-        )
+        self.refuse(first.span, codes::T2019::no_element_of_contour_has_block_number(&missing))
     }
 
     /// The contour that ID names: all of it, or from NS to NE.
@@ -133,12 +113,7 @@ impl Run<'_> {
             |described: &&Described| described.name.as_deref().is_some_and(|known| known.eq_ignore_ascii_case(name));
         let mut found = self.geometry.contours.iter().filter(same);
         let (Some(described), None) = (found.next(), found.next()) else {
-            return self.fail_help(
-                codes::T2019,
-                span,
-                format!("there is no contour `{name}`, or more than one"),
-                "give each auxiliary contour a name of its own: AUXIL_CONTOUR ID\"…\"",
-            );
+            return self.refuse(span, codes::T2019::there_is_no_contour(&name));
         };
         if described.broken {
             return Err(Reported);
@@ -153,7 +128,7 @@ impl Run<'_> {
             (None, None) => Ok(outline.all()),
             (Some(Some(ns)), None) => outline.between(ns, None),
             (Some(Some(ns)), Some(Some(ne))) => outline.between(ns, Some(ne)),
-            _ => return self.fail(codes::T1007, span, "NS and NE are block numbers, and NE does not stand alone"),
+            _ => return self.refuse(span, codes::T1007::ns_ne_are_block_numbers()),
         };
         let missing = |number| format!("no element of the contour `{name}` has the block number {number}");
         section.or_else(|number| {

@@ -21,12 +21,7 @@ impl Run<'_> {
         let feed = self.cutting_feed()?;
         let bottom = self.bottom_of_hole(w, at)?;
         if let Some(num) = w.get(b'V').filter(|num| num.value != 0.0) {
-            return self.fail_help(
-                codes::T9007,
-                num.span,
-                "by how much V lowers the feed at entry and exit no manual at hand says",
-                "leave V out, and program the feed for the whole hole",
-            );
+            return self.refuse(num.span, codes::T9007::by_how_much_v_lowers_feed());
         }
         let dwell = self.not_negative(w, b'E')?;
         let out_at_feed = self.choice(w, b'D', 0, 1)? == 1;
@@ -35,11 +30,7 @@ impl Run<'_> {
             (false, true) => Method::Ream { dwell, back: feed },
             (true, false) => Method::Peck(self.pecks(w, at.x - bottom, dwell)?),
             (true, true) => {
-                return self.fail(
-                    codes::T9007,
-                    w.span(b'D', span),
-                    "deep-hole drilling with retraction at feed is not supported",
-                );
+                return self.refuse(w.span(b'D', span), codes::T9007::deep_hole_drilling_with_retraction_at_feed());
             }
         };
         self.send_drilling(at.x, bottom, feed, method);
@@ -57,32 +48,17 @@ impl Run<'_> {
         let span = self.block_span();
         for (letter, what) in [(b'B', "run-in"), (b'Q', "spindle"), (b'H', "reference of the pitch")] {
             if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
-                return self.fail_help(
-                    codes::T9007,
-                    num.span,
-                    format!("{} of G36 ({what}): what its values do no manual at hand says", letter as char),
-                    "leave it out, and position the tool far enough in front of the thread",
-                );
+                return self.refuse(num.span, codes::T9007::of_g36_what_its_values_do_no(&(letter as char), &what));
             }
         }
         let bottom = self.bottom_of_hole(w, at)?;
         let pitch = self.needed(w, b'F', "the pitch of the thread", span)?;
         let lead = self.above_zero(pitch, "the pitch of the thread")?;
         let Some(turn) = self.st.spindle.turn() else {
-            return self.fail_help(
-                codes::T1005,
-                span,
-                "the spindle does not turn, so it is open whether the thread is right-handed",
-                "program M3 or M4 before G36",
-            );
+            return self.refuse(span, codes::P1004::spindle_does_not_turn());
         };
         if self.st.spindle.is_cutting() {
-            return self.fail_help(
-                codes::T1006,
-                span,
-                "tapping under a constant cutting speed (G96)",
-                "program `G97 S…` before G36",
-            );
+            return self.refuse(span, codes::P1005::tapping_under_constant_cutting_speed());
         }
         let tap = Tap {
             rigid: true,
@@ -109,34 +85,23 @@ impl Run<'_> {
             Coord::Stay => {}
             Coord::At(x) if (x - at.y).abs() <= 1e-6 => {}
             _ => {
-                return self.fail_help(
-                    codes::T9007,
-                    w.span(b'X', span),
-                    "drilling along X is not supported",
-                    "position the tool over the hole, and program Z of its bottom",
-                );
+                return self.refuse(w.span(b'X', span), codes::T9007::drilling_along_x_is_not_supported());
             }
         }
         let bottom = match self.coord(w.get(b'Z'), Axis::Z) {
             Coord::At(z) => z,
             Coord::By(d) => at.x + d,
-            _ => return self.fail(codes::T1005, span, "Z is missing: the bottom of the hole"),
+            _ => return self.refuse(span, codes::P1004::z_is_missing()),
         };
         if bottom >= at.x {
-            return self.fail(
-                codes::T1007,
-                w.span(b'Z', span),
-                "the hole does not lie in front of the tool, towards -Z",
-            );
+            return self.refuse(w.span(b'Z', span), codes::T1007::hole_does_not_lie_in_front());
         }
         Ok(bottom)
     }
 
     fn not_negative(&self, w: &Words, letter: u8) -> Outcome<f64> {
         match w.get(letter) {
-            Some(num) if num.value < 0.0 => {
-                self.fail(codes::T1007, num.span, format!("{} is not negative", letter as char))
-            }
+            Some(num) if num.value < 0.0 => self.refuse(num.span, codes::T1007::is_not_negative(&(letter as char))),
             num => Ok(num.map_or(0.0, |num| num.value)),
         }
     }
@@ -158,12 +123,7 @@ impl Run<'_> {
         } else if (less - least).abs() <= 1e-9 {
             Degression::Plain { less, least: least.min(first) }
         } else {
-            return self.fail_help(
-                codes::T9007,
-                w.span(b'I', self.block_span()),
-                "steps that become shorter by I down to another least depth J are not supported",
-                "program J with the same value as I, or leave I out",
-            );
+            return self.refuse(w.span(b'I', self.block_span()), codes::T9007::steps_that_become_shorter_by_i_down());
         };
         let (breaks, way) = match w.get(b'B') {
             Some(num) => (Breaks::Always, self.above_zero(num, "the return distance")?),

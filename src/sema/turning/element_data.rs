@@ -99,7 +99,7 @@ impl Run<'_> {
 
     fn one_of(&self, a: Option<Num>, b: Option<Num>) -> Outcome<Option<Num>> {
         match (a, b) {
-            (Some(_), Some(b)) => self.fail(codes::T1002, b.span, "two addresses of the block mean the same"),
+            (Some(_), Some(b)) => self.refuse(b.span, codes::P1002::two_addresses_of_block_mean_same()),
             (a, b) => Ok(a.or(b)),
         }
     }
@@ -114,7 +114,7 @@ impl Run<'_> {
         let Some(num) = w.get(b'R') else { return Ok(None) };
         let radius = num.value * self.st.mm();
         if radius == 0.0 || radius.abs() > LARGEST_RADIUS {
-            return self.fail(codes::T1007, num.span, format!("R{} is no radius", num.value));
+            return self.refuse(num.span, codes::T1007::r_is_no_radius(&num.value));
         }
         Ok(Some(radius))
     }
@@ -124,7 +124,7 @@ impl Run<'_> {
         let q = match w.get(b'Q') {
             None => 0.0,
             Some(num) if num.value == 0.0 || num.value == 1.0 => num.value,
-            Some(num) => return self.fail(codes::T1007, num.span, format!("Q{} is neither 0 nor 1", num.value)),
+            Some(num) => return self.refuse(num.span, codes::T1007::q_is_neither_0_nor_1(&num.value)),
         };
         let swapped = arc && self.job.settings.control.turning.arc_choice == Some(ArcChoice::ZeroIsFar);
         Ok((q == 1.0) != swapped)
@@ -136,7 +136,7 @@ impl Run<'_> {
         if num.value.fract() == 0.0 && num.value >= 0.0 && num.value <= f64::from(most) {
             return Ok(num.value as u32);
         }
-        self.fail(codes::T1007, num.span, format!("{}{} is none of 0 to {most}", letter as char, num.value))
+        self.refuse(num.span, codes::T1007::is_none_of_0(&(letter as char), &num.value, &most))
     }
 
     /// A length in mm that is above zero.
@@ -145,14 +145,14 @@ impl Run<'_> {
         if length > 0.0 {
             return Ok(length);
         }
-        self.fail(codes::T1007, num.span, format!("{what} has to be above zero"))
+        self.refuse(num.span, codes::T1007::has_to_be_above_zero(&what))
     }
 
     /// The word that a function cannot do without.
     pub(super) fn needed(&self, w: &Words, letter: u8, what: &str, span: Span) -> Outcome<Num> {
         match w.get(letter) {
             Some(num) => Ok(num),
-            None => self.fail(codes::T1005, span, format!("{} is missing: {what}", letter as char)),
+            None => self.refuse(span, codes::P1004::is_missing(&(letter as char), &what)),
         }
     }
 }

@@ -43,20 +43,20 @@ impl Formulas for Run<'_> {
 
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
         let (code, message) = match fault {
-            Fault::Domain(f, x) | Fault::Open(f, x) => (codes::T2009, format!("{} of {x}", noun(f))),
-            Fault::Outside(_, a, b) => (codes::T2009, format!("square root of {a}² - {b}²")),
-            Fault::Zero(a) => (codes::T2009, format!("{a} is divided by zero")),
+            Fault::Domain(f, x) | Fault::Open(f, x) => (codes::P2022, format!("{} of {x}", noun(f))),
+            Fault::Outside(_, a, b) => (codes::P2022, format!("square root of {a}² - {b}²")),
+            Fault::Zero(a) => (codes::P2022, format!("{a} is divided by zero")),
             Fault::ZeroBy(a, by) => {
                 let said = by.said(&self.job, self.here.origin.loc);
-                (codes::T2009, format!("{a} is divided by zero: {said}"))
+                (codes::P2022, format!("{a} is divided by zero: {said}"))
             }
-            Fault::Missing => (codes::T1001, "a value is missing".to_owned()),
+            Fault::Missing => (codes::P1001, "a value is missing".to_owned()),
             Fault::TooLarge
             | Fault::TooLargeInt
             | Fault::OpenBetween(..)
             | Fault::Misfit(_)
             | Fault::Mismatch(..)
-            | Fault::Said(_) => (codes::T2009, "the result is too large".to_owned()),
+            | Fault::Said(_) => (codes::P2022, "the result is too large".to_owned()),
         };
         self.report(Diagnostic::new(code, self.loc(at.span), message));
         Reported
@@ -83,12 +83,9 @@ impl Run<'_> {
                 }
             }
             _ => match self.vars.get(var) {
-                Some(slot) if var.kind == VarKind::Hash && slot.level != 0 && slot.level != here => self.fail_help(
-                    codes::T2014,
-                    span,
-                    format!("{var} was assigned in another program than the one that reads it"),
-                    "hand the value over in the L block, or use #c variables",
-                ),
+                Some(slot) if var.kind == VarKind::Hash && slot.level != 0 && slot.level != here => {
+                    self.refuse(span, codes::T2014::was_assigned_in_another_program_than_one(&var))
+                }
                 Some(slot) => slot.value.ok_or(Reported),
                 None => self.unset(var, span),
             },
@@ -98,32 +95,18 @@ impl Run<'_> {
     fn unset<T>(&self, var: VarRef, span: Span) -> Outcome<T> {
         let key = var.to_string().to_ascii_uppercase();
         match var.kind {
-            VarKind::Machine | VarKind::Interpreter => self.fail_help(
-                codes::T2010,
+            VarKind::Machine | VarKind::Interpreter => self.refuse(
                 span,
-                format!("{var} is set by the control at the machine"),
-                Answer::key("variables", &key)
-                    .help(format!("give its value in partc.toml: `[variables]` with `\"{key}\" = …`")),
+                codes::P2023::is_set_by_control_so_give(&var, &key).answer(Answer::key("variables", &key)),
             ),
-            VarKind::Real if var.number > 900 => self.fail_help(
-                codes::T2010,
+            VarKind::Real if var.number > 900 => self.refuse(
                 span,
-                format!("{var} holds what the control measured"),
-                Answer::key("variables", &key)
-                    .help(format!("give its value in partc.toml: `[variables]` with `{key} = …`")),
+                codes::P2023::holds_what_control_measured(&var, &key).answer(Answer::key("variables", &key)),
             ),
-            VarKind::Argument => self.fail_help(
-                codes::T2008,
+            VarKind::Argument => self.refuse(span, codes::P2020::call_gives_no_value(&var)),
+            _ => self.refuse(
                 span,
-                format!("the call gives no value for {var}"),
-                "add the word to the L block of the call",
-            ),
-            _ => self.fail_help(
-                codes::T2008,
-                span,
-                format!("{var} is read before a value is assigned to it"),
-                Answer::key("variables", &key)
-                    .help(format!("assign a value, or give one in partc.toml: `[variables]` with `\"{key}\" = …`")),
+                codes::P2020::is_read_before_value_so_assign_value(&var, &key).answer(Answer::key("variables", &key)),
             ),
         }
     }
@@ -137,7 +120,7 @@ impl Run<'_> {
         }
         match var.kind {
             VarKind::Machine | VarKind::Interpreter => {
-                return self.fail(codes::T2010, block.span, format!("{var} belongs to the control"));
+                return self.refuse(block.span, codes::P2023::belongs_to_control(&var));
             }
             VarKind::Local | VarKind::Argument => {
                 self.level().frame.locals.insert(var, value.ok());

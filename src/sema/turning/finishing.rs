@@ -2,7 +2,7 @@
 //!
 //! Source: T 8.10; the letters H, I, K, D, E and O: MANUALplus 620 smart.Turn and DIN, page 119 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::{Element, Point2, Vec2, cross, left};
 use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
@@ -116,12 +116,7 @@ impl Run<'_> {
     fn finishing_end(&self, w: &Words) -> Outcome<FinishingEnd> {
         let kind = self.choice(w, b'H', 3, 8)?;
         if let (3..=7, Some(num)) = (kind, w.get(b'I').or(w.get(b'K'))) {
-            return self.fail_help(
-                codes::T1003,
-                num.span,
-                format!("I and K are the end position, and H{kind} goes to none"),
-                "program H0, H1, H2 or H8 with I and K, or leave I and K out",
-            );
+            return self.refuse(num.span, codes::P1003::i_k_are_end_position(&kind));
         }
         let point = || -> Outcome<Point2> {
             let i =
@@ -161,7 +156,7 @@ impl Run<'_> {
     /// On which side of the contour the tool works: told by its edge, else by where it stands.
     pub(super) fn stance(&self, contour: &[Element], at: Point2, nose: Option<Nose>) -> Outcome<Stance> {
         let (Some(first), Some(last)) = (contour.first(), contour.last()) else {
-            return self.fail(codes::T3003, self.block_span(), "the contour has no element");
+            return self.refuse(self.block_span(), codes::T3003::contour_has_no_element());
         };
         let chord = last.to() - first.from();
         let aside = left(chord);
@@ -209,9 +204,7 @@ impl Run<'_> {
     }
 
     pub(super) fn note_descending(&self) {
-        let message =
-            "descending elements are cut at half the feed: E is missing, and the control lowers it by up to that";
-        let found = Diagnostic::new(codes::T2028, self.here.origin.loc, message);
+        let found = codes::T2028::descending_elements_are_cut_at_half_feed().at(self.here.origin.loc);
         self.report(found.help("program E with the feed for descending elements"));
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: T 13.3 (docs/sources.md). A CASE that is reached from the one before, which some languages allow, is refused.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::parser::turning::ast::{Block, Formula, Stmt};
 use crate::sema::run::Read;
 use crate::text::Loc;
@@ -36,11 +36,7 @@ impl Run<'_> {
     pub(super) fn flow_block(&mut self, block: &Block) -> Outcome {
         self.settle_chain()?;
         if !matches!(self.sections.part, ProgramPart::Start | ProgramPart::Machining) || self.capture.is_some() {
-            return self.fail(
-                codes::T1008,
-                block.span,
-                "variables and program flow belong into the section MACHINING, not into a contour",
-            );
+            return self.refuse(block.span, codes::T1008::variables_program_flow_belong_into_section_machining());
         }
         self.sections.settle_family();
         self.level().frame.begun = true;
@@ -66,10 +62,7 @@ impl Run<'_> {
             Stmt::Switch(value) => self.switch_block(block, value),
             Stmt::Case(_) | Stmt::Default => match self.top() {
                 Some(NestKind::Switch) => {
-                    self.report(
-                        Diagnostic::new(codes::T2020, self.here.origin.loc, "the branch before has no BREAK")
-                            .help("end every branch of SWITCH with BREAK"),
-                    );
+                    self.report(codes::T2020::branch_before_has_no_break().at(self.here.origin.loc));
                     self.pass(&[Stmt::EndSwitch], 0)
                 }
                 _ => self.misplaced("CASE", "SWITCH"),
@@ -100,12 +93,12 @@ impl Run<'_> {
             return Ok(());
         }
         self.stop_run();
-        self.fail(codes::T1009, self.block_span(), format!("structures are nested deeper than {DEEPEST} levels"))
+        self.refuse(self.block_span(), codes::T1009::structures_are_nested_deeper_than_levels(&DEEPEST))
     }
 
     fn misplaced(&mut self, what: &str, needs: &str) -> Outcome {
         self.stop_run();
-        self.fail(codes::T1009, self.block_span(), format!("{what} stands outside of {needs}"))
+        self.refuse(self.block_span(), codes::T1009::stands_outside(&what, &needs))
     }
 
     /// A condition; if it cannot be computed, nobody knows which blocks run.
@@ -131,7 +124,7 @@ impl Run<'_> {
         let sources = self.job.sources;
         if self.program().source.cursor.load(sources).is_err() {
             self.stop_run();
-            return self.fail(codes::P0105, self.block_span(), "the file cannot be read");
+            return self.refuse(self.block_span(), codes::P0105::file_cannot_be_read_2());
         }
         let holds = self.condition(block, condition)? != 0.0;
         self.open_nest(NestKind::While(place))?;
@@ -148,7 +141,7 @@ impl Run<'_> {
         let sources = self.job.sources;
         if self.program().source.cursor.load(sources).is_err() {
             self.stop_run();
-            return self.fail(codes::P0105, self.block_span(), "the file cannot be read");
+            return self.refuse(self.block_span(), codes::P0105::file_cannot_be_read_2());
         }
         let here = self.here;
         let mut default = None;
@@ -224,9 +217,6 @@ impl Run<'_> {
     }
 
     fn unclosed<T>(&mut self, from: Loc) -> Outcome<T> {
-        self.stop(
-            Diagnostic::new(codes::T1009, from, "this structure is not closed")
-                .help("close it with ENDIF, ENDWHILE or ENDSWITCH"),
-        )
+        self.stop(codes::T1009::this_structure_is_not_closed().at(from))
     }
 }

@@ -7,7 +7,7 @@ use std::rc::Rc;
 
 use nalgebra::Matrix3;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::ir::Frame;
 use crate::ir::contour::Ctx;
 use crate::machine::axis::AXES;
@@ -21,25 +21,16 @@ use super::{Outcome, Run};
 impl Run<'_> {
     pub(super) fn shift(&mut self, kind: Kind, w: &Words) -> Outcome {
         if let Some(num) = w.get(b'X').filter(|num| num.value != 0.0 || num.unknown || num.incremental) {
-            return self.fail_help(
-                codes::T2016,
-                num.span,
-                "a zero shift in X is not supported: the manuals do not say whether it counts in diameters",
-                "leave out X, or take the shift into the coordinates",
-            );
+            return self.refuse(num.span, codes::T2016::zero_shift_in_x_is_not_supported());
         }
         let z = match self.coord(w.get(b'Z'), Axis::Z) {
             Coord::At(z) => z,
             Coord::Stay if kind != Kind::ShiftAbsolute => 0.0,
-            _ => return self.fail(codes::T1005, self.block_span(), "the shift needs an absolute Z"),
+            _ => return self.refuse(self.block_span(), codes::P1004::shift_needs_absolute_z()),
         };
         if self.st.compensation.is_on() && self.job.settings.output.compensation == Compensation::Resolve {
-            return self.fail_help(
-                codes::T2021,
-                self.block_span(),
-                "the workpiece zero shifts under nose radius compensation",
-                "program G40 with a straight move before the shift",
-            );
+            return self
+                .refuse(self.block_span(), codes::T2021::workpiece_zero_shifts_under_nose_radius_compensation());
         }
         let mut shift = self.st.shift;
         match kind {
@@ -48,34 +39,17 @@ impl Run<'_> {
             _ => {
                 if shift.base.is_none() {
                     if self.st.moved {
-                        return self.fail_help(
-                            codes::T2016,
-                            self.block_span(),
-                            "G59 moves a workpiece zero that the program has used already, by an amount that only the machine knows",
-                            "program G59 before the first move, too",
-                        );
+                        return self.refuse(self.block_span(), codes::T2016::g59_moves_workpiece_zero_that_program());
                     }
                     if !self.st.position.start().known().is_empty() {
-                        return self.fail_help(
-                            codes::T2016,
-                            self.block_span(),
-                            "G59 moves the workpiece zero that the positions of `[start]` count from, by an amount that only the machine knows",
-                            "leave `[start]` out of partc.toml, and begin the program with absolute positions",
-                        );
+                        return self.refuse(self.block_span(), codes::T2016::g59_moves_workpiece_zero_that_positions());
                     }
                     shift.base = Some(z);
-                    let message =
-                        format!("coordinates count from the workpiece zero of G59, {z} mm in front of the chuck");
-                    let found = Diagnostic::new(codes::T2015, self.here.origin.loc, message);
+                    let found = codes::T2015::coordinates_count_from_workpiece_zero_of_g59(&z).at(self.here.origin.loc);
                     self.job.diags.push_once(found.help("set the work offset of the target there"));
                 }
                 if shift.relative != 0.0 || shift.additive != 0.0 {
-                    return self.fail_help(
-                        codes::T2016,
-                        self.block_span(),
-                        "whether G59 ends the shifts of G51 and G56 no manual at hand says",
-                        "program `G51 Z0` first, and take the sum of G56 back",
-                    );
+                    return self.refuse(self.block_span(), codes::T2016::whether_g59_ends_shifts_of_g51());
                 }
                 shift.absolute = Some(z);
             }
@@ -89,7 +63,7 @@ impl Run<'_> {
         let mut values = [0.0; AXES];
         values[Axis::Z.index()] = z;
         let Some(frame) = Frame::new(Matrix3::identity(), values) else {
-            return self.fail(codes::T1007, self.block_span(), "the shift is no number");
+            return self.refuse(self.block_span(), codes::T1007::shift_is_no_number());
         };
         self.st.position.through_frame(&self.st.ctx.frame, &frame);
         self.st.last = None;

@@ -72,20 +72,10 @@ impl Run<'_> {
         let whole = num.value.fract() == 0.0 && (0.0..=f64::from(ALL_CODES)).contains(&num.value);
         let codes = if whole { num.value as u32 } else { u32::MAX };
         if codes & !ALL_CODES != 0 {
-            return self.fail_help(
-                codes::T1007,
-                num.span,
-                format!("D{} is no sum of codes of recesses and undercuts", num.value),
-                "add 256 for G23, 1536 for G22, 32768 for U, 65536 for E, 131072 for F, 262144 for DIN 76",
-            );
+            return self.refuse(num.span, codes::T1007::d_is_no_sum_of_codes(&num.value));
         }
         if matches!(codes & CODES_OF_G22, 512 | 1024) {
-            return self.fail_help(
-                codes::T9007,
-                num.span,
-                "D names one kind of ring groove, and a recess of G22 does not say which kind it is",
-                "program 1536 for all recesses of G22",
-            );
+            return self.refuse(num.span, codes::T9007::d_names_one_kind_of_ring_groove());
         }
         Ok(codes)
     }
@@ -148,12 +138,7 @@ impl Run<'_> {
 
     fn shape_block(&mut self, w: &Words, block: &Block, builder: &mut Builder) -> Outcome {
         let [fun] = *w.g() else {
-            return self.fail_help(
-                codes::T1008,
-                block.span,
-                "a block of a contour holds one G function",
-                "write one element in each block: G1 X50 Z-20",
-            );
+            return self.refuse(block.span, codes::T1008::block_of_contour_holds_one_g_function());
         };
         match fun.number {
             20 => self.bar(w),
@@ -189,19 +174,11 @@ impl Run<'_> {
             34 => self.thread_mark(w, builder),
             37 => self.general_thread_mark(w, builder),
             49 => self.only(w, letters("BPWRUEIJKFVAO"), &[]),
-            10 | 38 | 39 | 52 | 95 | 149 => self.fail_help(
-                codes::T9001,
-                fun.span,
-                format!("the attribute G{} of contour elements is not supported", fun.number),
-                "remove it, and put feeds and oversizes into the cycle",
-            ),
-            24 => self.fail_help(
-                codes::T9001,
-                fun.span,
-                "G24 in a contour is not supported",
-                "describe the thread with G34 and the undercut with G25",
-            ),
-            number => self.fail(codes::T9001, fun.span, format!("G{number} is no element of a contour")),
+            10 | 38 | 39 | 52 | 95 | 149 => {
+                self.refuse(fun.span, codes::P9011::attribute_g_of_contour_elements_is_not(&fun.number))
+            }
+            24 => self.refuse(fun.span, codes::P9011::g24_in_contour_is_not_supported()),
+            number => self.refuse(fun.span, codes::P9011::g_is_no_element_of_contour(&number)),
         }
     }
 
@@ -212,25 +189,24 @@ impl Run<'_> {
             let letter = b'A' + stray.trailing_zeros() as u8;
             let span = w.span(letter, self.block_span());
             let why = if letter == b'E' { "the feed of a corner is set in the cycle" } else { "remove the word" };
-            let message = format!("{} has no place in this block of a contour", letter as char);
-            return self.fail_help(codes::T1003, span, message, why);
+            return self.refuse(span, codes::P1003::has_no_place_in_this_block_of_contour(&(letter as char)).help(why));
         }
         if let Some(m) = w.m().first() {
-            return self.fail(codes::T1003, m.span, "an M function has no place in a contour");
+            return self.refuse(m.span, codes::P1003::m_function_has_no_place_in_contour());
         }
         if let Some((addr, span)) = w.texts().first() {
-            return self.fail(codes::T1003, *span, format!("{addr} has no place in a contour"));
+            return self.refuse(*span, codes::P1003::has_no_place_in_contour(&addr));
         }
         for (addr, num) in w.longs() {
             if num.unknown || !longs.contains(&addr.to_string().as_str()) {
-                return self.fail(codes::T1003, num.span, format!("{addr} is not supported in a contour"));
+                return self.refuse(num.span, codes::P1003::is_not_supported_in_contour(&addr));
             }
         }
         for letter in b'A'..=b'Z' {
             let Some(num) = w.get(letter) else { continue };
             let relative = matches!(letter, b'X' | b'Z' | b'I' | b'K');
             if (num.incremental && !relative) || (num.unknown && !matches!(letter, b'X' | b'Z')) {
-                return self.fail(codes::T1003, num.span, format!("{} takes a plain number here", letter as char));
+                return self.refuse(num.span, codes::P1003::takes_plain_number_here_2(&(letter as char)));
             }
         }
         Ok(())
@@ -242,14 +218,14 @@ impl Run<'_> {
         }
         self.only(w, letters("XZ"), &[])?;
         if builder.has_start() {
-            return self.fail(codes::T3003, self.block_span(), "a contour starts once, with G0");
+            return self.refuse(self.block_span(), codes::T3003::contour_starts_once());
         }
         match (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z)) {
             (Coord::At(x), Coord::At(z)) => {
                 builder.start(Point2::new(z, x));
                 Ok(())
             }
-            _ => self.fail(codes::T1005, self.block_span(), "the start of a contour needs absolute X and Z"),
+            _ => self.refuse(self.block_span(), codes::P1004::start_of_contour_needs_absolute_x()),
         }
     }
 
@@ -257,15 +233,10 @@ impl Run<'_> {
         let allowed = if arc.is_some() { ELEMENT & !letters("A") } else { ELEMENT & !letters("RIK") };
         self.only(w, allowed, if arc.is_some() { &["BR"] } else { &["AN", "BR"] })?;
         if let Some(num) = [w.get(b'I'), w.get(b'K')].into_iter().flatten().find(|num| num.incremental) {
-            return self.fail(codes::T1003, num.span, "I and K take plain numbers here");
+            return self.refuse(num.span, codes::P1003::i_k_take_plain_numbers_here());
         }
         if !builder.has_start() {
-            return self.fail_help(
-                codes::T3003,
-                self.block_span(),
-                "the contour does not say where it starts",
-                "program `G0 X… Z…` as the first element",
-            );
+            return self.refuse(self.block_span(), codes::T3003::contour_does_not_say_where_it_starts());
         }
         let (data, Follows { transition, far }) = self.element_of(w, arc)?;
         let pushed = builder.push(data, Mark { transition, far, ..mark });
@@ -285,12 +256,7 @@ impl Run<'_> {
         if self.geometry.blank.is_none() {
             return Ok(());
         }
-        self.fail_help(
-            codes::T2070,
-            self.block_span(),
-            "the blank is described already, by an earlier G20 or G21",
-            "keep one of the two blocks",
-        )
+        self.refuse(self.block_span(), codes::T2070::blank_is_described_already())
     }
 
     fn bar(&mut self, w: &Words) -> Outcome {
@@ -304,7 +270,7 @@ impl Run<'_> {
         let length = self.above_zero(length, "the length of the bar")?;
         let bore = w.value(b'I').unwrap_or(0.0) * mm;
         if bore < 0.0 || bore >= diameter {
-            return self.fail(codes::T1007, w.span(b'I', span), "the bore of a tube is smaller than the tube");
+            return self.refuse(w.span(b'I', span), codes::T1007::bore_of_tube_is_smaller_than_tube());
         }
         let right = w.value(b'K').unwrap_or(0.0) * mm;
         let (radius, bore) = (diameter / 2.0, bore / 2.0);
@@ -328,7 +294,6 @@ impl Run<'_> {
 /// Centres of arcs were moved to where both ends lie on the circle: worth a word.
 pub(super) fn note_adjusted(job: &Job<'_>, builder: &Builder) {
     if let Some((shift, loc)) = builder.adjusted() {
-        let message = format!("the centre of this arc of the contour was adjusted by {shift:.4} mm");
-        job.diags.push(Diagnostic::new(codes::G3013, loc, message));
+        job.diags.push(codes::G3013::centre_of_this_arc_of_contour(&shift).at(loc));
     }
 }

@@ -42,9 +42,7 @@ impl Run<'_> {
         self.checked(settled)?;
         match builder.pieces.last_mut() {
             Some(piece) => Ok(piece),
-            None => {
-                self.fail(codes::T3004, self.block_span(), format!("{what} stands behind an element of the contour"))
-            }
+            None => self.refuse(self.block_span(), codes::T3004::stands_behind_element_of_contour(&what)),
         }
     }
 
@@ -56,12 +54,7 @@ impl Run<'_> {
             (Coord::Stay, Coord::At(z)) => (false, z),
             (Coord::At(x), Coord::Stay) => (true, x),
             _ => {
-                return self.fail_help(
-                    codes::T1005,
-                    span,
-                    "a recess names either X or Z, as an absolute value",
-                    "program Z for a recess in a cylinder, X for one in a face",
-                );
+                return self.refuse(span, codes::P1004::recess_names_either_x_or_z());
             }
         };
         let i = self.needed(w, b'I', "the floor of the recess, or its end in a face", span)?;
@@ -94,12 +87,7 @@ impl Run<'_> {
         self.only(w, letters("HXZIKUABPR"), &[])?;
         let span = self.block_span();
         if let Some(num) = w.get(b'H').filter(|num| num.value != 0.0) {
-            return self.fail_help(
-                codes::T9007,
-                num.span,
-                "a relief turn: how it is measured is shown in a picture only",
-                "describe the relief turn with G1 blocks",
-            );
+            return self.refuse(num.span, codes::T9007::relief_turn());
         }
         let lean = match w.get(b'A') {
             None => 0.0,
@@ -107,17 +95,13 @@ impl Run<'_> {
                 let (sin, cos) = Deg(num.value / 2.0).sin_cos();
                 sin / cos
             }
-            Some(num) => return self.fail(codes::T1007, num.span, "A lies between 0 and 180 degrees"),
+            Some(num) => return self.refuse(num.span, codes::T1007::lies_between_0_and_180_degrees()),
         };
         let at = match (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z)) {
             (Coord::At(x), Coord::Stay) => Along::X(x),
             (Coord::Stay, Coord::At(z)) => Along::Z(z),
             _ => {
-                return self.fail(
-                    codes::T1005,
-                    span,
-                    "the middle of the recess is missing: X in a face, Z in a cylinder",
-                );
+                return self.refuse(span, codes::P1004::middle_of_recess_is_missing());
             }
         };
         let mm = self.st.mm();
@@ -133,9 +117,9 @@ impl Run<'_> {
                 if line.to.x > line.from.x { down } else { -down }
             }
             (None, Some(u)) => {
-                return self.fail(codes::T3004, u.span, "U needs a line parallel to Z before the recess");
+                return self.refuse(u.span, codes::T3004::u_needs_line_parallel_to_z_before());
             }
-            _ => return self.fail(codes::T1005, span, "the recess needs either its depth I or its floor U"),
+            _ => return self.refuse(span, codes::P1004::recess_needs_either_its_depth_i()),
         };
         let edge = |letter: u8| w.value(letter).map_or(Transition::Sharp, |b| transition_of(b * mm));
         let (near, far) = (edge(b'B'), edge(b'P'));
@@ -184,7 +168,7 @@ impl Run<'_> {
         let of_table = |letter: u8, value: fn(&din509::Size) -> f64| match (w.value(letter), listed) {
             (Some(v), _) => Ok(v * mm),
             (None, Some(size)) => Ok(value(&size)),
-            (None, None) => self.fail(codes::T1005, span, undercuts::no_size(diameter)),
+            (None, None) => self.fail(codes::P1004, span, undercuts::no_size(diameter)),
         };
         Ok(match form as i32 {
             4 if form == 4.0 => {
@@ -224,14 +208,9 @@ impl Run<'_> {
                 thread.sized(tables)
             }
             8 | 9 if form.fract() == 0.0 => {
-                return self.fail_help(
-                    codes::T9007,
-                    w.span(b'H', span),
-                    "the undercuts H and K are shown in pictures only",
-                    "describe the undercut with G1 and G2 blocks",
-                );
+                return self.refuse(w.span(b'H', span), codes::T9007::undercuts_h());
             }
-            _ => return self.fail(codes::T1007, w.span(b'H', span), format!("H{form} is no form of an undercut")),
+            _ => return self.refuse(w.span(b'H', span), codes::T1007::h_is_no_form_of_undercut(&form)),
         })
     }
 
@@ -239,12 +218,14 @@ impl Run<'_> {
     fn disputed_row(&self, range: &din509::Range, size: &din509::Size, span: Span) {
         let Some(otherwise) = range.otherwise else { return };
         let (r, t, source) = (size.radius, size.depth, range.source.0);
-        let message = format!("the size of this undercut is {r} x {t} ({source}); {otherwise}");
         let help = "set `[undercut] din509_by_diameter`, or give the sizes of the drawing with I, K and R";
         let help = Answer::key("undercut", "din509_by_diameter").help(help);
-        self.job
-            .diags
-            .push_once(Diagnostic::new(codes::T8007, self.loc(span), message).help(help).called(self.here.origin.call));
+        self.job.diags.push_once(
+            codes::T8007::size_of_this_undercut_is_x(&r, &t, &source, &otherwise)
+                .at(self.loc(span))
+                .help(help)
+                .called(self.here.origin.call),
+        );
     }
 
     /// G34: the element before is a metric ISO thread.
@@ -262,13 +243,11 @@ impl Run<'_> {
         // Flank angles and the width of the crest are the tool's.
         for letter in [b'K', b'D', b'E', b'V'] {
             if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
-                let message = format!("{} of G37 is not supported", letter as char);
-                return self.fail_help(codes::T9007, num.span, message, "program the thread with B, P, C and Q of G31");
+                return self.refuse(num.span, codes::T9007::of_g37_is_not_supported(&(letter as char)));
             }
         }
         if let Some(num) = w.get(b'H').filter(|num| num.value > 1.0) {
-            let message = "a thread with several starts is not supported";
-            return self.fail_help(codes::T9007, num.span, message, "program G31 once for each start, with C");
+            return self.refuse(num.span, codes::T9007::thread_with_several_starts_is_not_supported());
         }
         let kind = self.choice(w, b'Q', 12, 14)?;
         let num = self.needed(w, b'F', "the pitch of the thread", span)?;
@@ -279,12 +258,7 @@ impl Run<'_> {
             (None, 9) => [0.640_33 * pitch; 2],
             (None, 11) => [0.640_327 * pitch; 2],
             _ => {
-                return self.fail_help(
-                    codes::T1005,
-                    span,
-                    format!("P is missing: the depth of a thread of type Q{kind}"),
-                    "program P with the depth on the radius",
-                );
+                return self.refuse(span, codes::P1004::p_is_missing(&kind));
             }
         };
         self.put_thread(ThreadData { pitch, depth }, builder)

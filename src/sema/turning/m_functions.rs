@@ -31,13 +31,7 @@ impl Run<'_> {
             30 => What::End,
             number if self.job.settings.output.pass_m.contains(&u32::from(number)) => What::Pass,
             number => {
-                return self.fail_help(
-                    codes::T2018,
-                    m.span,
-                    format!("M{number} belongs to the machine, and what it does is not known"),
-                    Answer::pass_m(number)
-                        .help(format!("if the target may have it, add {number} to `[output] pass_m` in partc.toml")),
-                );
+                return self.refuse(m.span, codes::P2007::m_belongs_to_machine(&number).answer(Answer::pass_m(number)));
             }
         })
     }
@@ -52,8 +46,7 @@ impl Run<'_> {
                     (a, b) => a == b && a != What::Pass,
                 };
                 if clash {
-                    let message = format!("M{} and M{} cannot stand in one block", other.number, m.number);
-                    return self.fail_help(codes::T1006, m.span, message, "put the second one into a block of its own");
+                    return self.refuse(m.span, codes::P1005::m_m_cannot_stand_in_one_block(&other.number, &m.number));
                 }
             }
         }

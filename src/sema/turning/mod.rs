@@ -46,7 +46,7 @@ mod undercuts;
 mod vars;
 mod words;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::ir::contour::{Move, Sink};
 use crate::ir::{Function, Side};
 use crate::machine::Compensation;
@@ -258,23 +258,13 @@ impl Run<'_> {
     /// End of the whole run: what is still open is worth a word.
     fn report_open(&mut self) {
         if let Some(capture) = self.capture.take() {
-            self.report(
-                Diagnostic::new(codes::T3003, capture.loc(), "the contour of this cycle has no end")
-                    .help("close it with a block that holds G80 alone"),
-            );
+            self.report(codes::T3003::contour_of_this_cycle_has_no_end().at(capture.loc()));
         }
         let _ = self.settle_chain();
         // Of a contour that is computed the path itself tells.
         let computed = self.job.settings.output.compensation == Compensation::Resolve;
         if self.st.compensation.is_on() && !(computed && self.st.compensation.sent() != Side::None) {
-            self.report(
-                Diagnostic::new(
-                    codes::T2021,
-                    self.here.origin.loc,
-                    "the program ends with the nose radius compensation on",
-                )
-                .help("program G40 with a straight move before the end"),
-            );
+            self.report(codes::T2021::program_ends_with_nose_radius_compensation().at(self.here.origin.loc));
         }
     }
 }

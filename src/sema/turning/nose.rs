@@ -3,7 +3,7 @@
 //! Along the axes the programmed point of a tool that points to the material is exact. On slopes and arcs the nose touches
 //! elsewhere: there its radius has to be known.
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::geo::{Element, Vec2};
 use crate::ir::cycle::layers::{Layers, Relief};
 use crate::ir::cycle::roughing::Nose;
@@ -31,7 +31,7 @@ impl Run<'_> {
     /// The nose of the tool in the cutting position; `None` where it has no radius, or nothing is known of it.
     ///
     /// # Errors
-    /// T2024 for a radius without the position of the edge.
+    /// P2004 for a radius without the position of the edge.
     pub(super) fn nose_of_tool(&self) -> Outcome<Option<Nose>> {
         let known = self.known_tool();
         let Some(radius) = known.and_then(|tool| tool.radius) else { return Ok(None) };
@@ -52,7 +52,7 @@ impl Run<'_> {
                     Some(tool) if given.is_none() => Answer::tool(tool.number, "orientation").help(help),
                     _ => help.into(),
                 };
-                return self.fail_help(codes::T2024, self.block_span(), message, help);
+                return self.fail_help(codes::P2004, self.block_span(), message, help);
             }
         };
         Ok(Some(Nose { radius, tip }))
@@ -85,7 +85,7 @@ impl Run<'_> {
     }
 
     /// # Errors
-    /// T2024 where the nose radius is not known and the pieces need it; along the axes note T2027.
+    /// P2004 where the nose radius is not known and the pieces need it; along the axes note T2027.
     fn point_is_enough(&self, pieces: &[Piece]) -> Outcome {
         let known = self.known_tool();
         if known.and_then(|tool| tool.radius).is_some() {
@@ -93,8 +93,7 @@ impl Run<'_> {
         }
         let tip = known.and_then(|tool| tool.orientation).and_then(edge_direction);
         let Some(need) = need(pieces, tip) else {
-            let message = "the nose radius of the tool is not known: its programmed point follows the contour, which lies along the axes";
-            let found = Diagnostic::new(codes::T2027, self.here.origin.loc, message);
+            let found = codes::T2027::nose_radius_of_tool_is_not_known().at(self.here.origin.loc);
             let left = if reach_centre(pieces) {
                 "the nose leaves its radius in inner corners, and a pip of that radius at the centre of the face, unless the face goes past the centre by it"
             } else {
@@ -116,7 +115,7 @@ impl Run<'_> {
             }
             Some(tool) => format!("the nose radius of tool {} is not known, and the contour has {what}", tool.number),
         };
-        self.fail_help(codes::T2024, self.block_span(), message, self.asks_for_nose())
+        self.fail_help(codes::P2004, self.block_span(), message, self.asks_for_nose())
     }
 
     /// What is cut has an arc: around a corner at the distance of G58.
@@ -124,8 +123,7 @@ impl Run<'_> {
         if self.known_tool().and_then(|tool| tool.radius).is_some() {
             return Ok(());
         }
-        let message = "the nose radius of the tool is not known, and G58 makes an arc around each outer corner";
-        self.fail_help(codes::T2024, self.block_span(), message, self.asks_for_nose())
+        self.refuse(self.block_span(), codes::P2004::nose_radius_of_tool_is_not_known().help(self.asks_for_nose()))
     }
 
     /// What says the nose of the tool in the cutting position.

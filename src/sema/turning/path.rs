@@ -55,7 +55,7 @@ impl Run<'_> {
         self.end_on(Axis::X, data.y, w, &mut end)?;
         self.end_on(Axis::Z, data.x, w, &mut end)?;
         if end.known().is_empty() {
-            return self.fail(codes::T1005, self.block_span(), "the block names no end point");
+            return self.refuse(self.block_span(), codes::P1004::block_names_no_end_point());
         }
         let corner = matches!(transition, Transition::Rounding(_) | Transition::Chamfer(_));
         // A corner needs the direction of its first element, so its start.
@@ -104,7 +104,7 @@ impl Run<'_> {
                 let usual = format!("program {} once as an absolute value after the tool change", axis.letter());
                 let unknown = Unknown { position: &self.st.position, axis, lack: &|| Lack::Nothing, otherwise: "" };
                 let message = format!("it is not known where the tool stands in {}", axis.letter());
-                self.position_unknown(codes::T2002, span, message, &usual, unknown)
+                self.position_unknown(codes::P2001, span, message, &usual, unknown)
             }
         }
     }
@@ -120,12 +120,7 @@ impl Run<'_> {
     /// G2, G3, G12, G13.
     pub(super) fn arc(&mut self, w: &Words, ccw: bool, absolute: bool) -> Outcome {
         if self.st.compensation.is_fresh() {
-            return self.fail_help(
-                codes::T2021,
-                self.block_span(),
-                "nose radius compensation begins or ends on an arc",
-                "program a straight move with G40, G41 or G42, or behind it",
-            );
+            return self.refuse(self.block_span(), codes::T2021::nose_radius_compensation_begins_or_ends());
         }
         let feed = Some(self.cutting_feed()?);
         let (data, follows) = self.element_of(w, Some((ccw, absolute)))?;
@@ -146,12 +141,7 @@ impl Run<'_> {
     }
 
     fn stray_e(&self, w: &Words) -> Outcome {
-        self.fail_help(
-            codes::T1003,
-            w.span(b'E', self.block_span()),
-            "E is the feed of a chamfer or rounding, and the block has none",
-            "program B with the radius or the width, or leave out E",
-        )
+        self.refuse(w.span(b'E', self.block_span()), codes::P1003::e_is_feed_of_chamfer_or_rounding())
     }
 
     /// Sends the elements that can be completed by now.
@@ -240,19 +230,14 @@ impl Run<'_> {
         let feed = self.cutting_feed()?;
         let Some(num) = w.get(b'E') else { return Ok(Some(feed)) };
         if num.value <= 0.0 {
-            return self.fail(codes::T1007, num.span, "E has to be above zero");
+            return self.refuse(num.span, codes::T1007::e_has_to_be_above_zero());
         }
         if self.sections.family() == Family::Basic {
             let unit = self.st.mm();
             return Ok(Some(feed.with_value(num.value * unit)));
         }
         if num.value > 1.0 {
-            return self.fail_help(
-                codes::T1007,
-                num.span,
-                format!("E{} is no share of the feed", num.value),
-                "on this control E is a factor above 0 and up to 1",
-            );
+            return self.refuse(num.span, codes::T1007::e_is_no_share_of_feed(&num.value));
         }
         Ok(Some(feed.with_value(feed.value() * num.value)))
     }
@@ -261,7 +246,7 @@ impl Run<'_> {
     pub(super) fn single_thread(&mut self, w: &Words) -> Outcome {
         for (letter, what) in [(b'C', "start angle of a thread"), (b'E', "variable pitch")] {
             if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
-                return self.fail(codes::T9007, num.span, format!("the target cannot cut a {what}"));
+                return self.refuse(num.span, codes::T9007::target_cannot_cut(&what));
             }
         }
         self.without_effect(w, b"BP", "the run-in and the run-out of G33 lie inside of the programmed thread");
@@ -277,7 +262,7 @@ impl Run<'_> {
         self.end_on(Axis::Z, z, w, &mut end)?;
         let to = Point2::new(end.get(Axis::Z).unwrap_or(from.x), end.get(Axis::X).unwrap_or(from.y));
         if x == Coord::Open || z == Coord::Open || distance(from, to) <= SAME_POINT {
-            return self.fail(codes::T1005, span, "a thread needs an end point");
+            return self.refuse(span, codes::P1004::thread_needs_end_point());
         }
         // The pitch counts along the axis that moves most, so the target and the control agree on it.
         let way = to - from;
@@ -285,14 +270,9 @@ impl Run<'_> {
             0 if way.y.abs() <= way.x.abs() + AGREES => Some(Axis::Z),
             1 if way.x.abs() <= way.y.abs() + AGREES => Some(Axis::X),
             3 => None,
-            2 => return self.fail(codes::T1007, w.span(b'H', span), "H is 0 for Z, 1 for X, or 3 for along the path"),
+            2 => return self.refuse(w.span(b'H', span), codes::T1007::h_is_0_for_z_1()),
             _ => {
-                return self.fail_help(
-                    codes::T1007,
-                    w.span(b'H', span),
-                    "the thread leans more than 45 degrees out of the axis of its pitch",
-                    "program H0 for a pitch along Z, H1 for one along X",
-                );
+                return self.refuse(w.span(b'H', span), codes::T1007::thread_leans_more_than_45_degrees_out());
             }
         };
         end.set_in_plane(Plane::Zx, to);
@@ -314,12 +294,12 @@ impl Run<'_> {
                 Coord::Stay => {}
                 Coord::By(_) | Coord::Open => {
                     let span = w.span(axis.letter() as u8, self.block_span());
-                    return self.fail(codes::T1007, span, "G701 takes absolute machine coordinates");
+                    return self.refuse(span, codes::T1007::g701_takes_absolute_machine_coordinates());
                 }
             }
         }
         if end.known().is_empty() {
-            return self.fail(codes::T1005, self.block_span(), "the block names no end point");
+            return self.refuse(self.block_span(), codes::P1004::block_names_no_end_point());
         }
         self.machine_move(end);
         Ok(())
@@ -339,14 +319,15 @@ impl Run<'_> {
     pub(super) fn change_point(&mut self, w: &Words) -> Outcome {
         let order = self.choice(w, b'Q', 0, 4)?;
         if let Some(num) = w.get(b'D').filter(|num| num.value != 0.0) {
-            return self.fail(codes::T2006, num.span, "only the first tool change point is known");
+            return self.refuse(num.span, codes::T2006::only_first_tool_change_point_is_known());
         }
         let Some((x, z)) = self.job.settings.control.turning.change_point else {
-            return self.fail_help(
-                codes::T2006,
+            return self.refuse(
                 self.block_span(),
-                "where the tool change point lies only the machine knows",
-                Answer::entry("control", "tool_change_point", "X").help("set its machine coordinates in partc.toml: `[control] tool_change_point = { X = 300.0, Z = 400.0 }`").and(Answer::entry("control", "tool_change_point", "Z")),
+                codes::T2006::where_tool_change_point_lies_only_machine().answers([
+                    Answer::entry("control", "tool_change_point", "X"),
+                    Answer::entry("control", "tool_change_point", "Z"),
+                ]),
             );
         };
         let on = |axes: &[(Axis, f64)]| {

@@ -171,8 +171,7 @@ impl Run<'_> {
     }
 
     pub(super) fn note_idle(&self, span: Span, word: impl std::fmt::Display, why: &str) {
-        let message = format!("{word} changes nothing here: {why}");
-        self.report(Diagnostic::new(codes::T8017, self.loc(span), message).help("nothing is to be done, or remove it"));
+        self.report(codes::T8017::changes_nothing_here(&word, &why).at(self.loc(span)));
     }
 
     /// The block depends on `question`: the first one of the program says so.

@@ -70,12 +70,12 @@ impl Run<'_> {
     /// R or RB: how much higher the tool stands while it turns the floor in finishing.
     fn turning_depth(&self, w: &Words, operation: Operation) -> Outcome<f64> {
         let num = match (w.get(b'R'), w.long("RB")) {
-            (Some(_), Some(num)) => return self.fail(codes::T1006, num.span, "R and RB are the same word of G869"),
+            (Some(_), Some(num)) => return self.refuse(num.span, codes::P1005::r_rb_are_same_word_of_g869()),
             (r, rb) => r.or(rb),
         };
         let Some(num) = num else { return Ok(0.0) };
         if num.value < 0.0 {
-            return self.fail(codes::T1007, num.span, "the turning depth compensation is not negative");
+            return self.refuse(num.span, codes::T1007::turning_depth_compensation_is_not_negative());
         }
         if num.value > 0.0 && operation != Operation::Rough {
             self.depends_on(Question::TurningDepth, num.span);
@@ -110,15 +110,9 @@ impl Run<'_> {
             return Ok(());
         }
         let (word, scale) = if into.is_radial() { ("X", 2.0 * out) } else { ("Z", out) };
-        self.fail_help(
-            codes::T2025,
+        self.refuse(
             self.block_span(),
-            format!(
-                "the tool stands at {word}{} inside of the material: the rim of the recess lies at {word}{}",
-                tool * scale,
-                rim * scale
-            ),
-            "position the tool outside of the material, beyond the rims of the recess, and begin its contour at a rim",
+            codes::T2025::tool_stands_at_inside_of_material(&word, &(tool * scale), &(rim * scale)),
         )
     }
 
@@ -126,22 +120,12 @@ impl Run<'_> {
     fn refuse_limits(&self, w: &Words) -> Outcome {
         for letter in [b'X', b'Z', b'A', b'W'] {
             if let Some(num) = w.get(letter) {
-                return self.fail_help(
-                    codes::T9007,
-                    num.span,
-                    format!("{} of G869 (cutting limit, approach or departure angle) is not supported", letter as char),
-                    "leave it out, and end the contour where the recess ends",
-                );
+                return self.refuse(num.span, codes::T9007::of_g869_cutting_limit(&(letter as char)));
             }
         }
         let said = w.long("XA").or(w.long("ZA"));
         match w.long("RI").or(w.long("RK")).filter(|_| said.is_some()) {
-            Some(num) => self.fail_help(
-                codes::T1006,
-                num.span,
-                "XA and ZA say where the corner of the blank is, and RI and RK say it again",
-                "leave one of the two out",
-            ),
+            Some(num) => self.refuse(num.span, codes::P1005::xa_za_say_where_corner_of_blank()),
             None => Ok(()),
         }
     }
@@ -155,7 +139,7 @@ impl Run<'_> {
         match num {
             None => Ok(0.0),
             Some(num) if num.value >= 0.0 => Ok(num.value * self.st.mm()),
-            Some(num) => self.fail(codes::T1007, num.span, format!("{name} is not negative")),
+            Some(num) => self.refuse(num.span, codes::T1007::is_not_negative_2(&name)),
         }
     }
 
@@ -173,12 +157,7 @@ impl Run<'_> {
     pub(super) fn recess_tool(&self) -> Outcome<(RecessTool, bool)> {
         let span = self.block_span();
         let Some(active) = &self.st.tool else {
-            return self.fail_help(
-                codes::T2024,
-                span,
-                "no tool is in the cutting position",
-                "program T in front of the cycle",
-            );
+            return self.refuse(span, codes::P2004::no_tool_is_in_cutting_position());
         };
         let known = self.known_tool();
         let radial = match known.and_then(|tool| tool.kind.as_deref()) {
@@ -189,13 +168,13 @@ impl Run<'_> {
         let data = known.and_then(|tool| Some((tool.width?, tool.radius?, tool.reference)));
         let (Some(radial), Some((width, nose, reference))) = (radial, data) else {
             let number = active.number;
-            return self.fail_help(
-                codes::T2024,
+            return self.refuse(
                 span,
-                format!("kind, width or nose radius of the recessing tool {number} is not known"),
-                Answer::tool(number, "kind").one_of(&["\"recess-radial\"", "\"recess-axial\""]).help(format!(
-                    "add `[tools.{number}]` with `kind = \"recess-radial\"` or `\"recess-axial\"`, `width` and `radius` to partc.toml"
-                )).and(Answer::tool(number, "width")).and(Answer::tool(number, "radius")),
+                codes::P2004::kind_width_or_nose_radius_of_recessing(&number).answers([
+                    Answer::tool(number, "kind").one_of(&["\"recess-radial\"", "\"recess-axial\""]),
+                    Answer::tool(number, "width"),
+                    Answer::tool(number, "radius"),
+                ]),
             );
         };
         let edge = match reference {
@@ -229,7 +208,7 @@ impl Run<'_> {
         };
         if let Some((num, scale)) = proud {
             if num.value < 0.0 {
-                return self.fail(codes::T1007, num.span, "the oversize of a blank is not negative");
+                return self.refuse(num.span, codes::T1007::oversize_of_blank_is_not_negative());
             }
             if into.is_radial() && num.value > 0.0 {
                 self.depends_on(Question::RecessBlank, num.span);

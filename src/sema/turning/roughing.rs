@@ -30,21 +30,14 @@ impl Run<'_> {
         let span = self.block_span();
         let corner = self.corner_of(w, at)?;
         if along_z && corner.y.min(at.y) < 0.0 {
-            return self.fail_help(
-                codes::T1007,
+            return self.refuse(
                 w.span(b'X', span),
-                format!("the cuts of G81 would lie beyond the turning centre, down to X{}", 2.0 * corner.y.min(at.y)),
-                "program X0 or more; an inside contour is roughed from X0 or more outwards",
+                codes::T1007::cuts_of_g81_would_lie_beyond_turning(&(2.0 * corner.y.min(at.y))),
             );
         }
         let (infeed, offset) = if along_z { (b'I', b'K') } else { (b'K', b'I') };
         if let Some(num) = w.get(offset).filter(|num| num.value != 0.0) {
-            return self.fail_help(
-                codes::T9007,
-                num.span,
-                format!("to which side {} makes the end oblique is shown in a picture only", offset as char),
-                "rough along a contour with G817 or G827",
-            );
+            return self.refuse(num.span, codes::T9007::to_which_side_makes_end_oblique(&(offset as char)));
         }
         let num = self.needed(w, infeed, "the greatest infeed", span)?;
         let on_diameter = along_z && self.job.settings.control.turning.infeed == Some(RecessDepth::Diameter);
@@ -54,7 +47,7 @@ impl Run<'_> {
             self.depends_on(Question::Infeed, num.span);
         }
         if most == 0.0 {
-            return self.fail(codes::T1007, num.span, "the greatest infeed is not zero");
+            return self.refuse(num.span, codes::T1007::greatest_infeed_is_not_zero());
         }
         let into = match along_z {
             true if corner.y < at.y => Towards::MinusX,
@@ -76,17 +69,7 @@ impl Run<'_> {
 
     /// Cuts that begin at the tool.
     fn beside(&self, layers: Option<Layers>) -> Outcome<Layers> {
-        layers.map_or_else(
-            || {
-                self.fail_help(
-                    codes::T2025,
-                    self.block_span(),
-                    "the tool does not stand beside the contour, so there is no side to begin at",
-                    "position the tool in front of the contour, at the corner of the blank",
-                )
-            },
-            Ok,
-        )
+        layers.map_or_else(|| self.refuse(self.block_span(), codes::T2025::tool_does_not_stand_beside_contour()), Ok)
     }
 
     pub(super) fn corner_of(&mut self, w: &Words, at: Point2) -> Outcome<Point2> {
@@ -99,7 +82,7 @@ impl Run<'_> {
         let z = ordinate(self.coord(w.get(b'Z'), Axis::Z), at.x);
         match (x, z) {
             (Some(x), Some(z)) => Ok(Point2::new(z, x)),
-            _ => self.fail(codes::T1005, self.block_span(), "the cycle needs X and Z of the corner that stays"),
+            _ => self.refuse(self.block_span(), codes::P1004::cycle_needs_x()),
         }
     }
 
@@ -133,30 +116,14 @@ impl Run<'_> {
         let along_z = number / 10 == 81;
         for letter in [b'X', b'Z', b'A', b'W'] {
             if let Some(num) = w.get(letter) {
-                let message = format!("{} of G{number} is not supported", letter as char);
-                return self.fail_help(
-                    codes::T9007,
-                    num.span,
-                    message,
-                    "leave it out, and end the contour where the cuts shall end",
-                );
+                return self.refuse(num.span, codes::T9007::of_g_is_not_supported(&(letter as char), &number));
             }
         }
         if let Some(num) = w.get(b'Q').filter(|num| num.value != 0.0) {
-            return self.fail_help(
-                codes::T9007,
-                num.span,
-                "only the value 0 of Q is supported: back to the start",
-                "leave Q out, and position the tool behind the cycle",
-            );
+            return self.refuse(num.span, codes::T9007::only_value_0_of_q_is_supported());
         }
         if let Some(num) = w.long("XA").or(w.long("ZA")) {
-            return self.fail_help(
-                codes::T9007,
-                num.span,
-                "the corner of the blank is taken from the tool",
-                "leave it out, and position the tool at the corner",
-            );
+            return self.refuse(num.span, codes::T9007::corner_of_blank_is_taken_from_tool());
         }
         let most = self.needed(w, b'P', "the greatest infeed", span)?;
         let most = self.above_zero(most, "the greatest infeed")?;
@@ -197,9 +164,7 @@ impl Run<'_> {
         };
         if !plunges || !falls {
             if falls || layers.leans_over() {
-                let message =
-                    format!("G{number} leaves the parts of the contour standing that fall behind higher ones");
-                let found = Diagnostic::new(codes::T2026, self.here.origin.loc, message);
+                let found = codes::T2026::g_leaves_parts_of_contour_standing(&number).at(self.here.origin.loc);
                 let cuts = !matches!(number, 817 | 818 | 827 | 828) && falls;
                 self.report(if cuts { found.help("E with a feed above 0 cuts them") } else { found });
             }
@@ -219,17 +184,12 @@ impl Run<'_> {
     fn check_flank(&self, layers: &Layers, number: u16) -> Outcome {
         let steepest = layers.steepest_fall();
         match self.known_tool().and_then(|tool| tool.clearance).filter(|angle| *angle > 0.0) {
-            Some(angle) if steepest > angle + 1e-6 => self.fail_help(
-                codes::T2030,
-                self.block_span(),
-                format!("the contour falls at {steepest:.1} degrees, and the flank of the tool clears {angle} only"),
-                "take a tool with a larger clearance angle (`clearance` in partc.toml), or leave these parts out with E0",
-            ),
+            Some(angle) if steepest > angle + 1e-6 => {
+                self.refuse(self.block_span(), codes::T2030::contour_falls_at_degrees(&steepest, &angle))
+            }
             Some(_) => Ok(()),
             None => {
-                let message =
-                    format!("G{number} cuts falling parts: whether the flank of the tool clears them is not checked");
-                let found = Diagnostic::new(codes::T2031, self.here.origin.loc, message);
+                let found = codes::T2031::g_cuts_falling_parts(&number).at(self.here.origin.loc);
                 self.report(
                     found.help("give the clearance angle of the tool in partc.toml: `[tools.N] clearance = 30`"),
                 );
@@ -253,12 +213,7 @@ impl Run<'_> {
         let out = -(into.unit().x + into.unit().y);
         let falls = (into.depth_coordinate(far) - into.depth_coordinate(near)) * out < -1e-6;
         if falls || (inside && !bored && matches!(number, 810 | 820)) {
-            return self.fail_help(
-                codes::T2025,
-                self.block_span(),
-                "the tool does not stand outside of the contour on the side from which it is roughed",
-                "position the tool at the corner of the blank, beyond the highest point of the contour; a bore is given with I of G20",
-            );
+            return self.refuse(self.block_span(), codes::T2025::tool_does_not_stand_outside_of_contour());
         }
         Ok(())
     }
@@ -267,15 +222,13 @@ impl Run<'_> {
     pub(super) fn contour_oversize(&self, w: &Words) -> Outcome<Vec2> {
         let mm = self.st.mm();
         let length = |letter: u8| match w.get(letter) {
-            Some(num) if num.value < 0.0 => self.fail(codes::T1007, num.span, "an oversize is not negative"),
+            Some(num) if num.value < 0.0 => self.refuse(num.span, codes::T1007::oversize_is_not_negative()),
             num => Ok(num.map_or(0.0, |num| num.value * mm)),
         };
         if w.has(b'I') || w.has(b'K') {
             if let Some((oversize, loc)) = self.st.oversize {
                 let name = oversize.name();
-                let message =
-                    format!("{name} changes nothing here: I or K of the cycle takes its place, for both axes");
-                let found = Diagnostic::new(codes::T8017, loc, message);
+                let found = codes::T8017::changes_nothing_here_i_or_k(&name).at(loc);
                 self.report(
                     found.also(self.here.origin.loc, "the cycle").help("program both I and K in the cycle, or neither"),
                 );

@@ -80,12 +80,7 @@ impl Run<'_> {
     /// `%name.nc`
     pub(super) fn program_line(&mut self) -> Outcome {
         if self.level().frame.begun {
-            return self.fail_help(
-                codes::T1008,
-                self.block_span(),
-                "a program name stands in the middle of the program",
-                "one file holds one program: put the second one into a file of its own",
-            );
+            return self.refuse(self.block_span(), codes::T1008::program_name_stands_in_middle_of_program());
         }
         self.level().frame.begun = true;
         self.sections.framed = true;
@@ -100,21 +95,15 @@ impl Run<'_> {
                 // Once is enough; what follows is read as what it is.
                 self.sections.configured = Some(Family::DinPlus);
                 self.sections.family = Some(Family::DinPlus);
-                self.fail_help(
-                    codes::T2017,
+                self.refuse(
                     self.block_span(),
-                    "programs of the MANUALplus 4110 have no sections",
-                    Answer::key("control", "heidenhain_turning").help(
-                        "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml for DIN PLUS programs",
-                    ),
+                    codes::T2017::programs_of_manualplus_4110_have_no_sections()
+                        .answer(Answer::key("control", "heidenhain_turning")),
                 )
             }
-            (None, Some(Family::Basic)) => self.fail_help(
-                codes::T1008,
-                self.block_span(),
-                "a section begins behind blocks that ran already",
-                "put the blocks into the section MACHINING",
-            ),
+            (None, Some(Family::Basic)) => {
+                self.refuse(self.block_span(), codes::T1008::section_begins_behind_blocks_that_ran_already())
+            }
             _ => {
                 self.sections.family = Some(Family::DinPlus);
                 Ok(())
@@ -126,7 +115,7 @@ impl Run<'_> {
     pub(super) fn head_line(&mut self, key: &[u8], value: &[u8], span: Span) -> Outcome {
         self.enter_din_plus()?;
         if !matches!(self.sections.part, ProgramPart::Start | ProgramPart::Head) {
-            return self.fail(codes::T1008, self.block_span(), "header lines stand in the section HEADER");
+            return self.refuse(self.block_span(), codes::T1008::header_lines_stand_in_section_header());
         }
         let key = key.to_ascii_uppercase();
         let value = readable(value).trim().to_ascii_uppercase();
@@ -136,12 +125,7 @@ impl Run<'_> {
                 if value.split(|c: char| !c.is_alphanumeric() && c != '$').any(|slide| slide == "$1" || slide == "1") {
                     return Ok(());
                 }
-                self.fail_help(
-                    codes::T2022,
-                    span,
-                    format!("the program is for slide {value}, not for slide $1"),
-                    "only programs of the first slide are compiled",
-                )
+                self.refuse(span, codes::T2022::program_is_for_slide(&value))
             }
             // Free text.
             _ => Ok(()),
@@ -154,12 +138,7 @@ impl Run<'_> {
             "METRIC" | "METRISCH" | "MM" => Unit::Mm,
             "INCH" | "ZOLL" => Unit::Inch,
             _ => {
-                return self.fail_help(
-                    codes::T1014,
-                    span,
-                    format!("`{value}` is no unit"),
-                    "write `#UNIT METRIC` or `#UNIT INCH`",
-                );
+                return self.refuse(span, codes::T1014::is_no_unit(&value));
             }
         };
         self.st.unit = unit;
@@ -171,20 +150,19 @@ impl Run<'_> {
         match section {
             Section::Return => return self.return_section(),
             Section::End if self.sections.passing => {
-                return self.fail(codes::T1008, self.block_span(), "a subprogram ends with RETURN, not with END");
+                return self.refuse(self.block_span(), codes::T1008::subprogram_ends_with_return());
             }
             Section::End => return self.end_of_job(false),
             _ => {}
         }
         if self.levels.len() > 1 {
-            return self.fail(codes::T1008, self.block_span(), "a section begins inside a subprogram");
+            return self.refuse(self.block_span(), codes::T1008::section_begins_inside_subprogram());
         }
         self.enter_din_plus()?;
         if let Some(nest) = self.level().frame.nests.last() {
             let loc = nest.loc;
             self.report(
-                Diagnostic::new(codes::T1009, loc, "this is not closed when the next section begins")
-                    .also(self.here.origin.loc, "the section"),
+                codes::T1009::this_is_not_closed_when_next_section().at(loc).also(self.here.origin.loc, "the section"),
             );
             self.level().frame.nests.clear();
         }
@@ -200,12 +178,7 @@ impl Run<'_> {
                 let id = rest.of(text).trim_ascii();
                 let name = quoted_id(id);
                 if !id.is_empty() && name.is_none() && section == Section::AuxiliaryContour {
-                    return self.fail_help(
-                        codes::T1001,
-                        rest,
-                        "this does not name the contour",
-                        "write the name as ID\"…\", or nothing",
-                    );
+                    return self.refuse(rest, codes::P1001::this_does_not_name_contour());
                 }
                 self.begin_contour(name.map(|name| readable(name).into_owned()));
                 ProgramPart::Contour
@@ -236,12 +209,7 @@ impl Run<'_> {
         });
         if !self.problems.is_empty() || !plain {
             self.problems.clear();
-            return self.fail_help(
-                codes::T9002,
-                self.block_span(),
-                "several contours on one bar are not supported",
-                "compile a program with one part at the workpiece zero",
-            );
+            return self.refuse(self.block_span(), codes::T9002::several_contours_on_one_bar_are_not());
         }
         Ok(ProgramPart::Between)
     }
@@ -251,12 +219,7 @@ impl Run<'_> {
         if rest == b"$1" {
             return Ok(());
         }
-        self.fail_help(
-            codes::T2022,
-            self.block_span(),
-            "these blocks are for other slides than $1",
-            "only programs of the first slide are compiled",
-        )
+        self.refuse(self.block_span(), codes::T2022::these_blocks_are_for_other_slides())
     }
 
     /// `$1` in front of blocks.
@@ -268,12 +231,7 @@ impl Run<'_> {
         if std::mem::replace(&mut self.sections.slide_said, true) {
             return Err(Reported);
         }
-        self.fail_help(
-            codes::T2022,
-            self.block_span(),
-            format!("the block is for slide ${number}: two slides move at the same time"),
-            "compile a copy that holds the blocks of slide $1 only",
-        )
+        self.refuse(self.block_span(), codes::T2022::block_is_for_slide(&number))
     }
 
     /// A line of the sections CONST and VAR.
@@ -281,12 +239,7 @@ impl Run<'_> {
         if std::mem::replace(&mut self.sections.names_said, true) {
             return Err(Reported);
         }
-        self.fail_help(
-            codes::T9002,
-            self.block_span(),
-            "names of constants and variables (CONST, VAR) are not supported",
-            "write the value or the variable itself where a name stands",
-        )
+        self.refuse(self.block_span(), codes::T9002::names_of_constants())
     }
 
     /// `UNIT` and `END_OF_UNIT`: the blocks between stand there in full.
@@ -306,14 +259,10 @@ impl Run<'_> {
     /// `T1 ID"…"`
     pub(super) fn turret_line(&mut self, w: &Words, text: &[u8]) -> Outcome {
         let Some(num) = w.get(b'T') else {
-            return self.fail(codes::T1005, self.block_span(), "a line of the turret section names a position: T1");
+            return self.refuse(self.block_span(), codes::P1004::line_of_turret_section_names_position());
         };
         if w.present() & !letters("T") != 0 || !w.longs().is_empty() || !w.g().is_empty() {
-            let found = Diagnostic::new(
-                codes::T2023,
-                self.here.origin.loc,
-                "the data of this tool is not used: tool data comes from partc.toml",
-            );
+            let found = codes::T2023::data_of_this_tool_is_not_used().at(self.here.origin.loc);
             let help = format!("add `[tools.{}]` with `radius`, `width` and `orientation`", num.value);
             self.report(found.help(Answer::tool(num.value, "radius").help(help)));
         }
@@ -343,19 +292,19 @@ impl Run<'_> {
         if self.sections.family() != Family::DinPlus {
             return Ok(());
         }
-        self.fail_help(codes::T9006, self.block_span(), format!("{word} of DIN PLUS is not supported"), instead)
+        self.refuse(self.block_span(), codes::P9010::of_din_plus_is_not_supported(&word).help(instead))
     }
 
     /// END, RETURN of a macro, M30.
     pub(super) fn end_of_job(&mut self, rewind: bool) -> Outcome {
         if self.levels.len() > 1 {
-            self.error(codes::T2013, "a subprogram ends the job");
+            self.say_here(codes::P2013::subprogram_ends_job());
             self.stop_run();
             return Err(Reported);
         }
         if let Some(nest) = self.level().frame.nests.last() {
             let loc = nest.loc;
-            self.report(Diagnostic::new(codes::T1009, loc, "this is not closed when the program ends"));
+            self.report(codes::T1009::this_is_not_closed_when_program_ends().at(loc));
         }
         self.finish_contour();
         if self.sections.family() == Family::DinPlus
@@ -363,11 +312,7 @@ impl Run<'_> {
             && self.job.settings.control.unit.is_none()
         {
             let loc = Loc { file: self.job.main, line: 1, span: Span::at(0, 1) };
-            self.job.diags.push(
-                Diagnostic::new(codes::T1013, loc, "no #UNIT line: lengths are taken as millimetres").help(
-                    Answer::key("control", "unit").help("set `[control] unit` in partc.toml, or add `#UNIT METRIC`"),
-                ),
-            );
+            self.job.diags.push(codes::T1013::no_unit_line().answer(Answer::key("control", "unit")).at(loc));
         }
         self.function(Function::End { rewind });
         self.stop_run();
@@ -394,11 +339,7 @@ impl Run<'_> {
                 _ => break Loc { file, line: text.line, span: block.span.shifted(text.at) },
             }
         };
-        self.report(Diagnostic::new(
-            codes::T1011,
-            found,
-            "this stands behind the end of the program and is not part of it",
-        ));
+        self.report(codes::P1008::this_stands_behind_end_of_program().at(found));
     }
 
     /// The file ends without END or RETURN.
@@ -408,10 +349,7 @@ impl Run<'_> {
         if called || self.sections.framed || self.sections.passing {
             let loc = self.end_of_text();
             let what = if called || self.sections.passing { "RETURN" } else { "END" };
-            self.report(
-                Diagnostic::new(codes::T1010, loc, format!("the file ends without {what}"))
-                    .help(format!("the file may have been cut off in transfer; if it is complete, add {what}")),
-            );
+            self.report(codes::P1006::file_ends(&what).at(loc));
             self.stop_run();
             return;
         }

@@ -67,7 +67,7 @@ impl Run<'_> {
         let (width, oversize) = if radial { (b'K', b'I') } else { (b'I', b'K') };
         let (place, floor, start) = if radial { (corner.x, corner.y, at.y) } else { (corner.y, corner.x, at.x) };
         if (floor - start).abs() <= 1e-6 {
-            return self.fail(codes::T1007, span, "the recess has no depth below the tool");
+            return self.refuse(span, codes::T1007::recess_has_no_depth_below_tool());
         }
         let into = match (radial, floor < start) {
             (true, true) => Towards::MinusX,
@@ -77,7 +77,7 @@ impl Run<'_> {
         };
         let mm = self.st.mm();
         let oversize = match w.get(oversize) {
-            Some(num) if num.value < 0.0 => return self.fail(codes::T1007, num.span, "an oversize is not negative"),
+            Some(num) if num.value < 0.0 => return self.refuse(num.span, codes::T1007::oversize_is_not_negative()),
             num => num.map_or(0.0, |num| num.value * mm),
         };
         // In a recess as wide as the tool the walls keep nothing.
@@ -94,12 +94,7 @@ impl Run<'_> {
         };
         let slot = Slot { flanks, floor, start, into };
         if (floor - start).abs() <= SLOPE {
-            return self.fail_help(
-                codes::T1007,
-                span,
-                "the recess is not deeper than the slope of 1.3 mm by which its flanks are entered",
-                "position the tool higher above the recess",
-            );
+            return self.refuse(span, codes::T1007::recess_is_not_deeper_than_slope());
         }
         let dwell = self.recess_dwell(w, slot.floor)?;
         let feed = self.cutting_feed()?;
@@ -126,25 +121,18 @@ impl Run<'_> {
     /// Places of the flanks of a recess that is wider than the tool.
     fn recess_flanks(&self, width: Num, place: f64, radial: bool, tool: f64) -> Outcome<(f64, f64)> {
         if !radial {
-            return self.fail_help(
-                codes::T9007,
-                width.span,
-                "whether the width of an axial recess counts as a diameter no manual at hand says",
-                "leave I out and cut side by side, or program the recess with G869 on a later control",
-            );
+            return self.refuse(width.span, codes::T9007::whether_width_of_axial_recess_counts());
         }
         let wide = self.above_zero(width, "the width of the recess")?;
         if wide < tool - 1e-9 {
-            return self.fail(codes::T1007, width.span, "the recess is narrower than the tool");
+            return self.refuse(width.span, codes::T1007::recess_is_narrower_than_tool());
         }
         match self.job.settings.control.turning.recess_side {
             Some(RecessSide::Plus) => Ok((place, place + wide)),
             Some(RecessSide::Minus) => Ok((place - wide, place)),
-            None => self.fail_help(
-                codes::T9007,
+            None => self.refuse(
                 width.span,
-                "on which side of its corner a wide recess lies is shown in a picture only",
-                Answer::key("control", "recess_side").help("set `[control] recess_side = \"plus\"` or `\"minus\"` in partc.toml: the side of the programmed corner, along Z"),
+                codes::T9007::on_which_side_of_its_corner_wide().answer(Answer::key("control", "recess_side")),
             ),
         }
     }
@@ -153,7 +141,7 @@ impl Run<'_> {
     fn recess_dwell(&self, w: &Words, floor: f64) -> Outcome<f64> {
         if let Some(num) = w.get(b'E') {
             if num.value < 0.0 {
-                return self.fail(codes::T1007, num.span, "a dwell time is not negative");
+                return self.refuse(num.span, codes::T1007::dwell_time_is_not_negative());
             }
             return Ok(num.value);
         }
@@ -165,12 +153,7 @@ impl Run<'_> {
             });
         match speed.map(|turns| self.st.spindle.limited(turns)) {
             Some(speed) => Ok(60.0 / speed),
-            None => self.fail_help(
-                codes::T1005,
-                self.block_span(),
-                "E is missing: the dwell at the floor, which is one turn of the spindle",
-                "program E in seconds, or S before the cycle",
-            ),
+            None => self.refuse(self.block_span(), codes::P1004::e_is_missing()),
         }
     }
 }

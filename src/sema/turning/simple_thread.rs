@@ -21,19 +21,15 @@ impl Run<'_> {
         let at = self.stand()?;
         let span = self.block_span();
         if self.job.settings.control.turning.refuse_simple_thread == Some(true) {
-            return self.fail_help(
-                codes::T9007,
+            return self.refuse(
                 span,
-                "the words of G32 are not confirmed by a manual",
-                Answer::key("control", "simple_thread")
-                    .help("program G31, or set `[control] simple_thread = \"documented\"` in partc.toml"),
+                codes::T9007::words_of_g32_are_not_confirmed().answer(Answer::key("control", "simple_thread")),
             );
         }
         self.depends_on(Question::SimpleThread, span);
         for (letter, what) in [(b'W', "the sense of its taper angle"), (b'H', "the angle of its flank offset")] {
             if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
-                let message = format!("{} of G32: {what} no manual at hand gives", letter as char);
-                return self.fail_help(codes::T9007, num.span, message, "program G31, which has R, H and A");
+                return self.refuse(num.span, codes::T9007::of_g32_no_manual_at_hand_gives(&(letter as char), &what));
             }
         }
         self.spindle_turns(32)?;
@@ -43,16 +39,11 @@ impl Run<'_> {
         let p = self.needed(w, b'P', "the depth of the thread", span)?;
         let depth = p.value.abs() * self.st.mm();
         if depth == 0.0 {
-            return self.fail(codes::T1007, p.span, "the thread has no depth");
+            return self.refuse(p.span, codes::T1007::thread_has_no_depth());
         }
         let into = if at.y > end.y { Towards::MinusX } else { Towards::PlusX };
         if p.value < 0.0 && into == Towards::PlusX {
-            return self.fail_help(
-                codes::T1007,
-                p.span,
-                "a negative depth is that of an external thread, and the tool stands inside of it",
-                "position the tool outside of the thread, or program P without the sign",
-            );
+            return self.refuse(p.span, codes::T1007::negative_depth_is_that_of_external_thread());
         }
         let start = Point2::new(at.x, end.y);
         let parts = vec![ThreadPart { end, lead }];
@@ -60,7 +51,7 @@ impl Run<'_> {
         let most = self.needed(w, b'I', "the greatest infeed", span)?;
         let most = self.above_zero(most, "the greatest infeed")?;
         let run_out = match w.get(b'K') {
-            Some(num) if num.value < 0.0 => return self.fail(codes::T1007, num.span, "the run-out is not negative"),
+            Some(num) if num.value < 0.0 => return self.refuse(num.span, codes::T1007::run_out_is_not_negative()),
             num => num.map_or(0.0, |num| num.value * self.st.mm()),
         };
         let thread = Thread {

@@ -67,18 +67,8 @@ impl Run<'_> {
             };
             if !free {
                 let beyond = if matches!(side, Towards::MinusX | Towards::MinusZ) { "or more" } else { "or less" };
-                return self.fail_help(
-                    codes::T2025,
-                    self.block_span(),
-                    format!(
-                        "G{number} begins at the tool, which stands at {word}{tool} inside of the blank: its surface lies at \
-                         {word}{limit}"
-                    ),
-                    format!(
-                        "position the tool at {word}{limit} {beyond} before the cycle; where that part of the blank was cut \
-                         off before, give in BLANK what is left"
-                    ),
-                );
+                return self
+                    .refuse(self.block_span(), codes::T2025::g_begins_at_tool(&number, &word, &tool, &limit, &beyond));
             }
         }
         Ok(())

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::Vec2;
 use crate::ir::function::{CutterData, Spindle, Turn};
 use crate::ir::{self, Feed, Function, Side};
@@ -125,15 +125,10 @@ impl Run<'_> {
     pub(super) fn feed_word(&mut self, num: Num) -> Outcome {
         let value = num.value * self.st.mm();
         if value <= 0.0 {
-            return self.fail(codes::O1001, num.span, format!("the feed is {}", num.value));
+            return self.refuse(num.span, codes::O1001::feed_2(&num.value));
         }
         let Some(feed) = self.st.feed.of(value) else {
-            return self.fail_help(
-                codes::T2003,
-                num.span,
-                "neither G94 nor G95 says what F counts",
-                "program `G95 F…` for mm per revolution or `G94 F…` for mm per minute",
-            );
+            return self.refuse(num.span, codes::P2002::neither_g94_nor_g95_says_what_f());
         };
         self.st.feed.program(feed);
         Ok(())
@@ -150,10 +145,7 @@ impl Run<'_> {
 
     #[cold]
     fn feed_missing(&mut self) -> Outcome<Feed> {
-        self.report(
-            Diagnostic::new(codes::T2003, self.here.origin.loc, "no feed is programmed before this cutting move")
-                .help("program `G95 F…` or `G94 F…` before it"),
-        );
+        self.report(codes::P2002::no_feed_is_programmed_before_this_cutting().at(self.here.origin.loc));
         // One report is enough.
         self.st.feed.presume();
         Err(Reported)
@@ -165,7 +157,7 @@ impl Run<'_> {
     pub(super) fn speed_limit(&mut self, w: &Words) -> Outcome {
         let num = self.needed(w, b'S', "the highest speed in revolutions per minute", self.block_span())?;
         if num.value <= 0.0 {
-            return self.fail(codes::T1007, num.span, "a speed limit is above zero");
+            return self.refuse(num.span, codes::T1007::speed_limit_is_above_zero());
         }
         self.st.spindle.limit = Some(num.value);
         self.send_speed(num.span);
@@ -182,12 +174,7 @@ impl Run<'_> {
                     SpeedMode::Cutting => ("G96", "`G96 S180`"),
                     SpeedMode::Revolutions => ("G97", "`G97 S800`"),
                 };
-                self.fail_help(
-                    codes::T1005,
-                    self.block_span(),
-                    format!("{name} changes what S means, and has no S"),
-                    format!("program the speed in the same block: {form}"),
-                )
+                self.refuse(self.block_span(), codes::P1004::changes_what_s_means(&name, &form))
             }
             None => Ok(()),
         }
@@ -195,16 +182,11 @@ impl Run<'_> {
 
     pub(super) fn speed_word(&mut self, num: Num) -> Outcome {
         if num.value < 0.0 {
-            return self.fail(codes::O9002, num.span, format!("the speed is {}", num.value));
+            return self.refuse(num.span, codes::O9002::speed(&num.value));
         }
         match self.st.spindle.mode {
             None => {
-                return self.fail_help(
-                    codes::T2004,
-                    num.span,
-                    "neither G96 nor G97 says what S means",
-                    "program `G97 S…` for revolutions per minute or `G96 S…` for a constant cutting speed",
-                );
+                return self.refuse(num.span, codes::T2004::neither_g96_nor_g97_says_what_s());
             }
             Some(SpeedMode::Cutting) if self.st.unit == Unit::Inch => self.st.spindle.speed = Some(num.value * FOOT),
             Some(_) => self.st.spindle.speed = Some(num.value),
@@ -221,8 +203,7 @@ impl Run<'_> {
             Some(SpeedMode::Cutting) => Spindle::CuttingSpeed { speed, limit },
             _ => match limit.filter(|limit| speed > *limit) {
                 Some(limit) => {
-                    let message = format!("the speed {speed} is lowered to the limit {limit} of G26");
-                    self.report(Diagnostic::new(codes::T2005, self.loc(span), message));
+                    self.report(codes::T2005::speed_is_lowered_to_limit_of_g26(&speed, &limit).at(self.loc(span)));
                     Spindle::Speed(limit)
                 }
                 None => Spindle::Speed(speed),
@@ -244,12 +225,7 @@ impl Run<'_> {
     pub(super) fn compensation(&mut self, side: Side, fun: Fun) -> Outcome {
         if side != Side::None {
             if self.st.compensation.is_on() && self.st.compensation.side() != side {
-                return self.fail_help(
-                    codes::T2021,
-                    fun.span,
-                    "G41 and G42 follow each other without G40",
-                    "program G40 with a straight move between them",
-                );
+                return self.refuse(fun.span, codes::T2021::g41_g42_follow_each_other_without_g40());
             }
             if self.job.settings.output.compensation == Compensation::Resolve {
                 self.compute_compensation(fun)?;
@@ -273,11 +249,10 @@ impl Run<'_> {
                     Some(_) => "the cutting-edge position of the tool is not known",
                     None => "the nose radius of the tool is not known",
                 };
-                return self.fail_help(
-                    codes::T9005,
+                return self.refuse(
                     fun.span,
-                    format!("G{} compensates the nose radius: {what}", fun.number),
-                    Answer::key("output", "compensation").one_of(&["\"control\""]).help("add `radius` and `orientation` of the tool to partc.toml, or set `[output] compensation = \"control\"` to print G41 and G42"),
+                    codes::P2004::g_compensates_nose_radius(&fun.number, &what)
+                        .answer(Answer::key("output", "compensation").one_of(&["\"control\""])),
                 );
             }
         };
@@ -298,12 +273,7 @@ impl Run<'_> {
             return Ok(());
         }
         if self.st.compensation.is_on() {
-            return self.fail_help(
-                codes::T2021,
-                num.span,
-                "the tool changes under nose radius compensation",
-                "program G40 with a straight move before the tool change",
-            );
+            return self.refuse(num.span, codes::T2021::tool_changes_under_nose_radius_compensation());
         }
         let name = self.sections.tool_name(number, edge);
         self.job.calls_tool_in(self.st.unit, self.loc(num.span));
@@ -316,12 +286,10 @@ impl Run<'_> {
             (Some(printed), _) => printed,
             (None, 0) => number,
             (None, _) => {
-                return self.fail_help(
-                    codes::T2007,
+                return self.refuse(
                     num.span,
-                    format!("edge {edge} of tool {number} has no tool number to print"),
-                    Answer::tool(format!("{number}.{edge}"), "number")
-                        .help(format!("add `[tools.\"{number}.{edge}\"]` with `number = …` to partc.toml")),
+                    codes::T2007::edge_of_tool_has_no_tool_number(&edge, &number)
+                        .answer(Answer::tool(format!("{number}.{edge}"), "number")),
                 );
             }
         };
@@ -350,7 +318,7 @@ impl Run<'_> {
     fn tool_number(&self, num: Num, written: &[u8]) -> Outcome<(u32, u8)> {
         let unclear = |why: &str, help: &str| {
             let word = readable(written).into_owned();
-            self.fail_help(codes::T2007, num.span, format!("`{word}` {why}"), help)
+            self.refuse(num.span, codes::T2007::of_another_kind(&word, &why).help(help))
         };
         let digits = written.get(1..).unwrap_or_default();
         let (whole, fraction) = match digits.iter().position(|b| *b == b'.') {
@@ -403,8 +371,7 @@ impl Run<'_> {
             && std::mem::discriminant(&before) != std::mem::discriminant(&oversize)
         {
             let (old, new) = (before.name(), oversize.name());
-            let message = format!("from here on {old} changes nothing: {new} takes its place");
-            let found = Diagnostic::new(codes::T8017, loc, message);
+            let found = codes::T8017::from_here_on_changes_nothing(&old, &new).at(loc);
             self.report(found.also(self.here.origin.loc, "what takes its place").help("keep one of the two"));
         }
         self.st.oversize = Some((oversize, self.here.origin.loc));

@@ -43,27 +43,16 @@ impl Run<'_> {
             let line = self.thread_contour(w, outline, lead, across)?;
             let end = line.parts.last().map_or(line.start, |part| part.end);
             if w.has(b'R') && (end.y - line.start.y - rise).abs() > AGREES {
-                return self.fail(
-                    codes::T1006,
-                    w.span(b'R', span),
-                    format!(
-                        "R is not the difference of the radii at the ends of the contour, which is {:.4} mm",
-                        end.y - line.start.y
-                    ),
-                );
+                return self
+                    .refuse(w.span(b'R', span), codes::P1005::r_is_not_difference_of_radii(&(end.y - line.start.y)));
             }
             return Ok(line);
         }
         if outline.is_some() || w.long("NS").is_some() || self.named.is_some() {
-            return self.fail(codes::T1006, span, "the thread has an end point and a contour: only one can hold");
+            return self.refuse(span, codes::P1005::thread_has_end_point());
         }
         let (Some(_), Some(_)) = (x, z) else {
-            return self.fail_help(
-                codes::T1005,
-                span,
-                "a thread needs both X and Z of its end",
-                "X is the diameter at the end; a thread across a face needs R, its radial length, as well",
-            );
+            return self.refuse(span, codes::P1004::thread_needs_both_x());
         };
         let ordinate = |coord: Coord, from: f64| match coord {
             Coord::At(v) => Some(v),
@@ -72,18 +61,13 @@ impl Run<'_> {
         };
         let (x, z) = (self.coord(x, Axis::X), self.coord(z, Axis::Z));
         let (Some(x), Some(z)) = (ordinate(x, at.y), ordinate(z, at.x)) else {
-            return self.fail(codes::T1005, span, "the end of a thread cannot be left open");
+            return self.refuse(span, codes::P1004::end_of_thread_cannot_be_left_open());
         };
         let end = Point2::new(z, x);
         // Steeper than 45 degrees to Z it runs across a face, and the tool stands clear of that.
         let transverse = across.unwrap_or(rise.abs() > (z - at.x).abs() + LEANS);
         if transverse && rise == 0.0 {
-            return self.fail_help(
-                codes::T1005,
-                span,
-                "a thread across a face has no R: where it starts is not known",
-                "program R with the radial length, (X of the end - X of the start) / 2",
-            );
+            return self.refuse(span, codes::P1004::thread_across_face_has_no_r());
         }
         let start = Point2::new(if transverse { z } else { at.x }, x - rise);
         Ok(ThreadLine { start, parts: vec![ThreadPart { end, lead }], transverse })
@@ -102,17 +86,16 @@ impl Run<'_> {
             edges.iter().filter(|edge| !edge.corner && edge.form.is_none()).map(|edge| edge.element).collect();
         let span = self.block_span();
         if elements.len() > MOST_PARTS {
-            let message = format!("the contour of a thread has {} elements, more than {MOST_PARTS}", elements.len());
-            return self.fail(codes::T3003, span, message);
+            return self.refuse(span, codes::T3003::contour_of_thread_has_elements(&elements.len(), &MOST_PARTS));
         }
         let (Some(first), true) = (elements.first(), elements.iter().all(|e| matches!(e, Element::Line { .. }))) else {
-            return self.fail(codes::T3003, span, "a thread is cut along straight elements, one at least");
+            return self.refuse(span, codes::T3003::thread_is_cut_along_straight_elements());
         };
         let way = first.to() - first.from();
         let transverse = across.unwrap_or(way.y.abs() > way.x.abs() + LEANS);
         let gap = elements.windows(2).any(|pair| crate::geo::distance(pair[0].to(), pair[1].from()) > 1e-6);
         if gap {
-            return self.fail(codes::T3003, span, "a chamfer, rounding or undercut interrupts the thread");
+            return self.refuse(span, codes::T3003::chamfer_rounding_or_undercut_interrupts_thread());
         }
         let start = first.from();
         let parts = elements.iter().map(|element| ThreadPart { end: element.to(), lead }).collect();
@@ -135,11 +118,9 @@ impl Run<'_> {
                 self.depends_on(Question::ThreadFace, span);
                 Ok(if rear { Towards::PlusZ } else { Towards::MinusZ })
             }
-            None => self.fail_help(
-                codes::T2024,
+            None => self.refuse(
                 self.block_span(),
-                "the thread runs across a face, and nothing tells whether it is the front or the rear one",
-                Answer::key("control", "thread_face").help("add `orientation` of the tool to partc.toml (2, 3, 7 front, 1, 4, 5 rear), or set `[control] thread_face`"),
+                codes::P2004::thread_runs_across_face().answer(Answer::key("control", "thread_face")),
             ),
         }
     }
@@ -153,14 +134,6 @@ impl Run<'_> {
         if begin.min(end) >= 0.0 {
             return Ok(());
         }
-        self.fail_help(
-            codes::T1007,
-            self.block_span(),
-            format!(
-                "the thread with its run-in and run-out leads beyond the turning centre, to X{}",
-                2.0 * begin.min(end)
-            ),
-            "check R, B and P",
-        )
+        self.refuse(self.block_span(), codes::T1007::thread_with_its_run(&(2.0 * begin.min(end))))
     }
 }

@@ -35,12 +35,7 @@ impl Run<'_> {
             }
         };
         if let Some(num) = w.get(b'O').filter(|num| num.value != 0.0) {
-            return self.fail_help(
-                codes::T9007,
-                num.span,
-                format!("O{} of a thread is not supported", num.value),
-                "leave the word out, and write the contour as it is to be cut",
-            );
+            return self.refuse(num.span, codes::T9007::o_of_thread_is_not_supported(&num.value));
         }
         let line = self.thread_line(w, outline, at, lead)?;
         let (into, depth) = self.thread_depth(w, &line, at, data)?;
@@ -89,16 +84,11 @@ impl Run<'_> {
             _ => self.needed(w, b'U', "the depth of the thread, negative for an external one", self.block_span())?,
         };
         if u.value == 0.0 {
-            return self.fail(codes::T1007, u.span, "the thread has no depth");
+            return self.refuse(u.span, codes::T1007::thread_has_no_depth());
         }
         let into = match (line.transverse, u.value > 0.0) {
             (true, true) => {
-                return self.fail_help(
-                    codes::T1007,
-                    u.span,
-                    "the thread runs across a face, and U above 0 is the depth of a thread in a bore",
-                    "program U with a minus sign",
-                );
+                return self.refuse(u.span, codes::T1007::thread_runs_across_face());
             }
             (true, false) => self.thread_face(w)?,
             (false, true) => Towards::PlusX,
@@ -112,12 +102,7 @@ impl Run<'_> {
         if self.st.spindle.turn().is_some() {
             return Ok(());
         }
-        self.fail_help(
-            codes::T1005,
-            self.block_span(),
-            format!("the spindle does not turn when G{number} begins, so the thread has no pitch"),
-            format!("program M3 or M4 before G{number}"),
-        )
+        self.refuse(self.block_span(), codes::P1004::spindle_does_not_turn_when_g_begins(&number))
     }
 
     /// The root of the thread lies on this side of the turning centre.
@@ -127,15 +112,9 @@ impl Run<'_> {
         if root > 0.0 {
             return Ok(());
         }
-        self.fail_help(
-            codes::T1007,
+        self.refuse(
             self.block_span(),
-            format!(
-                "the thread at X{} with a depth of {depth} mm reaches the turning centre: its root lies at X{}",
-                2.0 * least,
-                2.0 * root
-            ),
-            "check the diameter and the depth, which counts as a radius",
+            codes::T1007::thread_at_x_with_depth_of_mm(&(2.0 * least), &depth, &(2.0 * root)),
         )
     }
 
@@ -147,12 +126,7 @@ impl Run<'_> {
         let edges = self.contour_of(w, outline, 0)?.edges;
         let data = edges.iter().find(|edge| !edge.corner && edge.form.is_none()).and_then(|edge| edge.thread);
         if edges.iter().any(|edge| edge.thread.is_some() && edge.thread != data) {
-            return self.fail_help(
-                codes::T9007,
-                self.block_span(),
-                "the elements of the thread have different pitches or depths",
-                "program F and U for all of it, or a cycle for each element",
-            );
+            return self.refuse(self.block_span(), codes::T9007::elements_of_thread_have_different_pitches());
         }
         Ok(data)
     }
@@ -164,12 +138,7 @@ impl Run<'_> {
         let din_plus = self.sections.family() == Family::DinPlus;
         if let Some(cuts) = w.long("IC") {
             if let Some(num) = w.get(b'I') {
-                return self.fail_help(
-                    codes::T1006,
-                    num.span,
-                    "I gives the infeed and IC the number of cuts: only one of the two can hold",
-                    "leave one of the two out",
-                );
+                return self.refuse(num.span, codes::P1005::i_gives_infeed());
             }
             return self.infeed_by_count(cuts, kind);
         }
@@ -178,7 +147,7 @@ impl Run<'_> {
             None if din_plus && kind == 0 => lead / 3.0,
             None => {
                 return self.fail_help(
-                    codes::T1005,
+                    codes::P1004,
                     span,
                     match kind {
                         2 | 3 => format!(
@@ -199,33 +168,24 @@ impl Run<'_> {
             3 if !din_plus || self.job.settings.control.heidenhain_turning == "manualplus620" => {
                 Ok(Infeed::Remainder { most })
             }
-            3 => self.fail_help(
-                codes::T9007,
+            3 => self.refuse(
                 word,
-                "V3 divides the depth on the MANUALplus and follows pitch and speed on the CNC PILOT 4290",
-                Answer::key("control", "heidenhain_turning").help(
-                    "set `[control] heidenhain_turning = \"manualplus620\"` in partc.toml, or program V0, V1 or V2",
-                ),
+                codes::T9007::v3_divides_depth_on_manualplus().answer(Answer::key("control", "heidenhain_turning")),
             ),
-            _ => self.fail_help(
-                codes::T9007,
-                word,
-                format!("how V{kind} divides the depth no manual at hand says"),
-                "program V0, V1, V2 or V3",
-            ),
+            _ => self.refuse(word, codes::T9007::how_v_divides_depth_no_manual(&kind)),
         }
     }
 
     fn infeed_by_count(&mut self, cuts: Num, kind: u32) -> Outcome<Infeed> {
         let passes = cuts.value;
         if passes.fract() != 0.0 || !(1.0..=1000.0).contains(&passes) {
-            return self.fail(codes::T1007, cuts.span, "IC is a number of cuts");
+            return self.refuse(cuts.span, codes::T1007::ic_is_number_of_cuts());
         }
         let passes = passes as u32;
         match kind {
             0 => Ok(Infeed::AreaPasses { passes }),
             1 => Ok(Infeed::EqualPasses { passes }),
-            _ => self.fail(codes::T1003, cuts.span, "IC belongs to V0 and V1"),
+            _ => self.refuse(cuts.span, codes::P1003::ic_belongs_to_v0()),
         }
     }
 
@@ -234,11 +194,7 @@ impl Run<'_> {
         let angle = match w.get(b'A') {
             Some(num) if num.value > 0.0 && num.value < LARGEST_ANGLE => Deg(num.value),
             Some(num) => {
-                return self.fail(
-                    codes::T1007,
-                    num.span,
-                    format!("A{} does not lie between 0 and 60 degrees", num.value),
-                );
+                return self.refuse(num.span, codes::T1007::does_not_lie_between_0(&num.value));
             }
             None if self.sections.family() == Family::DinPlus => Deg(30.0),
             // Half a pitch at depth 0.
@@ -256,11 +212,9 @@ impl Run<'_> {
             (1, false) | (2, true) => Flank::Behind { angle },
             (_, true) => Flank::Alternating { angle },
             (_, false) => {
-                return self.fail_help(
-                    codes::T9007,
+                return self.refuse(
                     w.span(b'H', self.block_span()),
-                    "alternating flanks that begin on the other side (a thread towards +Z) are not supported",
-                    "program H0, H1 or H2",
+                    codes::T9007::alternating_flanks_that_begin_on_other_side(),
                 );
             }
         })
@@ -270,7 +224,7 @@ impl Run<'_> {
     fn run_way(&mut self, w: &Words, letter: u8, what: &str, lead: f64) -> Outcome<f64> {
         if let Some(num) = w.get(letter) {
             if num.value < 0.0 {
-                return self.fail(codes::T1007, num.span, format!("the {what} is not negative"));
+                return self.refuse(num.span, codes::T1007::is_not_negative_3(&what));
             }
             return Ok(num.value * self.st.mm());
         }
@@ -285,11 +239,6 @@ impl Run<'_> {
     #[cold]
     fn run_way_missing(&self, letter: u8, what: &str) -> Outcome<f64> {
         let span: Span = self.block_span();
-        self.fail_help(
-            codes::T1005,
-            span,
-            format!("{} is missing: the {what}", letter as char),
-            "the control computes it from the speed, which is not fixed here: program it, or G97 S… before the cycle",
-        )
+        self.refuse(span, codes::P1004::is_missing_so_control_computes(&(letter as char), &what))
     }
 }

@@ -32,7 +32,7 @@ impl Run<'_> {
         let span = self.block_span();
         self.not_of_din_plus("G85", "describe the undercut with G25 in the contour")?;
         let (Coord::At(x), Coord::At(z)) = (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z)) else {
-            return self.fail(codes::T1005, span, "an undercut needs absolute X and Z of its corner");
+            return self.refuse(span, codes::P1004::undercut_needs_absolute_x());
         };
         let corner = Point2::new(z, x);
         let height = at.y - corner.y;
@@ -50,12 +50,7 @@ impl Run<'_> {
         };
         let clear = on_cylinder || (made.joins.y - corner.y).abs() < height.abs();
         if (at.x - made.leaves.x) * sense < 0.0 || !clear {
-            return self.fail_help(
-                codes::T2025,
-                span,
-                "the tool does not stand in front of the undercut and clear of it",
-                "position it in front of where the undercut begins, and beyond its end at the shoulder",
-            );
+            return self.refuse(span, codes::T2025::tool_does_not_stand_in_front());
         }
         let active = self.cutting_feed()?;
         let feed = match w.get(b'E') {
@@ -99,12 +94,7 @@ impl Run<'_> {
                 self.depends_on(Question::UndercutSide, span);
                 Ok(-1.0)
             }
-            _ => self.fail_help(
-                codes::T2024,
-                span,
-                "the tool stands on the cylinder, and nothing tells whether the undercut lies outside or inside",
-                "add `orientation` of the tool to partc.toml (3, 4, 8 outside, 1, 2, 6 inside), or position it clear of the cylinder",
-            ),
+            _ => self.refuse(span, codes::P2004::tool_stands_on_cylinder()),
         }
     }
 
@@ -115,12 +105,7 @@ impl Run<'_> {
         if points.x * sense <= 0.0 && points.y * up <= 0.0 {
             return Ok(());
         }
-        self.fail_help(
-            codes::T2025,
-            self.block_span(),
-            format!("the tool comes to the undercut from a side that its edge position {edge} does not cut"),
-            "check where the tool stands before G85, and `orientation` of the tool in partc.toml",
-        )
+        self.refuse(self.block_span(), codes::T2025::tool_comes_to_undercut_from_side(&edge))
     }
 
     fn undercut_move(&mut self, to: Point2, path: Path) {
@@ -146,29 +131,19 @@ impl Run<'_> {
         let upper = self.job.settings.control.turning.undercut_upper == Some(true);
         let sought = diameter + if upper { LOST } else { -LOST };
         if let Some(num) = w.get(b'I').filter(|num| num.value != 0.0 && form.is_none_or(|k| k == 0.0)) {
-            return self.fail_help(
-                codes::T9007,
-                num.span,
-                "the wear oversize of an undercut E or F is not supported",
-                "leave I out, and correct the wear at the tool",
-            );
+            return self.refuse(num.span, codes::T9007::wear_oversize_of_undercut_e_or_f());
         }
         match form {
             None | Some(0.0) => match tables.size_for(sought, din509::PLUS_4110_G85) {
                 Some((_, size)) => Ok(if form.is_none() { form_e(size) } else { form_f(size) }.into()),
-                None => self.fail(codes::T1005, w.span(b'X', span), undercuts::no_size(diameter)),
+                None => self.fail(codes::P1004, w.span(b'X', span), undercuts::no_size(diameter)),
             },
             Some(width) => {
                 let depth = self.needed(w, b'I', "the depth of the undercut", span)?;
                 let depth = self.above_zero(depth, "the depth of the undercut")?;
                 match undercuts::radius_of_width(tables, width, inside) {
                     Some(radius) => Ok(undercuts::square(depth, width, radius, din76::ENTRY).into()),
-                    None => self.fail_help(
-                        codes::T1007,
-                        w.span(b'K', span),
-                        format!("no undercut of DIN 76 is {width} mm wide"),
-                        "take the width of the table, or write the undercut with G1 and G2 blocks",
-                    ),
+                    None => self.refuse(w.span(b'K', span), codes::T1007::no_undercut_of_din_76_is_mm(&width)),
                 }
             }
         }

@@ -165,14 +165,14 @@ impl Run<'_> {
             Value::Text(span) => return self.gather_text(word, span, words),
         };
         if value.is_nan() || value.abs() > LARGEST {
-            return self.fail(codes::T1007, word.span, "the number is too large for any control");
+            return self.refuse(word.span, codes::T1007::number_is_too_large_for_any_control());
         }
         let Some(letter) = word.address.addr.letter() else {
             return self.gather_long(word, value, unknown, words);
         };
         if letter == b'G' || letter == b'M' {
             if unknown {
-                return self.fail(codes::T1001, word.span, "a function has a number");
+                return self.refuse(word.span, codes::P1001::function_has_number());
             }
             let list = if letter == b'G' { &mut words.g } else { &mut words.m };
             return match whole(value).filter(|_| list.len() < MOST) {
@@ -180,7 +180,7 @@ impl Run<'_> {
                     list.push(Fun { number, span: word.span });
                     Ok(())
                 }
-                None => self.fail(codes::T1001, word.span, format!("there is no function {}{value}", letter as char)),
+                None => self.refuse(word.span, codes::P1001::there_is_no_function(&(letter as char), &value)),
             };
         }
         let at = index(letter);
@@ -213,7 +213,7 @@ impl Run<'_> {
     #[cold]
     fn twice(&self, word: &Word, first: Span) -> Outcome {
         let message = format!("{} stands twice in the block", word.address.addr);
-        let found = crate::diag::Diagnostic::new(codes::T1002, self.loc(word.span), message);
+        let found = crate::diag::Diagnostic::new(codes::P1002, self.loc(word.span), message);
         self.report(
             found.also(self.loc(first), "the first one").help("put the second function into a block of its own"),
         );

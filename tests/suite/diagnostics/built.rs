@@ -71,10 +71,10 @@ pub(super) const BUILT: &[Built] = &[
     },
     // The hundredth one is too much.
     Built { code: "P0121", fires: || calls_of(100, MAX_ALL_CALLED / 99), silent: || calls_of(100, 1 << 10) },
-    Built { code: "K2007", fires: || with_table(TOOL_CALL, &[]), silent: || with_table(TOOL_CALL, &[5]) },
-    Built { code: "K8001", fires: || checked(&behind_m30("SPL X+20")), silent: || checked(&behind_m30("L X+20")) },
-    Built { code: "S8040", fires: || sinumerik_idle("TRAORI"), silent: || sinumerik_idle("G1 X5") },
-    Built { code: "S8009", fires: || sinumerik_tool(&[]), silent: || sinumerik_tool(&[5]) },
+    Built { code: "P2006", fires: || with_table(TOOL_CALL, &[]), silent: || with_table(TOOL_CALL, &[5]) },
+    Built { code: "P8140", fires: || checked(&behind_m30("SPL X+20")), silent: || checked(&behind_m30("L X+20")) },
+    Built { code: "P8140", fires: || sinumerik_idle("TRAORI"), silent: || sinumerik_idle("G1 X5") },
+    Built { code: "P2006", fires: || sinumerik_tool(&[]), silent: || sinumerik_tool(&[5]) },
     Built { code: "O9300", fires: || on_grbl("G33 Z-10 K1.5", ""), silent: || on_grbl("G1 Z-10 F100", "") },
     Built { code: "O9301", fires: || on_grbl("G95 G1 X5 F0.2", ""), silent: || on_grbl("G94 G1 X5 F100", "") },
     Built {

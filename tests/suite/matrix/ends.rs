@@ -20,12 +20,12 @@ fn a_main_program_without_an_end_is_refused() {
     row(|column| {
         let text = open(column, 99);
         let refused = compiled(column, &text, "");
-        let code = if column.dialect == "klartext" { "K1011" } else { "P0007" };
+        let code = if column.dialect == "klartext" { "P1006" } else { "P0007" };
         refuses(&refused, code, "no end")?;
         hold(refused.output.is_empty(), || refused.output.clone())?;
         // Where the control needs none, the end is added; a head that names the end of the program still wants it.
         let allowed = compiled(column, &text, ALLOWED);
-        hold(allowed.has_errors() == (code == "K1011"), || format!("allowed: {:?}", allowed.rendered))?;
+        hold(allowed.has_errors() == (code == "P1006"), || format!("allowed: {:?}", allowed.rendered))?;
         let whole = column.run(&[&column.moves()[0], &column.moves()[1], &(column.to)(99)]);
         hold(!whole.has_errors(), || format!("whole: {:?}", whole.rendered))
     });
@@ -40,7 +40,7 @@ fn a_program_that_stops_in_its_last_line_is_never_taken() {
         for text in [cut.to_owned(), format!("{cut} "), format!("{cut}\0\0"), text.trim_end().to_owned()] {
             for more in ["", ALLOWED] {
                 let refused = compiled(column, &text, more);
-                let code = if column.dialect == "klartext" { "K1011" } else { "P0008" };
+                let code = if column.dialect == "klartext" { "P1006" } else { "P0008" };
                 refuses(&refused, code, &format!("{text:?} with {more:?}"))?;
             }
         }

@@ -280,7 +280,7 @@ fn judge(case: &Case, tally: &mut Tally) -> Result<(), String> {
             return Ok(());
         }
         // Corners that are too large.
-        Made::Refused("S2090", why) if why.contains("larger than its edge") => {
+        Made::Refused("P2090", why) if why.contains("larger than its edge") => {
             tally.refused += 1;
             return Ok(());
         }

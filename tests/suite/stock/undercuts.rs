@@ -399,7 +399,7 @@ fn one(dice: &mut Dice, tally: &mut Tally) -> Result<(), String> {
             tally.refused += 1;
             return Ok(());
         }
-        Made::Refused("G3041" | "S2090", _) if !fits => {
+        Made::Refused("G3041" | "P2090", _) if !fits => {
             tally.refused += 1;
             return Ok(());
         }

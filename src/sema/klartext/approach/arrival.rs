@@ -1,6 +1,6 @@
 //! APPR: known when the first element of the contour is.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::{self, Point2, SAME_POINT, Vec2, distance, joint};
 use crate::ir::contour::Move;
 use crate::ir::{Feed, Function, Origin, Pos, Side};
@@ -85,12 +85,7 @@ impl Run<'_> {
         let (to, depth) = self.border_point(name, polar, from, w)?;
         let third = Axis::ALL[plane.axes().2];
         if depth.is_some() && self.st.feed.plunge_share().is_some() {
-            return self.fail_help(
-                codes::K9003,
-                w.axes_span,
-                format!("{name} with the tool axis under M103 is not supported"),
-                "write the depth into a block in front of the approach",
-            );
+            return self.refuse(w.axes_span, codes::K9003::with_tool_axis_under_m103_is_not(&name));
         }
         let mut after = Pos::UNKNOWN;
         after.set_in_plane(plane, to);
@@ -112,40 +107,18 @@ impl Run<'_> {
     /// Is the tool left of the contour, and which side has the contour?
     fn approach_side(&mut self, name: &str, span: Span, w: &Words) -> Outcome<(bool, Side)> {
         if self.st.compensation.is_on() {
-            return self.fail_help(
-                codes::K9003,
-                span,
-                format!("{name} while RL or RR is active is not supported: what controls make of it differs"),
-                "program DEP or a block with R0 in front",
-            );
+            return self.refuse(span, codes::K9003::while_rl_or_rr_is_active(&name));
         }
         if self.computes_path() && self.st.contour.is_some() {
-            return self.fail_help(
-                codes::K9003,
-                span,
-                format!("{name} starts beside a contour: no block has led away from it in the working plane"),
-                "program a straight block with R0 to the start of the approach",
-            );
+            return self.refuse(span, codes::K9003::starts_beside_contour(&name));
         }
         match w.comp {
             Some(Comp::Side(side @ (Side::Left | Side::Right))) => Ok((side == Side::Left, side)),
             _ if self.job.settings.control.klartext <= Generation::Itnc530 => {
-                self.report(
-                    Diagnostic::new(
-                        codes::K2895,
-                        self.loc(span),
-                        format!("{name} without RL or RR: computed with the tool radius 0 to the right of the contour"),
-                    )
-                    .help("write RL or RR, or program the approach as L and C blocks"),
-                );
+                self.report(codes::K2895::without_rl_or_rr(&name).at(self.loc(span)));
                 Ok((false, Side::None))
             }
-            _ => self.fail_help(
-                codes::K9003,
-                span,
-                format!("{name} with R0 is not supported: the control refuses it"),
-                "write RL or RR, or program the approach as L and C blocks",
-            ),
+            _ => self.refuse(span, codes::K9003::with_r0_is_not_supported(&name)),
         }
     }
 
@@ -174,12 +147,7 @@ impl Run<'_> {
         let here = std::mem::replace(&mut self.here, approach.here);
         let made = match element.direction(true) {
             Some(heading) => self.make_approach(&approach, heading),
-            None => self.fail_help(
-                codes::K9003,
-                approach.span,
-                format!("{} leads onto a block whose direction is not known here", approach.name),
-                "let a straight line or an arc of the working plane with centre or radius follow",
-            ),
+            None => self.refuse(approach.span, codes::K9003::leads_onto_block_whose_direction_is_not(&approach.name)),
         };
         if made.is_err() {
             self.lost();
@@ -201,12 +169,7 @@ impl Run<'_> {
         let way = self.way_of(a, &border)?;
         let lead = distance(a.from, way.start);
         if lead <= SAME_POINT && self.computes_path() {
-            return self.fail_help(
-                codes::K2605,
-                a.span,
-                format!("the start of {} is the point from which it leads to the contour", a.name),
-                "start further away",
-            );
+            return self.refuse(a.span, codes::K2605::start_of_is_point(&a.name));
         }
         let (at_start, staged, at_end) = self.depths(a, lead / (lead + way.length))?;
         self.way_to(way.start, at_start, a.lead, border.side);
@@ -241,12 +204,7 @@ impl Run<'_> {
             Shape::LineArc { radius } => {
                 let on = self.circle_at(border, radius, &a.name)?;
                 let Some(touch) = joint::tangent_point(a.from, on.center, radius, on.ccw) else {
-                    return self.fail_help(
-                        codes::K2605,
-                        a.span,
-                        format!("the start of {} lies inside its circle", a.name),
-                        "start further away, or make R smaller",
-                    );
+                    return self.refuse(a.span, codes::K2605::start_of_lies_inside_its_circle(&a.name));
                 };
                 let start = on.center + (touch - on.center) * (on.radius / radius);
                 let sweep = geo::arc::sweep(start, border.at, on.center, on.ccw).abs();
@@ -268,12 +226,7 @@ impl Run<'_> {
             return Ok((None, Some(depth), None));
         }
         if !self.computes_path() {
-            return self.fail_help(
-                codes::K9003,
-                a.span,
-                format!("{} with the tool axis is not supported for this control", a.name),
-                "write the depth into a block in front of the approach",
-            );
+            return self.refuse(a.span, codes::K9003::with_tool_axis_is_not_supported(&a.name));
         }
         let Some(from) = from else {
             let message =
@@ -282,16 +235,9 @@ impl Run<'_> {
         };
         if settings.klartext_choices.approach_depth.is_none() {
             self.report(
-                Diagnostic::new(
-                    codes::K2896,
-                    self.loc(a.span),
-                    format!("the tool axis of {} moves evenly over the whole way to the contour", a.name),
-                )
-                .help(
-                    Answer::key("control", "approach_depth").help(
-                        "write the depth into a block in front, or choose a reading with `[control] approach_depth`",
-                    ),
-                ),
+                codes::K2896::tool_axis_of_moves_evenly_over_whole(&a.name)
+                    .answer(Answer::key("control", "approach_depth"))
+                    .at(self.loc(a.span)),
             );
         }
         Ok((Some(from + (depth - from) * share), None, Some(depth)))
@@ -301,8 +247,7 @@ impl Run<'_> {
     pub(in super::super) fn forbid_open_approach(&mut self) -> Outcome {
         let Some(approach) = self.approach.take() else { return Ok(()) };
         let loc = approach.here.loc(&self.job, approach.span);
-        let found = Diagnostic::new(codes::K9003, loc, format!("no contour element follows {}", approach.name))
-            .help("let a path block follow directly");
+        let found = codes::K9003::no_contour_element_follows(&approach.name).at(loc);
         self.job.diags.push(found.called(approach.here.origin.call));
         self.forget_contour();
         self.lose_all();

@@ -1,6 +1,6 @@
 //! DEP: from the last element of the contour.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::{self, Point2, SAME_POINT, distance, joint};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{ApproachDepth, Axis, Generation};
@@ -34,12 +34,7 @@ impl Run<'_> {
         // Behind an approach with R0 the contour has no side.
         let contour = self.st.contour.filter(|contour| contour.side == side);
         if self.approach.is_some() || contour.is_none() || w.comp.is_some_and(|comp| comp != Comp::Side(Side::None)) {
-            return self.fail_help(
-                codes::K9003,
-                span,
-                format!("{name} is supported behind a contour with RL or RR"),
-                "program the departure as L and C blocks",
-            );
+            return self.refuse(span, codes::K9003::is_supported_behind_contour_with_rl(&name));
         }
         let mut radius = 0.0;
         if side != Side::None {
@@ -48,23 +43,13 @@ impl Run<'_> {
         }
         self.forbid_scaling(span)?;
         if contour.is_some_and(|contour| !contour.begun) {
-            return self.fail_help(
-                codes::K9003,
-                span,
-                format!("{name} stands behind the block that leads to the contour, which has no element yet"),
-                "program one element of the contour at least",
-            );
+            return self.refuse(span, codes::K9003::stands_behind_block_that_leads_to_contour(&name));
         }
         let last = contour.and_then(|contour| contour.last);
         let Some(heading) =
             last.filter(|last| distance(last.to, at) <= SAME_POINT).and_then(|last| last.direction(false))
         else {
-            return self.fail_help(
-                codes::K9003,
-                span,
-                format!("{name} follows a block whose direction is not known here"),
-                "let a straight line or an arc of the working plane with centre or radius stand in front",
-            );
+            return self.refuse(span, codes::K9003::follows_block_whose_direction_is_not_known(&name));
         };
         self.set_feed(w)?;
         let straight = self.move_feed(w)?;
@@ -72,12 +57,7 @@ impl Run<'_> {
         let (to, depth) =
             if let Shape::LineArc { .. } = shape { self.border_point(name, polar, at, w)? } else { (at, None) };
         if matches!(shape, Shape::LineArc { .. }) && distance(to, at) <= SAME_POINT {
-            return self.fail_help(
-                codes::K9003,
-                span,
-                format!("{name} has no end point away from the contour: the tool would go onto its last point"),
-                "program the end point of the departure",
-            );
+            return self.refuse(span, codes::K9003::has_no_end_point_away_from_contour(&name));
         }
         let together = depth.is_some() && self.rises_together(name);
         let (shared, behind) = if together { (depth, None) } else { (None, depth) };
@@ -122,12 +102,7 @@ impl Run<'_> {
                 let on = self.circle_at(border, radius, name)?;
                 // Backwards it is an approach.
                 let Some(touch) = joint::tangent_point(to, on.center, radius, !on.ccw) else {
-                    return self.fail_help(
-                        codes::K2605,
-                        self.block_span(),
-                        format!("the end of {name} lies inside its circle"),
-                        "end further away, or make R smaller",
-                    );
+                    return self.refuse(self.block_span(), codes::K2605::end_of_lies_inside_its_circle(&name));
                 };
                 let start = on.center + (touch - on.center) * (on.radius / radius);
                 self.arc_to(start, None, &on, feed, border.side)?;
@@ -151,16 +126,9 @@ impl Run<'_> {
             None => {
                 if generation <= Generation::Itnc530 {
                     self.report(
-                        Diagnostic::new(
-                            codes::K2896,
-                            self.here.origin.loc,
-                            format!("the tool axis of {name} moves at the end of the departure"),
-                        )
-                        .help(
-                            Answer::key("control", "approach_depth").help(
-                                "write it into a block of its own after it, or choose a reading with `[control] approach_depth`",
-                            ),
-                        ),
+                        codes::K2896::tool_axis_of_moves_at_end(&name)
+                            .answer(Answer::key("control", "approach_depth"))
+                            .at(self.here.origin.loc),
                     );
                 }
                 generation >= Generation::Tnc7

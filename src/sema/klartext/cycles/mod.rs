@@ -223,7 +223,7 @@ pub(super) fn find(number: u32) -> &'static Row {
 const UNKNOWN: Row = Row {
     numbers: (0, 0),
     nature: Nature::Unknown,
-    signature: Signature { name: "", what: "", status: Status::Refused { code: "K9001" }, source: "", parameters: &[] },
+    signature: Signature { name: "", what: "", status: Status::Refused { code: "P9010" }, source: "", parameters: &[] },
     form: REMOVE,
 };
 

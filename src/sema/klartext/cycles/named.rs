@@ -22,11 +22,11 @@ const fn acting(numbers: (u32, u32), name: &'static str, what: &'static str) -> 
 
 /// Says what other cycles of this list use.
 const fn data(numbers: (u32, u32), name: &'static str, what: &'static str) -> Row {
-    let read = Status::Checked { code: "K9001", why: "read, and the cycles that use it are refused" };
+    let read = Status::Checked { code: "P9010", why: "read, and the cycles that use it are refused" };
     row(numbers, name, what, (Nature::Data, read))
 }
 
-const REFUSED: Status = Status::Refused { code: "K9001" };
+const REFUSED: Status = Status::Refused { code: "P9010" };
 
 const fn row(numbers: (u32, u32), name: &'static str, what: &'static str, (nature, status): (Nature, Status)) -> Row {
     let signature = Signature { name, what, status, source: "", parameters: &[] };

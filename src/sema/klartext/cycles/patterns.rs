@@ -77,7 +77,7 @@ pub(super) const ROWS: &[Row] = &[
         signature: Signature {
             name: "CYCL DEF 224",
             what: "DATA MATRIX PATTERN",
-            status: Status::Refused { code: "K9001" },
+            status: Status::Refused { code: "P9010" },
             source: "",
             parameters: &[],
         },

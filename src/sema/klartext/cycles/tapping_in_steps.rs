@@ -1,5 +1,6 @@
 //! Cycle 209: rigid tapping that breaks the chip.
 
+use crate::diag::codes;
 use crate::ir::cycle::drilling::{Chip, Degression, Method, TapStep};
 use crate::machine::Generation;
 use crate::sema::cycle_table::{Kind, Signature, Status};
@@ -51,19 +52,18 @@ impl Run<'_> {
     fn tapping_in_steps(&mut self, cycle: &DefinedCycle, cut: Cut) -> Outcome<Method> {
         let (way, pitches) = (self.cycle_length(cycle, BREAK_DEPTH)?, self.cycle_number(cycle, BREAK_WAY)?);
         if way < 0.0 || pitches < 0.0 {
-            let message = format!("neither Q257 = {way} nor Q256 = {pitches} may be below zero");
-            return self.cycle_value(cycle, &message);
+            return self.refuse_value(cycle, codes::P2090::neither_q257_nor_q256_may_be_below(&way, &pitches));
         }
         let angle = self.cycle_number(cycle, ANGLE)?;
         let factor = if cycle.sets(BACK_FACTOR) { self.cycle_number(cycle, BACK_FACTOR)? } else { 1.0 };
         if !(0.0001..=10.0).contains(&factor) {
-            return self.cycle_value(cycle, &format!("the factor Q403 = {factor} is not 0.0001 to 10"));
+            return self.refuse_value(cycle, codes::P2090::factor_q403_is_not_0_0001(&factor));
         }
         // Older software counts Q256 in lengths.
         let old = self.job.settings.control.klartext == Generation::Tnc426;
         let back_way = if old { Some(self.cycle_length(cycle, BREAK_WAY)?) } else { None };
         if way > 0.0 && pitches == 0.0 && factor != 1.0 {
-            return self.cycle_unbuilt(cycle, "Q256 = 0 with Q403, whose speed back into the hole is not known,");
+            return self.refuse_cycle(cycle, codes::P9010::q256_0_with_q403());
         }
         let Method::Tap(mut tap) = self.rigid_tapping(cycle, cut)? else { return Err(super::super::Reported) };
         tap.orient = Some(angle.rem_euclid(360.0));

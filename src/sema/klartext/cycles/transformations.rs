@@ -22,7 +22,7 @@ const fn acting(
 }
 
 const fn data(number: u32, name: &'static str, what: &'static str) -> Row {
-    let status = Status::Checked { code: "K9001", why: "read, and the cycles that use it are refused" };
+    let status = Status::Checked { code: "P9010", why: "read, and the cycles that use it are refused" };
     let signature = Signature { name, what, status, source: "", parameters: &[] };
     Row { numbers: (number, number), nature: Nature::Data, signature, form: REMOVE }
 }

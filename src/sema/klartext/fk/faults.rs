@@ -89,18 +89,12 @@ impl Run<'_> {
         let item = item(waiting);
         let (name, loc) = (name(&item), waiting.here.loc(&self.job, waiting.span));
         let found = match *fault {
-            Fault::Open { missing: 0, .. } if item.center.radius.is_some() && item.center.angle.is_none() => Diagnostic::new(
-                codes::K9002,
-                loc,
-                format!("{name} has CCPR and lacks CCPA: partc cannot construct an arc whose centre lies anywhere on a circle about the pole"),
-            )
-            .help("write CCPA, the angle of the centre about the pole"),
-            Fault::Open { missing: 0, .. } => Diagnostic::new(
-                codes::K9002,
-                loc,
-                format!("{name} and the blocks behind have data enough, and partc knows no way to construct them"),
-            )
-            .help(self.wanted(&item)),
+            Fault::Open { missing: 0, .. } if item.center.radius.is_some() && item.center.angle.is_none() => {
+                codes::K9002::has_ccpr_lacks_ccpa(&name).at(loc)
+            }
+            Fault::Open { missing: 0, .. } => {
+                codes::K9002::blocks_behind_have_data_enough(&name).at(loc).help(self.wanted(&item))
+            }
             Fault::Open { missing, .. } => {
                 let (data, is) = if missing == 1 { ("one datum", "is") } else { ("data", "are") };
                 let message = match missing {
@@ -113,19 +107,9 @@ impl Run<'_> {
             }
             Fault::Impossible { why, miss, .. } => {
                 let by = miss.map(|miss| format!(", by {} mm", rounded(miss))).unwrap_or_default();
-                Diagnostic::new(
-                    codes::K3003,
-                    loc,
-                    format!("no {name} fits its data and that of its neighbours: {why}{by}"),
-                )
-                .help("check the words of this block and of the blocks that it is solved with")
+                codes::K3003::no_fits_its_data(&name, &why, &by).at(loc)
             }
-            Fault::TooMany { .. } => Diagnostic::new(
-                codes::K9002,
-                loc,
-                format!("too many blocks from this {name} on, or too many solutions, are still open"),
-            )
-            .help("write the end point of an element between them"),
+            Fault::TooMany { .. } => codes::K9002::too_many_blocks(&name).at(loc),
         };
         self.say(free, waiting, found);
         Reported
@@ -135,15 +119,9 @@ impl Run<'_> {
     fn joint_is_open(&self, free: &Free, [first, second]: [&Waiting; 2]) -> Reported {
         let names = [first, second].map(|waiting| name(&item(waiting)));
         let [x, y] = self.letters();
-        let message = format!(
-            "{} and the {} behind it lie on one straight, and no datum says where on it the one ends and the other begins",
-            names[0], names[1]
-        );
-        let found = Diagnostic::new(codes::K3001, first.here.loc(&self.job, first.span), message)
-            .also(second.here.loc(&self.job, second.span), "goes on along the same straight")
-            .help(format!(
-                "write {x} of the end, {y} of the end or LEN into the first of the two, or make one line of them"
-            ));
+        let found = codes::K3001::behind_it_lie_on_one_straight(&names[0], &names[1], &x, &y)
+            .at(first.here.loc(&self.job, first.span))
+            .also(second.here.loc(&self.job, second.span), "goes on along the same straight");
         self.say(free, first, found);
         Reported
     }
@@ -199,17 +177,14 @@ impl Run<'_> {
             Some(number) => format!("; which of them FSELECT {number} means is not documented"),
             None => String::new(),
         };
-        let found = Diagnostic::new(
-            codes::K3002,
-            waiting.here.loc(&self.job, waiting.span),
-            format!(
-                "{} has {} solutions that fit all data up to the end of the contour; it ends in {}{chosen}",
-                name(&item),
-                candidates.len(),
-                ends.join(", or ")
-            ),
+        let found = codes::K3002::has_solutions_that_fit_all_data(
+            &name(&item),
+            &candidates.len(),
+            &ends.join(", or "),
+            &chosen,
+            &self.deciding(&item, candidates),
         )
-        .help(format!("write {} into this block", self.deciding(&item, candidates)));
+        .at(waiting.here.loc(&self.job, waiting.span));
         self.say(free, waiting, found);
     }
 
@@ -240,16 +215,8 @@ impl Run<'_> {
     pub(super) fn warn_of_choice(&self, free: &Free, serial: Serial) {
         let Some(waiting) = free.waiting(serial) else { return };
         let item = item(waiting);
-        let found = Diagnostic::new(
-            codes::K8022,
-            waiting.here.loc(&self.job, waiting.span),
-            format!(
-                "{} has several solutions; FSELECT {} is taken as printed programs count them",
-                name(&item),
-                item.select.unwrap_or_default()
-            ),
-        )
-        .help("compare the path with the drawing, or write a word that leaves one solution");
+        let found = codes::K8022::has_several_solutions(&name(&item), &item.select.unwrap_or_default())
+            .at(waiting.here.loc(&self.job, waiting.span));
         self.report_at(found.called(waiting.here.origin.call));
     }
 }

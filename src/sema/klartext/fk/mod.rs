@@ -9,7 +9,7 @@ mod words;
 
 use std::collections::VecDeque;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::open::window::{Closed, EndAngle, Item, MOST_BACK, Serial, Settled, Window};
 use crate::geo::{Point2, Vec2, distance};
 use crate::ir::Pos;
@@ -180,20 +180,10 @@ impl Run<'_> {
         let number = w.number.filter(|number| number.fract() == 0.0 && (1.0..=99.0).contains(number));
         self.put_back(w);
         let Some(number) = number else {
-            return self.fail_help(
-                codes::K1006,
-                self.block_span(),
-                "FSELECT needs the number of a solution",
-                "write it behind: `FSELECT 1`",
-            );
+            return self.refuse(self.block_span(), codes::P1004::fselect_needs_number_of_solution());
         };
         if free.window.next_serial() == 0 {
-            return self.fail_help(
-                codes::K3004,
-                self.block_span(),
-                "FSELECT chooses a solution of the element in front, and there is none",
-                "write it behind an FL, FLT, FC or FCT block",
-            );
+            return self.refuse(self.block_span(), codes::K3004::fselect_chooses_solution_of_element_in_front());
         }
         free.window.select(number as u32);
         let last = free.queue.iter_mut().rev().find_map(|waiting| match &mut waiting.kind {
@@ -215,12 +205,7 @@ impl Run<'_> {
         if free.pole.is_some() {
             return Ok(());
         }
-        self.fail_help(
-            codes::K1006,
-            self.block_span(),
-            "FPOL needs both axes of the working plane, as absolute words",
-            "write `FPOL X+50 Y+20`",
-        )
+        self.refuse(self.block_span(), codes::P1004::fpol_needs_both_axes_of_working_plane())
     }
 
     /// A chamfer or rounding behind an element that waits.
@@ -240,12 +225,7 @@ impl Run<'_> {
             free.queue.push_back(Waiting { kind, words, here, span });
             return;
         }
-        let _ = self.fail_help::<()>(
-            codes::K9002,
-            span,
-            "too many blocks stand between elements that are still open",
-            "write the end point of an element in front of them",
-        );
+        let _ = self.refuse::<()>(span, codes::K9002::too_many_blocks_stand_between_elements());
         self.abandon_contour();
         self.lose_all();
     }
@@ -322,7 +302,7 @@ impl Run<'_> {
     /// Nothing closes a contour any more that began with CLSD+.
     pub(super) fn warn_of_unclosed(&mut self) {
         if let Some((_, loc)) = self.free.as_mut().and_then(|free| free.closes.take()) {
-            let found = Diagnostic::new(codes::K8025, loc, "no CLSD- closes the contour that begins here");
+            let found = codes::K8025::no_clsd_closes_contour_that_begins_here().at(loc);
             self.report(found.help("write CLSD- in the last element, or remove CLSD+"));
         }
     }
@@ -371,17 +351,9 @@ impl Run<'_> {
                 continue;
             }
             let loc = waiting.here.loc(&self.job, waiting.span);
-            let found = Diagnostic::new(
-                codes::K8023,
-                loc,
-                format!(
-                    "CCA {angle} is read as the direction of the end from the centre, which leads to {}; as the angle that the \
-                     arc sweeps it would lead to {}",
-                    self.shown(to),
-                    self.shown(other)
-                ),
-            )
-            .help(Answer::key("control", "fk_cca").help("choose with `[control] fk_cca = \"end-angle\"` or \"sweep\", or write the end point"));
+            let found = codes::K8023::cca_is_read_as_direction_of_end(&angle, &self.shown(to), &self.shown(other))
+                .answer(Answer::key("control", "fk_cca"))
+                .at(loc);
             self.job.diags.push(found.called(waiting.here.origin.call));
         }
     }

@@ -1,6 +1,6 @@
 //! The words of FL, FLT, FC and FCT.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::Point2;
 use crate::geo::open::window::{Base, EndAngle, Given, Item, Serial, Shape};
 use crate::machine::Axis;
@@ -182,22 +182,15 @@ impl Run<'_> {
                 return self.not_admitted(word, name(head));
             }
             if said.get(found).is_some() {
-                return self.fail_help(
-                    codes::K1004,
+                return self.refuse(
                     word.span,
-                    format!("`{}` repeats a word of this block", self.word_text(word.span)),
-                    "remove one of the two",
+                    codes::P1002::repeats_word_of_this_block_so_remove_one_of_two(&self.word_text(word.span)),
                 );
             }
             let (mut value, mut span) = (0.0, word.span);
             if !matches!(found, Key::Closed(_)) {
                 let Some(behind @ Word { addr: Addr::Value, .. }) = words.next() else {
-                    return self.fail_help(
-                        codes::K1006,
-                        word.span,
-                        format!("`{}` lacks its value", self.word_text(word.span)),
-                        "write the value behind the word",
-                    );
+                    return self.refuse(word.span, codes::P1004::lacks_its_value(&self.word_text(word.span)));
                 };
                 span = word.span.to(behind.span);
                 value = self.number(behind.value, behind.span)? * if found.is_length() { mm } else { 1.0 };
@@ -210,12 +203,7 @@ impl Run<'_> {
     fn item(&mut self, free: &mut Free, head: FkHead, w: &Words, said: &Data) -> Outcome<Item> {
         let plane = self.st.plane();
         if !w.axes.known().without(plane_axes(plane)).is_empty() {
-            return self.fail_help(
-                codes::K1005,
-                w.axes_span,
-                format!("{} moves in the working plane only", name(head)),
-                "program the other axes in a block of their own, in front of the contour or behind it",
-            );
+            return self.refuse(w.axes_span, codes::P1003::moves_in_working_plane(&name(head)));
         }
         let (shape, smooth) = match head {
             FkHead::Arc { smooth } => (Shape::Arc(w.turn), smooth),
@@ -233,12 +221,7 @@ impl Run<'_> {
         match free.pole {
             Some(pole) => item.pole = pole,
             None if polar.iter().any(Option::is_some) => {
-                return self.fail_help(
-                    codes::K2101,
-                    self.block_span(),
-                    format!("the polar words of {} need the pole of free contours", name(head)),
-                    "program `FPOL X… Y…` before this block",
-                );
+                return self.refuse(self.block_span(), codes::K2101::polar_words_of_need_pole_of_free(&name(head)));
             }
             None => {}
         }
@@ -272,7 +255,7 @@ impl Run<'_> {
 
     fn wrong<T>(&mut self, span: Span, what: &str) -> Outcome<T> {
         let text = self.word_text(span);
-        self.fail_help(codes::K1006, span, format!("`{text}` {what}"), "correct the value")
+        self.refuse(span, codes::P1004::of_another_kind(&text, &what))
     }
 
     fn end_of_element(&mut self, item: &mut Item, free: &Free, w: &Words, said: &Data) -> Outcome {
@@ -336,12 +319,7 @@ impl Run<'_> {
             && self.last_direction().is_none()
         {
             let span = incremental.map_or(self.block_span(), |said| said.span);
-            return self.fail_help(
-                codes::K3004,
-                span,
-                "the direction of the element before is not known here",
-                "write AN, or program a line or an arc of the working plane directly in front",
-            );
+            return self.refuse(span, codes::K3004::direction_of_element_before_is_not_known());
         }
         let apart = said.get(Key::ParallelDistance);
         match (said.get(Key::Parallel), apart) {
@@ -400,9 +378,7 @@ impl Run<'_> {
             let loc = self.loc(begins.span);
             if let Some((_, open)) = free.closes.replace((free.window.next_serial(), loc)) {
                 self.report(
-                    Diagnostic::new(codes::K8025, open, "no CLSD- closes the contour that begins here")
-                        .also(loc, "another begins here")
-                        .help("write CLSD- in the last element of the first one, or remove one CLSD+"),
+                    codes::K8025::no_clsd_closes_contour_that_begins().at(open).also(loc, "another begins here"),
                 );
             }
         }
@@ -411,7 +387,7 @@ impl Run<'_> {
 
     fn incomplete<T>(&mut self, span: Span, needs: &str) -> Outcome<T> {
         let text = self.word_text(span);
-        self.fail_help(codes::K1006, span, format!("`{text}` needs {needs}"), "complete the data, or remove the word")
+        self.refuse(span, codes::P1004::needs(&text, &needs))
     }
 
     /// A value, and what it counts from.
@@ -439,12 +415,7 @@ impl Run<'_> {
             }
             (Some((_, false)) | None, Some(from)) => {
                 let text = self.word_text(from.span);
-                return self.fail_help(
-                    codes::K3004,
-                    from.span,
-                    format!("`{text}` belongs to an incremental word, and there is none in this block"),
-                    "write the word that it belongs to with I: `IX+20 RX 13`",
-                );
+                return self.refuse(from.span, codes::K3004::belongs_to_incremental_word(&text));
             }
         })
     }
@@ -457,37 +428,19 @@ impl Run<'_> {
         if let Some(number) = number
             && free.is_twice(number as u32)
         {
-            return self.fail_help(
-                codes::K3004,
-                said.span,
-                format!("`{text}` refers to one of several blocks with this number"),
-                "number the blocks anew, and name the block that is meant",
-            );
+            return self.refuse(said.span, codes::K3004::refers_to_one_of_several_blocks(&text));
         }
         if let Some(serial) = number.and_then(|number| free.serial_of(number as u32)) {
             return Ok(serial);
         }
         if free.has_no_numbers() {
-            return self.fail_help(
-                codes::K3004,
-                said.span,
-                format!("`{text}` names a block by its number, and the blocks in front have none"),
-                "number the blocks of the program, as the control shows them, or write absolute values",
-            );
+            return self.refuse(said.span, codes::K3004::names_block_by_its_number(&text));
         }
-        self.fail_help(
-            codes::K3004,
-            said.span,
-            format!("`{text}` refers to a block that is no FL, FLT, FC or FCT block of the last 64 in front"),
-            "write the number of such a block; where it was removed or renumbered, write absolute values",
-        )
+        self.refuse(said.span, codes::K3004::refers_to_block_that_is_no_fl(&text))
     }
 
     fn unconfirmed(&self, span: Span, what: &str, help: &str) {
         let text = self.word_text(span);
-        self.report(
-            Diagnostic::new(codes::K8024, self.loc(span), format!("`{text}` {what}: no manual at hand says so"))
-                .help(help.to_owned()),
-        );
+        self.report(codes::K8024::no_manual_at_hand_says(&text, &what).at(self.loc(span)).help(help.to_owned()));
     }
 }

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::ops::{Deref, DerefMut};
 
-use crate::diag::{Code, Diagnostic, codes};
+use crate::diag::{Code, Diagnostic, Fault, codes};
 
 use super::super::{Channel, Outcome};
 use super::arguments::Arguments;
@@ -32,15 +32,16 @@ impl<'a> Channel<'a> {
 
 impl CycleCall<'_, '_> {
     /// The call leaves something open that the control takes from elsewhere; said by [`CycleCall::say_remarks`].
-    pub(super) fn says_once(&self, what: &str, help: &str) {
-        self.remarks.borrow_mut().open.push((what.to_owned(), help.to_owned()));
+    pub(super) fn leaves_open(&self, fault: Fault) {
+        let help = fault.help.map(|help| help.text).unwrap_or_default();
+        self.remarks.borrow_mut().open.push((fault.message, help));
     }
 
     /// A reading of the manuals or a path of our own; said by [`CycleCall::say_remarks`].
-    pub(super) fn own_way(&self, what: &str) {
+    pub(super) fn own_way(&self, fault: Fault) {
         let ways = &mut self.remarks.borrow_mut().ways;
-        if !ways.iter().any(|known| known == what) {
-            ways.push(what.to_owned());
+        if !ways.contains(&fault.message) {
+            ways.push(fault.message);
         }
     }
 
@@ -49,7 +50,7 @@ impl CycleCall<'_, '_> {
         let Remarks { open, ways } = self.remarks.take();
         let (what, help): (Vec<String>, Vec<String>) = open.into_iter().unzip();
         self.remark(codes::S8230, &what, &help.join("; "));
-        self.remark(codes::S8231, &ways, "docs/cycles.md describes the path; compare with what the machine does");
+        self.remark(codes::P8101, &ways, "docs/cycles.md describes the path; compare with what the machine does");
     }
 
     /// Tool and edge whose data the cycle works with.
@@ -57,11 +58,10 @@ impl CycleCall<'_, '_> {
         let (args, tool) = (self.args, &self.st.tool);
         let Some(number) = tool.active().filter(|number| *number != 0) else {
             let change = if self.st.machine.lathe { "T1 D1" } else { "T1 M6" };
-            let help = format!("select the tool before the cycle: {change}");
-            return self.cycle_fault(args.span, 61009, "no tool is active", &help);
+            return self.refuse_cycle(args.span, codes::P2090::no_tool_is_active(&change));
         };
         if tool.is_without_offset() {
-            return self.cycle_fault(args.span, 61000, "no tool offset is active", "program D1 before the cycle");
+            return self.refuse_cycle(args.span, codes::P2090::no_tool_offset_is_active());
         }
         self.edge_is_as_selected(number, tool.edge_or_first(), args.span)?;
         Ok((number, tool.edge_or_first()))

@@ -73,22 +73,14 @@ impl Run<'_> {
                 self.contour_between(args, unit, &shown, (&first, &last), LAB1)?
             }
             _ => {
-                let help = "CYCLE62(\"PROGRAM\",0), CYCLE62(\"CONTOUR\",1), CYCLE62(,2,\"LABEL1\",\"LABEL2\") or \
-                    CYCLE62(\"PROGRAM\",3,\"LABEL1\",\"LABEL2\")";
-                return self.cycle(args).cycle_fault(
-                    args.span_of(TYPE),
-                    61701,
-                    "type, name and labels do not go together",
-                    help,
-                );
+                return self.cycle(args).refuse_cycle(args.span_of(TYPE), codes::P2090::type_name());
             }
         };
         if std::mem::take(&mut self.contours.taken) {
             self.contours.list.clear();
         }
         if self.contours.list.len() >= MOST_CONTOURS {
-            let help = "a machining cycle takes the contours in front of it";
-            return self.cycle(args).cycle_fault(args.span, 61704, "there are too many contours", help);
+            return self.cycle(args).refuse_cycle(args.span, codes::P2090::there_are_too_many_contours());
         }
         // What is wrong with it shows here, also where no cycle follows that is built.
         self.contours.list.push(call.clone());
@@ -112,7 +104,7 @@ impl Run<'_> {
     ) -> Outcome<ContourCall> {
         let skeleton = match self.skeleton_of(unit) {
             Ok(made) => made,
-            Err(error) => return self.fail(codes::P0105, args.span, format!("the file cannot be read: {error}")),
+            Err(error) => return self.refuse(args.span, codes::P0105::file_cannot_be_read(&error)),
         };
         let mut find = |label: &str, from: u32| {
             let name = self.channel.core.symbols.intern(label.as_bytes());
@@ -137,8 +129,7 @@ impl Run<'_> {
             None => format!("write `{missing}:` in front of the contour, or behind it"),
         };
         let behind = if start.is_some() { " behind the label of the start" } else { "" };
-        let message = format!("there is no label `{missing}`{behind} in `{program}`");
-        let found = Diagnostic::new(codes::S2091.alarm(61701), self.loc(args.span_of(key)), message);
+        let found = codes::S2091::there_is_no_label(&missing, &behind, &program).at(self.loc(args.span_of(key)));
         self.report(found.help(help));
         Err(Reported)
     }
@@ -183,12 +174,10 @@ impl Run<'_> {
         };
         if calls.is_empty() {
             let alarm = if source == Source::Turned { 61701 } else { 61930 };
-            let help = "call it by CYCLE62 in front of the cycle";
-            return self.cycle(args).cycle_fault(args.span, alarm, "no contour is called", help);
+            return self.cycle(args).refuse_cycle(args.span, codes::P2090::no_contour_is_called().alarm(alarm));
         }
         if source == Source::Turned && calls.len() > 2 {
-            let help = "one contour is the finished part, two are blank and finished part";
-            return self.cycle(args).cycle_fault(args.span, 61704, "more than two contours are called", help);
+            return self.cycle(args).refuse_cycle(args.span, codes::P2090::more_than_two_contours_are_called());
         }
         let mut made = Vec::with_capacity(calls.len());
         let mut failed = false;
@@ -223,9 +212,7 @@ impl Run<'_> {
                 [call] => call.clone(),
                 [] => self.named_contour(args)?,
                 _ => {
-                    let help = "call one contour by CYCLE62 in front of each cycle";
-                    let what = "more than one contour is called";
-                    return self.cycle(args).cycle_fault(args.span, 61704, what, help);
+                    return self.cycle(args).refuse_cycle(args.span, codes::P2090::more_than_one_contour_is_called());
                 }
             }
         };
@@ -241,8 +228,7 @@ impl Run<'_> {
     fn named_contour(&mut self, args: &Arguments) -> Outcome<ContourCall> {
         let key = if args.place(NPP) > 0 { NPP } else { KNAME };
         let Some(name) = args.text(key).filter(|name| !name.is_empty()) else {
-            let help = "name a subprogram, or two labels: \"START:END\"";
-            return self.cycle(args).cycle_fault(args.span_of(key), 61027, "no contour is named", help);
+            return self.cycle(args).refuse_cycle(args.span_of(key), codes::P2090::no_contour_is_named());
         };
         match name.split_once(':') {
             None => self.contour_program(args, key, &name),
@@ -336,8 +322,7 @@ impl CycleCall<'_, '_> {
         what: &str,
     ) -> Outcome {
         let meaning = if parameter.what.is_empty() { String::new() } else { format!(": {}", parameter.what) };
-        let message = format!("`{}` (argument {place}{meaning}) {what}", parameter.name);
-        self.cycle_fault(span, alarm, &message, "arguments are counted by their commas")
+        self.refuse_cycle(span, codes::P2090::of_another_kind(&parameter.name, &place, &meaning, &what).alarm(alarm))
     }
 }
 
@@ -363,7 +348,7 @@ impl Core<'_> {
             && let (Some(a), Some(b)) = (contour.pieces.get(first), contour.pieces.get(second))
         {
             let alarm = if turned { 10931 } else { 61932 };
-            let found = Diagnostic::new(codes::S2091.alarm(alarm), b.origin.loc, "the contour crosses itself");
+            let found = codes::S2091::contour_crosses_itself().alarm(alarm).at(b.origin.loc);
             let found = found.called(b.origin.call).also(a.origin.loc, "it crosses the element of this block");
             self.report(found.help("check the end points of both"));
             return Err(Reported);

@@ -37,20 +37,20 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let mill = self.mill(&ALONG_CONTOURS)?;
         if args.text(TR).is_some_and(|name| !name.is_empty()) {
-            return self.not_built(TR, "residual material of another tool (`_TR`)");
+            return self.refuse_argument(TR, codes::S9015::residual_material_of_another_tool());
         }
         if args.or_zero(DR) != 0.0 {
             self.unused(DR, "_DR", "without the name of a tool in `_TR`");
         }
         let code = args.number(VARI).and_then(whole).unwrap_or(0).unsigned_abs();
         if args.digit(VARI, 2) > 0 || code >= 100_000 {
-            return self.not_built(VARI, "this kind of area, a spigot or residual material (`_VARI`)");
+            return self.refuse_argument(VARI, codes::S9015::this_kind_of_area());
         }
         let (rough, wall, floor) = match args.digit(VARI, 0) {
             1 => (true, false, false),
             3 => (false, false, true),
             4 => (false, true, false),
-            5 => return self.not_built(VARI, "chamfering (units of `_VARI`)"),
+            5 => return self.refuse_argument(VARI, codes::S9015::chamfering_units_of_vari_is_not_supported()),
             _ => return self.no_such_machining("units 1 roughs, 3 finishes the floor, 4 the wall"),
         };
         let insertion = self.contour_insertion(rough)?;
@@ -99,18 +99,16 @@ impl CycleCall<'_, '_> {
             1 => {
                 let (radius, pitch) = (self.magnitude(ER), self.magnitude(EP));
                 if pitch == 0.0 {
-                    let message = format!("the pitch of the helix `_EP` (argument {}) is 0 or missing", args.place(EP));
-                    return self.cycle_fault(args.span_of(EP), 61019, &message, "give the depth of one turn");
+                    return self.refuse_cycle(args.span_of(EP), codes::P2090::pitch_of_helix_ep_is_0(&args.place(EP)));
                 }
-                self.own_way("the helix becomes smaller where the walls leave less room");
+                self.own_way(codes::P8101::helix_becomes_smaller_where_walls_leave_less());
                 Insertion::Helix { radius, pitch }
             }
             2 => {
                 let angle = args.or_zero(EW).abs();
                 if angle == 0.0 || angle >= 90.0 {
                     let place = args.place(EW);
-                    let message = format!("the angle of insertion `_EW` (argument {place}) is above 0 and below 90");
-                    return self.cycle_fault(args.span_of(EW), 61019, &message, "give the angle in degrees");
+                    return self.refuse_cycle(args.span_of(EW), codes::P2090::angle_of_insertion_ew_is_above_0(&place));
                 }
                 Insertion::Sway { angle: Deg(angle), stroke: None }
             }
@@ -122,8 +120,7 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         for (_, contour) in &contours {
             if contour.plane != made.mill.plane {
-                let help = "describe the contour in the plane of the cycle";
-                return self.cycle_fault(args.span, 61931, "the contour lies in another plane", help);
+                return self.refuse_cycle(args.span, codes::P2090::contour_lies_in_another_plane());
             }
         }
         let mut closed = contours.iter().map(|(_, contour)| closed(contour));
@@ -142,10 +139,12 @@ impl CycleCall<'_, '_> {
                 }
                 RegionFault::Insertion | RegionFault::Number | RegionFault::Nothing => (VARI, 61019),
             };
-            let message = format!("{fault}: `{}` (argument {})", args.written(key), args.place(key));
-            return self.cycle_fault(args.span_of(key), alarm, &message, "check the arguments of the cycle");
+            return self.refuse_cycle(
+                args.span_of(key),
+                codes::P2090::so_check_arguments(&fault, &args.written(key), &args.place(key)).alarm(alarm),
+            );
         }
-        self.own_way("the first contour is the pocket, the others are islands; the rings, the points of insertion and the order are those of partc");
+        self.own_way(codes::P8101::first_contour_is_pocket());
         self.send_cycle(Cycle::Region(region));
         Ok(())
     }

@@ -2,6 +2,7 @@
 //!
 //! Source: M 3 and 5 (docs/sources.md).
 
+use crate::diag::codes;
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::captured::Captured;
 use crate::ir::cycle::layers::{
@@ -116,10 +117,10 @@ impl CycleCall<'_, '_> {
         let allowance =
             Allowance { axes: Vec2::new(self.magnitude(FALZ), self.magnitude(FALX)), around: self.magnitude(FAL) };
         if allowance.axes.y != 0.0 {
-            self.reading(FALX, "`FALX` counts on the radius");
+            self.reads(FALX, codes::P8106::falx_counts_on_radius());
         }
         if allowance.around != 0.0 && allowance.axes != Vec2::zeros() {
-            self.own_way("`FAL` is left beside `FALX` and `FALZ`");
+            self.own_way(codes::P8101::fal_is_left_beside_falx());
         }
         let feeds = self.removal_feeds(operation, [FF1, FF3])?;
         let chips = self.chips_95();
@@ -165,13 +166,11 @@ impl CycleCall<'_, '_> {
         // The tip stands for the nose only where it lies ahead of it and below.
         let ahead = layers.into.unit() + layers.side_of_cuts();
         if layers.nose.tip != ahead {
-            let what = "the tip of the tool does not lie ahead of its nose and inwards, so roughing takes the nose radius into account";
-            self.own_way(what);
+            self.own_way(codes::P8101::tip_of_tool_does_not_lie_ahead());
             return self.send_layers(layers);
         }
         if !layers.reliefs().is_empty() || layers.leans_over() {
-            let what = "the contour falls, so roughing takes the nose radius into account: its tip alone would cut into the part";
-            self.own_way(what);
+            self.own_way(codes::P8101::contour_falls());
             return self.send_layers(layers);
         }
         let finishes = layers.operation == Operation::RoughAndFinish;
@@ -220,13 +219,10 @@ impl CycleCall<'_, '_> {
             2 inside, 3 front, 4 rear";
         let vari = args.or_zero(VARI);
         if !(1.0..1e7).contains(&vari) || vari.fract() != 0.0 {
-            return self.not_built(
-                VARI,
-                "this process (`_VARI` has 7 digits): grooving, plunge turning and residual material",
-            );
+            return self.refuse_argument(VARI, codes::S9015::this_process_vari_has_7_digits());
         }
         if args.digit(VARI, 0) == 3 {
-            return self.not_built(VARI, "cutting parallel to the contour (units 3 of `_VARI`)");
+            return self.refuse_argument(VARI, codes::S9015::cutting_parallel_to_contour());
         }
         let Some(operation) = self.operation(args.digit(VARI, 1)) else { return self.kind_fault(VARI, help) };
         let side = match (args.digit(VARI, 0), args.digit(VARI, 2), args.digit(VARI, 3)) {
@@ -288,12 +284,9 @@ impl CycleCall<'_, '_> {
             return self.send_layers(layers);
         }
         if !layers.reliefs().is_empty() || layers.leans_over() {
-            return self.not_built(
-                U1,
-                "the further allowance `_U1` on a contour that falls, whose walls it would move to one side,",
-            );
+            return self.refuse_argument(U1, codes::S9015::further_allowance_u1_on_contour_that_falls());
         }
-        self.reading(U1, "`_U1` moves the contour by its amount along X, as a radius, and along Z");
+        self.reads(U1, codes::P8106::u1_moves_contour_by_its_amount_along());
         let way = side.point(-side.along * by, side.out() * by) - Point2::origin();
         let moved = |layers: &Layers, operation| Layers {
             contour: layers.contour.iter().map(|element| shifted(element, way)).collect(),
@@ -324,7 +317,7 @@ impl CycleCall<'_, '_> {
     fn no_residual(&self, blank: bool) -> Outcome {
         for key in [CON, CONR] {
             if !blank && self.args.text(key).is_some_and(|text| !text.is_empty()) {
-                return self.not_built(key, "residual material, whose blank the control keeps in a file,");
+                return self.refuse_argument(key, codes::S9015::residual_material());
             }
         }
         Ok(())
@@ -333,9 +326,7 @@ impl CycleCall<'_, '_> {
     fn digits_952(&mut self) -> Outcome {
         let args = self.args;
         if args.digit(DMODE, 4) == 1 && !self.st.is(GCode::G94) {
-            let message = "the ten thousands of `_DMODE` count the feeds of the call per minute, and G94 is not active";
-            let help = "program G94 and its F before the cycle, or give the feeds per turn and 0 in that place";
-            return self.cycle_fault(args.span_of(DMODE), None, message, help);
+            return self.refuse_cycle(args.span_of(DMODE), codes::P2090::ten_thousands_of_dmode_count_feeds());
         }
         if args.digit(VARI, 4) > 1 || args.digit(VARI, 5) != 1 {
             return self.kind_fault(
@@ -346,14 +337,14 @@ impl CycleCall<'_, '_> {
         if args.digit(VARI, 6) > 2 {
             return self.kind_fault(VARI, "millions 1 cuts reliefs, 2 leaves them");
         }
-        self.own_way("the digits of `_VARI` are read from stored calls");
+        self.own_way(codes::P8101::digits_of_vari_are_read_from_stored());
         if args.digit(VARI, 6) == 0 {
-            self.reading(VARI, "0 in the millions of `_VARI` is taken as 1: relief cuts are machined");
+            self.reads(VARI, codes::P8106::of_0_in_millions_of_vari_is_taken());
         }
         let limited = |place: u32| args.digit(GMODE, 3) == 1 && args.digit(GMODE, place) == 1;
         for (place, limit, name) in [(4, 6, "`_XB`, ten thousands"), (5, 7, "`_ZB`, hundred thousands")] {
             if args.digit(AMODE, place) == 1 && limited(limit) {
-                self.own_way(&format!("{name} of `_AMODE` 1, is an absolute coordinate"));
+                self.own_way(codes::P8101::of_amode_1(&name));
             }
         }
         Ok(())
@@ -372,10 +363,7 @@ impl CycleCall<'_, '_> {
         let (x_from_contour, z_from_contour) = (args.digit(AMODE, 1) == 1, args.digit(AMODE, 2) == 1);
         match (args.or_zero(BL) as i32, blank) {
             (_, Some(outline)) => Ok(Blank::Outline(outline)),
-            (3, None) => {
-                let help = "call the contour of the blank by CYCLE62 in front of that of the part";
-                self.cycle_fault(args.span_of(BL), 61739, "the contour of the blank is missing", help)
-            }
+            (3, None) => self.refuse_cycle(args.span_of(BL), codes::P2090::contour_of_blank_is_missing()),
             (2, None) => Ok(Blank::On(Vec2::new(z.abs(), x.abs()))),
             _ => {
                 let (mut near, far) = Extent::of(contour).corners(side);
@@ -412,13 +400,10 @@ impl CycleCall<'_, '_> {
         let usual = side.into == Towards::MinusX && side.along < 0.0;
         for (a, b, names) in [(4, 6, "XA and XB"), (5, 7, "ZA and ZB")] {
             if !usual && args.digit(GMODE, a) != args.digit(GMODE, b) {
-                return self.not_built(
-                    GMODE,
-                    &format!("one of the limits {names} without the other one on this side of the part"),
-                );
+                return self.refuse_argument(GMODE, codes::S9015::one_of_limits_without_other_one(&names));
             }
         }
-        self.own_way("what stands outside of the limits is taken as not in the way of the tool");
+        self.own_way(codes::P8101::what_stands_outside_of_limits_is_taken());
         let given =
             |key: Key, place: u32| (args.digit(GMODE, place) == 1).then(|| self.length_of(args, key).unwrap_or(0.0));
         let radius = |v: Option<f64>| v.map(|v| v / 2.0);

@@ -3,6 +3,7 @@
 //! The finished contour is always one line of three points: from the front edge of the blank at X1 over the corner to the
 //! second side of the blank at Z1. Source: M 4 (docs/sources.md).
 
+use crate::diag::codes;
 use crate::geo::arc::sweep;
 use crate::geo::{Element, Point2, Vec2, cross, direction, distance};
 use crate::ir::cycle::layers::{Allowance, Blank, Clearance, LayerFeeds, Layers, Limits, Relief, Segmentation, Trace};
@@ -59,10 +60,10 @@ impl CycleCall<'_, '_> {
         let most = self.infeed(MID, operation)?;
         let clearance = self.magnitude(SDIS);
         if clearance == 0.0 {
-            let message =
-                format!("the safety distance `{}` (argument {}) is missing", args.written(SDIS), args.place(SDIS));
-            let help = "the tool needs a distance above 0 from the blank at rapid traverse";
-            return self.cycle_fault(args.span_of(SDIS), 61019, &message, help);
+            return self.refuse_cycle(
+                args.span_of(SDIS),
+                codes::P2090::safety_distance_is_missing(&args.written(SDIS), &args.place(SDIS)),
+            );
         }
         let keys = &self.job.settings.cycles.layers;
         let lift = if corner.inside { keys.release_inside } else { keys.release_outside }.unwrap_or(clearance);
@@ -160,12 +161,10 @@ impl CycleCall<'_, '_> {
             let ahead = at.map_or(0.0, |at| (from - at).dot(&(points[1] - points[0])));
             let room = distance(points[1], to) <= distance(points[1], points[2]) + SLACK;
             if ahead < -SLACK || !room {
-                let message = format!(
-                    "the transition `{}` (argument {}) is larger than its edge",
-                    args.written(key),
-                    args.place(key)
+                return self.refuse_cycle(
+                    args.span_of(key),
+                    codes::P2090::transition_is_larger_than_its_edge(&args.written(key), &args.place(key)),
                 );
-                return self.cycle_fault(args.span_of(key), 61252, &message, "give a smaller radius or chamfer");
             }
             if let Some(at) = at.filter(|at| distance(*at, from) > SLACK) {
                 contour.push(Element::Line { from: at, to: from });

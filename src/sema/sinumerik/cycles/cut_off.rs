@@ -4,7 +4,7 @@
 
 use std::f64::consts::PI;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::cycle::cut_off::{CutEdge, CutOff, CutOffFault};
 use crate::ir::cycle::recess::RecessTool;
 use crate::ir::cycle::turning::Towards;
@@ -38,8 +38,7 @@ impl CycleCall<'_, '_> {
         self.part_catcher()?;
         let point = self.turned_reference()?;
         if point.y <= 0.0 {
-            let message = format!("the diameter `_SPD` (argument {}) is not above 0", args.place(SPD));
-            return self.cycle_fault(args.span_of(SPD), 61019, &message, "give the diameter of the bar");
+            return self.refuse_cycle(args.span_of(SPD), codes::P2090::diameter_spd_is_not_above_0(&args.place(SPD)));
         }
         let tool = self.groove_tool(Towards::MinusX)?;
         self.turning_position(args.span)?;
@@ -71,9 +70,7 @@ impl CycleCall<'_, '_> {
             return self.cut_off_fault(fault);
         }
         self.second_edge("cuts the edge with this edge of the tool");
-        let message =
-            format!("{}: the cut goes in front of the edge first; the speed stays fixed behind the cycle", args.name());
-        self.note_once(codes::S8225, args.span, message);
+        self.say_once(args.span, codes::P8101::cut_goes_in_front_of_edge_first(&args.name()));
         self.send_cycle(Cycle::CutOff(cut));
         self.spindle_was_told(&told);
         Ok(())
@@ -88,17 +85,14 @@ impl CycleCall<'_, '_> {
             return Ok(());
         }
         if !self.job.settings.cycles.ignores_gripper {
-            let message = format!(
-                "{}: at diameter {diameter} (`_DIAGM`) the cut stops and a program of the machine builder brings the part catcher out",
-                args.name()
+            return self.refuse(
+                args.span_of(DIAGM),
+                codes::S9015::at_diameter_diagm_cut_stops(&args.name(), &diameter)
+                    .answer(Answer::key("cycles", "parts_gripper").one_of(&["\"ignore\""])),
             );
-            let help = Answer::key("cycles", "parts_gripper").one_of(&["\"ignore\""]).help(
-                "give `_DIAGM` 0; or leave the catcher out, with the same cut: `[cycles] parts_gripper = \"ignore\"`",
-            );
-            return self.fail_help(codes::S9015, args.span_of(DIAGM), message, help);
         }
-        let message = format!("{}: the part catcher at diameter {diameter} is left out: the cut goes on", args.name());
-        let found = Diagnostic::new(codes::S8162, self.loc(args.span_of(DIAGM)), message);
+        let found = codes::P8106::part_catcher_at_diameter_is_left_out(&args.name(), &diameter)
+            .at(self.loc(args.span_of(DIAGM)));
         self.report(found.help("see that nothing waits for the part"));
         Ok(())
     }
@@ -112,11 +106,7 @@ impl CycleCall<'_, '_> {
             Some(CutOffReference::Tip) => other,
             None => {
                 if other > 0.0 && self.job.diags.first_time(codes::S8224, tool.width.to_bits()) {
-                    let message = format!(
-                        "CYCLE92: Z0 is taken for the corner on the side of the workpiece, so that the programmed corner is printed {} mm beside it",
-                        tool.width
-                    );
-                    let found = Diagnostic::new(codes::S8224, self.loc(self.args.span), message);
+                    let found = codes::S8224::cycle92_z0_is_taken_for_corner(&tool.width).at(self.loc(self.args.span));
                     self.report(
                         found.help(
                             Answer::key("cycles", "cutoff_reference")
@@ -137,14 +127,14 @@ impl CycleCall<'_, '_> {
             3.0 => Some(Turn::Clockwise),
             4.0 => Some(Turn::CounterClockwise),
             _ => {
-                let message = format!("`_SDAC` (argument {}) is no sense of the spindle", args.place(SDAC));
-                return self.cycle_fault(args.span_of(SDAC), 61102, &message, "3 is M3, 4 is M4");
+                return self
+                    .refuse_cycle(args.span_of(SDAC), codes::P2090::sdac_is_no_sense_of_spindle(&args.place(SDAC)));
             }
         };
         let turn = turn.filter(|turn| self.st.spindles.turn() != Some(*turn));
         if limit > 0.0 && speed == 0.0 {
-            let message = format!("a greatest speed `_SV2` (argument {}) without the speed `_SV1`", args.place(SV2));
-            return self.cycle_fault(args.span_of(SV2), 61019, &message, "give both, or none");
+            return self
+                .refuse_cycle(args.span_of(SV2), codes::P2090::greatest_speed_sv2_without_speed_sv1(&args.place(SV2)));
         }
         if speed == 0.0 && slow == 0.0 && turn.is_none() && !self.st.spindles.is_cutting() {
             return Ok(Told::default());
@@ -182,13 +172,7 @@ impl CycleCall<'_, '_> {
         let free = (radius > 1e-3).then(|| libm::round(1000.0 * metres / (2.0 * PI * radius)));
         match [free, highest].into_iter().flatten().reduce(f64::min) {
             Some(turns) => Ok(turns),
-            None => {
-                let message = format!(
-                    "the reduced speed `_SS2` (argument {}) is missing, and the cutting speed at the centre has no limit",
-                    args.place(SS2)
-                );
-                self.cycle_fault(args.span, 61019, &message, "give `_SS2`, or a greatest speed `_SV2`")
-            }
+            None => self.refuse_cycle(args.span, codes::P2090::reduced_speed_ss2_is_missing(&args.place(SS2))),
         }
     }
 
@@ -224,7 +208,9 @@ impl CycleCall<'_, '_> {
                 (SPD, 61019, "check the arguments of the cycle and the tool data")
             }
         };
-        let message = format!("{fault}: `{}` (argument {})", args.written(key), args.place(key));
-        self.cycle_fault(args.span_of(key), alarm, &message, help)
+        self.refuse_cycle(
+            args.span_of(key),
+            codes::P2090::fault(&fault, &args.written(key), &args.place(key)).help(help).alarm(alarm),
+        )
     }
 }

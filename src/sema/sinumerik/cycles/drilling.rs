@@ -62,11 +62,7 @@ impl CycleCall<'_, '_> {
         }
         let feed = hole_feed;
         if matches!(method, Method::Tap(Tap { rigid: false, .. })) {
-            self.note_once(
-                codes::S8025,
-                args.span,
-                format!("{}: the tap needs a compensating chuck on the target", args.name()),
-            );
+            self.say_once(args.span, codes::S8025::tap_needs_compensating_chuck_on_target(&args.name()));
         }
         let hole = Drilling { axis, levels, feed, entry, method };
         match hole.check() {
@@ -99,7 +95,7 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let value = self.needed(key, "the feed")?;
         if value <= 0.0 {
-            return self.cycle_fault(args.span_of(key), 61003, "the feed is not above 0", "give a feed above 0");
+            return self.refuse_cycle(args.span_of(key), codes::P2090::feed_is_not_above_0());
         }
         Ok(self.st.feed_of(value))
     }
@@ -122,27 +118,21 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         self.two_first_depths(levels);
         if args.digit(GMODE, 1) == 1 {
-            self.reading(GMODE, "the first depth counts for the tip of the drill, the last one for its full diameter");
+            self.reads(GMODE, codes::P8106::first_depth_counts_for_tip_of_drill());
         }
         let Some(first) = Pecking::first_step(levels, self.length_of(args, FDEP), self.length_of(args, FDPR)) else {
-            return self.cycle_fault(
-                args.span_of(FDEP),
-                61107,
-                "the first drilling depth does not lie between the surface and the bottom",
-                "give FDEP (argument 6) below the surface, or FDPR (argument 7)",
-            );
+            return self.refuse_cycle(args.span_of(FDEP), codes::P2090::first_drilling_depth_does_not_lie_between());
         };
         let unit = self.st.length_unit();
         let percent = args.digit(AMODE, 5) == 2;
         let degression = match args.or_zero(DAM) {
             percentage if percent && percentage > 0.0 && percentage <= 100.0 => {
-                self.reading(AMODE, "`_AMODE` says that DAM is a percentage (digit 2 of the hundred thousands)");
+                self.reads(AMODE, codes::P8106::amode_says_that_dam_is_percentage());
                 let least = self.length_of(args, MDEP).unwrap_or(0.0).abs();
                 Degression::Factor { factor: percentage / 100.0, least }
             }
             _ if percent => {
-                let help = "give 100 for steps of one size, less for shrinking ones";
-                return self.cycle_fault(args.span_of(DAM), None, "the degression is above 0 to 100 percent", help);
+                return self.refuse_cycle(args.span_of(DAM), codes::P2090::degression_is_above_0_to_100_percent());
             }
             0.0 => Degression::constant(first),
             amount if amount > 0.0 => Degression::Amount(amount * unit),
@@ -150,16 +140,14 @@ impl CycleCall<'_, '_> {
                 Degression::Factor { factor: -factor, least: self.length_of(args, MDEP).unwrap_or(0.0).abs() }
             }
             _ => {
-                let help = "DAM above 0 is an amount, below 0 a factor down to -1";
-                return self.cycle_fault(args.span_of(DAM), None, "the degression factor is above 1", help);
+                return self.refuse_cycle(args.span_of(DAM), codes::P2090::degression_factor_is_above_1());
             }
         };
         if !matches!(degression, Degression::Factor { .. }) && args.or_zero(MDEP) != 0.0 {
             self.unused(MDEP, "_MDEP", "unless DAM is a factor");
         }
         if let Some(key) = args.below_zero(&[VRT, DIS1]) {
-            let help = "give `_VRT` and `_DIS1` without a sign; 0 for the values of the cycle";
-            return self.cycle_fault(args.span_of(key), None, "a way back is below 0", help);
+            return self.refuse_cycle(args.span_of(key), codes::P2090::way_back_is_below_0());
         }
         let dwell = self.dwell_at_depth(DTB)?;
         let dwell_at_bottom = if args.or_zero(DTD) == 0.0 { dwell } else { self.dwell_of(DTD)? };
@@ -190,8 +178,7 @@ impl CycleCall<'_, '_> {
                 }
             }
             _ => {
-                let help = "0 breaks the chip, 1 removes it";
-                return self.cycle_fault(args.span_of(VARI), 61002, "VARI is 0 or 1", help);
+                return self.refuse_cycle(args.span_of(VARI), codes::P2090::vari_is_0_or_1());
             }
         }
         Ok(Method::Peck(peck))
@@ -210,8 +197,8 @@ impl CycleCall<'_, '_> {
             Some(diameter) => match coarse_pitch(diameter.abs()) {
                 Some(coarse) if (3.0..=largest).contains(&diameter.abs()) => Some(coarse.copysign(diameter)),
                 _ => {
-                    let message = format!("M{} is no size of this cycle", diameter.abs());
-                    return self.cycle_fault(args.span_of(MPIT), 61001, &message, "give the pitch instead");
+                    return self
+                        .refuse_cycle(args.span_of(MPIT), codes::P2090::m_is_no_size_of_this_cycle(&diameter.abs()));
                 }
             },
             None => None,
@@ -219,13 +206,10 @@ impl CycleCall<'_, '_> {
         let given = args.number(PIT).filter(|pitch| *pitch != 0.0).map(mm);
         match (by_size, given) {
             (Some(a), Some(b)) if (a - b).abs() > 1e-6 => {
-                let message = format!("the pitch {b} contradicts the thread size, whose pitch is {a}");
-                self.cycle_fault(args.span_of(PIT), 61001, &message, "give the pitch or the size")
+                self.refuse_cycle(args.span_of(PIT), codes::P2090::pitch_contradicts_thread_size(&b, &a))
             }
             (_, Some(pitch)) | (Some(pitch), None) => Ok(pitch),
-            (None, None) => {
-                self.cycle_fault(args.span, 61001, "the pitch is missing", "give PIT, or MPIT as a metric size")
-            }
+            (None, None) => self.refuse_cycle(args.span, codes::P2090::pitch_is_missing()),
         }
     }
 
@@ -234,12 +218,10 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let step = self.needed_length(DAM, "the depth of a step `_DAM`")?.abs();
         if step == 0.0 {
-            let help = "give `_DAM`, or `_VARI` 0 for one step";
-            return self.cycle_fault(args.span_of(DAM), 61808, "the depth of a step `_DAM` is 0", help);
+            return self.refuse_cycle(args.span_of(DAM), codes::P2090::depth_of_step_dam_is_0());
         }
         if step > levels.way() {
-            let message = "the first step `_DAM` is deeper than the hole";
-            return self.cycle_fault(args.span_of(DAM), 61809, message, "give `_VARI` 0 for one step");
+            return self.refuse_cycle(args.span_of(DAM), codes::P2090::first_step_dam_is_deeper_than_hole());
         }
         Ok(step)
     }
@@ -250,8 +232,7 @@ impl CycleCall<'_, '_> {
         if !self.st.spindles.is_cutting() {
             return Ok(());
         }
-        let help = "program G97 with S in turns per minute in front of the cycle";
-        self.cycle_fault(args.span, None, "tapping under a constant cutting speed (G96)", help)
+        self.refuse_cycle(args.span, codes::P2090::tapping_under_constant_cutting_speed())
     }
 
     pub(super) fn rigid_tap(&mut self, levels: &Levels) -> Outcome<Method> {
@@ -268,8 +249,7 @@ impl CycleCall<'_, '_> {
                 Some(TapStep { way, degression: Degression::Even { least: way }, chip })
             }
             _ => {
-                let help = "0 taps in one go, 1 breaks the chip, 2 removes it";
-                return self.cycle_fault(args.span_of(VARI), 61002, "`_VARI` is 0, 1 or 2", help);
+                return self.refuse_cycle(args.span_of(VARI), codes::P2090::vari_is_0_1_or_2());
             }
         };
         if args.or_zero(VARI) == 0.0 && args.or_zero(VRT) != 0.0 {
@@ -277,27 +257,18 @@ impl CycleCall<'_, '_> {
         }
         self.note_technology();
         if args.digit(DMODE, 2) != 0 {
-            self.reading(
-                DMODE,
-                "the hundreds of `_DMODE` name the spindle of a lathe, and the tap takes the master spindle",
-            );
+            self.reads(DMODE, codes::P8106::hundreds_of_dmode_name_spindle_of_lathe());
         }
         let speed = |key: Key| args.number(key).filter(|speed| *speed > 0.0);
         let speed_in = speed(SST).or(self.st.spindles.speed());
         if speed_in.is_none() {
-            return self.cycle_fault(
-                args.span,
-                61102,
-                "the spindle has no speed",
-                "give SST (argument 11) or program S",
-            );
+            return self.refuse_cycle(args.span, codes::P2090::spindle_has_no_speed_so_give_sst());
         }
         if args.or_zero(POSS) < 0.0 {
-            return self.not_built(POSS, "the start angle of the machine data (a negative POSS)");
+            return self.refuse_argument(POSS, codes::S9015::start_angle_of_machine_data());
         }
         if let Some(key) = args.below_zero(&[SST, SST1]) {
-            let help = "the sign of the pitch makes the hand of the thread";
-            return self.cycle_fault(args.span_of(key), 16763, "a speed is below 0", help);
+            return self.refuse_cycle(args.span_of(key), codes::P2090::speed_is_below_0());
         }
         let after = self.after()?;
         // Without POSS the tap begins where the spindle was stopped.
@@ -324,7 +295,7 @@ impl CycleCall<'_, '_> {
         match args.or_zero(key) {
             3.0 => Ok(Turn::Clockwise),
             4.0 => Ok(Turn::CounterClockwise),
-            _ => self.cycle_fault(args.span_of(key), 61102, "no spindle direction is given", "give 3 or 4"),
+            _ => self.refuse_cycle(args.span_of(key), codes::P2090::no_spindle_direction_is_given()),
         }
     }
 
@@ -335,24 +306,20 @@ impl CycleCall<'_, '_> {
         let pitched = args.or_zero(MPIT) != 0.0 || args.or_zero(PIT) != 0.0;
         match args.or_zero(ENC) {
             0.0 => {}
-            20.0 => self.reading(ENC, "ENC 20 is tapping with an encoder and a dwell"),
+            20.0 => self.reads(ENC, codes::P8106::enc_20_is_tapping_with_encoder()),
             1.0 => {
                 if pitched {
                     let given = if args.or_zero(PIT) != 0.0 { args.or_zero(PIT) } else { args.or_zero(MPIT) };
                     let word = if args.or_zero(PIT) != 0.0 { "PIT" } else { "MPIT" };
-                    let message = format!(
-                        "{}: without an encoder F and S make the thread, and the pitch of the call, {word} {given}, is not used",
-                        args.name()
-                    );
-                    self.note_once(codes::S8025, args.span_of(ENC), message);
+                    self.say_once(args.span_of(ENC), codes::S8025::without_encoder_f(&args.name(), &word, &given));
                 }
                 return Ok(None);
             }
             11.0 => {
-                self.reading(ENC, "ENC 11 is tapping without an encoder, with a feed made of S and the pitch");
+                self.reads(ENC, codes::P8106::enc_11_is_tapping_without_encoder());
                 return Ok(None);
             }
-            _ => return self.not_built(ENC, "this use of the encoder (ENC)"),
+            _ => return self.refuse_argument(ENC, codes::S9015::this_use_of_encoder()),
         }
         Ok(Some(self.pitch(LARGEST, self.pitch_unit()?)?.abs()))
     }
@@ -369,10 +336,7 @@ impl CycleCall<'_, '_> {
         match self.st.spindles.speed().filter(|speed| *speed > 0.0) {
             Some(_) if self.st.codes.per_revolution() => Ok(Feed::PerRevolution(pitch)),
             Some(speed) => Ok(Feed::PerMinute(speed * pitch)),
-            None => {
-                let help = "program S in front of the cycle";
-                self.cycle_fault(args.span, 61102, "the spindle has no speed", help)
-            }
+            None => self.refuse_cycle(args.span, codes::P2090::spindle_has_no_speed()),
         }
     }
 
@@ -380,7 +344,7 @@ impl CycleCall<'_, '_> {
     fn note_technology(&mut self) {
         let args = self.args;
         if args.or_zero(TECHNO) != 0.0 {
-            self.note_once(codes::S8002, args.span_of(TECHNO), "words that only shape speed and accuracy are left out");
+            self.say_once(args.span_of(TECHNO), codes::S8002::words_that_only_shape_speed());
         }
     }
 
@@ -393,20 +357,17 @@ impl CycleCall<'_, '_> {
             3.0 => Turn::CounterClockwise,
             4.0 => Turn::Clockwise,
             given if given != 0.0 => {
-                let help = "3 or 4 is the sense on the way out, 0 the other one than before the cycle";
-                return self.cycle_fault(args.span_of(SDR), 61102, "SDR is 0, 3 or 4", help);
+                return self.refuse_cycle(args.span_of(SDR), codes::P2090::sdr_is_0_3_or_4());
             }
             _ => match self.st.spindles.turn() {
                 Some(turn) => turn,
                 None => {
-                    return self.cycle_fault(args.span, 61102, "the spindle does not turn", "program M3 or M4 before");
+                    return self.refuse_cycle(args.span, codes::P2090::spindle_does_not_turn());
                 }
             },
         };
         if let Some(key) = args.below_zero(&[MPIT, PIT]) {
-            let help =
-                "give it without a sign: the spindle in front of the cycle, or SDR, makes the hand of the thread";
-            return self.cycle_fault(args.span_of(key), 61001, "the pitch is below 0", help);
+            return self.refuse_cycle(args.span_of(key), codes::P2090::pitch_is_below_0());
         }
         let lead = self.chuck_lead()?;
         let dwell = if args.or_zero(ENC) == 0.0 { self.no_dwell() } else { self.dwell_at_depth(DTB)? };
@@ -455,7 +416,7 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         match whole(args.or_zero(PITA)).filter(|unit| (0..=3).contains(unit)) {
             Some(unit) => Ok(unit),
-            None => self.not_built(PITA, "this unit of the pitch (`_PITA`)"),
+            None => self.refuse_argument(PITA, codes::S9015::this_unit_of_pitch()),
         }
     }
 
@@ -466,7 +427,7 @@ impl CycleCall<'_, '_> {
             3.0 => Ok(Spindle::Start(Turn::Clockwise)),
             4.0 => Ok(Spindle::Start(Turn::CounterClockwise)),
             0.0 | 5.0 => Ok(Spindle::Stop),
-            _ => self.cycle_fault(args.span_of(SDAC), 61102, "the spindle direction is 3, 4 or 5", "3 is M3"),
+            _ => self.refuse_cycle(args.span_of(SDAC), codes::P2090::spindle_direction_is_3_4_or_5()),
         }
     }
 
@@ -485,13 +446,11 @@ impl CycleCall<'_, '_> {
         match (args.digit(GMODE, 0), self.job.settings.control.sinumerik.cycle86_lift) {
             (0, _) => Ok(true),
             (_, Some(lift)) => Ok(lift),
-            (digit, None) => {
-                let message =
-                    format!("{}: whether the tool lifts off under `_GMODE` {digit} is not known", args.name());
-                let help = Answer::key("control", "cycle86_lift")
-                    .help("say what the machine does: `[control] cycle86_lift = \"lift\"` or `\"none\"`");
-                self.fail_help(codes::S9015, args.span_of(GMODE), message, help)
-            }
+            (digit, None) => self.refuse(
+                args.span_of(GMODE),
+                codes::S9015::whether_tool_lifts_off_under_gmode(&args.name(), &digit)
+                    .answer(Answer::key("control", "cycle86_lift")),
+            ),
         }
     }
 }

@@ -3,7 +3,7 @@
 //! Source: C 6.1 (docs/sources.md). Which digit of `_VARI` is which zone is not confirmed: by default both are slow, so that
 //! no zone is drilled faster than on the control.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, Fault, codes};
 use crate::ir::Feed;
 use crate::ir::cycle::drilling::{Entry, Levels};
 use crate::machine::options::cycles::DrillingZones;
@@ -36,7 +36,7 @@ impl CycleCall<'_, '_> {
         let digits = [args.digit(VARI, 3), args.digit(VARI, 4)];
         if digits.iter().any(|digit| *digit > 1) || (0..10).any(|at| !matches!(at, 3 | 4) && args.digit(VARI, at) != 0)
         {
-            return self.not_built(VARI, "another digit than 1 in the thousands and ten thousands of `_VARI`");
+            return self.refuse_argument(VARI, codes::S9015::another_digit_than_1_in_thousands());
         }
         let [thousands, ten_thousands] = digits.map(|digit| digit == 1);
         let (enters, comes_out) = match self.job.settings.cycles.drilling_zones {
@@ -86,16 +86,15 @@ impl CycleCall<'_, '_> {
         }
         let given = args.or_zero(percent);
         if given < 0.0 {
-            let help = "give the feed of the zone in percent of F, above 0";
-            return self.cycle_fault(args.span_of(percent), 61003, "the feed of a zone is below 0", help);
+            return self.refuse_cycle(args.span_of(percent), codes::P2090::feed_of_zone_is_below_0());
         }
         if given == 0.0 {
-            self.reading_once(percent, "a feed of 0 percent is taken as 100");
+            self.reads_once(percent, codes::P8106::feed_of_0_percent_is_taken());
         }
         let part = if given == 0.0 { 1.0 } else { given / 100.0 };
         let way_in = self.length_of(args, length).unwrap_or(0.0);
         if way_in < 0.0 {
-            self.reading_once(length, &format!("`{}` below 0 is taken without its sign", length.0));
+            self.reads_once(length, codes::P8106::below_0_is_taken_without_its_sign(&length.0));
         }
         let length = way_in.abs();
         Ok((length.min(way), feed.with_value(feed.value() * part)))
@@ -103,24 +102,18 @@ impl CycleCall<'_, '_> {
 
     fn says_both_zones(&self) {
         let args = self.args;
-        let message = format!(
-            "{}: which digit of `_VARI` is predrilling and which is through-drilling is not confirmed: both zones are drilled slowly",
-            args.name()
-        );
-        let help = Answer::key("cycles", "cycle82_vari")
-            .one_of(&["\"thousands-through\"", "\"thousands-predrill\""])
-            .help("say it by `[cycles] cycle82_vari`: \"thousands-through\" or \"thousands-predrill\"");
-        let found = Diagnostic::new(codes::S8162, self.loc(args.span_of(VARI)), message).help(help);
+        let found = codes::P8106::which_digit_of_vari_is_predrilling(&args.name())
+            .answer(Answer::key("cycles", "cycle82_vari").one_of(&["\"thousands-through\"", "\"thousands-predrill\""]))
+            .at(self.loc(args.span_of(VARI)));
         if !self.job.diags.knows(&found) {
             self.report(found);
         }
     }
 
-    fn reading_once(&self, key: Key, what: &str) {
-        let message = format!("{}: {what}; this is not confirmed", self.args.name());
-        let found = Diagnostic::new(codes::S8162, self.loc(self.args.span_of(key)), message);
+    fn reads_once(&self, key: Key, fault: Fault) {
+        let found = fault.of(self.args.name()).at(self.loc(self.args.span_of(key)));
         if !self.job.diags.knows(&found) {
-            self.report(found.help("compare with what the machine does"));
+            self.report(found);
         }
     }
 }

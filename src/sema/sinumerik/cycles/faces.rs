@@ -2,6 +2,7 @@
 //!
 //! Source: M 7.1 and 7.2 (docs/sources.md).
 
+use crate::diag::codes;
 use crate::geo::Deg;
 use crate::ir::cycle::facing::{FacingFault, Kind, Links, Overrun};
 use crate::ir::cycle::milling::{Mill, Place};
@@ -20,9 +21,8 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let turn = args.or_zero(STA);
         if !(0.0..180.0).contains(&turn) {
-            let message = format!("the rotation `_STA` (argument {}) is 0 to below 180 degrees", args.place(STA));
-            let help = "turn the face by an angle in this range, and give its sizes their signs";
-            return self.cycle_fault(args.span_of(STA), 61019, &message, help);
+            return self
+                .refuse_cycle(args.span_of(STA), codes::P2090::rotation_sta_is_0_to_below_180(&args.place(STA)));
         }
         let size = [self.signed_size(LENG)?, self.signed_size(WID)?];
         let overrun = Overrun { ends: self.magnitude(FDP), side: self.magnitude(FDP1) };
@@ -38,18 +38,16 @@ impl CycleCall<'_, '_> {
         let size = [self.size_from(LENG, 3, at.x)?, self.size_from(WID, 4, at.y)?];
         let limits = args.number(LIM).and_then(whole).unwrap_or(0);
         if limits > 1111 || (0..4).any(|place| args.digit(LIM, place) > 1) {
-            let message = format!("the limits `_LIM` (argument {}) are four digits 0 or 1", args.place(LIM));
-            let help = "from the right: first axis minus and plus, second axis minus and plus";
-            return self.cycle_fault(args.span_of(LIM), 61019, &message, help);
+            return self.refuse_cycle(args.span_of(LIM), codes::P2090::limits_lim_are_four_digits_0(&args.place(LIM)));
         }
         let wall = |place: u32| args.digit(LIM, place) == 1;
         if limits > 0 {
-            self.own_way("limits are read from the right as walls at the minus and plus side of the first axis, then of the second");
+            self.own_way(codes::P8101::limits_are_read_from_right_as_walls());
         }
         let clearance = mill.heights.clearance;
         let corner = Place { at, turn: Deg(0.0) };
         let overrun = Overrun { ends: clearance, side: clearance };
-        self.own_way("the cutter leaves an open side by the safety distance");
+        self.own_way(codes::P8101::cutter_leaves_open_side_by_safety_distance());
         self.mill_face(mill, corner, size, overrun, [[wall(0), wall(1)], [wall(2), wall(3)]])
     }
 
@@ -67,8 +65,7 @@ impl CycleCall<'_, '_> {
 
     fn size_is_missing<T>(&self, key: Key) -> Outcome<T> {
         let (name, place) = (self.args.written(key), self.args.place(key));
-        let message = format!("the side `{name}` (argument {place}) of the face is 0");
-        self.cycle_fault(self.args.span_of(key), 61118, &message, "give its length, with the sign of its direction")
+        self.refuse_cycle(self.args.span_of(key), codes::P2090::side_of_face_is_0(&name, &place))
     }
 
     fn mill_face(
@@ -126,7 +123,9 @@ impl CycleCall<'_, '_> {
             FacingFault::NoEntry => (VARI, 61002, "cut along the other axis of the face"),
             FacingFault::Number => (VARI, 61019, "check the arguments of the cycle"),
         };
-        let message = format!("{fault}: `{}` (argument {})", self.args.written(key), self.args.place(key));
-        self.cycle_fault(self.args.span_of(key), alarm, &message, help)
+        self.refuse_cycle(
+            self.args.span_of(key),
+            codes::P2090::fault(&fault, &self.args.written(key), &self.args.place(key)).help(help).alarm(alarm),
+        )
     }
 }

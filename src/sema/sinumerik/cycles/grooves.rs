@@ -2,7 +2,7 @@
 //!
 //! Source: M 6, C 5.2 and 5.6 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::geo::corner::Size;
 use crate::geo::{Deg, Point2};
 use crate::ir::Feed;
@@ -152,22 +152,21 @@ impl CycleCall<'_, '_> {
         self.digits_are_known()?;
         let machine = &self.job.settings.machine;
         if machine.kind != MachineKind::Lathe {
-            let help = Answer::key("machine", "kind").one_of(&["\"lathe\""]).help("set `[machine] kind = \"lathe\"`");
-            return self.cycle_fault(args.span, None, "grooves need turning technology", help);
+            return self.refuse_cycle(
+                args.span,
+                codes::P2090::grooves_need_turning_technology()
+                    .answer(Answer::key("machine", "kind").one_of(&["\"lathe\""])),
+            );
         }
         self.in_turning_plane()?;
         self.no_normal_offset()?;
         if self.names_other_plane(args) {
-            return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
+            return self.refuse_argument(DMODE, codes::S9015::plane_other_than_active_one());
         }
         self.frame_is_not_scaled()?;
         if !self.st.ctx.frame.is_shift() {
-            let message = format!(
-                "{}: under a mirrored or turned frame the programmed corner of the tool would lie elsewhere",
-                args.name()
-            );
-            let help = "cancel MIRROR and ROT before the cycle";
-            return self.fail_help(codes::S9015, args.span, message, help);
+            return self
+                .refuse(args.span, codes::S9015::under_mirrored_or_turned_frame_programmed_corner(&args.name()));
         }
         Ok(())
     }
@@ -182,10 +181,7 @@ impl CycleCall<'_, '_> {
     fn no_such_side<T>(&self) -> Outcome<T> {
         let args = self.args;
         let name = args.written(VARI);
-        let message = format!("`{name}` (argument {}) names no side of a groove", args.place(VARI));
-        let help =
-            "1 and 5 outside, 3 and 7 inside, 2 and 4 rear face, 6 and 8 front face; CYCLE930 has it in the hundreds";
-        self.cycle_fault(args.span_of(VARI), 61002, &message, help)
+        self.refuse_cycle(args.span_of(VARI), codes::P2090::names_no_side_of_groove(&name, &args.place(VARI)))
     }
 
     /// The flanks of a groove in a slope may stand on the slope or on the axis.
@@ -199,7 +195,7 @@ impl CycleCall<'_, '_> {
         if fits {
             return Ok(());
         }
-        self.not_built(STA1, "a groove in an inclined surface (STA1)")
+        self.refuse_argument(STA1, codes::S9015::groove_in_inclined_surface())
     }
 
     /// A length that is above 0.
@@ -210,8 +206,7 @@ impl CycleCall<'_, '_> {
         if value > 0.0 {
             return Ok(value);
         }
-        let message = format!("`{name}` (argument {}) is not above 0", args.place(key));
-        self.cycle_fault(args.span_of(key), 61019, &message, "give a length above 0")
+        self.refuse_cycle(args.span_of(key), codes::P2090::is_not_above_0(&name, &args.place(key)))
     }
 
     pub(super) fn turned_reference(&self) -> Outcome<Point2> {
@@ -223,20 +218,19 @@ impl CycleCall<'_, '_> {
     fn coded_930(&self) -> Outcome {
         let args = self.args;
         if !(1..=3).contains(&args.digit(VARI, 1)) {
-            let message = format!("the tens of `_VARI` (argument {}) are no kind of machining", args.place(VARI));
-            return self.cycle_fault(args.span_of(VARI), 61002, &message, "1 roughs, 2 finishes, 3 does both");
+            return self.refuse_cycle(args.span_of(VARI), codes::P2090::tens_of_vari_are_no_kind(&args.place(VARI)));
         }
         if args.digit(VARI, 4) != 1 {
-            return self.not_built(VARI, "a kind of machining without 1 at the ten thousands (`_VARI`)");
+            return self.refuse_argument(VARI, codes::S9015::kind_of_machining_without_1_at_ten());
         }
         if args.or_zero(NR) == 2.0 {
-            return self.not_built(NR, "an inclined groove (`_NR` 2)");
+            return self.refuse_argument(NR, codes::S9015::inclined_groove_nr_2_is_not());
         }
         if args.or_zero(STA) != 0.0 {
-            return self.not_built(STA, "an inclined groove (`_STA`)");
+            return self.refuse_argument(STA, codes::S9015::inclined_groove());
         }
         if args.or_zero(S_FB) != 0.0 {
-            return self.not_built(S_FB, "a feed of its own at the floor (`S_FB`)");
+            return self.refuse_argument(S_FB, codes::S9015::feed_of_its_own_at_floor());
         }
         if args.or_zero(DIAG2) != 0.0 {
             self.unused(DIAG2, "_DIAG2", "where the groove is not inclined");
@@ -264,9 +258,7 @@ impl CycleCall<'_, '_> {
         if depth > 0.0 {
             return Ok(depth);
         }
-        let message = format!("the depth `_DIAG` (argument {}) does not lie in the material", args.place(DIAG));
-        let help = "absolute it is the other diameter (on faces the other Z), incremental (tens of `_AMODE` 1) a depth above 0";
-        self.cycle_fault(args.span_of(DIAG), 61019, &message, help)
+        self.refuse_cycle(args.span_of(DIAG), codes::P2090::depth_diag_does_not_lie_in_material(&args.place(DIAG)))
     }
 
     /// The editor stores both widths.
@@ -277,20 +269,14 @@ impl CycleCall<'_, '_> {
         if given == 0.0 || (given - width).abs() <= WIDTH_ROUNDED {
             return Ok(());
         }
-        let message = format!(
-            "the width of the top `_WIDG2` (argument {}) is {given:.4}, and floor, depth and flanks make it {width:.4}",
-            args.place(WIDG2)
-        );
-        self.cycle_fault(args.span_of(WIDG2), None, &message, "give the width that is meant, or leave `_WIDG2` out")
+        self.refuse_cycle(args.span_of(WIDG2), codes::P2090::width_of_top_widg2(&args.place(WIDG2), &given, &width))
     }
 
     fn left_930(&self, into: Towards) -> Outcome<Left> {
         let args = self.args;
         let [all, x, z] = [FAL, FALX, FALZ].map(|key| self.length_of(args, key).unwrap_or(0.0));
         if all != 0.0 && (x != 0.0 || z != 0.0) {
-            let help = "give either `_FAL`, or `_FALX` and `_FALZ`";
-            let message = "an allowance on all sides stands beside one along an axis";
-            return self.cycle_fault(args.span_of(FAL), None, message, help);
+            return self.refuse_cycle(args.span_of(FAL), codes::P2090::allowance_on_all_sides_stands_beside_one());
         }
         let (surface, depth) = if into.is_radial() { (z, x) } else { (x, z) };
         Ok(if x == 0.0 && z == 0.0 { Left::Square { floor: all, flanks: all } } else { Left::Along { surface, depth } })
@@ -320,9 +306,8 @@ impl CycleCall<'_, '_> {
         match speed.filter(|speed| *speed > 0.0) {
             Some(speed) => turns * 60.0 / speed,
             None => {
-                let message = "CYCLE930 waits at the floor for turns of the spindle, whose speed is not known: no dwell is printed";
                 if self.job.diags.first_time(codes::S8222, ()) {
-                    let found = Diagnostic::new(codes::S8222, self.loc(args.span), message);
+                    let found = codes::S8222::cycle930_waits_at_floor_for_turns().at(self.loc(args.span));
                     self.report(
                         found.help(
                             Answer::key("cycles", "groove_dwell")
@@ -351,12 +336,11 @@ impl CycleCall<'_, '_> {
             .and_then(|n| u32::try_from(n).ok())
             .filter(|n| (1..=MOST_GROOVES).contains(n))
         else {
-            let message = format!("`_NUM` (argument {}) is no number of grooves", args.place(NUM));
-            return self.cycle_fault(args.span_of(NUM), 61019, &message, "give a whole number from 1 on");
+            return self.refuse_cycle(args.span_of(NUM), codes::P2090::num_is_no_number_of_grooves(&args.place(NUM)));
         };
         if count > 1 && distance == 0.0 {
-            let message = format!("{count} grooves without a distance `_DBH` (argument {})", args.place(DBH));
-            return self.cycle_fault(args.span_of(DBH), 61019, &message, "give the distance from groove to groove");
+            return self
+                .refuse_cycle(args.span_of(DBH), codes::P2090::grooves_without_distance_dbh(&count, &args.place(DBH)));
         }
         if count == 1 && distance != 0.0 {
             self.unused(DBH, "_DBH", "with one groove");
@@ -370,8 +354,10 @@ impl CycleCall<'_, '_> {
         let (number, edge) = self.active_edge()?;
         let listed = self.job.settings.tools.called(number).filter(|_| edge == 1);
         let missing = |what: &str, help: Help| {
-            let message = format!("{}: {what} of tool {number} D{edge} is not known", args.name());
-            self.fail_help(codes::S2221.alarm(61000), args.span, message, &help)
+            self.refuse(
+                args.span,
+                codes::P2004::of_tool_d_is_not_known(&args.name(), &what, &number, &edge).help(&help),
+            )
         };
         let Some(width) = listed.and_then(|tool| tool.width) else {
             return missing(
@@ -400,11 +386,10 @@ impl CycleCall<'_, '_> {
         };
         let Some((_, edge)) = corners.into_iter().find(|(known, _)| *known == position) else {
             let [(first, _), (second, _)] = corners;
-            let message = format!(
-                "the edge of tool {number} lies at position {position}, and this side is cut with {first} or {second}"
+            return self.refuse_cycle(
+                args.span,
+                codes::P2090::edge_of_tool_lies_at_position(&number, &position, &first, &second),
             );
-            let help = "check the side of the groove and `orientation` of the tool: 3 and 4 point outside in, 1 and 2 inside out, 2 and 3 into the front face, 1 and 4 into the rear face";
-            return self.cycle_fault(args.span, 61608, &message, help);
         };
         Ok(RecessTool { width, nose, edge })
     }
@@ -415,25 +400,25 @@ impl CycleCall<'_, '_> {
         let tool = self.groove_tool(into)?;
         self.turning_position(args.span)?;
         if cut.left.floor() >= shape.depth {
-            let message = format!("the allowance on the floor `{}` is not less than the depth", args.written(left[0]));
-            return self.cycle_fault(args.span_of(left[0]), 61010, &message, "give a smaller allowance");
+            return self.refuse_cycle(
+                args.span_of(left[0]),
+                codes::P2090::allowance_on_floor_is_not_less(&args.written(left[0])),
+            );
         }
         let contour = match shape.contour() {
             Ok(contour) => contour,
             Err(fault) => {
                 let key = CORNERS.get(fault.0).copied().unwrap_or(RCO1);
                 let (name, place) = (args.written(key), args.place(key));
-                let message = format!("the corner `{name}` (argument {place}) does not fit on flank and floor");
-                return self.cycle_fault(args.span_of(key), 61603, &message, "give smaller radii or chamfers");
+                return self.refuse_cycle(args.span_of(key), codes::P2090::corner_does_not_fit_on_flank(&name, &place));
             }
         };
         if shape.floor_width < tool.width - 1e-6 {
             let (name, place) = (args.written(WIDG), args.place(WIDG));
-            let message = format!(
-                "the tool of {} mm is wider than the floor `{name}` (argument {place}) of {} mm",
-                tool.width, shape.floor_width
+            return self.refuse_cycle(
+                args.span_of(WIDG),
+                codes::P2090::tool_of_mm_is_wider_than_floor(&tool.width, &name, &place, &shape.floor_width),
             );
-            return self.cycle_fault(args.span_of(WIDG), 61602, &message, "take a narrower tool");
         }
         let left = self.less_on_flanks(shape, cut.left, tool.width, left[1]);
         self.second_edge("finishes the second half with this edge");
@@ -453,8 +438,7 @@ impl CycleCall<'_, '_> {
             copies: cut.copies,
         };
         if self.beyond_centre(shape, &grooving) {
-            let help = "check diameter, depth, width and safety distance";
-            return self.cycle_fault(args.span, None, "the groove would go beyond the turning centre", help);
+            return self.refuse_cycle(args.span, codes::P2090::groove_would_go_beyond_turning_centre());
         }
         if let Err(fault) = grooving.check() {
             return self.cycle_fault(args.span, 61019, &fault.to_string(), "check the arguments of the cycle");
@@ -476,7 +460,15 @@ impl CycleCall<'_, '_> {
             })
         );
         if self.job.diags.first_text(codes::S8221, &message) {
-            let found = Diagnostic::new(codes::S8221, self.loc(args.span_of(key)), message);
+            let found = codes::S8221::tool_of_mm_leaves_no_room(
+                &args.name(),
+                &width,
+                &shown(match less {
+                    Left::Square { flanks, .. } => flanks,
+                    Left::Along { surface, .. } => surface,
+                }),
+            )
+            .at(self.loc(args.span_of(key)));
             self.report(found.help("take a narrower tool, or no allowance on the flanks"));
         }
         less
@@ -506,7 +498,9 @@ impl CycleCall<'_, '_> {
             args.place(DN)
         );
         if self.job.diags.first_text(codes::S8223, &message) {
-            let found = Diagnostic::new(codes::S8223, self.loc(args.span_of(DN)), message);
+            let found =
+                codes::S8223::control_partc_computes_it_from_cutting_width(&args.name(), &what, &args.place(DN))
+                    .at(self.loc(args.span_of(DN)));
             self.report(found.help("check that the cutting width in the tool table is that of the tool"));
         }
     }
@@ -514,8 +508,8 @@ impl CycleCall<'_, '_> {
     /// A reading of the manuals or a path of our own, once for each cycle.
     pub(super) fn own_groove(&self, what: &str) {
         let message = format!("{}: {what}", self.args.name());
-        if self.job.diags.first_text(codes::S8220, &message) {
-            let found = Diagnostic::new(codes::S8220, self.loc(self.args.span), message);
+        if self.job.diags.first_text(codes::P8101, &message) {
+            let found = codes::P8101::of_another_kind(&self.args.name(), &what).at(self.loc(self.args.span));
             self.report(found.help("docs/cycles.md describes the path; compare with what the machine does"));
         }
     }

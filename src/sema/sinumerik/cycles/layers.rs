@@ -2,7 +2,7 @@
 //!
 //! Source: M 1, 2 and 9 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::layers::{Layers, Relief};
@@ -16,10 +16,6 @@ use super::super::Outcome;
 use super::super::compensation::nose_of;
 use super::arguments::{DMODE, Key};
 use super::call::CycleCall;
-
-/// The path that is said once for each cycle.
-const WAY: &str = "controls do not publish the cuts: they are at equal depths, follow the contour up to the cut before, and relief cuts \
-    are cut from their falling side";
 
 /// The side from which material is taken, and the way of the cuts.
 #[derive(Debug, Clone, Copy)]
@@ -79,7 +75,7 @@ impl CycleCall<'_, '_> {
         self.check_parameters()?;
         self.in_turning_plane()?;
         if !matches!(self.args.digit(DMODE, 0), 0 | 2) {
-            return self.not_built(DMODE, "a turning cycle in another plane than G18 (units of `_DMODE`)");
+            return self.refuse_argument(DMODE, codes::S9015::turning_cycle_in_another_plane_than_g18());
         }
         self.digits_are_known()?;
         self.digits_of_are_known(DMODE)?;
@@ -92,30 +88,25 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let (number, edge) = self.active_edge()?;
         let Some(radius) = self.known_radius() else {
-            let message = format!("{}: the nose radius of tool {number} D{edge} is not known", args.name());
-            let help = Answer::tool(number, "radius").help(format!(
-                "give it in partc.toml: `[tools.{number}]` with `radius = 0.8` and `orientation = 3`, or in the program: \
-                 `$TC_DP6[{number},{edge}]=0.8`"
-            )).and(Answer::tool(number, "orientation"));
-            return self.fail_help(codes::S2201.alarm(61000), args.span, message, &help);
+            return self.refuse(
+                args.span,
+                codes::P2004::nose_radius_of_tool_d_is_not(&args.name(), &number, &edge)
+                    .answers([Answer::tool(number, "radius"), Answer::tool(number, "orientation")]),
+            );
         };
         if radius < 0.0 {
-            let message = format!("{}: the nose radius of tool {number} D{edge} is below 0", args.name());
-            return self.fail_help(codes::S2201.alarm(61000), args.span, message, "check radius and wear of the edge");
+            return self.refuse(args.span, codes::P2004::nose_radius_of_tool_d_is_below(&args.name(), &number, &edge));
         }
         if radius == 0.0 {
             return Ok(Nose::default());
         }
         match self.edge_position(number, edge).and_then(nose_of) {
             Some(way) => Ok(Nose { radius, tip: self.in_frame(Vec2::zeros() - way)? }),
-            None => {
-                let message =
-                    format!("{}: the position of the cutting edge of tool {number} D{edge} is not known", args.name());
-                let help = Answer::tool(number, "orientation").help(format!(
-                    "give it in partc.toml: `[tools.{number}] orientation = 3`, or in the program: `$TC_DP2[{number},{edge}]=3`"
-                ));
-                self.fail_help(codes::S2201.alarm(61000), args.span, message, &help)
-            }
+            None => self.refuse(
+                args.span,
+                codes::P2004::position_of_cutting_edge_of_tool_d(&args.name(), &number, &edge)
+                    .answer(Answer::tool(number, "orientation")),
+            ),
         }
     }
 
@@ -137,11 +128,7 @@ impl CycleCall<'_, '_> {
         if straight && (linear * whole - Vector3::new(way.y, 0.0, way.x)).norm() < 1e-9 {
             return Ok(Vec2::new(whole.z, whole.x));
         }
-        let message = format!(
-            "{}: under a frame that turns the part by an angle the nose of the tool lies beside the path that would be printed",
-            self.args.name()
-        );
-        self.fail_help(codes::S9015, self.args.span, message, "cancel ROT before the cycle")
+        self.refuse(self.args.span, codes::S9015::under_frame_that_turns_part_by_angle(&self.args.name()))
     }
 
     /// The kind of machining from a digit: 1 roughing, 2 finishing, 3 both.
@@ -161,8 +148,10 @@ impl CycleCall<'_, '_> {
         if most > 0.0 || operation == Operation::Finish {
             return Ok(most);
         }
-        let message = format!("the greatest infeed `{}` (argument {}) is missing", args.written(key), args.place(key));
-        self.cycle_fault(args.span_of(key), 61610, &message, "roughing needs the greatest depth of a cut")
+        self.refuse_cycle(
+            args.span_of(key),
+            codes::P2090::greatest_infeed_is_missing(&args.written(key), &args.place(key)),
+        )
     }
 
     /// Sends the cycle, and says what it rests on.
@@ -178,23 +167,17 @@ impl CycleCall<'_, '_> {
                 .collect();
             let shown = shown.join(", ");
             if layers.relief == Relief::Left {
-                let message = format!("{}: the relief cut from {shown} is left standing", args.name());
-                self.note_once(codes::S8210, args.span, message);
+                self.say_once(args.span, codes::S8210::relief_cut_from_is_left_standing(&args.name(), &shown));
             } else if let Some(angle) = self.clearance_angle() {
                 let steepest = layers.steepest_fall();
                 if steepest > angle + 1e-6 {
-                    let message = format!(
-                        "the relief cut from {shown} falls at {steepest:.1} degrees, and the flank of the tool clears {angle} only"
+                    return self.refuse_cycle(
+                        args.span,
+                        codes::P2090::relief_cut_from_falls_at_degrees(&shown, &steepest, &angle),
                     );
-                    let help = "take a tool with a larger clearance angle (`clearance` in partc.toml, $TC_DP24), or leave the relief to a groove cycle";
-                    return self.cycle_fault(args.span, 61604, &message, help);
                 }
             } else {
-                let message = format!(
-                    "{}: relief cut from {shown}: whether the flank of the tool clears its falling side is not checked",
-                    args.name()
-                );
-                self.note_once(codes::S8211, args.span, message);
+                self.say_once(args.span, codes::S8211::relief_cut(&args.name(), &shown));
             }
         }
         if layers.points_back() {
@@ -203,16 +186,15 @@ impl CycleCall<'_, '_> {
                 args.name()
             );
             if self.job.diags.first_text(codes::S8213, &message) {
-                let found = Diagnostic::new(codes::S8213, self.loc(args.span), message);
+                let found = codes::S8213::cutting_edge_points_back(&args.name()).at(self.loc(args.span));
                 self.report(found.help("check the edge position in the tool data, and the direction of the cycle"));
             }
         }
         if layers.leans_over() && layers.operation != Operation::Finish {
-            let message = format!("{}: a part of the contour leans over; roughing leaves it to finishing", args.name());
-            self.note_once(codes::S8212, args.span, message);
+            self.say_once(args.span, codes::S8212::part_of_contour_leans_over(&args.name()));
         }
         if layers.operation != Operation::Finish {
-            self.own_way(WAY);
+            self.own_way(codes::P8101::controls_do_not_publish_cuts());
         }
         self.send_cycle(Cycle::Layers(layers));
         self.say_remarks();
@@ -221,23 +203,15 @@ impl CycleCall<'_, '_> {
 
     /// Refuses a kind of machining.
     pub(super) fn kind_fault<T>(&self, key: Key, help: &str) -> Outcome<T> {
-        let message = format!(
-            "there is no such kind of machining `{}` (argument {})",
-            self.args.written(key),
-            self.args.place(key)
-        );
-        self.cycle_fault(self.args.span_of(key), 61002, &message, help)
+        self.refuse_cycle(
+            self.args.span_of(key),
+            codes::P2090::there_is_no_such_kind_of_machining(&self.args.written(key), &self.args.place(key)).help(help),
+        )
     }
 
     /// Nothing between the blank and the end point.
     pub(super) fn no_material<T>(&self, key: Key, what: &str) -> Outcome<T> {
         let args = self.args;
-        let message = format!("{what}: `{}` (argument {})", args.written(key), args.place(key));
-        self.cycle_fault(
-            args.span_of(key),
-            61118,
-            &message,
-            "check the corner of the blank, the end point and the position",
-        )
+        self.refuse_cycle(args.span_of(key), codes::P2090::so_check_corner(&what, &args.written(key), &args.place(key)))
     }
 }

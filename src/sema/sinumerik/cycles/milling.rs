@@ -2,7 +2,7 @@
 //!
 //! Source: M 1.2, 1.3 and 7 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::Plane;
 use crate::ir::Feed;
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, MillFault};
@@ -83,11 +83,10 @@ impl CycleCall<'_, '_> {
         match mill.check() {
             Ok(()) if third == Axis::Z.index() && heights.outward() < 0.0 && !self.st.machine.lathe => {
                 let (name, place) = (args.written(names.retract), args.place(names.retract));
-                let message = format!(
-                    "the retraction plane `{name}` (argument {place}) lies below the surface, and a mill does not come from below"
-                );
-                let help = "give a retraction plane above the surface plus the safety distance";
-                self.cycle_fault(args.span_of(names.retract), 61101, &message, help)
+                self.refuse_cycle(
+                    args.span_of(names.retract),
+                    codes::P2090::retraction_plane_lies_below_surface(&name, &place),
+                )
             }
             Ok(()) => self.levels_are_meant(names, mill),
             Err(fault) => self.mill_fault(names, fault),
@@ -100,10 +99,7 @@ impl CycleCall<'_, '_> {
         if normal == 0.0 {
             return Ok(());
         }
-        let message =
-            format!("{}: OFFN={normal} is in force, and is not supported in the path of this cycle", self.args.name());
-        let help = "program OFFN=0 before the cycle, and leave material by the allowances of the cycle";
-        self.fail_help(codes::S9015, self.args.span, message, help)
+        self.refuse(self.args.span, codes::S9015::offn_is_in_force(&self.args.name(), &normal))
     }
 
     /// The plane that `_DMODE` names.
@@ -113,7 +109,7 @@ impl CycleCall<'_, '_> {
             1 => Ok(Plane::Xy),
             2 => Ok(Plane::Zx),
             3 => Ok(Plane::Yz),
-            _ => self.not_built(DMODE, "this plane (units of `_DMODE`)"),
+            _ => self.refuse_argument(DMODE, codes::S9015::this_plane_units_of_dmode_is_not()),
         }
     }
 
@@ -122,8 +118,7 @@ impl CycleCall<'_, '_> {
         if self.st.ctx.frame.uniform_scale().is_some_and(|scale| (scale - 1.0).abs() < 1e-9) {
             return Ok(());
         }
-        let help = "switch SCALE off before the cycle: the cutter is not scaled with its shape";
-        self.cycle_fault(self.args.span, 61011, "a scaling is active", help)
+        self.refuse_cycle(self.args.span, codes::P2090::scaling_is_active())
     }
 
     /// The heights of the cycle lie along the tool axis of the machine, and its way out of the workpiece is the tool's.
@@ -135,12 +130,7 @@ impl CycleCall<'_, '_> {
         if !tilted && linear[(third, third)] > 0.0 {
             return Ok(());
         }
-        let message = format!(
-            "{}: a frame mirrors or tilts the tool axis, and the tool would come from the far side",
-            self.args.name()
-        );
-        let help = "turn and mirror in the plane of the cycle only";
-        self.fail_help(codes::S9015, self.args.span, message, help)
+        self.refuse(self.args.span, codes::S9015::frame_mirrors_or_tilts_tool_axis(&self.args.name()))
     }
 
     /// The radius of the active tool.
@@ -154,11 +144,11 @@ impl CycleCall<'_, '_> {
             }
             known => {
                 let what = if known.is_some() { "is not above 0" } else { "is not known" };
-                let message = format!("{}: the radius of tool {number} {what}", args.name());
-                let help = Answer::tool(number, "radius").help(format!(
-                    "give it in partc.toml: `[tools.{number}] radius = 5.0`, or in the program: `$TC_DP6[{number},{edge}]=5`"
-                ));
-                self.fail_help(codes::S2241.alarm(61000), args.span, message, &help)
+                self.refuse(
+                    args.span,
+                    codes::P2004::radius_of_tool(&args.name(), &number, &what, &edge)
+                        .answer(Answer::tool(number, "radius")),
+                )
             }
         }
     }
@@ -173,10 +163,16 @@ impl CycleCall<'_, '_> {
             self.args.name(),
             2.0 * (radius - rounding).max(0.0)
         );
-        if self.job.diags.first_text(codes::S8241, &message) {
-            let help =
-                "finish the floor with a smaller infeed in the plane, or with a cutter that has no corner radius";
-            self.report(Diagnostic::new(codes::S8241, self.loc(self.args.span), message).help(help));
+        if self.job.diags.first_text(codes::P8102, &message) {
+            self.report(
+                codes::P8102::corner_radius_mm_of_cutter(
+                    &self.args.name(),
+                    &rounding,
+                    &radius,
+                    &(2.0 * (radius - rounding).max(0.0)),
+                )
+                .at(self.loc(self.args.span)),
+            );
         }
     }
 
@@ -218,8 +214,7 @@ impl CycleCall<'_, '_> {
         let (Some(absolute), Some(way)) = (absolute, relative.filter(|way| *way != 0.0)) else { return };
         let by_way = reference - (retract - reference).signum() * way.abs();
         if absolute != 0.0 && (absolute - by_way).abs() > 1e-9 {
-            let message = format!("{}: DP and DPR give different depths; DPR counts", args.name());
-            let found = Diagnostic::new(codes::S8018, self.loc(args.span_of(DP)), message);
+            let found = codes::S8018::dp_dpr_give_different_depths(&args.name()).at(self.loc(args.span_of(DP)));
             self.report(found.help("leave one of them out"));
         }
     }
@@ -235,15 +230,15 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let value = args.or_zero(key);
         if value > LARGEST_FEED {
-            let message =
-                format!("the feed `{}` (argument {}) is out of all range", args.written(key), args.place(key));
-            return self.cycle_fault(args.span_of(key), 61003, &message, "look for a lost decimal point");
+            return self.refuse_cycle(
+                args.span_of(key),
+                codes::P2090::feed_is_out_of_all_range(&args.written(key), &args.place(key)),
+            );
         }
         if value > 0.0 {
             let feed = self.st.feed_of(value);
             if matches!(feed, Feed::PerRevolution(way) if way > LARGE_PER_REVOLUTION) {
-                let message = format!("the feed {value} is read as a way per revolution, since G95 is in force");
-                self.says_once(&message, "program G94 before the cycle where it is a feed per minute");
+                self.leaves_open(codes::S8230::feed_is_read_as_way_per_revolution(&value));
             }
             return Ok(feed);
         }
@@ -258,8 +253,7 @@ impl CycleCall<'_, '_> {
             None => {
                 let (name, place) = (args.written(key), args.place(key));
                 let what = if value < 0.0 { "is below 0" } else { "is missing, and no F stands before it" };
-                let message = format!("the feed `{name}` (argument {place}) {what}");
-                self.cycle_fault(args.span_of(key), 61003, &message, "give a feed above 0")
+                self.refuse_cycle(args.span_of(key), codes::P2090::feed(&name, &place, &what))
             }
         }
     }
@@ -279,13 +273,10 @@ impl CycleCall<'_, '_> {
         let way = mill.heights.way();
         match self.active_tool().and_then(|tool| tool.length).filter(|length| *length > 0.0 && *length < way) {
             Some(length) => {
-                let message =
-                    format!("no infeed in depth `{name}` (argument {place}), and the tool is only {length} mm long");
-                self.cycle_fault(args.span_of(names.step), 61019, &message, "give the greatest depth of a level")
+                self.refuse_cycle(args.span_of(names.step), codes::P2090::no_infeed_in_depth(&name, &place, &length))
             }
             None => {
-                let message = format!("no infeed in depth `{name}` (argument {place}): one level of {way} mm");
-                self.says_once(&message, "give the greatest depth of a level");
+                self.leaves_open(codes::S8230::no_infeed_in_depth(&name, &place, &way));
                 Ok(mill)
             }
         }
@@ -301,15 +292,13 @@ impl CycleCall<'_, '_> {
             self.magnitude(key)
         };
         if width > 2.0 * radius + 1e-9 {
-            let message = format!(
-                "the infeed in the plane `{name}` (argument {place}) of {width} mm is larger than the cutter, {} mm",
-                2.0 * radius
+            return self.refuse_cycle(
+                args.span_of(key),
+                codes::P2090::infeed_in_plane_of_mm_is_larger(&name, &place, &width, &(2.0 * radius)),
             );
-            return self.cycle_fault(args.span_of(key), 61111, &message, "give at most the diameter of the cutter");
         }
         if width == 0.0 {
-            let message = format!("no infeed in the plane `{name}` (argument {place}): 0.8 of the cutter's diameter");
-            self.says_once(&message, "give the greatest width of a cut");
+            self.leaves_open(codes::S8230::no_infeed_in_plane(&name, &place));
             return Ok(USUAL_WIDTH * 2.0 * radius);
         }
         Ok(width)
@@ -324,22 +313,19 @@ impl CycleCall<'_, '_> {
             0.0 => true,
             1.0 => false,
             _ => {
-                let message =
-                    format!("the direction `{}` (argument {}) is 0 to 3", args.written(CDIR), args.place(CDIR));
-                let help = "0 climb, 1 conventional, 2 G2, 3 G3";
-                return self.cycle_fault(args.span_of(CDIR), 61002, &message, help);
+                return self.refuse_cycle(
+                    args.span_of(CDIR),
+                    codes::P2090::direction_is_0_to_3(&args.written(CDIR), &args.place(CDIR)),
+                );
             }
         };
         let turn = self.st.spindles.turn();
         if turn.is_none() {
-            let message = "whether the spindle turns by M3 or M4 is not known: M3 is taken for climb and conventional";
-            self.says_once(message, "program M3 or M4 before the cycle, or CDIR 2 or 3");
+            self.leaves_open(codes::S8230::whether_spindle_turns_by_m3_or_m4());
         }
         if self.mirrors_the_plane() {
             let [asked, made] = if climb { ["climb", "conventional"] } else { ["conventional", "climb"] };
-            let message =
-                format!("a mirrored frame turns the sense around: {asked} is asked for, and {made} milling comes out");
-            self.says_once(&message, "give the other `CDIR` where the sense is to stay on the mirrored part");
+            self.leaves_open(codes::S8230::mirrored_frame_turns_sense_around(&asked, &made));
         }
         let usual = turn != Some(Turn::CounterClockwise);
         Ok((around == Around::Inside) == (climb == usual))
@@ -368,7 +354,9 @@ impl CycleCall<'_, '_> {
             MillFault::Feed => (names.feed, Some(61003), "give a feed above 0"),
             MillFault::Number | MillFault::Radius => (names.depth, Some(61019), "check the arguments of the cycle"),
         };
-        let message = format!("{fault}: `{}` (argument {})", args.written(key), args.place(key));
-        self.cycle_fault(args.span_of(key), alarm, &message, help)
+        self.refuse_cycle(
+            args.span_of(key),
+            codes::P2090::fault(&fault, &args.written(key), &args.place(key)).help(help).alarm(alarm),
+        )
     }
 }

@@ -31,7 +31,7 @@ mod unknown_start;
 
 use std::rc::Rc;
 
-use crate::diag::{Code, Diagnostic, Help, codes};
+use crate::diag::{Code, Fault, Help, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::Ctx;
 use crate::ir::cycle::drilling::Method;
@@ -130,7 +130,7 @@ impl Run<'_> {
         let most = cycle.signature.parameters.len();
         if list.len() > most {
             let at = list.get(most).map_or(span, |(_, span)| *span);
-            return self.fail(codes::S2021.alarm(12340), at, format!("{name} takes {most} arguments"));
+            return self.refuse(at, codes::S2021::takes_arguments(&name, &most));
         }
         let args = Arguments { cycle, span, list };
         self.cycle(&args).check_values()?;
@@ -142,12 +142,7 @@ impl Run<'_> {
         self.no_turning_cycle_here(args.name(), args.span)?;
         self.pending_must_be_done(args.span)?;
         if self.st.side() != Side::None {
-            return self.cycle(args).cycle_fault(
-                args.span,
-                61815,
-                "radius compensation is on",
-                "program G40 before the cycle",
-            );
+            return self.cycle(args).refuse_cycle(args.span, codes::P2090::radius_compensation());
         }
         match self.st.offsets.outer() {
             Outer::Machine => {
@@ -252,12 +247,7 @@ impl Channel<'_> {
             self.master_feeds(Where::Block);
         }
         if modal.under != (self.st.plane(), self.st.length_unit()) {
-            return self.fail_help(
-                codes::S9015,
-                Where::Block,
-                "the plane or the unit was changed since MCALL: the hole would go elsewhere",
-                "call the cycle again behind G17, G18, G19, G70 or G71",
-            );
+            return self.refuse(Where::Block, codes::S9015::plane_or_unit_was_changed_since_mcall());
         }
         // The feeds of zones are shares of the one that is modal at each place.
         let zones = modal.args.has_zones();
@@ -331,12 +321,7 @@ impl Channel<'_> {
         if !self.is_diameter_axis(axis) || self.st.diameter_mode() == Diameter::Off {
             return Ok(());
         }
-        self.fail_help(
-            codes::S9015,
-            place,
-            format!("{name}: whether its lengths along {} are diameters under DIAMON is not documented", axis.letter()),
-            "program DIAMOF before the cycle, and radii in it",
-        )
+        self.refuse(place, codes::S9015::whether_its_lengths_along_are_diameters_under(&name, &axis.letter()))
     }
 
     /// Where the tool stands in the turning plane: Z and the radius.
@@ -367,12 +352,7 @@ impl CycleCall<'_, '_> {
             }
             None => {
                 self.st.feed.lose();
-                self.fail_help(
-                    codes::S2040.alarm(10860),
-                    args.span,
-                    "the cycle has no feed",
-                    "program F before the cycle",
-                )
+                self.refuse(args.span, codes::P2002::cycle_has_no_feed())
             }
         }
     }
@@ -397,12 +377,7 @@ impl CycleCall<'_, '_> {
         }
         match self.st.spindles.speed().filter(|speed| *speed > 0.0 && !self.st.spindles.is_cutting()) {
             Some(speed) => Ok(turns * 60.0 / speed),
-            None => self.cycle_fault(
-                args.span_of(key),
-                None,
-                "a dwell in turns needs a fixed spindle speed",
-                "program S before the cycle, or give the dwell in seconds",
-            ),
+            None => self.refuse_cycle(args.span_of(key), codes::P2090::dwell_in_turns_needs_fixed_spindle_speed()),
         }
     }
 
@@ -412,7 +387,7 @@ impl CycleCall<'_, '_> {
         if self.st.plane() == crate::geo::Plane::Zx {
             return Ok(());
         }
-        self.cycle_fault(args.span, 61101, "turning cycles work in G18", "program G18 before the cycle")
+        self.refuse_cycle(args.span, codes::P2090::turning_cycles_work_in_g18())
     }
 
     fn check_values(&self) -> Outcome {
@@ -423,38 +398,39 @@ impl CycleCall<'_, '_> {
         for ((place, parameter), (value, at)) in (1..).zip(args.cycle.signature.parameters).zip(&args.list) {
             let text = matches!(parameter.kind, Kind::Text | Kind::Either);
             if kinds && *value != Val::Missing && value.number().is_none() && !text {
-                let message = format!("argument {place} of {name} has to be a number");
-                return self.fail_help(
-                    codes::S2090.alarm(12150),
-                    *at,
-                    message,
-                    "a number in quotation marks is a text",
-                );
+                return self.refuse(*at, codes::P2090::argument_of_has_to_be_number(&place, &name));
             }
             // A number among the texts is a sign of a comma too many or too few.
             if kinds && matches!(parameter.kind, Kind::Text) && value.number().is_some_and(|v| v != 0.0) {
-                let message = format!("argument {place} of {name} has to be a text");
-                return self.fail_help(
-                    codes::S2090.alarm(12150),
-                    *at,
-                    message,
-                    "arguments are counted by their commas",
-                );
+                return self.refuse(*at, codes::P2090::argument_of_has_to_be_text(&place, &name));
             }
             if value.number().is_some_and(|v| !v.is_finite() || v.abs() > 1e9) {
-                return self.fail(codes::S2090, *at, format!("an argument of {name} is out of all range"));
+                return self.refuse(*at, codes::P2090::argument_of_is_out_of_all_range(&name));
             }
             if let Some(coded) = value.number()
                 && kinds
                 && matches!(parameter.kind, Kind::Digits(_))
                 && (coded < 0.0 || coded.fract() != 0.0)
             {
-                let message = format!("argument {place} is a code of digits, which {coded} is not");
-                let help = "give a whole number from 0 on, or leave it out";
-                return self.cycle_fault(*at, None, &message, help);
+                return self.refuse_cycle(*at, codes::P2090::argument_is_code_of_digits(&place, &coded));
             }
         }
         Ok(())
+    }
+
+    /// Refuses the call.
+    fn refuse_cycle<T>(&self, place: Span, fault: Fault) -> Outcome<T> {
+        self.refuse(place, fault.of(self.args.name()))
+    }
+
+    /// Refuses an argument of the call.
+    fn refuse_argument<T>(&self, key: Key, fault: Fault) -> Outcome<T> {
+        self.refuse_cycle(self.args.span_of(key), fault)
+    }
+
+    /// An argument is read in a way that is not confirmed.
+    fn reads(&self, key: Key, fault: Fault) {
+        self.say(self.args.span_of(key), fault.of(self.args.name()));
     }
 
     /// Refuses the arguments of a cycle.
@@ -466,33 +442,26 @@ impl CycleCall<'_, '_> {
         help: impl Into<Help>,
     ) -> Outcome<T> {
         let args = self.args;
-        let code: &'static Code = codes::S2090;
+        let code: &'static Code = codes::P2090;
         self.fail_help(code.alarm(alarm), span, format!("{}: {what}", args.name()), help)
     }
 
     /// A variant that is known, but not built.
     fn not_built<T>(&self, key: Key, what: &str) -> Outcome<T> {
         let args = self.args;
-        self.fail_help(
-            codes::S9015,
-            args.span_of(key),
-            format!("{}: {what} is not supported", args.name()),
-            "use the plain variant of the cycle, or plain moves",
-        )
+        self.refuse(args.span_of(key), codes::S9015::is_not_supported(&args.name(), &what))
     }
 
     /// An argument that the call gives and the cycle does not use.
     fn unused(&self, key: Key, name: &str, why: &str) {
         let args = self.args;
-        let message = format!("{}: `{name}` is not used {why}", args.name());
-        self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(key)), message));
+        self.report(codes::S8035::is_not_used(&args.name(), &name, &why).at(self.loc(args.span_of(key))));
     }
 
     /// A reading of an argument that is not confirmed.
     fn reading(&self, key: Key, what: &str) {
         let args = self.args;
-        let message = format!("{}: {what}; this is not confirmed", args.name());
-        let found = Diagnostic::new(codes::S8162, self.loc(args.span_of(key)), message);
+        let found = codes::P8106::this_is_not_confirmed(&args.name(), &what).at(self.loc(args.span_of(key)));
         self.report(found.help("compare with what the machine does"));
     }
 
@@ -501,18 +470,10 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         match args.number(key) {
             Some(value) => Ok(value),
-            None if args.value(key).is_some() => self.cycle_fault(
-                args.span_of(key),
-                None,
-                &format!("{name} (argument {}) has to be a number", args.place(key)),
-                "a number in quotation marks is a text",
-            ),
-            None => self.cycle_fault(
-                args.span,
-                None,
-                &format!("{name} (argument {}) is missing", args.place(key)),
-                "arguments are counted by their commas",
-            ),
+            None if args.value(key).is_some() => {
+                self.refuse_cycle(args.span_of(key), codes::P2090::has_to_be_number(&name, &args.place(key)))
+            }
+            None => self.refuse_cycle(args.span, codes::P2090::is_missing_so_arguments(&name, &args.place(key))),
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: C 6.1 and 6.2 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::geo::{Deg, Plane};
 use crate::ir::cycle::drilling::Levels;
 use crate::machine::Axis;
@@ -32,18 +32,14 @@ impl CycleCall<'_, '_> {
             2.0 => Some(1),
             3.0 => Some(2),
             _ => {
-                let help = "0 is the tool axis";
-                return self.cycle_fault(args.span_of(AXN), 61803, "`_AXN` is 0 to 3", help);
+                return self.refuse_cycle(args.span_of(AXN), codes::P2090::axn_is_0_to_3());
             }
         };
         if let Some(place) = place {
             // Axes of the plane, or of the machine: which is counted is not documented.
             let counted: [Axis; 2] = [self.st.roles()[place], self.st.machine.geometry_axes[place]];
             if counted[0] != counted[1] {
-                return self.not_built(
-                    AXN,
-                    "an axis by `_AXN` outside G17, which may count the axes of the plane or of the machine,",
-                );
+                return self.refuse_argument(AXN, codes::S9015::axis_by_axn_outside_g17());
             }
             axis = counted[0];
         }
@@ -52,10 +48,7 @@ impl CycleCall<'_, '_> {
         }
         self.digits_are_known()?;
         if axis == Axis::Y && self.st.machine.lathe && self.st.position.get(axis).is_none() {
-            let message = "the hole lies along Y, the tool axis of G18, and no block has moved Y";
-            let help =
-                "program G17 in front of the cycle to drill along Z; where the lathe has a Y, program it once before";
-            return self.cycle_fault(args.span, 61005, message, help);
+            return self.refuse_cycle(args.span, codes::P2090::hole_lies_along_y());
         }
         Ok(axis)
     }
@@ -67,7 +60,7 @@ impl CycleCall<'_, '_> {
         let reference = self.needed_length(RFP, "the reference plane RFP")?;
         let clearance = self.length_of(args, SDIS).unwrap_or(0.0);
         if clearance < 0.0 {
-            self.reading(SDIS, "SDIS has no sign, and its minus is left out");
+            self.reads(SDIS, codes::P8106::sdis_has_no_sign());
         }
         let by = self.depth_by();
         let by_tens = args.digit(GMODE, 1) == 1;
@@ -81,8 +74,8 @@ impl CycleCall<'_, '_> {
         match Levels::resolve(retract, reference, clearance, absolute, relative) {
             Ok(made) => {
                 if made.overridden {
-                    let message = format!("{}: DP and DPR give different depths; DPR counts", args.name());
-                    let found = Diagnostic::new(codes::S8018, self.loc(args.span_of(DPR)), message);
+                    let found =
+                        codes::S8018::dp_dpr_give_different_depths(&args.name()).at(self.loc(args.span_of(DPR)));
                     self.report(found.help("leave one of them out"));
                 }
                 let mut levels = made.levels;
@@ -114,22 +107,18 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let diameter = self.needed_length(DP, "the diameter of the centring DP")?;
         if diameter <= 0.0 {
-            let help = "give the diameter of the cone at the surface, above 0";
-            return self.cycle_fault(args.span_of(DP), 61019, "the diameter of the centring is not above 0", help);
+            return self.refuse_cycle(args.span_of(DP), codes::P2090::diameter_of_centring_is_not_above_0());
         }
         if args.or_zero(DPR) != 0.0 {
-            let help = "leave DPR out, or take 0 in the tens of `_GMODE` for a depth";
-            let message = "DPR stands beside a centring by diameter";
-            return self.cycle_fault(args.span_of(DPR), 61805, message, help);
+            return self.refuse_cycle(args.span_of(DPR), codes::P2090::dpr_stands_beside_centring_by_diameter());
         }
         let way = retract - reference;
         if way == 0.0 {
-            let help = "RTP lies above RFP, so that the cycle knows where the depth is";
-            return self.cycle_fault(args.span_of(RTP), 61101, "RTP and RFP are the same", help);
+            return self.refuse_cycle(args.span_of(RTP), codes::P2090::rtp_rfp_are_same());
         }
         if let Some(radius) = self.active_tool().and_then(|tool| tool.radius).filter(|radius| diameter > 2.0 * radius) {
-            let message = format!("the tool has a diameter of {} mm, and the centring {diameter} mm", 2.0 * radius);
-            return self.cycle_fault(args.span_of(DP), None, &message, "take a larger tool, or a smaller centring");
+            return self
+                .refuse_cycle(args.span_of(DP), codes::P2090::tool_has_diameter_of_mm(&(2.0 * radius), &diameter));
         }
         let tip = self.tip_angle("a centring by its diameter")?;
         Ok(reference - way.signum() * diameter / 2.0 / tangent(tip))
@@ -142,15 +131,10 @@ impl CycleCall<'_, '_> {
         let tip = self.tip_angle(WHAT)?;
         match self.active_tool().and_then(|tool| tool.radius).filter(|radius| *radius > 0.0) {
             Some(radius) => Ok(radius / tangent(tip)),
-            None => {
-                let message = format!("{WHAT} needs the radius of the tool");
-                self.cycle_fault(
-                    args.span_of(GMODE),
-                    None,
-                    &message,
-                    self.ask_tool("radius", "give `[tools.N] radius`"),
-                )
-            }
+            None => self.refuse_cycle(
+                args.span_of(GMODE),
+                codes::P2090::needs_radius_of_tool(&WHAT).help(self.ask_tool("radius", "give `[tools.N] radius`")),
+            ),
         }
     }
 
@@ -167,10 +151,9 @@ impl CycleCall<'_, '_> {
         match self.active_tool().and_then(|tool| tool.tip_angle) {
             Some(angle) => Ok(angle),
             None => {
-                let message = format!("{what} needs the angle at the tip of the tool");
                 let help = "give `[tools.N] tip_angle`: 118 for a common drill, 90 for a common centre drill";
                 let help = self.ask_tool("tip_angle", help);
-                self.cycle_fault(args.span_of(GMODE), None, &message, help)
+                self.refuse_cycle(args.span_of(GMODE), codes::P2090::needs_angle_at_tip_of_tool(&what).help(help))
             }
         }
     }
@@ -180,10 +163,7 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let value = args.or_zero(key);
         match args.digit(AMODE, 1) {
-            1 if value < 0.0 => {
-                let help = "give it without a sign; 2 in the tens of `_AMODE` counts turns";
-                self.cycle_fault(args.span_of(key), None, "a dwell in seconds is below 0", help)
-            }
+            1 if value < 0.0 => self.refuse_cycle(args.span_of(key), codes::P2090::dwell_in_seconds_is_below_0()),
             2 => self.spindle_turns_of(key, value.abs()),
             _ => self.dwell_of(key),
         }
@@ -196,11 +176,11 @@ impl CycleCall<'_, '_> {
             1 => Plane::Xy,
             2 => Plane::Zx,
             3 => Plane::Yz,
-            _ => return self.not_built(DMODE, "this plane (`_DMODE`)"),
+            _ => return self.refuse_argument(DMODE, codes::S9015::this_plane_dmode_is_not_supported()),
         };
         let axis = Axis::ALL[plane.axes().2];
         if args.or_zero(AXN) != 0.0 || self.is_diameter_axis(axis) {
-            return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
+            return self.refuse_argument(DMODE, codes::S9015::plane_other_than_active_one());
         }
         Ok(axis)
     }
@@ -241,8 +221,7 @@ impl CycleCall<'_, '_> {
         let given = relative.filter(|way| *way != 0.0);
         let (chosen, other, missing) = match by {
             Depth::Classic if absolute.is_none() && relative.is_none() => {
-                let help = "give DP (argument 4) or DPR (argument 5)";
-                return self.cycle_fault(args.span, 61808, "the depth is missing", help);
+                return self.refuse_cycle(args.span, codes::P2090::depth_is_missing_so_give_dp());
             }
             Depth::Classic => return Ok(()),
             Depth::Incremental => (
@@ -253,17 +232,11 @@ impl CycleCall<'_, '_> {
             Depth::Absolute => (absolute.is_some(), given.is_some(), "`_AMODE` 2 takes it from DP (argument 4)"),
         };
         if !chosen {
-            let message = format!("the depth is missing: {missing}");
-            let help = "0 in the units of `_AMODE` takes what is given";
-            return self.cycle_fault(args.span_of(AMODE), 61808, &message, help);
+            return self.refuse_cycle(args.span_of(AMODE), codes::P2090::depth_is_missing(&missing));
         }
         if other {
             let (used, left) = if by == Depth::Incremental { ("DPR", DP) } else { ("DP", DPR) };
-            let message = format!(
-                "{}: DP and DPR are both given; the units of `_AMODE` choose {used} (message 61805)",
-                args.name()
-            );
-            let found = Diagnostic::new(codes::S8018, self.loc(args.span_of(left)), message);
+            let found = codes::S8018::dp_dpr_are_both_given(&args.name(), &used).at(self.loc(args.span_of(left)));
             self.report(found.help("leave the other one out"));
         }
         match by {
@@ -281,9 +254,7 @@ impl CycleCall<'_, '_> {
             hand if lead > 0.0 => Ok(if hand == 2 { -lead } else { lead }),
             hand => {
                 let which = if hand == 2 { "left" } else { "right" };
-                let message = format!("the pitch is below 0, and the thousands of `_AMODE` say a {which}-hand thread");
-                let help = "give the pitch without a sign, or 0 there";
-                self.cycle_fault(args.span_of(AMODE), 61001, &message, help)
+                self.refuse_cycle(args.span_of(AMODE), codes::P2090::pitch_is_below_0_and_thousands(&which))
             }
         }
     }

@@ -36,14 +36,12 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let mill = self.mill(&CLASSIC)?;
         if mill.plane != self.st.plane() {
-            let help = "select the plane in front of the cycle: G17, G18 or G19";
-            let what = "`_DMODE` names another plane than the one of the contour";
-            return self.cycle_fault(args.span, 61101, what, help);
+            return self.refuse_cycle(args.span, codes::P2090::dmode_names_another_plane_than_one());
         }
         let coded = args.number(VARI).and_then(whole).unwrap_or(0);
         let digit = |place: u32| args.digit(VARI, place);
         if digit(0) == 5 {
-            return self.not_built(VARI, "chamfering (units of `_VARI`)");
+            return self.refuse_argument(VARI, codes::S9015::chamfering_units_of_vari_is_not_supported());
         }
         let fits = (1..=2).contains(&digit(0)) && digit(1) <= 1 && digit(2) <= 3 && digit(3) == 0 && digit(4) <= 1;
         if !fits || coded >= 100_000 {
@@ -53,9 +51,7 @@ impl CycleCall<'_, '_> {
         }
         let side = self.side_of_contour()?;
         if side != Side::None && self.st.path.normal() != 0.0 {
-            let message =
-                format!("OFFN={} is in force and not counted: the allowance of the cycle is", self.st.path.normal());
-            self.says_once(&message, "program OFFN=0 in front of the cycle, and `_FAL` in it");
+            self.leaves_open(codes::S8230::offn_is_in_force(&self.st.path.normal()));
         }
         if side == Side::None && self.magnitude(FAL) != 0.0 {
             self.unused(FAL, "_FAL", "where the cutter is on the contour (`_RL` 40)");
@@ -74,7 +70,7 @@ impl CycleCall<'_, '_> {
             2 => Lift::Clearance,
             3 => Lift::None,
             _ => {
-                self.own_way("0 in the hundreds of `_VARI` lifts the tool to the retraction plane");
+                self.own_way(codes::P8101::of_0_in_hundreds_of_vari_lifts_tool());
                 Lift::Retract
             }
         };
@@ -103,10 +99,7 @@ impl CycleCall<'_, '_> {
             40.0 => Ok(Side::None),
             41.0 => Ok(Side::Left),
             42.0 => Ok(Side::Right),
-            other => {
-                let message = format!("the side `_RL` (argument {}) is 40, 41 or 42, not {other}", args.place(RL));
-                self.cycle_fault(args.span_of(RL), 61114, &message, "41 left, 42 right of the contour, 40 on it")
-            }
+            other => self.refuse_cycle(args.span_of(RL), codes::P2090::side_rl_is_40_41_or_42(&args.place(RL), &other)),
         }
     }
 
@@ -118,13 +111,10 @@ impl CycleCall<'_, '_> {
         match self.job.settings.cycles.backward_side {
             Some(BackwardSide::Travel) => Ok(side),
             Some(BackwardSide::Contour) => Ok(if side == Side::Left { Side::Right } else { Side::Left }),
-            None => self.fail_help(
-                codes::S9015,
+            None => self.refuse(
                 self.args.span_of(RL),
-                "CYCLE72 runs the contour backwards: whether `_RL` is seen in the direction of travel or of the contour is not confirmed",
-                Answer::key("cycles", "backward_side")
-                    .one_of(&["\"travel\"", "\"contour\""])
-                    .help("say it by `[cycles] backward_side = \"travel\"` or \"contour\", or turn the contour around"),
+                codes::S9015::cycle72_runs_contour_backwards()
+                    .answer(Answer::key("cycles", "backward_side").one_of(&["\"travel\"", "\"contour\""])),
             ),
         }
     }
@@ -136,11 +126,10 @@ impl CycleCall<'_, '_> {
             return Ok(elements);
         }
         if elements.len() > MOST_BACKWARDS {
-            let message = format!(
-                "a contour that runs backwards has at most {MOST_BACKWARDS} elements, this one has {}",
-                elements.len()
+            return self.refuse_cycle(
+                self.args.span_of(VARI),
+                codes::P2090::contour_that_runs_backwards_has_at_most(&MOST_BACKWARDS, &elements.len()),
             );
-            return self.cycle_fault(self.args.span_of(VARI), None, &message, "split the contour, or turn it around");
         }
         elements.reverse();
         Ok(elements.iter().map(Element::reversed).collect())
@@ -160,31 +149,27 @@ impl CycleCall<'_, '_> {
             1 => Shape::Line,
             2 => Shape::Quadrant,
             3 => Shape::Semicircle,
-            4 => return self.not_built(kind, &format!("a line at a right angle to the contour (`{name}`)")),
+            4 => return self.refuse_argument(kind, codes::S9015::line_at_right_angle_to_contour(&name)),
             _ => return self.no_such_way(kind),
         };
         if side == Side::None && shape != Shape::Line {
-            let message = format!("`{name}` (argument {place}) asks for an arc, and `_RL` 40 knows lines only");
-            return self.cycle_fault(args.span_of(kind), 61115, &message, "give 1 or 11, or a side of the contour");
+            return self.refuse_cycle(args.span_of(kind), codes::P2090::asks_for_arc(&name, &place));
         }
         let length = self.magnitude(size);
         if length == 0.0 {
             let (name, place) = (args.written(size), args.place(size));
-            let message = format!("the length or radius `{name}` (argument {place}) is 0 or missing");
-            return self.cycle_fault(args.span_of(size), 61116, &message, "give a size above 0");
+            return self
+                .refuse_cycle(args.span_of(size), codes::P2090::length_or_radius_is_0_or_missing(&name, &place));
         }
         if spatial {
-            self.own_way(
-                "in space the tool falls over the whole way at the feed for the depth, and rises at that of the plane",
-            );
+            self.own_way(codes::P8101::in_space_tool_falls_over_whole_way());
         }
         Ok(Way { form: Form::Soft(shape), size: length, spatial })
     }
 
     fn no_such_way<T>(&self, kind: Key) -> Outcome<T> {
         let (name, place) = (self.args.written(kind), self.args.place(kind));
-        let message = format!("there is no such approach or retraction: `{name}` (argument {place})");
-        self.cycle_fault(self.args.span_of(kind), 61115, &message, "1 line, 2 quadrant, 3 semicircle; tens 1 in space")
+        self.refuse_cycle(self.args.span_of(kind), codes::P2090::there_is_no_such_approach_or_retraction(&name, &place))
     }
 
     fn path_fault(&self, fault: PathFault) -> Outcome {

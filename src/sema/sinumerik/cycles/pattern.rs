@@ -2,7 +2,7 @@
 //!
 //! Source: C 6.4 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::pattern::{Circle, Fault, Grid, Row, Shear};
 use crate::geo::{Deg, Point2};
 use crate::ir::contour::Path;
@@ -79,10 +79,10 @@ impl CycleCall<'_, '_> {
         self.all_positions_in_order()?;
         self.no_signs()?;
         if !matches!(args.or_zero(VARI), 0.0 | 1.0) {
-            return self.not_built(VARI, "this variant of the pattern (`_VARI`)");
+            return self.refuse_argument(VARI, codes::S9015::this_variant_of_pattern());
         }
         if args.or_zero(ANG1) != 0.0 || args.or_zero(ANG2) != 0.0 {
-            return self.not_built(ANG1, "an oblique grid");
+            return self.refuse_argument(ANG1, codes::S9015::oblique_grid_is_not_supported());
         }
         let made = Grid {
             reference: self.point_in_plane(SPCA, SPCO),
@@ -114,7 +114,7 @@ impl CycleCall<'_, '_> {
             }
         };
         if self.st.modal_call.cycle().is_none() {
-            return self.not_built(first, "a pattern with a modal program of one's own");
+            return self.refuse_argument(first, codes::S9015::pattern_with_modal_program_of_ones_own());
         }
         // Computing them is work, too.
         self.budget.take(positions.len() as u64 / 16);
@@ -138,7 +138,7 @@ impl CycleCall<'_, '_> {
                 && name.starts_with(FURTHER)
                 && args.or_zero(Key(name)) != 0.0
             {
-                return self.not_built(Key(name), "further arguments of CYCLE802");
+                return self.refuse_argument(Key(name), codes::S9015::further_arguments_of_cycle802_is_not_supported());
             }
         }
         self.no_signs()?;
@@ -148,14 +148,14 @@ impl CycleCall<'_, '_> {
             let (x, y) = (args.number(x), args.number(y));
             let (Some(x), Some(y)) = (x, y) else {
                 if x.is_some() || y.is_some() {
-                    return self.cycle_fault(args.span, None, "a position has one coordinate only", "give both");
+                    return self.refuse_cycle(args.span, codes::P2090::position_has_one_coordinate());
                 }
                 continue;
             };
             // One digit for each position, 1 absolute; the digit of an incremental one is not confirmed.
             for mask in [XA, YA] {
                 if args.or_zero(mask) != 111_111_111.0 {
-                    return self.not_built(mask, "a mask that is not 111111111, all absolute (`_XA`, `_YA`)");
+                    return self.refuse_argument(mask, codes::S9015::mask_that_is_not_111111111());
                 }
             }
             positions.push(Point2::new(x * unit, y * unit));
@@ -170,12 +170,7 @@ impl CycleCall<'_, '_> {
             return Err(Reported);
         }
         if !self.st.modal_call.is_on() {
-            return self.cycle_fault(
-                args.span,
-                62100,
-                "no drilling cycle is active",
-                "call it before: MCALL CYCLE81(…)",
-            );
+            return self.refuse_cycle(args.span, codes::P2090::no_drilling_cycle_is_active());
         }
         Ok(())
     }
@@ -184,13 +179,13 @@ impl CycleCall<'_, '_> {
     fn all_positions_in_order(&self) -> Outcome {
         let args = self.args;
         if args.text(HIDE).is_some_and(|text| !text.is_empty() && text != "0") {
-            return self.not_built(HIDE, "hidden positions (`_HIDE`)");
+            return self.refuse_argument(HIDE, codes::S9015::hidden_positions());
         }
         if args.or_zero(NSP) != 0.0 {
-            return self.not_built(NSP, "another first position (`_NSP`)");
+            return self.refuse_argument(NSP, codes::S9015::another_first_position());
         }
         if self.names_other_plane(args) {
-            return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
+            return self.refuse_argument(DMODE, codes::S9015::plane_other_than_active_one());
         }
         Ok(())
     }
@@ -206,10 +201,7 @@ impl CycleCall<'_, '_> {
             });
         let Some((place, given, span)) = below else { return self.lengths_are_plain() };
         let place: usize = place;
-        let message = format!("argument {place} is {given}, and has no sign in the manuals");
-        let help =
-            "some versions of the cycle take its magnitude: write it without the sign, and turn the row by its angle";
-        self.cycle_fault(span, 61019, &message, help)
+        self.refuse_cycle(span, codes::P2090::argument_is_has_no_sign_in_manuals(&place, &given))
     }
 
     fn lengths_are_plain(&self) -> Outcome {
@@ -233,7 +225,7 @@ impl CycleCall<'_, '_> {
     fn plain_variant(&self) -> Outcome {
         let args = self.args;
         if args.or_zero(VARI) != 0.0 {
-            return self.not_built(VARI, "a variant of the pattern (`_VARI`)");
+            return self.refuse_argument(VARI, codes::S9015::variant_of_pattern());
         }
         Ok(())
     }
@@ -245,9 +237,8 @@ impl CycleCall<'_, '_> {
         // No pattern has so many; it is refused there.
         let count = whole(given).map_or(u32::MAX, i32::unsigned_abs);
         if given != f64::from(count) {
-            let message =
-                format!("{}: argument {} is {given}, and the cycle counts {count}", args.name(), args.place(key));
-            let found = Diagnostic::new(codes::S8050, self.loc(args.span_of(key)), message);
+            let found = codes::S8050::argument_is_cycle_counts(&args.name(), &args.place(key), &given, &count)
+                .at(self.loc(args.span_of(key)));
             self.report(found.help("write a whole number"));
         }
         count

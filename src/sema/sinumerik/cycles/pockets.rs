@@ -2,6 +2,7 @@
 //!
 //! Source: M 7.4 and 7.5 (docs/sources.md).
 
+use crate::diag::codes;
 use crate::geo::{Deg, Point2};
 use crate::ir::cycle::milling::{Mill, Place};
 use crate::ir::cycle::pocket::{
@@ -82,7 +83,7 @@ impl CycleCall<'_, '_> {
         let by_radius = self.args.list.len() <= WITH_RADIUS;
         let radius = if by_radius { size } else { size / 2.0 };
         if by_radius {
-            self.own_way("without codes behind `_DP1` the fifth argument is read as the radius, not as the diameter");
+            self.own_way(codes::P8101::without_codes_behind_dp1_fifth_argument());
         }
         let place = Place { at: self.reference_point(PA, PO), turn: Deg(0.0) };
         let asked = self.asked(&[1, 2, 3, 4])?;
@@ -137,9 +138,7 @@ impl CycleCall<'_, '_> {
         };
         let places = self.places()?;
         if centred && places.len() > 1 {
-            let help = "give 1, or 0 in the thousands of `_GMODE` for slots on a circle";
-            let what = "slots about one point run into each other: `NUM` (argument 6)";
-            return self.cycle_fault(self.args.span_of(NUM), 61104, what, help);
+            return self.refuse_cycle(self.args.span_of(NUM), codes::P2090::slots_about_one_point_run_into_each());
         }
         if places.len() > 1 {
             self.slots_are_apart(chord(shape.entry().x, least_turn(&places)), width)?;
@@ -157,21 +156,13 @@ impl CycleCall<'_, '_> {
         let (radius, width) = (self.size(RAD)?, self.size(WID)?);
         let sweep = self.args.or_zero(AFSL);
         if sweep <= 0.0 || sweep >= 360.0 {
-            let help = "give an angle above 0 and below 360 degrees";
-            return self.cycle_fault(
-                self.args.span_of(AFSL),
-                61118,
-                "the angle of the slot `AFSL` (argument 7) is out of range",
-                help,
-            );
+            return self.refuse_cycle(self.args.span_of(AFSL), codes::P2090::angle_of_slot_afsl());
         }
         if radius <= width / 2.0 {
-            let message = format!("the radius `RAD` (argument 11) of {radius} mm is not larger than half of the width");
-            let help = "give a larger radius, or mill the ring as a pocket";
-            return self.cycle_fault(self.args.span_of(RAD), 61118, &message, help);
+            return self.refuse_cycle(self.args.span_of(RAD), codes::P2090::radius_rad(&radius));
         }
         let shape = Shape::Bow { radius, sweep: Deg(sweep), width };
-        self.own_way("the angle of a slot is taken between the centres of its round ends");
+        self.own_way(codes::P8101::angle_of_slot_is_taken_between_centres());
         let places = self.places()?;
         self.slots_are_apart(chord(radius, least_turn(&places) - sweep), width)?;
         let asked = self.asked_or_complete()?;
@@ -191,9 +182,7 @@ impl CycleCall<'_, '_> {
         }
         let (length, rad) = (self.size(LENG)?, self.magnitude(RAD));
         if length <= 2.0 * mill.radius {
-            let message = format!("the length `LENG` (argument 7) of {length} mm has no room for the cutter");
-            let help = "give a length above the diameter of the cutter, or drill the hole";
-            return self.cycle_fault(args.span_of(LENG), 61105, &message, help);
+            return self.refuse_cycle(args.span_of(LENG), codes::P2090::length_leng(&length));
         }
         let ends = [rad + mill.radius, rad + length - mill.radius].map(|way| Point2::new(way, 0.0));
         let places = self.places()?;
@@ -201,7 +190,7 @@ impl CycleCall<'_, '_> {
         if places.len() > 1 {
             self.slots_are_apart(chord(ends[0].x, least_turn(&places)), 2.0 * mill.radius)?;
         }
-        self.own_way("the length is taken over the outer edges, and the depth goes down at each end");
+        self.own_way(codes::P8101::length_is_taken_over_outer_edges());
         self.send_cycle(Cycle::LongHole(LongHole { mill, holes, home: None }));
         Ok(())
     }
@@ -211,19 +200,17 @@ impl CycleCall<'_, '_> {
         let half = [self.size(LENG)? / 2.0, self.size(WID)? / 2.0];
         let corner = self.magnitude(CRAD);
         if corner == 0.0 {
-            self.says_once(
-                "no corner radius: the corners keep the radius of the cutter",
-                "give the radius of the corners",
-            );
+            self.leaves_open(codes::S8230::no_corner_radius());
         } else if corner < mill.radius - 1e-9 {
-            let message = format!(
-                "the corner radius `{}` (argument {}) of {corner} mm is smaller than the cutter's, {} mm",
-                self.args.written(CRAD),
-                self.args.place(CRAD),
-                mill.radius
+            return self.refuse_cycle(
+                self.args.span_of(CRAD),
+                codes::P2090::corner_radius_of_mm_is_smaller(
+                    &self.args.written(CRAD),
+                    &self.args.place(CRAD),
+                    &corner,
+                    &mill.radius,
+                ),
             );
-            let help = "take a smaller cutter, or give a larger corner radius";
-            return self.cycle_fault(self.args.span_of(CRAD), 61113, &message, help);
         }
         Ok(Shape::Rectangle { half, corner })
     }
@@ -235,8 +222,7 @@ impl CycleCall<'_, '_> {
             return Ok(size);
         }
         let (name, place) = (self.args.written(key), self.args.place(key));
-        let message = format!("the size `{name}` (argument {place}) is 0 or missing");
-        self.cycle_fault(self.args.span_of(key), 61118, &message, "give a size above 0")
+        self.refuse_cycle(self.args.span_of(key), codes::P2090::size_is_0_or_missing(&name, &place))
     }
 
     pub(super) fn reference_point(&self, first: Key, second: Key) -> Point2 {
@@ -247,7 +233,7 @@ impl CycleCall<'_, '_> {
     fn asked(&self, known: &[i32]) -> Outcome<Asked> {
         let unit = self.args.digit(VARI, 0);
         if unit == 5 {
-            return self.not_built(VARI, "chamfering (units of `_VARI`)");
+            return self.refuse_argument(VARI, codes::S9015::chamfering_units_of_vari_is_not_supported());
         }
         let more = self.args.number(VARI).and_then(whole).unwrap_or(0).unsigned_abs() / 10_000;
         let other = self.args.digit(VARI, 2) > 0 || self.args.digit(VARI, 3) > 0 && self.args.place(CDIAM) == 0;
@@ -271,8 +257,7 @@ impl CycleCall<'_, '_> {
 
     pub(super) fn no_such_machining<T>(&self, help: &str) -> Outcome<T> {
         let (name, place) = (self.args.written(VARI), self.args.place(VARI));
-        let message = format!("there is no such kind of machining: `{name}` (argument {place})");
-        self.cycle_fault(self.args.span_of(VARI), 61002, &message, help)
+        self.refuse_cycle(self.args.span_of(VARI), codes::P2090::there_is_no_such_kind(&name, &place).help(help))
     }
 
     /// What all pockets and slots take.
@@ -314,8 +299,7 @@ impl CycleCall<'_, '_> {
             Shape::Rectangle { .. } | Shape::Circle { .. } => return asked,
         };
         if room >= 0.0 && asked > room {
-            let message = format!("the allowance on the wall is {room} mm only: the cutter leaves no room for more");
-            self.says_once(&message, "take a smaller cutter, or a smaller allowance");
+            self.leaves_open(codes::S8230::allowance_on_wall_is_mm(&room));
             return room;
         }
         asked
@@ -326,15 +310,12 @@ impl CycleCall<'_, '_> {
         let feed = if self.args.or_zero(FFP2) == 0.0 { pocket.mill.feeds.plane } else { self.mill_feed(FFP2)? };
         let speed = self.args.or_zero(SSF).abs();
         if speed > 0.0 && self.st.spindles.is_cutting() {
-            return self.not_built(SSF, "a speed for finishing under G96");
+            return self.refuse_argument(SSF, codes::S9015::speed_for_finishing_under_g96_is_not());
         }
         if speed > 0.0 {
             self.master_is_main(self.args.span_of(SSF), "a speed for finishing")?;
             if self.st.spindles.speed().is_none() {
-                self.says_once(
-                    "the speed of finishing stays, as none stands in front of the cycle",
-                    "program S before the cycle",
-                );
+                self.leaves_open(codes::S8230::speed_of_finishing_stays());
             }
         }
         let speed = (speed > 0.0).then(|| Speed { finishing: speed, after: self.st.spindles.speed() });
@@ -363,14 +344,11 @@ impl CycleCall<'_, '_> {
             2 => {
                 let (radius, pitch) = (self.magnitude(RAD1), self.magnitude(DP1));
                 if pitch == 0.0 {
-                    let message =
-                        format!("the pitch of the helix `_DP1` (argument {}) is 0 or missing", args.place(DP1));
-                    return self.cycle_fault(args.span_of(DP1), 61019, &message, "give the depth of one turn");
+                    return self
+                        .refuse_cycle(args.span_of(DP1), codes::P2090::pitch_of_helix_dp1_is_0(&args.place(DP1)));
                 }
                 if radius > mill.radius {
-                    let message =
-                        format!("the radius of the helix is {} mm only: a larger one leaves a core", mill.radius);
-                    self.says_once(&message, "give at most the radius of the cutter as `_RAD1`");
+                    self.leaves_open(codes::S8230::radius_of_helix_is_mm_only_larger(&mill.radius));
                 }
                 Insertion::Helix { radius, pitch }
             }
@@ -378,8 +356,8 @@ impl CycleCall<'_, '_> {
                 let angle = args.or_zero(RAD1).abs();
                 if angle == 0.0 || angle >= 90.0 {
                     let place = args.place(RAD1);
-                    let message = format!("the angle of insertion `_RAD1` (argument {place}) is above 0 and below 90");
-                    return self.cycle_fault(args.span_of(RAD1), 61019, &message, "give the angle in degrees");
+                    return self
+                        .refuse_cycle(args.span_of(RAD1), codes::P2090::angle_of_insertion_rad1_is_above_0(&place));
                 }
                 Insertion::Sway { angle: Deg(angle), stroke: None }
             }
@@ -391,7 +369,7 @@ impl CycleCall<'_, '_> {
         let classic = self.args.list.len() <= CLASSIC_SLOT;
         Ok(match self.args.digit(VARI, 1) {
             0 if classic => {
-                self.own_way("the tool goes straight down at the feed for the depth");
+                self.own_way(codes::P8101::tool_goes_straight_down_at_feed());
                 Insertion::Vertical
             }
             0 => {
@@ -399,12 +377,14 @@ impl CycleCall<'_, '_> {
                 Insertion::Predrilled
             }
             1 => Insertion::Vertical,
-            2 => return self.not_built(VARI, "a helix in a slot (tens of `VARI`)"),
+            2 => return self.refuse_argument(VARI, codes::S9015::helix_in_slot()),
             3 => {
                 let angle = self.args.or_zero(STA2).abs();
                 if angle >= 90.0 {
-                    let message = format!("the angle `_STA2` (argument {}) is below 90", self.args.place(STA2));
-                    return self.cycle_fault(self.args.span_of(STA2), 61019, &message, "give the angle in degrees");
+                    return self.refuse_cycle(
+                        self.args.span_of(STA2),
+                        codes::P2090::angle_sta2_is_below_90(&self.args.place(STA2)),
+                    );
                 }
                 Insertion::Sway { angle: Deg(angle), stroke: None }
             }
@@ -413,8 +393,7 @@ impl CycleCall<'_, '_> {
     }
 
     fn needs_predrilled(&self) {
-        let what = "the tool goes down at rapid traverse: it needs a hole that was drilled before";
-        self.says_once(what, "1 in the tens of `_VARI` goes down at the feed for the depth");
+        self.leaves_open(codes::S8230::tool_goes_down_at_rapid_traverse());
     }
 
     /// What was cleared before: its sizes and its depth, unless the codes say that they do not count.
@@ -440,12 +419,12 @@ impl CycleCall<'_, '_> {
             return Ok(false);
         }
         if args.digit(GMODE, 3) >= 1 {
-            self.own_way("the slot lies about CPA and CPO, and RAD is not used");
+            self.own_way(codes::P8101::slot_lies_about_cpa());
             return Ok(true);
         }
         let single = args.or_zero(NUM) == 1.0 && args.digit(DMODE, 3) == 1;
         if single {
-            self.own_way("a single slot of the editor lies about CPA and CPO, and RAD is not used");
+            self.own_way(codes::P8101::single_slot_of_editor_lies_about_cpa());
         }
         Ok(single)
     }
@@ -457,8 +436,8 @@ impl CycleCall<'_, '_> {
         let count = match whole(count).filter(|number| count.fract() == 0.0 && (1..=MOST_SLOTS).contains(number)) {
             Some(count) => count,
             None => {
-                let message = format!("the number `NUM` (argument {}) is 1 to {MOST_SLOTS}", args.place(NUM));
-                return self.cycle_fault(args.span_of(NUM), 61103, &message, "give a whole number");
+                return self
+                    .refuse_cycle(args.span_of(NUM), codes::P2090::number_num_is_1(&args.place(NUM), &MOST_SLOTS));
             }
         };
         let step = match args.or_zero(INDA) {
@@ -474,9 +453,7 @@ impl CycleCall<'_, '_> {
         if gap >= width - 1e-9 {
             return Ok(());
         }
-        let message = format!("neighbours run into each other: {gap:.4} mm between their centres, {width} mm wide");
-        let help = "give a larger radius of the circle, a larger angle between them, or fewer of them";
-        self.cycle_fault(self.args.span_of(NUM), 61104, &message, help)
+        self.refuse_cycle(self.args.span_of(NUM), codes::P2090::neighbours_run_into_each_other(&gap, &width))
     }
 
     fn mill_pocket(&mut self, pocket: Pocket) -> Outcome {
@@ -484,35 +461,28 @@ impl CycleCall<'_, '_> {
             return self.pocket_fault(&pocket, fault);
         }
         self.insertion_has_room(&pocket);
-        self.own_way("the rings of a level, and how the tool comes to the wall, are those of partc");
+        self.own_way(codes::P8101::rings_of_level());
         self.send_cycle(Cycle::Pocket(pocket));
         Ok(())
     }
 
     /// Says where the way down is another one than asked for.
     fn insertion_has_room(&self, pocket: &Pocket) {
-        let straight = "the pocket has no room for it; a cutter that cannot plunge breaks";
         let turns = pocket.shape.room(pocket.rough_distance()).least();
         if pocket.strategy == Strategy::Helix && turns < SMALLEST_ARM / 2.0 {
-            self.says_once(
-                "there is no room for the helical turns: the tool goes straight down by the infeeds",
-                straight,
-            );
+            self.leaves_open(codes::S8230::there_is_no_room_for_helical_turns());
         }
         match pocket.insertion {
             Insertion::Helix { radius, .. } if pocket.rough => {
                 let made = pocket.helix_radius(radius);
                 if made < SMALLEST_ARM {
-                    self.says_once("there is no room for the helix: the tool goes straight down", straight);
+                    self.leaves_open(codes::S8230::there_is_no_room_for_helix());
                 } else if radius.min(pocket.mill.radius) > made {
-                    self.says_once(
-                        &format!("the radius of the helix is {made:.3} mm only"),
-                        "the pocket has no room for more",
-                    );
+                    self.leaves_open(codes::S8230::radius_of_helix_is_mm(&made));
                 }
             }
             Insertion::Sway { .. } if pocket.rough && pocket.sway_room() < SMALLEST_ARM => {
-                self.says_once("there is no room to go to and fro: the tool goes straight down", straight);
+                self.leaves_open(codes::S8230::there_is_no_room_to_go());
             }
             _ => {}
         }

@@ -2,7 +2,7 @@
 //!
 //! Source: M 7.6 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::Deg;
 use crate::ir::cycle::milling::{Mill, Place};
 use crate::ir::cycle::spigot::{Blank, MOST_EDGES, Shape, SpigotFault, Starts};
@@ -45,11 +45,9 @@ impl CycleCall<'_, '_> {
             (true, _) | (false, Some(SpigotSize::Diameter)) => size / 2.0,
             (false, Some(SpigotSize::Radius)) => size,
             (false, None) => {
-                return self.fail_help(
-                    codes::S9015,
+                return self.refuse(
                     self.args.span_of(CDIAM),
-                    "CYCLE77 in its old form of 16 arguments: whether the sixth one is the diameter or the radius of the spigot is not confirmed",
-                    Answer::key("cycles", "spigot_size").help("say it by `[cycles] spigot_size = \"diameter\"`, or write the call with the codes behind `_AP1`"),
+                    codes::S9015::cycle77_in_its_old_form_of_16().answer(Answer::key("cycles", "spigot_size")),
                 );
             }
         };
@@ -66,43 +64,38 @@ impl CycleCall<'_, '_> {
         let edges = args.or_zero(NUM);
         if edges == 1.0 || edges == 2.0 {
             let flats = if edges == 1.0 { "one flat" } else { "two flats" };
-            return self.fail_help(
-                codes::S9015,
+            return self.refuse(
                 args.span_of(NUM),
-                format!(
-                    "CYCLE79: {flats} on a round blank (`_NUM` {edges}, argument {}) is not supported",
-                    args.place(NUM)
-                ),
-                "mill each flat by CYCLE61 or CYCLE72, or by plain moves",
+                codes::S9015::cycle79_on_round_blank_is_not_supported(&flats, &edges, &args.place(NUM)),
             );
         }
         let known = whole(edges).and_then(|n| u32::try_from(n).ok()).filter(|_| edges.fract() == 0.0);
         let Some(edges) = known.filter(|n| (3..=MOST_EDGES).contains(n)) else {
-            let message = format!("the number of edges `_NUM` (argument {}) is 3 to {MOST_EDGES}", args.place(NUM));
-            return self.cycle_fault(args.span_of(NUM), 61019, &message, "give a whole number");
+            return self.refuse_cycle(
+                args.span_of(NUM),
+                codes::P2090::number_of_edges_num_is_3(&args.place(NUM), &MOST_EDGES),
+            );
         };
         if args.or_zero(RC) != 0.0 {
-            return self.not_built(RC, "a transition at the corners of a multi-edge (`_RC`)");
+            return self.refuse_argument(RC, codes::S9015::transition_at_corners_of_multi_edge());
         }
         let starts = match self.job.settings.cycles.multi_edge_start {
             Some(MultiEdgeStart::Edge) => Starts::Edge,
             Some(MultiEdgeStart::Corner) => Starts::Corner,
             None => {
-                return self.fail_help(
-                    codes::S9015,
+                return self.refuse(
                     args.span_of(STA),
-                    "CYCLE79: whether an edge or a corner of the multi-edge lies on the first axis is not confirmed",
-                    Answer::key("cycles", "multi_edge_start")
-                        .help("say it by `[cycles] multi_edge_start = \"edge\"` or \"corner\""),
+                    codes::S9015::cycle79_whether_edge_or_corner_of_multi()
+                        .answer(Answer::key("cycles", "multi_edge_start")),
                 );
             }
         };
         let size = self.size(SWL)?;
         let apothem = if edges % 2 == 0 {
-            self.own_way("an even number of edges: `_SWL` is read as the width across flats");
+            self.own_way(codes::P8101::even_number_of_edges());
             size / 2.0
         } else {
-            self.own_way("an odd number of edges: `_SWL` is read as the length of an edge");
+            self.own_way(codes::P8101::odd_number_of_edges());
             let (sin, cos) = Deg(180.0 / f64::from(edges)).sin_cos();
             size * cos / sin / 2.0
         };
@@ -117,9 +110,8 @@ impl CycleCall<'_, '_> {
         for key in keys {
             if self.magnitude(*key) == 0.0 && self.args.digit(VARI, 0) == 1 {
                 let (name, place) = (self.args.written(*key), self.args.place(*key));
-                let message = format!("the size of the blank `{name}` (argument {place}) is 0 or missing");
-                let help = "give it: outside of the blank the tool travels at rapid traverse";
-                return self.cycle_fault(self.args.span_of(*key), 61019, &message, help);
+                return self
+                    .refuse_cycle(self.args.span_of(*key), codes::P2090::size_of_blank_is_0_or_missing(&name, &place));
             }
         }
         Ok(keys.first().map_or(0.0, |key| self.magnitude(*key) / 2.0))
@@ -130,7 +122,7 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let roughs = args.digit(VARI, 0) == 1;
         if roughs && stands < 0.0 {
-            self.says_once("the blank is smaller than the spigot", "give the size of the blank in front of the cycle");
+            self.leaves_open(codes::S8230::blank_is_smaller_than_spigot());
         }
         let reach = 2.0 * mill.radius + if roughs { self.magnitude(FAL) } else { 0.0 };
         let stays = stands - reach;
@@ -139,13 +131,9 @@ impl CycleCall<'_, '_> {
             return;
         }
         let what = if roughs { "of the blank" } else { "with the allowance on the floor of the blank" };
-        let message = format!(
-            "{}: the tool goes round once, and leaves {stays:.3} mm {what} `{}` (argument {}) standing outside",
-            args.name(),
-            args.written(AP1),
-            args.place(AP1)
-        );
-        let found = Diagnostic::new(codes::S8240, self.loc(args.span_of(AP1)), message);
+        let found =
+            codes::S8240::tool_goes_round_once(&args.name(), &stays, &what, &args.written(AP1), &args.place(AP1))
+                .at(self.loc(args.span_of(AP1)));
         let help = "call the cycle several times with smaller and smaller `_FAL`, each with the blank that the one before leaves";
         self.report(found.help(help));
     }
@@ -154,7 +142,7 @@ impl CycleCall<'_, '_> {
         let finishes_floor = match self.args.number(VARI).and_then(whole) {
             Some(1) => false,
             Some(2) => true,
-            Some(5) => return self.not_built(VARI, "chamfering (units of `_VARI`)"),
+            Some(5) => return self.refuse_argument(VARI, codes::S9015::chamfering_units_of_vari_is_not_supported()),
             _ => return self.no_such_machining("1 roughs, 2 finishes"),
         };
         // The finishing cut takes the allowance off.
@@ -167,7 +155,7 @@ impl CycleCall<'_, '_> {
         if let Err(fault) = spigot.check() {
             return self.spigot_fault(fault);
         }
-        self.own_way("the tool goes down the safety distance beside the blank, and comes to the wall on a semicircle");
+        self.own_way(codes::P8101::tool_goes_down_safety_distance_beside_blank());
         self.send_cycle(Cycle::Spigot(spigot));
         Ok(())
     }
@@ -185,7 +173,9 @@ impl CycleCall<'_, '_> {
             }
             SpigotFault::Number => (VARI, 61019, "check the arguments of the cycle"),
         };
-        let message = format!("{fault}: `{}` (argument {})", self.args.written(key), self.args.place(key));
-        self.cycle_fault(self.args.span_of(key), alarm, &message, help)
+        self.refuse_cycle(
+            self.args.span_of(key),
+            codes::P2090::fault(&fault, &self.args.written(key), &self.args.place(key)).help(help).alarm(alarm),
+        )
     }
 }

@@ -79,7 +79,7 @@ impl CycleCall<'_, '_> {
         }
         self.flank_agrees()?;
         if self.names_other_plane(args) {
-            return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
+            return self.refuse_argument(DMODE, codes::S9015::plane_other_than_active_one());
         }
         self.thread(&Course { points, leads, starts: NUMT, lift: VRT, coded: false })
     }
@@ -114,8 +114,7 @@ impl CycleCall<'_, '_> {
         if self.st.spindles.turn().is_some() {
             return Ok(());
         }
-        let help = "program M3 or M4 with a speed in front of the cycle";
-        self.cycle_fault(args.span, 61102, "the spindle does not turn", help)
+        self.refuse_cycle(args.span, codes::P2090::spindle_does_not_turn_so_program_m3())
     }
 
     fn thread(&mut self, course: &Course) -> Outcome {
@@ -134,29 +133,21 @@ impl CycleCall<'_, '_> {
         let idle = self.whole_of(NID, 0)?;
         let starts = self.whole_of(course.starts, 0)?.max(1);
         if !course.coded && args.number(course.starts) == Some(0.0) {
-            self.reading(course.starts, "NUMT 0 is taken as one start");
+            self.reads(course.starts, codes::P8106::numt_0_is_taken_as_one_start());
         }
         if course.coded && starts > 1 {
-            let found = Diagnostic::new(
-                codes::S8019,
-                self.loc(args.span_of(course.starts)),
-                format!("{} cuts {starts} starts", args.name()),
-            );
+            let found = codes::S8019::cuts_starts(&args.name(), &starts).at(self.loc(args.span_of(course.starts)));
             self.report(found.help("the editor may leave a number here though one start is meant: set it to 1 then"));
         }
         // Whether the cycle overrides the setting datum is not confirmed.
         self.no_start_angle_by_setting(args.span_of(NSP))?;
         let start_angle = args.or_zero(NSP);
         if !(0.0..360.0).contains(&start_angle) {
-            let message = format!("the start angle NSP is {start_angle}");
-            let help = "give 0 to below 360 degrees";
-            return self.cycle_fault(args.span_of(NSP), None, &message, help);
+            return self.refuse_cycle(args.span_of(NSP), codes::P2090::start_angle_nsp(&start_angle));
         }
         let angle = args.or_zero(IANG);
         if args.or_zero(MPIT) != 0.0 && angle.abs() > METRIC_FLANK {
-            let message = format!("the infeed angle IANG is {angle}, over half of the 60 degrees of a metric thread");
-            let help = "give at most 30, below 0 for alternating flanks";
-            return self.cycle_fault(args.span_of(IANG), None, &message, help);
+            return self.refuse_cycle(args.span_of(IANG), codes::P2090::infeed_angle_iang(&angle));
         }
         let flank = if angle == 0.0 {
             Flank::Radial
@@ -222,16 +213,15 @@ impl CycleCall<'_, '_> {
             }
         };
         if infeed < 0.0 {
-            let help = "give the infeed without a sign, or the number of passes `_NRC` alone";
-            return self.cycle_fault(args.span_of(MID), 61001, "the infeed `_MID` is below 0", help);
+            return self.refuse_cycle(args.span_of(MID), codes::P2090::infeed_mid_is_below_0());
         }
         // The first cut of equal cross-sections is the depth by the root of their number.
         let cuts = if area { parts::count_of_areas(way, infeed) } else { parts::count(way, infeed) }.max(1.0);
         let given = args.or_zero(NRC);
         if given == 0.0 {
             if cuts > MOST_PASSES {
-                let message = format!("the infeed `_MID` of {infeed} mm makes {cuts:.0} passes");
-                return self.cycle_fault(args.span_of(MID), 61001, &message, "give a larger infeed");
+                return self
+                    .refuse_cycle(args.span_of(MID), codes::P2090::infeed_mid_of_mm_makes_passes(&infeed, &cuts));
             }
             return Ok(cuts as u32);
         }
@@ -239,8 +229,7 @@ impl CycleCall<'_, '_> {
             let message = format!(
                 "the number of passes `_NRC` is {given}, and the infeed `_MID` makes {cuts}: which of them counts is not known"
             );
-            let help = "leave one of them 0";
-            return self.fail_help(codes::S9015, args.span_of(MID), format!("{}: {message}", args.name()), help);
+            return self.refuse(args.span_of(MID), codes::S9015::of_another_kind(&args.name(), &message));
         }
         self.whole_of(NRC, 1)
     }
@@ -276,32 +265,23 @@ impl CycleCall<'_, '_> {
         let single = args.or_zero(NUMTH) <= 1.0;
         match args.or_zero(GST) {
             0.0 => {}
-            1.0 if single => self.reading(GST, "`_GST` 1 is the first start that is cut, and the thread has one start"),
+            1.0 if single => self.reads(GST, codes::P8106::gst_1_is_first_start()),
             first => {
-                let what = format!(
-                    "the choice of the first start that is cut (`_GST` {first}), whose order is not confirmed,"
-                );
-                return self.not_built(GST, &what);
+                return self.refuse_argument(GST, codes::S9015::choice_of_first_start_that_is_cut(&first));
             }
         }
         if let Some(place) = (0..10).find(|place| args.digit(AMODE, *place) != 0) {
             let digit = args.digit(AMODE, place);
-            let what =
-                format!("the digit {digit} at place {} from the right of `_AMODE`, which was never seen,", place + 1);
-            return self.not_built(AMODE, &what);
+            return self.refuse_argument(AMODE, codes::S9015::digit_at_place_from_right_of_amode(&digit, &(place + 1)));
         }
         if args.or_zero(GDEP) != 0.0 {
-            self.reading(GDEP, "`_GDEP` is taken for a return distance of the editor, which changes no pass");
+            self.reads(GDEP, codes::P8106::gdep_is_taken_for_return_distance());
         }
         self.flank_agrees()?;
         if self.names_other_plane(args) {
-            return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
+            return self.refuse_argument(DMODE, codes::S9015::plane_other_than_active_one());
         }
-        self.note_once(
-            codes::S8020,
-            args.span_of(VARI),
-            "the units of `_VARI` are read as in CYCLE97 (1 and 3 external, 2 and 4 internal), and its other digits as roughing and finishing in one call",
-        );
+        self.say_once(args.span_of(VARI), codes::S8020::units_of_vari_are_read());
         Ok(())
     }
 
@@ -310,12 +290,12 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let pitch = self.needed(PIT, "the pitch `_PIT`")?;
         if pitch <= 0.0 {
-            return self.cycle_fault(args.span_of(PIT), 61001, "the pitch is not above 0", "give the pitch");
+            return self.refuse_cycle(args.span_of(PIT), codes::P2090::pitch_is_not_above_0());
         }
         match args.or_zero(PITA) {
             0.0 => Ok(pitch * self.st.length_unit()),
             1.0 => Ok(pitch),
-            _ => self.not_built(PITA, "a pitch in inches, turns or modules (`_PITA`)"),
+            _ => self.refuse_argument(PITA, codes::S9015::pitch_in_inches()),
         }
     }
 
@@ -331,24 +311,14 @@ impl CycleCall<'_, '_> {
         };
         let angle = libm::atan2(way.y.abs(), way.x.abs()).to_degrees();
         let part = if points.len() > 2 { format!("part {} of the thread", at + 1) } else { "the thread".to_owned() };
-        let message = format!(
-            "{}: {part} leans {angle:.1} degrees out of Z, and over 45 degrees it is a face thread: from which side \
-             the control feeds in, and how run-in and lift-off count, is not published",
-            args.name()
-        );
-        let help =
-            "cut a face thread by blocks: G0 to the depth of the pass in Z, then G33 X… I… with the pitch along X";
-        self.fail_help(codes::S9015, args.span, message, help)
+        self.refuse(args.span, codes::S9015::leans_degrees_out_of_z(&args.name(), &part, &angle))
     }
 
     /// The hand of a thread comes from the spindle: a sign of its pitch would be dropped.
     fn no_sign(&self, keys: &[Key]) -> Outcome {
         let args = self.args;
         match args.below_zero(keys) {
-            Some(key) => {
-                let help = "give the pitch without a sign; M3 or M4 makes the hand of the thread";
-                self.cycle_fault(args.span_of(key), 61001, "the pitch is below 0", help)
-            }
+            Some(key) => self.refuse_cycle(args.span_of(key), codes::P2090::pitch_is_below_0_so_give_pitch()),
             None => Ok(()),
         }
     }
@@ -357,10 +327,7 @@ impl CycleCall<'_, '_> {
     fn without_signs(&self) -> Outcome {
         let args = self.args;
         match args.below_zero(&[APP, ROP, TDEP, FAL]) {
-            Some(key) => {
-                let help = "give the depth, the allowance, run-in and run-out without a sign";
-                self.cycle_fault(args.span_of(key), 61001, "a length of the thread is below 0", help)
-            }
+            Some(key) => self.refuse_cycle(args.span_of(key), codes::P2090::length_of_thread_is_below_0()),
             None => Ok(()),
         }
     }
@@ -379,8 +346,7 @@ impl CycleCall<'_, '_> {
             3.0 => (false, true),
             4.0 => (true, true),
             _ => {
-                let help = "1 external, 2 internal with equal infeed; 3 external, 4 internal with equal cross-section";
-                return self.cycle_fault(args.span_of(VARI), 61002, "VARI is 1 to 4", help);
+                return self.refuse_cycle(args.span_of(VARI), codes::P2090::vari_is_1_to_4());
             }
         })
     }
@@ -412,8 +378,7 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let chosen = self.job.settings.control.sinumerik.thread_flank;
         if chosen.is_none() && self.job.diags.first_time(codes::S8021, ()) {
-            let message = "a flank infeed is counted from the crest: the manuals leave open which pass stands at the programmed Z";
-            let found = Diagnostic::new(codes::S8021, self.loc(args.span_of(key)), message);
+            let found = codes::S8021::flank_infeed_is_counted_from_crest().at(self.loc(args.span_of(key)));
             self.report(
                 found.help(
                     Answer::key("control", "thread_flank")
@@ -437,16 +402,13 @@ impl CycleCall<'_, '_> {
             digit != 0 && SEEN.get(*place as usize - 1).copied().unwrap_or(0) != digit
         });
         if let Some(place) = strange {
-            let what = format!(
-                "the digit {} at place {} from the right of `_VARI`, whose meaning is not confirmed,",
-                args.digit(VARI, place),
-                place + 1
+            return self.refuse_argument(
+                VARI,
+                codes::S9015::digit_at_place_from_right_of_vari(&args.digit(VARI, place), &(place + 1)),
             );
-            return self.not_built(VARI, &what);
         }
         if args.digit(VARI, 2) == 1 && args.or_zero(IANG) < 0.0 {
-            let what = "an infeed along one flank (`_VARI`) with the negative angle of an alternating one";
-            return self.not_built(IANG, what);
+            return self.refuse_argument(IANG, codes::S9015::infeed_along_one_flank());
         }
         Ok(())
     }
@@ -456,10 +418,7 @@ impl CycleCall<'_, '_> {
         let value = args.number(key).unwrap_or(f64::from(least));
         match whole(value).filter(|n| *n >= least && f64::from(*n) <= MOST_PASSES && f64::from(*n) == value) {
             Some(n) => Ok(n as u32),
-            None => {
-                let message = format!("{value} is no number of passes or starts");
-                self.cycle_fault(args.span_of(key), None, &message, "give a whole number")
-            }
+            None => self.refuse_cycle(args.span_of(key), codes::P2090::is_no_number_of_passes_or_starts(&value)),
         }
     }
 
@@ -471,11 +430,6 @@ impl CycleCall<'_, '_> {
         if given == 0.0 || (given.abs() - args.or_zero(TDEP).abs() * tangent).abs() <= 0.01 {
             return Ok(());
         }
-        self.cycle_fault(
-            args.span_of(IFLANK),
-            None,
-            "the flank infeed `_IFLANK` contradicts the angle `_IANG`",
-            "give the angle, and the length as the editor computes it",
-        )
+        self.refuse_cycle(args.span_of(IFLANK), codes::P2090::flank_infeed_iflank_contradicts_angle_iang())
     }
 }

@@ -71,7 +71,7 @@ impl CycleCall<'_, '_> {
         let (nominal, core) = (self.size(DIATH)? / 2.0, self.size(KDIAM)? / 2.0);
         let pitch = self.new_pitch()?;
         let hand = if left_hand { "left-hand" } else { "right-hand" };
-        self.own_way(&format!("from the surface down this sense makes a {hand} thread"));
+        self.own_way(codes::P8101::from_surface_down_this_sense_makes_thread(&hand));
         self.mill_thread(ThreadMilling {
             mill,
             place,
@@ -95,8 +95,7 @@ impl CycleCall<'_, '_> {
             1.0 => Ok(Side::External),
             _ => {
                 let (name, place) = (self.args.written(TYPTH), self.args.place(TYPTH));
-                let message = format!("the kind of the thread `{name}` (argument {place}) is 0 or 1");
-                self.cycle_fault(self.args.span_of(TYPTH), 61002, &message, "0 internal, 1 external")
+                self.refuse_cycle(self.args.span_of(TYPTH), codes::P2090::kind_of_thread_is_0_or_1(&name, &place))
             }
         }
     }
@@ -107,8 +106,7 @@ impl CycleCall<'_, '_> {
         match whole(given).and_then(|n| u32::try_from(n).ok()).filter(|n| given.fract() == 0.0 && *n <= 1000) {
             Some(teeth) => Ok(teeth.max(1)),
             None => {
-                let message = format!("the teeth of an edge `_NT` (argument {}) are 1 to 1000", self.args.place(NT));
-                self.cycle_fault(self.args.span_of(NT), 61019, &message, "give a whole number")
+                self.refuse_cycle(self.args.span_of(NT), codes::P2090::teeth_of_edge_nt_are_1(&self.args.place(NT)))
             }
         }
     }
@@ -122,11 +120,10 @@ impl CycleCall<'_, '_> {
             return self.no_such_machining("units 1 roughs, 2 finishes; tens 1 down, 2 up; hundreds 1 left-hand");
         }
         if (tens, hundreds) != (0, 0) && !self.job.settings.cycles.thread_digits {
-            return self.fail_help(
-                codes::S9015,
+            return self.refuse(
                 args.span_of(VARI),
-                "CYCLE70: what the tens and hundreds of `_VARI` mean, sense and hand of the thread, is not confirmed",
-                Answer::key("cycles", "thread_milling_digits").one_of(&["true"]).help("have them read by `[cycles] thread_milling_digits = true`: tens 1 down, 2 up; hundreds 1 left-hand"),
+                codes::S9015::cycle70_what_tens()
+                    .answer(Answer::key("cycles", "thread_milling_digits").one_of(&["true"])),
             );
         }
         let left_hand = hundreds == 1;
@@ -138,7 +135,7 @@ impl CycleCall<'_, '_> {
             2 => !left_hand,
             _ => {
                 let hand = if left_hand { "left-hand" } else { "right-hand" };
-                self.own_way(&format!("no sense is given: the tool climbs, and the thread is {hand}"));
+                self.own_way(codes::P8101::no_sense_is_given(&hand));
                 climbs
             }
         };
@@ -153,17 +150,15 @@ impl CycleCall<'_, '_> {
         let allowance = self.magnitude(FAL);
         let way = depth - allowance;
         if way <= 0.0 {
-            let message = format!(
-                "the allowance `_FAL` (argument {}) is not smaller than the depth of the thread",
-                self.args.place(FAL)
+            return self.refuse_cycle(
+                self.args.span_of(FAL),
+                codes::P2090::allowance_fal_is_not_smaller_than_depth(&self.args.place(FAL)),
             );
-            return self.cycle_fault(self.args.span_of(FAL), 61019, &message, "give a smaller allowance");
         }
         let count = parts(way, self.magnitude(MID));
         if count > MOST_LEVELS {
-            let message =
-                format!("the infeed `_MID` (argument {}) is so small that its passes do not end", self.args.place(MID));
-            return self.cycle_fault(self.args.span_of(MID), 61019, &message, "give a larger infeed");
+            return self
+                .refuse_cycle(self.args.span_of(MID), codes::P2090::infeed_mid_is_so_small(&self.args.place(MID)));
         }
         let rest = |k: usize| if k == count { allowance } else { depth - way * k as f64 / count as f64 };
         Ok((1..=count).map(rest).collect())
@@ -173,9 +168,7 @@ impl CycleCall<'_, '_> {
         if let Err(fault) = thread.check() {
             return self.thread_milling_fault(fault);
         }
-        self.own_way(
-            "the tool comes to the thread and leaves it on a semicircle of half a pitch; an internal one needs its core down to the depth",
-        );
+        self.own_way(codes::P8101::tool_comes_to_thread());
         self.send_cycle(Cycle::ThreadMilling(thread));
         Ok(())
     }
@@ -193,7 +186,9 @@ impl CycleCall<'_, '_> {
                 (DIATH, 61601, "check the diameters of the thread")
             }
         };
-        let message = format!("{fault}: `{}` (argument {})", self.args.written(key), self.args.place(key));
-        self.cycle_fault(self.args.span_of(key), alarm, &message, help)
+        self.refuse_cycle(
+            self.args.span_of(key),
+            codes::P2090::fault(&fault, &self.args.written(key), &self.args.place(key)).help(help).alarm(alarm),
+        )
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: C 4.1, 5.1 and 5.7 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::cycle::undercut::{UndercutCycle, UndercutFault};
 use crate::ir::cycle::{Cycle, Family};
 use crate::ir::undercut::Surface;
@@ -83,18 +83,19 @@ impl CycleCall<'_, '_> {
         let args = self.args;
         let machine = &self.job.settings.machine;
         if machine.kind != MachineKind::Lathe {
-            let help = Answer::key("machine", "kind").one_of(&["\"lathe\""]).help("set `[machine] kind = \"lathe\"`");
-            return self.cycle_fault(args.span, None, "undercuts need turning technology", help);
+            return self.refuse_cycle(
+                args.span,
+                codes::P2090::undercuts_need_turning_technology()
+                    .answer(Answer::key("machine", "kind").one_of(&["\"lathe\""])),
+            );
         }
         self.in_turning_plane()?;
         self.no_normal_offset()?;
         let [first, second, _] = self.st.roles();
         if machine.diameter_axis != Some(second) && machine.diameter_axis != Some(first) {
-            return self.cycle_fault(
+            return self.refuse_cycle(
                 args.span,
-                16510,
-                "machine datum 20100 names no axis of G18, so there are no undercuts",
-                Answer::key("machine", "diameter_axis").help("set `[machine] diameter_axis = \"X\"`"),
+                codes::P2090::machine_datum_20100_names_no_axis().answer(Answer::key("machine", "diameter_axis")),
             );
         }
         Ok(())
@@ -107,37 +108,37 @@ impl CycleCall<'_, '_> {
             return self.undercut_fault(CallFault::Missing("_FORM"));
         }
         if args.text(PTABA).is_some_and(|text| !text.is_empty()) {
-            return self.not_built(PTABA, "a thread by the name of a table (`_PTAB`, `_PTABA`)");
+            return self.refuse_argument(PTABA, codes::S9015::thread_by_name_of_table());
         }
         if self.names_other_plane(args) {
-            return self.not_built(DMODE, "a plane other than the active one (`_DMODE`)");
+            return self.refuse_argument(DMODE, codes::S9015::plane_other_than_active_one());
         }
         // 0 and 1 up to the thousands were seen in stored calls; of the tens of `_VARI` both are cut in one way here.
         if (0..10).any(|place| args.digit(AMODE, place) > i32::from(place < 4)) {
-            return self.not_built(AMODE, "another reading of an argument (`_AMODE`)");
+            return self.refuse_argument(AMODE, codes::S9015::another_reading_of_argument());
         }
         if (1..10).any(|place| args.digit(VARI, place) > i32::from(place < 2)) {
-            return self.not_built(VARI, "this kind of machining (`_VARI`)");
+            return self.refuse_argument(VARI, codes::S9015::this_kind_of_machining());
         }
         let form = args.text(FORM).unwrap_or_default();
         let known = OF_FORMS.iter().any(|(_, forms)| forms.contains(form.as_str()));
         for (key, forms) in OF_FORMS {
             if args.or_zero(key) != 0.0 && known && !form.is_empty() && !forms.contains(form.as_str()) {
-                let message = format!("{}: form {form} does not use `{}`", args.name(), args.written(key));
-                self.report(Diagnostic::new(codes::S8035, self.loc(args.span_of(key)), message));
+                self.report(
+                    codes::S8035::form_does_not_use(&args.name(), &form, &args.written(key))
+                        .at(self.loc(args.span_of(key))),
+                );
             }
         }
         let internal = args.or_zero(LAGE) >= 2.0;
         if matches!(form.as_str(), "A" | "B") && internal || matches!(form.as_str(), "C" | "D") && !internal {
-            let help = "forms A and B are external, C and D internal";
-            return self.cycle_fault(args.span_of(LAGE), 61613, "the position contradicts the form", help);
+            return self.refuse_cycle(args.span_of(LAGE), codes::P2090::position_contradicts_form());
         }
         if !matches!(form.as_str(), "E" | "F") && !(1..=3).contains(&args.digit(VARI, 0)) {
-            let help = "1 roughs, 2 finishes, 3 does both";
-            return self.cycle_fault(args.span_of(VARI), 61002, "`_VARI` is 1, 2 or 3", help);
+            return self.refuse_cycle(args.span_of(VARI), codes::P2090::vari_is_1_2_or_3());
         }
         if args.number(STA) == Some(0.0) && matches!(form.as_str(), "A" | "B" | "C" | "D" | "T") {
-            return self.cycle_fault(args.span_of(STA), None, "the entry angle `_STA` is 0", "give 30 to 90 degrees");
+            return self.refuse_cycle(args.span_of(STA), codes::P2090::entry_angle_sta_is_0());
         }
         if args.digit(VARI, 0) == 2 && "ABCDT".contains(form.as_str()) {
             for key in [MID, FAL, FALX, FALZ].into_iter().filter(|key| args.or_zero(*key) != 0.0) {
@@ -148,30 +149,19 @@ impl CycleCall<'_, '_> {
         for (key, digit) in [(EPD, 0), (EPL, 1)] {
             let negative = args.digit(AMODE, digit) == 1 && args.or_zero(key) < 0.0;
             if form_e && negative {
-                let message = format!("the allowance `{}` is negative", args.written(key));
-                return self.cycle_fault(args.span_of(key), None, &message, "give an allowance above 0, or none");
+                return self.refuse_cycle(args.span_of(key), codes::P2090::allowance_is_negative(&args.written(key)));
             }
         }
         if form_e && args.digit(AMODE, 0) != 1 && args.or_zero(EPD) != 0.0 {
             let inwards =
                 (args.or_zero(EPD) - args.or_zero(SPD)) * if args.or_zero(LAGE) < 2.0 { 1.0 } else { -1.0 } < 0.0;
             if inwards {
-                let help = "an allowance lies outside the finished part";
-                return self.cycle_fault(
-                    args.span_of(EPD),
-                    None,
-                    "the diameter with allowance `_EPD` lies inside the part",
-                    help,
-                );
+                return self
+                    .refuse_cycle(args.span_of(EPD), codes::P2090::diameter_with_allowance_epd_lies_inside_part());
             }
         }
         if form == "E" && args.or_zero(EPL) != 0.0 {
-            return self.cycle_fault(
-                args.span_of(EPL),
-                None,
-                "form E has no allowance along Z (`_EPL`)",
-                "leave it out; form F relieves the face, too",
-            );
+            return self.refuse_cycle(args.span_of(EPL), codes::P2090::form_e_has_no_allowance_along_z());
         }
         Ok(())
     }
@@ -221,18 +211,11 @@ impl CycleCall<'_, '_> {
         if let (false, Some(edge), Some(given)) = (by_tool, edge, position.filter(|given| (1..=4).contains(given)))
             && edge != given
         {
-            let message =
-                format!("the position `_VARI` {given} contradicts the edge of the tool, which lies at {edge}");
-            let help = "give the position of the tool that cuts the undercut, or leave the argument out";
-            return self.cycle_fault(args.span_of(VARI), 61608, &message, help);
+            return self
+                .refuse_cycle(args.span_of(VARI), codes::P2090::position_vari_contradicts_edge_of_tool(&given, &edge));
         }
         let Some(position) = position else {
-            return self.cycle_fault(
-                args.span,
-                61608,
-                "the edge of the tool does not lie in a corner, so the position of the undercut is not known",
-                "give 1 to 4 as the last argument, `orientation` 1 to 4 of the tool in [tools], or `$TC_DP2` of the edge before the cycle",
-            );
+            return self.refuse_cycle(args.span, codes::P2090::edge_of_tool_does_not_lie());
         };
         Ok(Classic {
             diameter: self.needed_length(diameter, "the diameter")?,
@@ -250,7 +233,6 @@ impl CycleCall<'_, '_> {
         let corner = if args.place(DIATH) > 0 { DIATH } else { SPD };
         match fault {
             CallFault::Missing(name) => {
-                let message = format!("`{name}` is missing");
                 let help = match name {
                     "_LAGE" => "0 is external +Z, 1 external -Z, 2 internal +Z, 3 internal -Z",
                     "_STA" if new && matches!(one_letter(args), Some(b'A'..=b'D' | b'a'..=b'd')) => {
@@ -259,10 +241,9 @@ impl CycleCall<'_, '_> {
                     "_FORM" => "\"E\" and \"F\" are of DIN 509, \"A\" to \"D\" of DIN 76, \"T\" is free",
                     _ => "arguments are counted by their commas",
                 };
-                self.cycle_fault(args.span, None, &message, help)
+                self.refuse_cycle(args.span, codes::P2090::is_missing_2(&name).help(help))
             }
             CallFault::Range(name) => {
-                let message = format!("`{name}` is out of range");
                 let help = match name {
                     "_EPD" => {
                         "an absolute diameter lies inside the material of the cylinder; `_AMODE` 1 reads an increment"
@@ -270,21 +251,16 @@ impl CycleCall<'_, '_> {
                     "_EPL" => "an absolute Z lies in front of the face; `_AMODE` 10 reads an increment",
                     _ => "`_STA` is 30 to 90 degrees; clearance, feed and infeed are above 0",
                 };
-                self.cycle_fault(args.span_of(Key(name.trim_start_matches('_'))), 61019, &message, help)
-            }
-            CallFault::Form => {
-                let help = "\"E\" and \"F\" are of DIN 509, \"A\" to \"D\" of DIN 76, \"T\" is free (CYCLE940)";
-                self.cycle_fault(args.span_of(FORM), 61609, "there is no such form", help)
-            }
-            CallFault::Position => {
-                let help = "forms A and B are external, C and D internal";
-                self.cycle_fault(
-                    args.span_of(if new { LAGE } else { VARI }),
-                    61613,
-                    "the position does not exist or contradicts the form",
-                    help,
+                self.refuse_cycle(
+                    args.span_of(Key(name.trim_start_matches('_'))),
+                    codes::P2090::is_out_of_range(&name).help(help),
                 )
             }
+            CallFault::Form => self.refuse_cycle(args.span_of(FORM), codes::P2090::there_is_no_such_form()),
+            CallFault::Position => self.refuse_cycle(
+                args.span_of(if new { LAGE } else { VARI }),
+                codes::P2090::position_does_not_exist_or_contradicts_form(),
+            ),
             CallFault::Diameter => {
                 let diameter = args.or_zero(corner) * self.st.length_unit();
                 let help = match proposed_pitch(diameter) {
@@ -292,12 +268,7 @@ impl CycleCall<'_, '_> {
                     Some(pitch) => format!("the pitch {pitch} is usual for this diameter: CYCLE940 takes it"),
                     None => "give a diameter from 3 mm, for CYCLE96 a metric size from M3 to M68".to_owned(),
                 };
-                self.cycle_fault(
-                    args.span_of(corner),
-                    61601,
-                    &format!("the diameter {diameter} has no undercut"),
-                    &help,
-                )
+                self.refuse_cycle(args.span_of(corner), codes::P2090::diameter_has_no_undercut(&diameter).help(&help))
             }
             CallFault::Size => {
                 let at = args.span_of(if new { PITI } else { corner });
@@ -306,7 +277,7 @@ impl CycleCall<'_, '_> {
                 } else {
                     "add it under [undercut]"
                 };
-                self.cycle_fault(at, 61001, "the table has no such size or pitch", help)
+                self.refuse_cycle(at, codes::P2090::table_has_no_such_size_or_pitch().help(help))
             }
             CallFault::Pitch => {
                 let inside = matches!(one_letter(args), Some(b'C' | b'D'));
@@ -319,7 +290,7 @@ impl CycleCall<'_, '_> {
                     Some((pitch, at)) => format!("{pitch} is usual for this diameter: `_PITI` {at}"),
                     None => "`_PITI` counts the pitches of DIN 76 from 0.2 on: 0 to 23".to_owned(),
                 };
-                self.cycle_fault(args.span, 61001, "the pitch `_PITI` (argument 18) is missing", &help)
+                self.refuse_cycle(args.span, codes::P2090::pitch_piti().help(&help))
             }
             CallFault::SizeMissing => {
                 let help =
@@ -327,12 +298,10 @@ impl CycleCall<'_, '_> {
                         Some((size, at)) => format!("{size} is usual for this diameter: `_PITI` {at}"),
                         None => "`_PITI` counts the sizes of DIN 509: 0 to 9, 0 is 0.6x0.3".to_owned(),
                     };
-                self.cycle_fault(args.span, 61001, "the size `_PITI` (argument 18) is missing", &help)
+                self.refuse_cycle(args.span, codes::P2090::size_piti().help(&help))
             }
             CallFault::BothAllowances => {
-                let help = "the control takes either `_FAL` or `_FALX` and `_FALZ`: give one of them";
-                let message = "an allowance on all sides stands beside one along an axis";
-                self.cycle_fault(args.span_of(FAL), None, message, help)
+                self.refuse_cycle(args.span_of(FAL), codes::P2090::allowance_on_all_sides_stands_beside())
             }
         }
     }
@@ -352,8 +321,7 @@ impl CycleCall<'_, '_> {
         let inside = cycle.corner.y - cycle.clearance;
         let face = cycle.face_end.unwrap_or(cycle.corner.y);
         if cycle.corner.y <= 0.0 || face < 0.0 || (internal && inside <= 0.0) {
-            let help = "check the diameter, the end of the face and the clearance";
-            return self.cycle_fault(args.span, None, "the cycle would go beyond the turning centre", help);
+            return self.refuse_cycle(args.span, codes::P2090::cycle_would_go_beyond_turning_centre());
         }
         match cycle.check() {
             Ok(()) => {}
@@ -372,8 +340,7 @@ impl CycleCall<'_, '_> {
     fn undercut_notes(&self, rests: &Rests) {
         let args = self.args;
         if rests.thread.any() {
-            let message = format!("the undercut rests on facts that are not confirmed: {}", rests.thread);
-            self.note_once(codes::S8022, args.span, message);
+            self.say_once(args.span, codes::S8022::undercut_rests_on_facts_that_are_not(&rests.thread));
         } else if rests.size_index || rests.size_by_diameter || rests.convention {
             let what: Vec<&str> = [
                 (rests.convention, "the reading of the position or of form T"),
@@ -384,25 +351,17 @@ impl CycleCall<'_, '_> {
             .filter_map(|(holds, text)| holds.then_some(text))
             .collect();
             let verb = if what.len() == 1 { "is" } else { "are" };
-            let message = format!("{} {verb} not confirmed: compare with the drawing", what.join(" and "));
-            self.note_once(codes::S8022, args.span, message);
+            self.say_once(args.span, codes::S8022::not_confirmed(&what.join(" and "), &verb));
         }
         if rests.allowance_along_x {
-            self.reading(FALX, "`_FALX` counts on the radius");
+            self.reads(FALX, codes::P8106::falx_counts_on_radius_this_is_not());
         }
         if rests.other_allowance {
             let key = if args.or_zero(FAL) != 0.0 { FAL } else { FALZ };
-            self.reading(
-                key,
-                "the thousands of `_AMODE` (1 for `_FAL`, else `_FALX` and `_FALZ`) choose the other allowance, and roughing leaves this one",
-            );
+            self.reads(key, codes::P8106::thousands_of_amode());
         }
         if rests.roughing {
-            self.note_once(
-                codes::S8023,
-                args.span_of(MID),
-                "roughing of the undercut is up to the control; it is cut in equal steps parallel to its floor",
-            );
+            self.say_once(args.span_of(MID), codes::S8023::roughing_of_undercut_is_up_to_control());
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Turning cycles behind a change of tool: where the tool stands is not known, and the cycle itself says where it begins.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::Path;
 use crate::ir::cycle::{Cycle, UndercutCycle};
@@ -26,9 +26,7 @@ impl CycleCall<'_, '_> {
         self.send_cycle(made(front));
         // The control may end where it came from.
         self.st.position.forget(end.known());
-        let message =
-            format!("{}: where the tool stands is not known: it goes to the front of the part first", self.args.name());
-        let found = Diagnostic::new(codes::S8164, self.loc(self.args.span), message);
+        let found = codes::S8164::where_tool_stands_is_not_known(&self.args.name()).at(self.loc(self.args.span));
         self.report(found.help("position the tool in X and Z in front of the cycle"));
         Ok(())
     }

@@ -136,19 +136,10 @@ impl Run<'_> {
         });
         let other_plane = named.is_some_and(|axes| axes != here);
         if other_plane && stored.start.is_none() {
-            return self.fail_help(
-                codes::S9019,
-                Where::Block,
-                "the contour has no blocks, and its records are for another plane",
-                "select the plane of the contour in front of it, or accept it in the editor again",
-            );
+            return self.refuse(Where::Block, codes::S9019::contour_has_no_blocks_and_its_records_are_for_another());
         }
         if other_plane {
-            self.report(Diagnostic::new(
-                codes::S8027,
-                stored.begin,
-                "the records of this contour are for another plane",
-            ));
+            self.report(codes::S8027::records_of_this_contour_are_for_another().at(stored.begin));
             return Ok(());
         }
         if stored.start.is_none() {
@@ -178,9 +169,7 @@ impl Run<'_> {
         }
         if let (Ok(()), Some(i)) = (&compared, stored.rapid) {
             let place = stored.places.get(i).copied().unwrap_or(stored.begin);
-            let message =
-                format!("element {} runs at rapid traverse, which no record of the contour editor says", i + 1);
-            self.report(Diagnostic::new(codes::S8026, place, message).help("program G1 in the first element"));
+            self.report(codes::S8026::element_runs_at_rapid_traverse(&(i + 1)).at(place));
         }
         if let Err(difference) = compared {
             let told = Told { axes: here, written, start, blocks: &stored.blocks, made: &made };
@@ -210,19 +199,11 @@ impl Channel<'_> {
         }
         let what = "the contour definition has no line with its end (`;#End contour definition end`)";
         if !stored.blocks.is_empty() {
-            self.report(Diagnostic::new(
-                codes::S8027,
-                stored.begin,
-                format!("the records of this contour cannot be checked: {what}"),
-            ));
+            self.report(codes::S8027::records_of_this_contour_cannot_be_checked(&what).at(stored.begin));
             return Ok(());
         }
         self.st.position.lose(AxisSet::MAIN);
-        let message = format!("the contour has no blocks, and its records are not complete: {what}");
-        self.report(
-            Diagnostic::new(codes::S9019, stored.begin, message)
-                .help("open the contour in the editor of the control and accept it again"),
-        );
+        self.report(codes::S9019::contour_has_no_blocks_and_its_records(&what).at(stored.begin));
         Err(Reported)
     }
 
@@ -315,15 +296,13 @@ impl Core<'_> {
 
     fn unchecked(&self, why: &Unsolved, stored: &Stored) {
         let (place, what, _) = self.unsolved(why, stored);
-        let message = format!("the records of this contour cannot be checked: {what}");
-        self.report(Diagnostic::new(codes::S8027, place, message));
+        self.report(codes::S8027::records_of_this_contour_cannot_be_checked(&what).at(place));
     }
 
     /// The records make no contour.
     fn no_contour(&mut self, why: &Unsolved, stored: &Stored) -> Outcome {
         let (place, what, help) = self.unsolved(why, stored);
-        let message = format!("the contour has no blocks, and its records do not make it: {what}");
-        self.report(Diagnostic::new(codes::S9019, place, message).help(help));
+        self.report(codes::S9019::contour_has_no_blocks(&what).at(place).help(help));
         Err(Reported)
     }
 

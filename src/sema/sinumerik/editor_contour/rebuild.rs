@@ -1,6 +1,6 @@
 //! Contours of the contour editor of which only the records are left: their blocks are made anew.
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::ir::contour::{Arc, ArcShape, Blocks, Corner, CornerShape, Path};
 use crate::ir::undercut::Surface;
 use crate::ir::{Feed, Pos};
@@ -97,14 +97,9 @@ impl Channel<'_> {
     /// The blocks of a contour of which only the records are left.
     pub(super) fn rebuild(&mut self, made: &Contour, stored: &Stored, unit: f64) -> Outcome {
         let plane = self.st.plane();
-        self.note_once(
-            codes::S8028,
-            Where::Block,
-            "the blocks of a stored contour are missing and are made from its records",
-        );
+        self.say_once(Where::Block, codes::S8028::blocks_of_stored_contour_are_missing());
         if unit != 1.0 {
-            let message = "the records of this contour are read in inches, the unit in force where it stands";
-            let found = Diagnostic::new(codes::S8160, stored.begin, message);
+            let found = codes::S8160::records_of_this_contour_are_read().at(stored.begin);
             self.report(found.help("no contour of inches is known to us: compare its size with the drawing"));
         }
         // As in blocks: a contour without elements needs no feed.
@@ -186,26 +181,19 @@ impl Channel<'_> {
 
 impl Core<'_> {
     fn not_rebuilt(&self, what: &str, help: impl Into<Help>) -> Outcome {
-        let message = format!("the contour has no blocks, and they are not made from its records: {what}");
-        self.fail_help(codes::S9019, Where::Block, message, help)
+        self.refuse(Where::Block, codes::S9019::contour_has_no_blocks_and_they_are_not(&what).help(help))
     }
 
     /// What of the contour is a choice of ours or rests on facts that are not confirmed.
     fn tell_of_records(&mut self, made: &Contour, stored: &Stored) {
         for record in &made.chosen {
             self.stand_at(stored, *record);
-            let found = Diagnostic::new(
-                codes::S8030,
-                self.here.origin.loc,
-                "this record leaves two solutions, and the stored choice is not confirmed",
-            );
+            let found = codes::S8030::this_record_leaves_two_solutions().at(self.here.origin.loc);
             self.report(found.help("compare the element with the drawing"));
         }
         if let Some(record) = made.start_undercut {
             self.stand_at(stored, record);
-            let message =
-                "the contour starts with an undercut, and is taken to begin where that leaves the line in front of it";
-            let found = Diagnostic::new(codes::S8161, self.here.origin.loc, message);
+            let found = codes::S8161::contour_starts_with_undercut().at(self.here.origin.loc);
             self.report(found.help("compare the start of the contour with the drawing"));
         }
         let doubted = |record: usize| made.doubts.iter().find(|(at, _)| *at == record).map(|(_, doubts)| doubts);
@@ -217,15 +205,11 @@ impl Core<'_> {
             };
             // A second note at this place would not be seen.
             let facts = doubted(*record).map(|doubts| format!("; not confirmed is {doubts}")).unwrap_or_default();
-            let message = format!(
-                "the contour does not tell the side of the material; the undercut is taken as one {side}{facts}"
-            );
-            self.report(Diagnostic::new(codes::S8022, self.here.origin.loc, message));
+            self.report(codes::S8022::contour_does_not_tell_side_of_material(&side, &facts).at(self.here.origin.loc));
         }
         for (record, doubts) in made.doubts.iter().filter(|(at, _)| !made.assumed.iter().any(|(told, _)| told == at)) {
             self.stand_at(stored, *record);
-            let message = format!("the undercut rests on facts that are not confirmed: {doubts}");
-            self.note_once(codes::S8022, Where::Block, message);
+            self.say_once(Where::Block, codes::S8022::undercut_rests_on_facts(&doubts));
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::sema::cycle_table::{Signature, Status};
 use super::{Cycle, Work};
 
 const fn named(name: &'static str, what: &'static str) -> Cycle {
-    let status = Status::Refused { code: "S9005" };
+    let status = Status::Refused { code: "P9010" };
     Cycle { signature: Signature { name, what, status, source: "", parameters: &[] }, work: Work::Nothing }
 }
 
