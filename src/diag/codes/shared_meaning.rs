@@ -68,7 +68,7 @@ SINUMERIK: A path feed of zero or less never ends: alarm 14800. Look where the v
     feed_f_is_not_above_0(f) "the feed F{f} is not above 0" alarm 14800 help "program a feed above 0";
 }
 
-P2004 Error "tool-data-missing" "data of the tool are missing" was "K2008 tool-radius-unknown S2201 siemens-nose-unknown S2221 siemens-groove-tool S2241 siemens-milling-radius T2024 turning-tool-data-missing T9005 turning-compensation-resolve"
+P2004 Error "tool-fact-missing" "data of the tool are missing" was "K2008 tool-radius-unknown S2201 siemens-nose-unknown S2221 siemens-groove-tool S2241 siemens-milling-radius T2024 turning-tool-data-missing T9005 turning-compensation-resolve"
 "The path depends on the radius of the tool, or on more of its data, and neither the program nor the configuration gives them.\n\n\
 Klartext: The block needs the tool radius. Put a `TOOL DEF` with R into the program, name the tool table under `[tools] table`, or add \
 `[tools.5]` with `radius = 4.0` to partc.toml.\n\n\
