@@ -1,6 +1,6 @@
 //! What is wrong with the form of a block, and repairs that every dialect makes.
 
-use crate::diag::{Code, Raised};
+use crate::diag::{Code, Fault, Help, Raised};
 use crate::text::Span;
 
 /// A finding about one block; spans count from its start.
@@ -11,7 +11,7 @@ pub struct Problem {
     pub alarm: Option<u32>,
     pub span: Span,
     pub message: String,
-    pub help: Option<String>,
+    pub help: Option<Help>,
 }
 
 impl Problem {
@@ -30,9 +30,17 @@ impl Problem {
         Raised { code: self.code, alarm: self.alarm }
     }
 
-    pub fn help(mut self, text: impl Into<String>) -> Problem {
-        self.help = Some(text.into());
+    pub fn help(mut self, help: impl Into<Help>) -> Problem {
+        self.help = Some(help.into());
         self
+    }
+}
+
+impl Fault {
+    /// The problem of words of a block.
+    pub fn among(self, span: Span) -> Problem {
+        let Raised { code, alarm } = self.raised;
+        Problem { code, alarm, span, message: self.message, help: self.help }
     }
 }
 

@@ -4,15 +4,27 @@ super::codes! { KLARTEXT:
 
 K0003 Error "klartext-number" "number has too many digits or is out of range"
 "Klartext numbers have at most nine digits before and six after the point (a Q parameter holds up to 16). \
-A longer number is a damaged line or a missing blank between two words."
+A longer number is a damaged line or a missing blank between two words." {
+    m_function_number_is_out_of_range() "M function number is out of range" help "M0 to M999";
+    is_beyond_input_range_of_control(shown) "`{shown}` is beyond the input range of the control"
+        help "a position, radius, angle or speed is at most 99999.9999";
+    number_is_out_of_range() "number is out of range" help "at most 9 digits before and 6 after the decimal point";
+}
 
 K1002 Error "klartext-statement" "unknown statement"
 "The block starts with a word that begins no Klartext block, so nothing of it is used. Check the spelling. A remark starts with `;`; \
-a block of another language (DIN/ISO, another control) has to be converted."
+a block of another language (DIN/ISO, another control) has to be converted." {
+    begins_no_klartext_block(head, second) "`{head} {second}` begins no Klartext block";
+    is_not_complete(head, second, form) "`{head} {second}` is not complete" help "the block looks like `{form}`";
+    alone_is_no_klartext_block(head, form) "`{head}` alone is no Klartext block" help "the block looks like `{form}`";
+    begins_no_klartext_block_2(word) "`{word}` begins no Klartext block";
+}
 
 K1003 Warning "keyword-misspelled" "keyword is misspelled but clear"
 "The word is not spelled as the control writes it, for instance `CYCLE DEF` for `CYCL DEF`. \
-There is only one reading, and that is compiled; a control would refuse the block."
+There is only one reading, and that is compiled; a control would refuse the block." {
+    cycle_is_read_as_cycl() "`CYCLE` is read as `CYCL`" help "the control writes `CYCL`";
+}
 
 K1007 Error "unit-missing" "BEGIN PGM states neither MM nor INCH"
 "The unit decides every length of the program: the difference is a factor of 25.4, and it cannot be guessed. The control writes it \
@@ -384,7 +396,11 @@ K2415 Warning "variable-unused" "value of `[variables]` is not used"
 
 K1850 Error "block-in-wrapped-comment" "line of a wrapped comment reads as a block"
 "A comment that ends with `~` goes on in the next line, which is text for the control. Here that line reads as a block of its own, so \
-the `~` may be meant as decoration, and then the block would be lost. Remove the `~`, or write the text on one line."
+the `~` may be meant as decoration, and then the block would be lost. Remove the `~`, or write the text on one line." {
+    is_text_of_comment_before(shown)
+        "`{shown}` is text of the comment before, whose line ends with `~`, and reads as a block"
+        help "remove the `~` if this is a block; if it is text, write it on the line of the comment";
+}
 
 K8020 Warning "cycle-19-reading" "cycle 19 is read as space angles"
 "The machine's configuration decides whether the angles of cycle 19 are space angles or positions of the rotary axes. As a space angle C turns the \

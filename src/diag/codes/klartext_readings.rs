@@ -5,7 +5,13 @@ super::codes! { KLARTEXT_READINGS:
 
 K0801 Error "no-number" "word has no number"
 "CAM systems and post-processors print NaN, -nan(ind), inf or 1.#IND where they had no value to print. What the word should say cannot be known. \
-A number with an exponent, 1e-05, is one that the control does not read. Only the first such word of a program is reported; write the program anew."
+A number with an exponent, 1e-05, is one that the control does not read. Only the first such word of a program is reported; write the program anew." {
+    is_no_number(word) "`{word}` is no number: what wrote the program had no value here"
+        help "write the program anew in the CAM system; further words of this kind are not listed";
+    has_exponent_which_control_does_not_read(word) "`{word}` has an exponent, which the control does not read"
+        help "let the post-processor write numbers in full: 0.00001 for 1e-05; further words of this kind are not \
+        listed";
+}
 
 K2801 Error "tool-not-changed" "called tool is not in the spindle yet"
 "The program writes M6 of its own, so M6 changes the tool, and TOOL CALL only makes it ready. Here something cuts after a TOOL CALL \

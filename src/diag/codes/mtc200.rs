@@ -4,7 +4,10 @@ super::codes! { MTC200:
 
 M0003 Error "mtc-comment-open" "comment is not closed in its block"
 "A comment in brackets ends in the block in which it begins. Without the closing bracket it is not clear which words belong to it, and \
-a word that moves the tool might be lost. Close it, or write a comment that begins with `;`."
+a word that moves the tool might be lost. Close it, or write a comment that begins with `;`." {
+    comment_that_begins_here_is_not_closed() "the comment that begins here is not closed"
+        help "close it in the same block, or begin it with `;`";
+}
 
 M1002 Error "mtc-header" "file header is damaged"
 "A transfer file begins with a line `%NPG…`, goes on with lines that begin with `!`, `#`, `$` or `*`, and ends its header with a second \
@@ -19,6 +22,8 @@ program has to be certain: copy the file again. Source: NC Programming Instructi
 
 M1003 Error "mtc-address-alone" "address without a value"
 "A letter stands alone. The control needs a number behind it, or `=` and a variable: `X10`, `X=@050`." {
+    address_has_no_value(letter) "the address {letter} has no value"
+        help "write it with a number, or as {letter}=@050";
     word_has_no_value() "the word has no value";
     has_no_value(name) "{name} has no value" help "write it as `CF2` or `RD2`";
     acc_has_no_value() "ACC has no value";
@@ -245,6 +250,11 @@ of the move." {
 M9002 Error "mtc-word-unknown" "word is not known"
 "The word is none of the control's, or its meaning is not documented. If it is known not to move the tool, list it in `[control] machine_words`; it is then left out \
 with a note, or printed as an M function. Beside axes and other words that no G function of the block takes it is refused: they may be its arguments." {
+    is_not_supported_so_give_what(word, system_function) "`{word}` ({system_function}) is not supported"
+        help "give what is read as a number, or as a variable in `[variables]` of partc.toml; leave out a block that \
+        only writes";
+    is_variable_of_another_process(word) "`{word}` is a variable of another process"
+        help "give the value as a variable of this process in `[variables]` of partc.toml";
     start_angle_of_thread_has_no_word() "the start angle of a thread has no word in the output"
         help "move the start of the thread instead: a part of the lead earlier";
     angle_p_of_offset_is_not_documented() "the angle P of an offset is not documented"

@@ -10,7 +10,15 @@ file was damaged in transfer, or a word processor put in a special character.\n\
 MTC200: A character stands outside a comment where the control knows only letters, digits, signs and blanks. Often a file was damaged in \
 transfer. Comments stand behind `;`, in round brackets, or in square brackets.\n\n\
 SINUMERIK: The character belongs to no word of the SINUMERIK language. Comments start with a semicolon. The control shows alarm 12080.\n\n\
-HEIDENHAIN turning: The character belongs to no word of a turning program. Comments stand in square brackets: `[ROUGH THE OUTSIDE]`."
+HEIDENHAIN turning: The character belongs to no word of a turning program. Comments stand in square brackets: `[ROUGH THE OUTSIDE]`." {
+    carriage_return_without_line_feed_stands_inside()
+        "a carriage return without a line feed stands inside this block"
+        help "end every line of the file in the same way";
+    has_no_place_in_block(of) "{of} has no place in a block" help "a comment starts with `;`";
+    has_no_place_in_block_so_comment_stands(of) "{of} has no place in a block"
+        help "a comment stands behind `;` or in brackets";
+    has_no_place_in_block_2(of) "{of} has no place in a block";
+}
 
 P0011 Warning "printed-dash" "printed dash is read as a minus sign" was "K0002 typographic-minus M0002 mtc-typographic-minus S0002 siemens-dash T0002 turning-dash"
 "The block holds a dash as books print it (U+2013, U+2212), which happens when a program is copied out of a PDF. It is read as a minus; a \
@@ -26,6 +34,28 @@ SINUMERIK: The words of the block do not fit together: a value or `=` is missing
 shows alarm 12080 and stops at the block.\n\n\
 HEIDENHAIN turning: The words of the block do not fit together: a value is missing, or a word stands where none can stand. An address \
 and its value stand together (`X50`, `Xi-5`, `X#5`, `X{#5+2}`); a coordinate that is left open is written `X?`." {
+    cannot_stand_here(word) "`{word}` cannot stand here";
+    block_ends_too_early() "block ends too early";
+    cannot_stand_in_front(text) "`{text}` cannot stand in front of `=`";
+    block_ends_too_early_so_formula() "the block ends too early" help "a formula or a value is missing";
+    is_no_value(text) "`{text}` is no value" alarm 12080;
+    label_too_many_in_repetition() "a label too many in the repetition" alarm 12080;
+    only_p_may_follow_label_of_repetition() "only P= may follow the label of a repetition" alarm 12080;
+    p_stands_twice() "P stands twice" alarm 12080;
+    block_number_is_whole_number() "a block number is a whole number" alarm 12080;
+    constant_of_case_is_whole_number() "a constant of CASE is a whole number" alarm 12080;
+    cannot_stand_in_front_2(text) "`{text}` cannot stand in front of `=`" alarm 12080;
+    text_cannot_stand_here() "a text cannot stand here"
+        help "a text is an argument, as in MSG(\"TEXT\"), or a value, as in T=\"DRILL\"";
+    address_has_no_value(letter) "the address {letter} has no value";
+    letter_o_stands_behind_digit() "a letter O stands behind a digit";
+    is_missing_in_front(word) "`=` is missing in front of `{word}`";
+    block_ends_too_early_2() "the block ends too early";
+    takes_another_number_of_values(name) "`{name}` takes another number of values";
+    is_no_value_2(shown) "`{shown}` is no value";
+    cannot_stand_in_front_3(shown) "`{shown}` cannot stand in front of `=`";
+    is_no_address(shown) "`{shown}` is no address";
+    stands_where_value_is_missing(word) "`{word}` stands where a value is missing";
     fn_23_names_its_result() "FN 23 names its result and its points" help "write `FN 23: Q20 = CDATA Q30`";
     fn_37_exports_ql_parameter() "FN 37 exports a QL parameter: `FN 37: EXPORT QL5`";
     sysread_takes_whole_numbers_behind_id() "SYSREAD takes whole numbers behind ID and NR, and IDX";
@@ -67,6 +97,8 @@ SINUMERIK: Each address may stand once in a block; only G and M may be repeated.
 words is too many, or an axis letter is mistyped.\n\n\
 HEIDENHAIN turning: A block may hold several functions as long as no address is used twice. Which of the two values counts cannot be \
 guessed. Put the second function into a block of its own." {
+    sets_second_time_so_remove_one(shown, q) "`{shown}` sets {q} a second time in this definition"
+        help "remove one of the two";
     sets_second_time_in_this_definition(word_text, q) "`{word_text}` sets {q} a second time in this definition"
         help "remove one of the two";
     repeats_word_of_this_block(shown) "`{shown}` repeats a word of this block" help "remove one of the two";
@@ -106,6 +138,12 @@ SINUMERIK: The word has no meaning beside the others: a centre in a straight lin
 does not take. The control shows alarm 12110, or 15460 if the G code is modal only. Nothing is dropped, so the block is refused.\n\n\
 HEIDENHAIN turning: Every word has to belong to a function of its block, and the functions of this one do not take it. The control would \
 refuse it or ignore it; partc never drops a word. Remove it, or put it where it belongs." {
+    has_no_place_so_cycle_parameter(shown, value) "`{shown}` has no place behind `{value}`"
+        help "a cycle parameter takes one number or one parameter: `Q201=-20` or `Q201=-Q1`; a remark starts with \
+        `;`";
+    has_no_place_in_cycle_definition(shown) "`{shown}` has no place in a cycle definition";
+    is_joined_to_line_in_front(shown, of) "`{shown}` is joined to {of}: the line in front of it ends with `~`"
+        help "remove the `~` at the end of the line in front";
     moves_axes_of_plane(name) "{name} moves the axes of the plane and the tool axis";
     is_arc_in_plane(function) "{function} is an arc in the plane and moves no other axis"
         help "program the other axis in a block of its own";
@@ -353,7 +391,13 @@ certain: put each into a file of its own, named by its number." {
 P1010 Error "block-in-comment" "comment hides a block behind a lone carriage return" was "K1016 S1015 siemens-block-in-comment"
 "A comment holds a carriage return, and what follows reads as a block. Lines of this file end with a line feed, so for the control the \
 rest still is comment, while many editors show a line of its own. Whether the block shall run cannot be known: end the comment with a \
-line feed, or remove the block."
+line feed, or remove the block." {
+    stands_in_comment_behind_lone_carriage_return(block)
+        "`{block}` stands in a comment behind a lone carriage return"
+        help "end the line of the comment with a line feed, or remove the block";
+    stands_in_comment_behind_lone_carriage(shown) "`{shown}` stands in a comment behind a lone carriage return"
+        help "end the line of the comment with a line feed, or remove the block";
+}
 
 P1011 Error "lone-carriage-return" "carriage return inside a block" was "M1050 mtc-carriage-return S1101 siemens-lone-return T2050 turning-lone-return"
 "Other programs show what follows the carriage return as a line of its own, and the control reads it on. Which of the two was meant \
@@ -365,5 +409,13 @@ left of a line end, so that two blocks would be read as one. End every line in t
 and a line feed.\n\n\
 HEIDENHAIN turning: A carriage return stands alone, without a line feed, in a file whose lines end with line feeds. Editors show what \
 follows as a line of its own; partc and the control would read it as part of the same line, or of its comment. End the line with a line \
-feed."
+feed." {
+    line_break_stands_inside_of_block() "a line break stands inside of the block, and does not end it"
+        help "save the file with one kind of line break";
+    carriage_return_without_line_feed_stands_inside()
+        "a carriage return without a line feed stands inside this block"
+        help "end every line of the file in the same way";
+    stands_behind_lone_carriage_return(of) "`{of}` stands behind a lone carriage return"
+        help "end the line in front of it with a line feed, or remove it";
+}
 }

@@ -232,6 +232,8 @@ SINUMERIK: The word changes how the machine moves in a way that plain G-code can
 moves.\n\n\
 HEIDENHAIN turning: The function is known by its name but not compiled, or it is not a function of these controls. Nothing is left out \
 in silence: the program is refused." {
+    is_parameter_by_name(shown) "`{shown}` is a parameter by name, which is not supported"
+        help "use a Q parameter: `Q1`";
     global_def_125_decides_where_tool_goes()
         "GLOBAL DEF 125 decides where the tool goes between the places of a pattern, which is not supported"
         help "remove the block: the tool retracts to the 2nd set-up clearance";

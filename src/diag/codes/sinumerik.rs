@@ -4,23 +4,36 @@ super::codes! { SINUMERIK:
 
 S0003 Error "siemens-bracket-comment" "comment in brackets"
 "Brackets hold comments in DIN 66025 and ISO programs. On a SINUMERIK control they group formulas and hold arguments; \
-a comment starts with a semicolon. The control shows alarm 12080."
+a comment starts with a semicolon. The control shows alarm 12080." {
+    brackets_hold_no_comment_on_this_control() "brackets hold no comment on this control";
+}
 
 S1002 Error "siemens-two-operators" "two operators in a row"
-"Two arithmetic operators cannot follow each other: `R1=R2--R3` is refused with alarm 12180. Put the signed value in brackets."
+"Two arithmetic operators cannot follow each other: `R1=R2--R3` is refused with alarm 12180. Put the signed value in brackets." {
+    follows_another_operator(word) "`{word}` follows another operator";
+}
 
 S1003 Error "siemens-skip-level" "skip level does not exist"
-"Blocks are skipped on levels /0 to /9; a slash alone means level 0. The control shows alarm 14060."
+"Blocks are skipped on levels /0 to /9; a slash alone means level 0. The control shows alarm 14060." {
+    there_is_no_such_skip_level() "there is no such skip level";
+}
 
 S1004 Error "siemens-structure-mark" "label or skip mark on a control structure"
 "Lines with IF, ELSE, ENDIF, WHILE, FOR, LOOP, REPEAT and their ends take neither a label nor a skip mark. \
-Put the label into the block before. The control shows alarm 12630."
+Put the label into the block before. The control shows alarm 12630." {
+    cannot_stand_in_front_of_control_structure(what) "{what} cannot stand in front of a control structure";
+}
 
 S1013 Error "siemens-modal-passes" "number of passes in a modal call"
-"MCALL calls the program once behind every positioning block; a number of passes cannot be given. The control shows alarm 12100."
+"MCALL calls the program once behind every positioning block; a number of passes cannot be given. The control shows alarm 12100." {
+    modal_call_takes_no_number_of_passes() "a modal call takes no number of passes";
+}
 
 S1014 Error "siemens-name-length" "name is too long"
 "Labels and names have at most 32 characters; the control stops at a longer one with alarm 12420. Shorten it." {
+    label_is_longer_than_characters(readable, most_label)
+        "the label `{readable}` is longer than {most_label} characters"
+        help "shorten it";
     name_has_characters(word) "the name has {word} characters" alarm 12420 help "shorten it to 31";
 }
 

@@ -4,7 +4,9 @@ super::codes! { SINUMERIK_WARNINGS:
 
 S8001 Warning "siemens-unbracketed-logic" "AND or OR beside a comparison without brackets"
 "Comparisons bind weakest on a SINUMERIK control: `R1==1 AND R2==2` is read as `R1 == (1 AND R2) == 2`, which is hardly what is meant. \
-Put each comparison in brackets. The program is compiled as the control reads it."
+Put each comparison in brackets. The program is compiled as the control reads it." {
+    and_or_xor_bind_tighter_than_comparison() "AND, OR and XOR bind tighter than the comparison beside them";
+}
 
 S8002 Note "siemens-dynamics" "words for speed and accuracy are left out"
 "SOFT, FFWON, COMP…, G601, ADISPOS, ACC and others shape how a control follows the path, not the path itself, and are left out. G60, G9, G64, G641, G642, CTOL and the tolerance of CYCLE832 are none of \

@@ -4,7 +4,10 @@ super::codes! { TURNING:
 
 T1004 Error "turning-comment" "comment is not closed, or words follow it"
 "A comment stands in square brackets at the end of its block or alone on its line. Words behind a comment would be easy to overlook, and \
-a bracket that is not closed may have swallowed words."
+a bracket that is not closed may have swallowed words." {
+    words_stand_behind_comment() "words stand behind a comment";
+    comment_is_not_closed() "the comment is not closed" help "close it with `]`";
+}
 
 T1007 Error "turning-value" "value is out of range"
 "The word takes other values than this one: a whole number of a short list, a length above zero, or a factor up to 1. Check the value, \
@@ -458,6 +461,8 @@ the contour, around outside corners on an arc of the nose radius, and from the p
 
 T9002 Error "turning-keyword" "keyword or section is not supported"
 "The word begins something that partc does not compile. Write the blocks out, or remove what is not needed." {
+    is_not_supported(shown, what) "`{shown}` ({what}) is not supported";
+    is_not_supported_2(shown) "`{shown}` is not supported";
     names_of_constants() "names of constants and variables (CONST, VAR) are not supported"
         help "write the value or the variable itself where a name stands";
     several_contours_on_one_bar_are_not() "several contours on one bar are not supported"
@@ -465,7 +470,10 @@ T9002 Error "turning-keyword" "keyword or section is not supported"
 }
 
 T9003 Error "turning-formula-function" "function of a formula is not supported"
-"Formulas know SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, ABS, INT, ROUND, LN, EXP, SQRTA and SQRTS, angles in degrees. Write the formula with these."
+"Formulas know SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, ABS, INT, ROUND, LN, EXP, SQRTA and SQRTS, angles in degrees. Write the formula with these." {
+    function_is_not_supported(name) "the function `{name}` is not supported";
+    para_parameter_of_machine_is_not_supported() "`PARA` (a parameter of the machine) is not supported";
+}
 
 T9004 Error "turning-axis" "axis is not supported"
 "Only X and Z of the first slide are compiled. C and Y axis machining, a second slide and a counter spindle need other moves." {

@@ -25,8 +25,7 @@ pub(super) fn problem(text: &[u8], block: &Block) -> Option<Problem> {
         match parameter {
             Some(q) if !seen.insert(q) => {
                 let shown = readable(word.span.of(text)).into_owned();
-                let message = format!("`{shown}` sets {q} a second time in this definition");
-                return Some(Problem::new(codes::P1002, word.span, message).help("remove one of the two"));
+                return Some(codes::P1002::sets_second_time_so_remove_one(&shown, &q).among(word.span));
             }
             None if part.is_none() => return Some(behind_value(text, last, word)),
             _ => {}
@@ -48,16 +47,14 @@ pub(super) fn dangling(text: &[u8], at: u32, of: &str) -> Problem {
     let len = line.iter().position(|b| matches!(b, b';' | b'~' | b'\n' | b'\r')).unwrap_or(line.len());
     let span = Span::at(at, line[..len].trim_ascii_end().len() as u32);
     let shown = readable(span.of(text)).into_owned();
-    let message = format!("`{shown}` is joined to {of}: the line in front of it ends with `~`");
-    Problem::new(codes::P1003, span, message).help("remove the `~` at the end of the line in front")
+    codes::P1003::is_joined_to_line_in_front(&shown, &of).among(span)
 }
 
 fn behind_value(text: &[u8], last: Option<&Word>, word: &Word) -> Problem {
     let shown = readable(word.span.of(text)).into_owned();
     let Some(last) = last else {
-        return Problem::new(codes::P1003, word.span, format!("`{shown}` has no place in a cycle definition"));
+        return codes::P1003::has_no_place_in_cycle_definition(&shown).among(word.span);
     };
     let value = readable(last.span.of(text)).into_owned();
-    Problem::new(codes::P1003, word.span, format!("`{shown}` has no place behind `{value}`"))
-        .help("a cycle parameter takes one number or one parameter: `Q201=-20` or `Q201=-Q1`; a remark starts with `;`")
+    codes::P1003::has_no_place_so_cycle_parameter(&shown, &value).among(word.span)
 }

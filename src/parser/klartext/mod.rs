@@ -140,14 +140,7 @@ fn hidden_block(text: &[u8], problems: &mut Vec<Problem>) {
             let end = rest.iter().rposition(|b| !is_blank(*b)).map_or(lead, |last| last + 1);
             let span = Span::at((at + 1 + lead) as u32, (end - lead) as u32);
             let block = readable(span.of(text)).into_owned();
-            problems.push(
-                Problem::new(
-                    codes::P1010,
-                    span,
-                    format!("`{block}` stands in a comment behind a lone carriage return"),
-                )
-                .help("end the line of the comment with a line feed, or remove the block"),
-            );
+            problems.push(codes::P1010::stands_in_comment_behind_lone_carriage_return(&block).among(span));
             return;
         }
     }
@@ -187,14 +180,7 @@ fn whole_comment(text: &[u8], start: usize, block: &mut Block, problems: &mut Ve
             let lead = line.len() - line.trim_ascii_start().len();
             let span = Span::at((at + lead) as u32, line.trim_ascii().len() as u32);
             let shown = readable(span.of(text)).into_owned();
-            problems.push(
-                Problem::new(
-                    codes::K1850,
-                    span,
-                    format!("`{shown}` is text of the comment before, whose line ends with `~`, and reads as a block"),
-                )
-                .help("remove the `~` if this is a block; if it is text, write it on the line of the comment"),
-            );
+            problems.push(codes::K1850::is_text_of_comment_before(&shown).among(span));
             return;
         }
     }
@@ -220,9 +206,7 @@ pub fn parse_statement(text: &[u8], from: usize, block: &mut Block, problems: &m
         return;
     }
     if misspelled {
-        problems.push(
-            Problem::new(codes::K1003, block.span, "`CYCLE` is read as `CYCL`").help("the control writes `CYCL`"),
-        );
+        problems.push(codes::K1003::cycle_is_read_as_cycl().among(block.span));
     }
     let problem = number_problem(text, block).or_else(|| return_problem(text, block));
     if let Some(problem) = problem.or_else(|| cycle::problem(text, block)) {
@@ -242,10 +226,7 @@ fn return_problem(text: &[u8], block: &Block) -> Option<Problem> {
         if !matches!(code.get(at), None | Some(b'\n')) && !commented {
             let word = code[at..].iter().take_while(|b| !is_blank(**b)).count();
             let span = Span::at(at as u32, word.max(1) as u32);
-            return Some(
-                Problem::new(codes::P0010, span, "a carriage return without a line feed stands inside this block")
-                    .help("end every line of the file in the same way"),
-            );
+            return Some(codes::P0010::carriage_return_without_line_feed_stands_inside().among(span));
         }
     }
     None
@@ -254,23 +235,17 @@ fn return_problem(text: &[u8], block: &Block) -> Option<Problem> {
 /// Literals that no control accepts.
 fn number_problem(text: &[u8], block: &Block) -> Option<Problem> {
     let too_large = |value: f64| value.abs() > LARGEST;
-    let bad = |span| {
-        Problem::new(codes::K0003, span, "number is out of range")
-            .help("at most 9 digits before and 6 after the decimal point")
-    };
+    let bad = |span| codes::K0003::number_is_out_of_range().among(span);
     for word in &block.words {
         if matches!(word.value, Value::Number(n) if too_large(n)) {
             return Some(bad(word.span));
         }
         if matches!(word.value, Value::Number(n) if n.abs() > LARGEST_WORD) && is_narrow(word.addr) {
             let shown = readable(word.span.of(text)).into_owned();
-            return Some(
-                Problem::new(codes::K0003, word.span, format!("`{shown}` is beyond the input range of the control"))
-                    .help("a position, radius, angle or speed is at most 99999.9999"),
-            );
+            return Some(codes::K0003::is_beyond_input_range_of_control(&shown).among(word.span));
         }
         if matches!(word.addr, Addr::M(n) if n > MOST_M) {
-            return Some(Problem::new(codes::K0003, word.span, "M function number is out of range").help("M0 to M999"));
+            return Some(codes::K0003::m_function_number_is_out_of_range().among(word.span));
         }
     }
     if block.ops.iter().any(|op| matches!(op, Op::Number(n) if too_large(*n))) {

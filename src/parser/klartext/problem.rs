@@ -56,8 +56,7 @@ const FORMS: &[(&str, &str)] = &[
 pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u32) -> Problem {
     if let Some(span) = named_parameter(text, from) {
         let shown = readable(span.of(text)).into_owned();
-        return Problem::new(codes::P9011, span, format!("`{shown}` is a parameter by name, which is not supported"))
-            .help("use a Q parameter: `Q1`");
+        return codes::P9011::is_parameter_by_name(&shown).among(span);
     }
     match error {
         ParseError::User { error } => Problem::new(codes::P1001, error.span, error.message).form(text, from),
@@ -66,7 +65,7 @@ pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u
         ParseError::InvalidToken { location } => unexpected(Tok::Bad, Span::at(location, 1), text, from),
         ParseError::UnrecognizedEof { location, .. } => {
             let span = Span { start: from, end: location.max(from) };
-            Problem::new(codes::P1001, span, "block ends too early").form(text, from)
+            codes::P1001::block_ends_too_early().among(span).form(text, from)
         }
     }
 }
@@ -83,8 +82,7 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
         return problem;
     }
     if tok == Tok::Bad {
-        return Problem::new(codes::P0010, span, format!("{} has no place in a block", named(span.of(text))))
-            .help("a comment starts with `;`");
+        return codes::P0010::has_no_place_in_block(&named(span.of(text))).among(span);
     }
     if span.start > from && begins_line(text, span.start) {
         return dangling(text, span.start, "the block");
@@ -92,7 +90,7 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
     if span.start == from {
         return no_statement(&word, span, text);
     }
-    Problem::new(codes::P1001, span, format!("`{word}` cannot stand here")).form(text, from)
+    codes::P1001::cannot_stand_here(&word).among(span).form(text, from)
 }
 
 /// A word around `span` that is no number, or one with an exponent.
@@ -102,18 +100,13 @@ pub fn misprinted(text: &[u8], span: Span) -> Option<Problem> {
     let word = readable(span.of(text)).into_owned();
     Some(match kind {
         Misprint::Nothing => no_number(&word, span),
-        Misprint::Exponent => {
-            let message = format!("`{word}` has an exponent, which the control does not read");
-            let help = "let the post-processor write numbers in full: 0.00001 for 1e-05; further words of this kind are not listed";
-            Problem::new(codes::K0801, span, message).help(help)
-        }
+        Misprint::Exponent => codes::K0801::has_exponent_which_control_does_not_read(&word).among(span),
     })
 }
 
 /// A word that some program wrote instead of a number.
 pub fn no_number(word: &str, span: Span) -> Problem {
-    Problem::new(codes::K0801, span, format!("`{word}` is no number: what wrote the program had no value here"))
-        .help("write the program anew in the CAM system; further words of this kind are not listed")
+    codes::K0801::is_no_number(&word).among(span)
 }
 
 /// Statements of two words: the first one, the second ones, how such a block looks.
@@ -159,7 +152,7 @@ fn no_statement(word: &str, span: Span, text: &[u8]) -> Problem {
     if let Some((head, seconds, form)) = PAIRS.iter().find(|(head, ..)| *head == upper) {
         return wrong_pair(head, seconds, form, words.next(), rest, span);
     }
-    let problem = Problem::new(codes::K1002, span, format!("`{word}` begins no Klartext block"));
+    let problem = codes::K1002::begins_no_klartext_block_2(&word).among(span);
     if let Some((_, form)) = MEANT.iter().find(|(meant, _)| *meant == upper) {
         return problem.help(format!("the block looks like `{form}`"));
     }
@@ -195,14 +188,14 @@ fn glued(word: &str) -> Option<&'static str> {
 fn wrong_pair(head: &str, seconds: &[&str], form: &str, second: Option<&str>, rest: &[u8], span: Span) -> Problem {
     let looks = format!("the block looks like `{form}`");
     let Some(second) = second else {
-        return Problem::new(codes::K1002, span, format!("`{head}` alone is no Klartext block")).help(looks);
+        return codes::K1002::alone_is_no_klartext_block(&head, &form).among(span);
     };
     let both = Span::at(span.start, two_words(rest));
     let upper = second.to_uppercase();
     if seconds.contains(&upper.as_str()) {
-        return Problem::new(codes::K1002, both, format!("`{head} {second}` is not complete")).help(looks);
+        return codes::K1002::is_not_complete(&head, &second, &form).among(both);
     }
-    let problem = Problem::new(codes::K1002, both, format!("`{head} {second}` begins no Klartext block"));
+    let problem = codes::K1002::begins_no_klartext_block(&head, &second).among(both);
     match did_you_mean(&upper, seconds.iter().copied()) {
         Some(like) => problem.help(format!("did you mean `{head} {like}`?")),
         None => problem.help(looks),

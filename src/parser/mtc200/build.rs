@@ -51,7 +51,7 @@ impl<'a> Build<'a> {
         }
         let span = Span { start, end };
         let text = readable(span.of(self.text)).into_owned();
-        let error = Problem::new(codes::P1001, span, format!("`{text}` cannot stand in front of `=`"));
+        let error = codes::P1001::cannot_stand_in_front(&text).among(span);
         Err(ParseError::User { error: error.help("write the letter alone: X=@050") })
     }
 

@@ -29,8 +29,7 @@ pub fn parse_block(text: &[u8], block: &mut Block, symbols: &mut Symbols, proble
     if let Some(at) = stray_break(text) {
         let lead = text[at..].iter().take_while(|b| b.is_ascii_whitespace() || **b == 0).count();
         let span = Span { start: (at + lead) as u32, end: text.trim_ascii_end().len() as u32 };
-        let message = "a line break stands inside of the block, and does not end it";
-        problems.push(Problem::new(codes::P1011, span, message).help("save the file with one kind of line break"));
+        problems.push(codes::P1011::line_break_stands_inside_of_block().among(span));
         block.stmt = Stmt::Bad;
         block.span = Span { start: 0, end: text.trim_ascii_end().len() as u32 };
         return false;

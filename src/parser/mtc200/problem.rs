@@ -35,7 +35,7 @@ pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u
             if let Some(letter) = bare_letter(text, location) {
                 return letter;
             }
-            Problem::new(codes::P1001, span, "the block ends too early").help("a formula or a value is missing")
+            codes::P1001::block_ends_too_early_so_formula().among(span)
         }
     }
 }
@@ -51,8 +51,7 @@ fn bare_letter(text: &[u8], end: u32) -> Option<Problem> {
 
 fn without_value(span: Span, letter: u8) -> Problem {
     let letter = letter.to_ascii_uppercase() as char;
-    Problem::new(codes::M1003, span, format!("the address {letter} has no value"))
-        .help(format!("write it with a number, or as {letter}=@050"))
+    codes::M1003::address_has_no_value(&letter).among(span)
 }
 
 fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
@@ -60,20 +59,16 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
     let word = readable(span.of(text)).into_owned();
     match tok {
         Tok::Unclosed => {
-            return Problem::new(codes::M0003, span, "the comment that begins here is not closed")
-                .help("close it in the same block, or begin it with `;`");
+            return codes::M0003::comment_that_begins_here_is_not_closed().among(span);
         }
         Tok::Bad => {
-            return Problem::new(codes::P0010, span, format!("{} has no place in a block", named(span.of(text))))
-                .help("a comment stands behind `;` or in brackets");
+            return codes::P0010::has_no_place_in_block_so_comment_stands(&named(span.of(text))).among(span);
         }
         Tok::OtherVariable => {
-            return Problem::new(codes::M9002, span, format!("`{word}` is a variable of another process"))
-                .help("give the value as a variable of this process in `[variables]` of partc.toml");
+            return codes::M9002::is_variable_of_another_process(&word).among(span);
         }
         Tok::Name if is_system_function(&word.to_ascii_uppercase()) => {
-            let message = format!("`{word}` ({SYSTEM_FUNCTION}) is not supported");
-            return Problem::new(codes::M9002, span, message).help(WITHOUT_SYSTEM_DATA);
+            return codes::M9002::is_not_supported_so_give_what(&word, &SYSTEM_FUNCTION).among(span);
         }
         _ => {}
     }
@@ -81,7 +76,7 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
     if let Some(found) = bare_letter(before, before.len() as u32).filter(|_| tok != Tok::Assign) {
         return Problem { span: found.span.shifted(from), ..found };
     }
-    let problem = Problem::new(codes::P1001, span, format!("`{word}` cannot stand here"));
+    let problem = codes::P1001::cannot_stand_here(&word).among(span);
     match tok {
         Tok::Label => problem.help("a label stands at the start of a block or behind a jump such as `BRA .LOOP`"),
         Tok::Variable(_) => problem.help("a variable is the value of a word: X=@050"),

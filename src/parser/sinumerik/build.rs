@@ -2,7 +2,7 @@
 
 use lalrpop_util::ParseError;
 
-use crate::diag::{Raised, codes};
+use crate::diag::{Fault, codes};
 use crate::lexer::sinumerik::{LetterNumber, Number, Tok, TypeName};
 use crate::parser::problem::Problem;
 use crate::parser::symbols::{Symbol, Symbols};
@@ -15,8 +15,8 @@ pub type Refusal = Problem;
 
 type Refused<T> = Result<T, ParseError<u32, Tok, Refusal>>;
 
-fn refuse<T>(code: impl Into<Raised>, span: Span, message: impl Into<String>) -> Refused<T> {
-    Err(ParseError::User { error: Problem::new(code, span, message) })
+fn refuse<T>(span: Span, fault: Fault) -> Refused<T> {
+    Err(ParseError::User { error: fault.among(span) })
 }
 
 /// What may follow the label of REPEAT.
@@ -93,7 +93,7 @@ impl<'a> Build<'a> {
             return Ok(());
         }
         let span = Span { start: name_end, end };
-        let problem = Problem::new(codes::S0003, span, "brackets hold no comment on this control");
+        let problem = codes::S0003::brackets_hold_no_comment_on_this_control().among(span);
         Err(ParseError::User { error: problem.alarm(12080).help("a comment starts with `;`") })
     }
 
@@ -104,11 +104,7 @@ impl<'a> Build<'a> {
 
     pub fn stray_text(&mut self, start: u32, end: u32) {
         let span = Span { start, end };
-        self.problems.push(
-            Problem::new(codes::P1001, span, "a text cannot stand here")
-                .alarm(12080)
-                .help("a text is an argument, as in MSG(\"TEXT\"), or a value, as in T=\"DRILL\""),
-        );
+        self.problems.push(codes::P1001::text_cannot_stand_here().among(span).alarm(12080));
         self.block.stmt = Stmt::Bad;
     }
 
@@ -117,7 +113,7 @@ impl<'a> Build<'a> {
         let span = Span { start, end };
         if !n.number.whole || n.number.value > 1e6 {
             let text = readable(span.of(self.text)).into_owned();
-            return refuse(codes::P1001.alarm(12080), span, format!("`{text}` cannot stand in front of `=`"));
+            return refuse(span, codes::P1001::cannot_stand_in_front_2(&text));
         }
         let name = self.name(start, end);
         Ok(Target::Numbered(n.letter, n.number.value as u32, name))
@@ -143,14 +139,14 @@ impl<'a> Build<'a> {
 
     pub fn constant(&mut self, n: Number, sign: i64, start: u32, end: u32) -> Refused<i64> {
         if !n.whole || n.value > f64::from(i32::MAX) {
-            return refuse(codes::P1001.alarm(12080), Span { start, end }, "a constant of CASE is a whole number");
+            return refuse(Span { start, end }, codes::P1001::constant_of_case_is_whole_number());
         }
         Ok(sign * n.value as i64)
     }
 
     pub fn block_number(&mut self, n: Number, start: u32, end: u32) -> Refused<JumpTarget> {
         if !n.whole || n.value > f64::from(u32::MAX) {
-            return refuse(codes::P1001.alarm(12080), Span { start, end }, "a block number is a whole number");
+            return refuse(Span { start, end }, codes::P1001::block_number_is_whole_number());
         }
         Ok(JumpTarget::Number(n.value as u32))
     }
@@ -179,13 +175,13 @@ impl<'a> Build<'a> {
             match word {
                 RepeatWord::Label(label) if to.is_none() && times.is_none() && !one_block => to = Some(label),
                 RepeatWord::Times(n) | RepeatWord::Address(b'P', n, _) if times.is_none() => times = Some(n),
-                RepeatWord::Times(n) => return refuse(codes::P1001.alarm(12080), n.span, "P stands twice"),
+                RepeatWord::Times(n) => return refuse(n.span, codes::P1001::p_stands_twice()),
                 RepeatWord::Address(_, _, span) => {
-                    return refuse(codes::P1001.alarm(12080), span, "only P= may follow the label of a repetition");
+                    return refuse(span, codes::P1001::only_p_may_follow_label_of_repetition());
                 }
                 RepeatWord::Label(_) => {
                     let span = Span { start: 0, end: self.text.len() as u32 };
-                    return refuse(codes::P1001.alarm(12080), span, "a label too many in the repetition");
+                    return refuse(span, codes::P1001::label_too_many_in_repetition());
                 }
             }
         }
@@ -194,7 +190,7 @@ impl<'a> Build<'a> {
 
     pub fn modal_call(&mut self, (name, span): (Symbol, Span), args: Option<Args>, times: Option<RepeatWord>) -> Stmt {
         if times.is_some() {
-            let problem = Problem::new(codes::S1013, span, "a modal call takes no number of passes");
+            let problem = codes::S1013::modal_call_takes_no_number_of_passes().among(span);
             self.problems.push(problem.alarm(12100).help("leave out what follows the name"));
             return Stmt::Bad;
         }
@@ -298,7 +294,7 @@ impl<'a> Build<'a> {
         }
         if !n.name_like {
             let text = readable(span.of(self.text)).into_owned();
-            return refuse(codes::P1001.alarm(12080), span, format!("`{text}` is no value"));
+            return refuse(span, codes::P1001::is_no_value(&text));
         }
         self.name_value(start, end);
         Ok(())
@@ -329,11 +325,7 @@ impl<'a> Build<'a> {
     pub fn compare(&mut self, op: Operator, logical: bool, start: u32, end: u32) -> bool {
         self.op(Op::Binary(op));
         if logical {
-            let found = Problem::new(
-                codes::S8001,
-                Span { start, end },
-                "AND, OR and XOR bind tighter than the comparison beside them",
-            );
+            let found = codes::S8001::and_or_xor_bind_tighter_than_comparison().among(Span { start, end });
             self.problems.push(found.help("put each comparison in brackets: IF (R1==1) AND (R2==2)"));
         }
         false

@@ -73,9 +73,8 @@ fn joined_lines(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) {
     let next = at + code[at..].iter().take_while(|b| b.is_ascii_whitespace()).count();
     let len = code[next..].iter().take_while(|b| !b.is_ascii_whitespace()).count();
     problems.clear();
-    let message = "a carriage return without a line feed stands inside this block";
-    let help = "end every line of the file in the same way";
-    problems.push(Problem::new(codes::P1011, Span::at(next as u32, len as u32), message).help(help));
+    problems
+        .push(codes::P1011::carriage_return_without_line_feed_stands_inside().among(Span::at(next as u32, len as u32)));
     block.stmt = Stmt::Bad;
 }
 
@@ -89,9 +88,7 @@ fn hidden_block(text: &[u8], comment: Span, problems: &mut Vec<Problem>) {
         start = span.end + 1;
         if span.start != comment.start && reads_as_block(piece) {
             let shown = readable(piece.trim_ascii()).into_owned();
-            let message = format!("`{shown}` stands in a comment behind a lone carriage return");
-            let help = "end the line of the comment with a line feed, or remove the block";
-            problems.push(Problem::new(codes::P1010, span, message).help(help));
+            problems.push(codes::P1010::stands_in_comment_behind_lone_carriage(&shown).among(span));
             return;
         }
     }
@@ -144,7 +141,7 @@ fn skip_level(text: &[u8], at: usize, block: &mut Block, problems: &mut Vec<Prob
         Some(level) if level <= MOST_SKIP => block.skip = Some(level),
         _ => {
             let span = Span { start: at as u32, end: end as u32 };
-            let problem = Problem::new(codes::S1003, span, "there is no such skip level");
+            let problem = codes::S1003::there_is_no_such_skip_level().among(span);
             problems.push(problem.alarm(14060).help("skip levels are /0 to /9; `/` alone is /0"));
             block.skip = Some(0);
         }
@@ -195,8 +192,8 @@ fn label_name(text: &[u8], at: usize, end: usize, symbols: &mut Symbols, problem
     let name = &text[at..end];
     if name.len() > MOST_LABEL {
         let span = Span { start: at as u32, end: end as u32 };
-        let message = format!("the label `{}` is longer than {MOST_LABEL} characters", readable(name));
-        problems.push(Problem::new(codes::S1014, span, message).alarm(12420).help("shorten it"));
+        problems
+            .push(codes::S1014::label_is_longer_than_characters(&readable(name), &MOST_LABEL).among(span).alarm(12420));
     }
     symbols.intern(name)
 }
@@ -246,10 +243,10 @@ fn bare_letter(text: &[u8], block: &Block) -> Option<Problem> {
     let letter = letter as char;
     let before = word.span.start.checked_sub(1).and_then(|at| text.get(at as usize));
     if letter == 'O' && before.is_some_and(u8::is_ascii_digit) {
-        let problem = Problem::new(codes::P1001, word.span, "a letter O stands behind a digit");
+        let problem = codes::P1001::letter_o_stands_behind_digit().among(word.span);
         return Some(problem.alarm(12080).help("write the digit 0"));
     }
-    let problem = Problem::new(codes::P1001, word.span, format!("the address {letter} has no value"));
+    let problem = codes::P1001::address_has_no_value(&letter).among(word.span);
     Some(problem.alarm(12080).help(format!("write it with a number, or as {letter}=formula")))
 }
 
@@ -275,7 +272,6 @@ fn structure_mark(block: &Block) -> Option<Problem> {
         (_, Some(_)) => "a skip mark",
         _ => return None,
     };
-    let message = format!("{what} cannot stand in front of a control structure");
     let help = if block.label.is_some() { "put the label into the block before" } else { "remove the /" };
-    Some(Problem::new(codes::S1004, block.span, message).alarm(12630).help(help))
+    Some(codes::S1004::cannot_stand_in_front_of_control_structure(&what).among(block.span).alarm(12630).help(help))
 }

@@ -42,7 +42,7 @@ pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u
         ParseError::InvalidToken { location } => unexpected(Tok::Bad, Span::at(location, 1), text, from),
         ParseError::UnrecognizedEof { location, .. } => {
             let span = Span { start: from, end: location.max(from) };
-            form(Problem::new(codes::P1001, span, "the block ends too early").alarm(12080), text, from)
+            form(codes::P1001::block_ends_too_early_2().among(span).alarm(12080), text, from)
         }
     }
 }
@@ -52,23 +52,22 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
     let word = readable(span.of(text)).into_owned();
     let before = text.get(from as usize..span.start as usize).unwrap_or_default().trim_ascii_end();
     if tok == Tok::Bad {
-        let problem =
-            Problem::new(codes::P0010, span, format!("{} has no place in a block", named(span.of(text)))).alarm(12080);
+        let problem = codes::P0010::has_no_place_in_block_2(&named(span.of(text))).among(span).alarm(12080);
         return problem.help("a comment starts with `;`");
     }
     if tok == Tok::Open && before.last().is_none_or(|b| !b.is_ascii_alphanumeric() && *b != b'_') {
-        let problem = Problem::new(codes::S0003, span, "brackets hold no comment on this control").alarm(12080);
+        let problem = codes::S0003::brackets_hold_no_comment_on_this_control().among(span).alarm(12080);
         return problem.help("a comment starts with `;`");
     }
     if is_operator(tok) && before.last().is_some_and(|b| b"+-*/".contains(b)) {
-        let problem = Problem::new(codes::S1002, span, format!("`{word}` follows another operator")).alarm(12180);
+        let problem = codes::S1002::follows_another_operator(&word).among(span).alarm(12180);
         return problem.help("put the second value in brackets: R1=R2-(-R3)");
     }
     if matches!(tok, Tok::Number(_) | Tok::Name | Tok::Letter(_)) && ends_in_name(before) {
-        let problem = Problem::new(codes::P1001, span, format!("`=` is missing in front of `{word}`")).alarm(12080);
+        let problem = codes::P1001::is_missing_in_front(&word).among(span).alarm(12080);
         return problem.help("an address of more than one letter takes `=`: CR=10");
     }
-    let problem = Problem::new(codes::P1001, span, format!("`{word}` cannot stand here")).alarm(12080);
+    let problem = codes::P1001::cannot_stand_here(&word).among(span).alarm(12080);
     match form_of(text, from) {
         None if is_speech(before) => {
             problem.help("this reads as plain speech and is no block; a comment starts with `;`")

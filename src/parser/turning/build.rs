@@ -2,7 +2,7 @@
 
 use lalrpop_util::ParseError;
 
-use crate::diag::{Code, codes};
+use crate::diag::{Fault, codes};
 use crate::lexer::turning::{self, Tok};
 use crate::parser::problem::Problem;
 use crate::text::{Span, decode::readable};
@@ -14,8 +14,8 @@ pub type Refusal = Problem;
 
 type Refused<T> = Result<T, ParseError<u32, Tok, Refusal>>;
 
-fn refuse<T>(code: &'static Code, span: Span, message: impl Into<String>) -> Refused<T> {
-    Err(ParseError::User { error: Problem::new(code, span, message) })
+fn refuse<T>(span: Span, fault: Fault) -> Refused<T> {
+    Err(ParseError::User { error: fault.among(span) })
 }
 
 /// Functions of formulas.
@@ -65,7 +65,7 @@ impl<'a> Build<'a> {
     pub fn word(&mut self, value: Value, start: u32, name_end: u32, end: u32) -> Refused<()> {
         let name = Span { start, end: name_end };
         let Some(address) = turning::address(name.of(self.text)) else {
-            return refuse(codes::P1001, name, format!("`{}` is no address", self.shown(name)));
+            return refuse(name, codes::P1001::is_no_address(&self.shown(name)));
         };
         self.block.words.push(Word { address, value, span: Span { start, end } });
         Ok(())
@@ -81,7 +81,7 @@ impl<'a> Build<'a> {
             Some(var) => Ok(var),
             None => {
                 let span = Span { start, end };
-                refuse(codes::P1001, span, format!("`{}` cannot stand in front of `=`", self.shown(span)))
+                refuse(span, codes::P1001::cannot_stand_in_front_3(&self.shown(span)))
             }
         }
     }
@@ -112,7 +112,7 @@ impl<'a> Build<'a> {
                 self.op(Op::Var(var, span));
                 Ok(())
             }
-            None => refuse(codes::P1001, span, format!("`{}` is no value", self.shown(span))),
+            None => refuse(span, codes::P1001::is_no_value_2(&self.shown(span))),
         }
     }
 
@@ -126,13 +126,12 @@ impl<'a> Build<'a> {
             (None, "SQRTA") if count == 2 => Op::Binary(Operator::RootOfSum),
             (None, "SQRTS") if count == 2 => Op::Binary(Operator::RootOfDifference),
             (Some(_), _) | (None, "SQRTA" | "SQRTS") => {
-                return refuse(codes::P1001, span, format!("`{name}` takes another number of values"));
+                return refuse(span, codes::P1001::takes_another_number_of_values(&name));
             }
             (None, "PARA") => {
-                let message = "`PARA` (a parameter of the machine) is not supported";
-                return refuse(codes::T9003, span, message);
+                return refuse(span, codes::T9003::para_parameter_of_machine_is_not_supported());
             }
-            _ => return refuse(codes::T9003, span, format!("the function `{name}` is not supported")),
+            _ => return refuse(span, codes::T9003::function_is_not_supported(&name)),
         };
         self.op(op);
         Ok(())

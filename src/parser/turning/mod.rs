@@ -68,10 +68,7 @@ fn lone_return(text: &[u8], block: &mut Block, problems: &mut Vec<Problem>) -> b
     let start = after_blanks(text, at);
     let len = text[start..].iter().position(|b| *b == b'\r').unwrap_or(text.len() - start);
     let span = Span::at(start as u32, text[start..start + len].trim_ascii_end().len() as u32);
-    let message = format!("`{}` stands behind a lone carriage return", readable(span.of(text)));
-    problems.push(
-        Problem::new(codes::P1011, span, message).help("end the line in front of it with a line feed, or remove it"),
-    );
+    problems.push(codes::P1011::stands_behind_lone_carriage_return(&readable(span.of(text))).among(span));
     block.span = span;
     block.stmt = Stmt::Bad;
     true
@@ -175,7 +172,7 @@ fn code_end(text: &[u8]) -> usize {
 fn comment(text: &[u8], at: usize, block: &mut Block, problems: &mut Vec<Problem>) {
     let Some(len) = text[at..].iter().position(|b| *b == b']') else {
         let span = Span { start: at as u32, end: text.trim_ascii_end().len().max(at) as u32 };
-        problems.push(Problem::new(codes::T1004, span, "the comment is not closed").help("close it with `]`"));
+        problems.push(codes::T1004::comment_is_not_closed().among(span));
         block.comment = Some(Span { start: at as u32 + 1, end: text.len() as u32 });
         return;
     };
@@ -204,7 +201,7 @@ fn further_comments(text: &[u8], mut at: usize, block: &mut Block, problems: &mu
 #[cold]
 fn words_behind(text: &[u8], at: usize, block: &mut Block, problems: &mut Vec<Problem>) {
     let span = Span { start: at as u32, end: text.trim_ascii_end().len().max(at) as u32 };
-    let found = Problem::new(codes::T1004, span, "words stand behind a comment");
+    let found = codes::T1004::words_stand_behind_comment().among(span);
     problems.push(found.help("a comment stands at the end of its block: move it there"));
     block.words.clear();
     block.span = span;

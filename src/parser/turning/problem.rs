@@ -38,9 +38,9 @@ pub fn keyword(word: Span, text: &[u8]) -> Problem {
     let shown = readable(word.of(text)).into_owned();
     let upper = shown.to_uppercase();
     let Some((_, what)) = KEYWORDS.iter().find(|(known, _)| *known == upper) else {
-        return Problem::new(codes::T9002, word, format!("`{shown}` is not supported"));
+        return codes::T9002::is_not_supported_2(&shown).among(word);
     };
-    let problem = Problem::new(codes::T9002, word, format!("`{shown}` ({what}) is not supported"));
+    let problem = codes::T9002::is_not_supported(&shown, &what).among(word);
     problem.help(match *what {
         "shows a value to the operator" | "opens a window for the operator" => {
             "leave it out of the copy that is compiled"
@@ -70,7 +70,7 @@ pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u
         ParseError::InvalidToken { location } => unexpected(Tok::Bad, Span::at(location, 1), text, from),
         ParseError::UnrecognizedEof { location, .. } => {
             let span = Span { start: from, end: location.max(from) };
-            form(Problem::new(codes::P1001, span, "the block ends too early"), text, from)
+            form(codes::P1001::block_ends_too_early_2().among(span), text, from)
         }
     }
 }
@@ -80,14 +80,14 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
     let word = readable(span.of(text)).into_owned();
     let before = text.get(from as usize..span.start as usize).unwrap_or_default().trim_ascii_end();
     if tok == Tok::Bad {
-        let problem = Problem::new(codes::P0010, span, format!("{} has no place in a block", named(span.of(text))));
+        let problem = codes::P0010::has_no_place_in_block_2(&named(span.of(text))).among(span);
         return problem.help("a comment stands in square brackets: [text]");
     }
     if before.last().is_some_and(u8::is_ascii_alphabetic) {
-        let problem = Problem::new(codes::P1001, span, format!("`{word}` stands where a value is missing"));
+        let problem = codes::P1001::stands_where_value_is_missing(&word).among(span);
         return problem.help("an address and its value stand together: `X50`, `X#5`, `X{#5+2}`");
     }
-    form(Problem::new(codes::P1001, span, format!("`{word}` cannot stand here")), text, from)
+    form(codes::P1001::cannot_stand_here(&word).among(span), text, from)
 }
 
 /// Adds how a block with this first word looks.
