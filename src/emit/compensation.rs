@@ -197,11 +197,12 @@ impl Compensation {
         if self.idle <= MOST_IDLE || std::mem::replace(&mut self.refused, true) {
             return None;
         }
-        let message = "a second block that moves nothing in the working plane stands in the compensated contour";
-        let help = Answer::key("output", "comments")
-            .one_of(&["false"])
-            .help("put it before the contour or after it; comments count (`[output] comments = false`)");
-        Some(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call))
+        Some(
+            codes::O9003::second_block_that_moves_nothing_in_working()
+                .answer(Answer::key("output", "comments").one_of(&["false"]))
+                .at(origin.loc)
+                .called(origin.call),
+        )
     }
 
     /// A stop, which the target does not read beyond: the tool would stand at a right angle to the element in front of it, in an
@@ -210,10 +211,8 @@ impl Compensation {
         if std::mem::replace(&mut self.refused, true) {
             return None;
         }
-        let message =
-            format!("a stop stands in the compensated contour, and the target {target} does not read on beyond it");
         let help = resolve("put it before the contour or after it, or set `[output] compensation = \"resolve\"`");
-        Some(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call))
+        Some(codes::O9003::stop_stands_in_compensated_contour(&target).at(origin.loc).help(help).called(origin.call))
     }
 
     /// A move in the plane is printed.

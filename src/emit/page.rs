@@ -2,7 +2,7 @@
 
 use std::io;
 
-use crate::diag::{Answer, Diagnostic, Diags, codes};
+use crate::diag::{Answer, Diags, codes};
 use crate::ir::Origin;
 use crate::target::{Line, Sequence};
 use crate::text::Loc;
@@ -233,9 +233,9 @@ impl<'a> Page<'a> {
             0 => String::new(),
             whole => format!(", {whole} of them in front of the point"),
         };
-        let message =
-            format!("the target reads {} digits of a number{whole}, and `{line}` has more", self.limits.digits);
-        let found = Diagnostic::new(codes::O9314, origin.loc, message).called(origin.call);
+        let found = codes::O9314::target_reads_digits_of_number(&self.limits.digits, &whole, &line)
+            .at(origin.loc)
+            .called(origin.call);
         self.diags.push(found.help(
             Answer::key("output", "decimals").help("check the value, or print fewer places with `[output] decimals`"),
         ));
@@ -244,8 +244,7 @@ impl<'a> Page<'a> {
     #[cold]
     fn too_many(&mut self, origin: &Origin) {
         if !std::mem::replace(&mut self.full, true) {
-            let message = format!("the output has more than {} lines, head and end included", self.most_lines);
-            let found = Diagnostic::new(codes::P4002, origin.loc, message).called(origin.call);
+            let found = codes::P4002::output_has_more_than_lines(&self.most_lines).at(origin.loc).called(origin.call);
             let help = "look for a loop that does not end, or raise `[limits] output_blocks`";
             self.diags.push(found.help(Answer::key("limits", "output_blocks").help(help)));
         }
@@ -270,8 +269,9 @@ impl<'a> Page<'a> {
     fn too_long(&mut self, origin: &Origin) {
         let line = String::from_utf8_lossy(self.text.line());
         let most = self.limits.length;
-        let message = format!("the target reads lines of {most} characters, and `{line}` has {}", line.len());
-        let found = Diagnostic::new(codes::O9330, origin.loc, message).called(origin.call);
+        let found = codes::O9330::target_reads_lines_of_characters(&most, &line, &line.len())
+            .at(origin.loc)
+            .called(origin.call);
         self.diags.push(
             found.help(
                 Answer::key("output", "decimals")

@@ -18,7 +18,7 @@ pub(crate) mod winding;
 
 use std::io;
 
-use crate::diag::{Answer, Code, Diagnostic, Diags, codes};
+use crate::diag::{Answer, Code, Diagnostic, Diags, Fault, codes};
 use crate::geo::Plane;
 use crate::ir::function::{CutterData, Turn};
 use crate::ir::motion::{Move, Path, Place, Sink};
@@ -206,6 +206,10 @@ impl<'a> Printer<'a> {
     }
 
     #[cold]
+    fn say(&self, origin: &Origin, fault: Fault) {
+        self.diags.push(fault.at(origin.loc).called(origin.call));
+    }
+
     fn report(&self, code: &'static Code, origin: &Origin, message: &str) {
         self.diags.push(Diagnostic::new(code, origin.loc, message).called(origin.call));
     }
@@ -360,8 +364,11 @@ impl<'a> Printer<'a> {
         let begins = mv.side != Side::None;
         let of_length = words.tool.is_none() && self.length.tool != number;
         if matches!(mv.path, Path::Carried { .. }) {
-            let help = Answer::key("output", "compensation").help("set `[output] compensation = \"resolve\"`");
-            self.lacks(codes::O9003, origin, "radius compensation that begins or ends in a transformed move", help);
+            self.deny(
+                origin,
+                codes::O9003::target_has_no_word_for_radius_compensation(&self.target.name)
+                    .answer(Answer::key("output", "compensation")),
+            );
             self.pretend(mv);
             return false;
         }

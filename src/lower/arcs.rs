@@ -13,8 +13,8 @@ use crate::ir::motion::{Arc, Path};
 use crate::ir::{Feed, Origin};
 use crate::machine::AxisSet;
 
-use super::at;
 use super::step::{Step, plane_axes};
+use super::{at, raised_at};
 
 /// Sideways distance under which a tangential end counts as straight ahead, in mm.
 const STRAIGHT: f64 = 1e-6;
@@ -134,16 +134,14 @@ impl Adjusted {
     pub fn report(&self, diags: &Diags) {
         if let Some(origin) = self.little.origin {
             let Moved { count, largest, .. } = self.little;
-            diags.push(at(
-                codes::G3013,
-                origin,
-                format!("{count} arc centres were adjusted, this one most: by {largest:.4} mm"),
-            ));
+            diags.push(at(origin, codes::G3013::arc_centres_were_adjusted(&count, &largest)));
         }
         if let Some(origin) = self.far.origin {
             let Moved { count, largest, .. } = self.far;
-            let message = format!("{count} arc centres were moved far, this one most: by {largest:.4} mm");
-            diags.push(at(codes::G8101, origin, message).help("check start, end and centre of the arc in the source"));
+            diags.push(
+                at(origin, codes::G8101::arc_centres_were_moved_far(&count, &largest))
+                    .help("check start, end and centre of the arc in the source"),
+            );
         }
     }
 }
@@ -226,7 +224,7 @@ fn resolve_arc(
     let (Some(from), Some(to)) = (step.start.in_plane(plane), step.mv.end.in_plane(plane)) else { return Err(None) };
     let ends = Ends { plane, from, to, feed };
     step.mv.axes = step.mv.axes.union(plane_axes(plane));
-    let refuse = |step: &Step, code, message: String| Err(Some(Box::new(at(code, step.origin, message))));
+    let refuse = |step: &Step, code, message: String| Err(Some(Box::new(raised_at(code, step.origin, message))));
     match shape.shape {
         ArcShape::Center { center, ccw, tol } => return by_center(step, &ends, (center, ccw), tol, adjusted),
         ArcShape::Sweep { center, sweep } => {
@@ -245,10 +243,10 @@ fn resolve_arc(
                 );
             }
             let Some(center) = arc::center_by_radius(from, to, radius, ccw, SAME_POINT, tol) else {
-                let message =
-                    format!("the points are {d:.4} mm apart, the radius reaches {:.4} mm", 2.0 * radius.abs());
                 let help = format!("the radius has to be at least {:.4}", d / 2.0);
-                return Err(Some(Box::new(at(codes::G3002, step.origin, message).help(help))));
+                return Err(Some(Box::new(
+                    at(step.origin, codes::G3002::points_are_mm_apart(&d, &(2.0 * radius.abs()))).help(help),
+                )));
             };
             adjusted.note((d / 2.0 - radius.abs()).max(0.0), tol, step.origin);
             step.mv.path = ends.about(center, ccw);
@@ -286,7 +284,7 @@ fn resolve_arc(
                 TangentArc::Nothing => step.mv.path = Path::Line(feed),
                 TangentArc::Line => {
                     step.mv.path = Path::Line(feed);
-                    let word = at(codes::G3006, step.origin, "the end lies straight ahead, so the arc is a line");
+                    let word = at(step.origin, codes::G3006::end_lies_straight_ahead());
                     return Ok(Extra::Word(Box::new(word)));
                 }
                 TangentArc::Behind => {
@@ -312,8 +310,7 @@ fn thread_path(thread: &contour::Thread, step: &Step) -> Result<Path, Refused> {
     let Some(along) = way(axis) else { return Err(None) };
     let length = AxisSet::MAIN.iter().filter_map(way).fold(0.0, libm::hypot);
     if along.abs() <= SAME_POINT {
-        let message = format!("the lead counts along {}, which does not move in this block", axis.letter());
-        return Err(Some(Box::new(at(codes::G3021, step.origin, message))));
+        return Err(Some(Box::new(at(step.origin, codes::G3021::lead_counts_along(&axis.letter())))));
     }
     Ok(Path::Thread { lead: thread.lead * length / along.abs() })
 }
@@ -330,7 +327,7 @@ fn by_center(
     let (r1, r2) = (distance(from, center), distance(to, center));
     if r1 <= SAME_POINT || r2 <= SAME_POINT {
         let which = if r1 <= SAME_POINT { "the arc starts in its centre" } else { "the arc ends in its centre" };
-        return Err(Some(Box::new(at(codes::G3014, step.origin, which))));
+        return Err(Some(Box::new(raised_at(codes::G3014, step.origin, which))));
     }
     match arc::closing(to - from) {
         Closing::Closed => {
@@ -340,7 +337,7 @@ fn by_center(
         }
         Closing::Unclear => {
             let gap = distance(from, to);
-            let found = at(codes::G3023, step.origin, format!("start and end of the arc are {gap:.5} mm apart"))
+            let found = at(step.origin, codes::G3023::start_end_of_arc_are_mm_apart(&gap))
                 .help("for a full circle, program the start point again as the end point");
             return Err(Some(Box::new(found)));
         }
@@ -348,10 +345,8 @@ fn by_center(
     }
     let off = (r2 - r1).abs();
     if off > tol + 1e-9 {
-        let message = format!(
-            "the start lies {r1:.4} mm from the centre, the end {r2:.4} mm: {off:.4} mm difference, {tol} allowed"
-        );
-        let found = at(codes::G3001, step.origin, message).help("check start, centre and end of the arc");
+        let found = at(step.origin, codes::G3001::start_lies_mm_from_centre(&r1, &r2, &off, &tol))
+            .help("check start, centre and end of the arc");
         return Err(Some(Box::new(found)));
     }
     let moved = arc::centered_between(from, to, center);

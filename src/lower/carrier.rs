@@ -143,9 +143,8 @@ impl FeedSpindle {
     fn per_minute(&self, path: &Path, origin: &Origin) -> Result<Path, Box<Diagnostic>> {
         let (Some(number), Some(Feed::PerRevolution(feed))) = (self.number, path.feed()) else { return Ok(*path) };
         let Some(speed) = self.speeds.get(&number).filter(|speed| **speed > 0.0) else {
-            let message = format!("the feed counts turns of spindle {number}, whose speed is not known");
             let help = format!("program its speed in front of this block: S{number}=1000");
-            return Err(Box::new(at(codes::G3336, *origin, message).help(help)));
+            return Err(Box::new(at(*origin, codes::G3336::feed_counts_turns_of_spindle(&number)).help(help)));
         };
         let feed = Feed::PerMinute(feed * speed);
         Ok(match path {

@@ -10,7 +10,7 @@ use crate::ir::undercut::Undercut;
 use crate::ir::{Feed, Function, Origin, Side};
 
 use super::step::{Step, plane_axes};
-use super::{at, undercut};
+use super::{at, raised_at, undercut};
 
 /// How much an element may fall short of the cut, in mm: what rounding of the source loses.
 const SHORT: f64 = 1e-6;
@@ -86,12 +86,12 @@ impl Corners {
             if corner.modal || self.orphaned {
                 return;
             }
-            diags.push(at(codes::G3007, origin, "no contour element stands before this chamfer or rounding"));
+            diags.push(at(origin, codes::G3007::no_contour_element_stands_before_this_chamfer()));
             return;
         }
         if let Some((_, first)) = self.corner {
             diags.push(
-                at(codes::G3007, origin, "two chamfers or roundings follow each other")
+                at(origin, codes::G3007::two_chamfers_or_roundings_follow_each_other())
                     .also(first.loc, "the first one"),
             );
             self.drop_corner(out);
@@ -121,7 +121,7 @@ impl Corners {
     /// Sends what is held; a corner that waits has no second neighbour.
     pub fn flush(&mut self, diags: &Diags, out: &mut impl FnMut(Event<'_>)) {
         if let Some((_, origin)) = self.corner.filter(|(corner, _)| !corner.modal) {
-            diags.push(at(codes::G3007, origin, "no contour element stands behind this chamfer or rounding"));
+            diags.push(at(origin, codes::G3007::no_contour_element_stands_behind_this_chamfer()));
         }
         self.drop_corner(out);
     }
@@ -196,8 +196,8 @@ impl Corners {
             return None;
         }
         let what = if enters { "first" } else { "last" };
-        let message = format!("a chamfer or rounding stands at the {what} point of a contour with radius compensation");
-        let found = at(codes::G3217, origin, message).also(before.origin.loc, "element before");
+        let found = at(origin, codes::G3217::chamfer_or_rounding_stands_at_point(&what))
+            .also(before.origin.loc, "element before");
         Some(found.help("let the compensation begin and end in blocks without a chamfer or rounding"))
     }
 
@@ -224,13 +224,13 @@ impl Corners {
             )
         };
         if let Some((_, block)) = found.iter().find(|entry| !plain(entry)) {
-            let message = "a block that does not move stands between the chamfer or rounding and its element";
-            let found = at(codes::G3007, origin, message).also(block.loc, "this block");
+            let found =
+                at(origin, codes::G3007::block_that_does_not_move_stands_between()).also(block.loc, "this block");
             return Err(Box::new(found.help("write it before the two elements, or after them")));
         }
         if let Some((_, block)) = found.first() {
-            let message = "a block of M functions stands between the chamfer or rounding and its element: the corner is cut all the same";
-            let found = at(codes::G3090, origin, message).also(block.loc, "this block");
+            let found =
+                at(origin, codes::G3090::block_of_m_functions_stands_between_chamfer()).also(block.loc, "this block");
             diags.push(found.help("write the M function into the block of an element, or before them"));
         }
         Ok(())
@@ -318,7 +318,7 @@ fn cut(
         CornerShape::Undercut(_) => "undercut",
     };
     let refuse = |code, message: String| {
-        let found = at(code, origin, message);
+        let found = raised_at(code, origin, message);
         Err(Box::new(found.also(before.origin.loc, "element before").also(after.origin.loc, "element after")))
     };
     if before.ctx.frame != after.ctx.frame {
@@ -357,7 +357,7 @@ fn cut(
                 let made = length(extent(shape));
                 format!("{}; it is made with {made}", too_large(name, corner, &a, &b, trimmed))
             };
-            diags.push(at(codes::G3025, origin, message));
+            diags.push(raised_at(codes::G3025, origin, message));
         }
     }
     let made = match result {

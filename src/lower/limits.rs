@@ -20,12 +20,8 @@ pub fn check(mv: &Move, limits: &BTreeMap<Axis, (f64, f64)>, origin: Origin, dia
         if least < low || most > high {
             let value = if least < low { least } else { most };
             diags.push(
-                at(
-                    codes::G3018,
-                    origin,
-                    format!("{}{value:.4} is beyond the travel limits {low} to {high}", axis.letter()),
-                )
-                .help("check the datum and the program, or the limits of the machine in partc.toml"),
+                at(origin, codes::G3018::is_beyond_travel_limits(&axis.letter(), &value, &low, &high))
+                    .help("check the datum and the program, or the limits of the machine in partc.toml"),
             );
         }
     }

@@ -22,7 +22,7 @@ pub mod undercut;
 
 use std::rc::Rc;
 
-use crate::diag::{Code, Diagnostic, Diags, codes};
+use crate::diag::{Code, Diagnostic, Diags, Fault, codes};
 use crate::geo::{Element, Vec2};
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Coords, Corner, CtxRef, Load, Sink};
@@ -303,9 +303,10 @@ impl<'a> Lower<'a> {
         let Some(rotary) = self.carrier.transformer.as_ref().map(|transformer| transformer.rotary()) else { return };
         if ctx.frame.shift_of(rotary) != 0.0 {
             let letter = rotary.letter();
-            let message = format!("the frame shifts {letter}, which the transformation moves");
-            self.diags
-                .push(at(codes::G3339, *origin, message).help(format!("turn the plane by ROT instead of {letter}")));
+            self.diags.push(
+                at(*origin, codes::G3339::frame_shifts(&letter))
+                    .help(format!("turn the plane by ROT instead of {letter}")),
+            );
         }
     }
 
@@ -351,7 +352,7 @@ impl<'a> Lower<'a> {
         let message = "the cycle cuts nothing: it only travels there and back".to_owned();
         if self.diags.first_text(codes::G3304, &message) {
             let help = "compare the depth, or the blank, its allowances and the limits of the area, with the part";
-            self.diags.push(at(codes::G3304, *origin, message).help(help));
+            self.diags.push(at(*origin, codes::G3304::cycle_cuts_nothing()).help(help));
         }
     }
 
@@ -534,7 +535,7 @@ impl Finish<'_> {
                 self.beside(&mv, &frame.apply(&step.start), step);
             }
             Err((code, message, help)) => {
-                self.diags.push(at(code, step.origin, message).help(help));
+                self.diags.push(raised_at(code, step.origin, message).help(help));
                 // The move is missing, so the next one does not start where the last one ended.
                 self.compensator.lost(&step.origin, &mut self.out);
             }
@@ -558,12 +559,19 @@ impl Finish<'_> {
 }
 
 /// A finding about a whole block.
-fn at(code: &'static Code, origin: Origin, message: impl Into<String>) -> Diagnostic {
-    let found = Diagnostic::new(code, origin.loc, message).called(origin.call);
-    match usual_help(code) {
+fn at(origin: Origin, fault: Fault) -> Diagnostic {
+    let usual = usual_help(fault.raised.code);
+    let is_silent = fault.help.is_none();
+    let found = fault.at(origin.loc).called(origin.call);
+    match usual.filter(|_| is_silent) {
         Some(help) => found.help(help),
         None => found,
     }
+}
+
+/// The same of a fault whose words the place itself puts together.
+fn raised_at(code: &'static Code, origin: Origin, message: impl Into<String>) -> Diagnostic {
+    at(origin, Fault::new(code, message.into()))
 }
 
 /// What mends most findings of a code.

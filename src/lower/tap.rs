@@ -7,7 +7,7 @@ use crate::ir::tap::Stroke;
 use crate::ir::{Frame, Origin, Pos, Side, Tap};
 use crate::machine::Axis;
 
-use super::{Lower, at, compensation, limits};
+use super::{Lower, compensation, limits, raised_at};
 
 /// Moves that a stroke counts as: in and out.
 const STROKE: u64 = 2;
@@ -41,7 +41,7 @@ impl Lower<'_> {
                 self.out.tap(&tap, &place, origin);
             }
             Err((code, message, help)) => {
-                let found = at(code, *origin, message).help(help);
+                let found = raised_at(code, *origin, message).help(help);
                 self.refuse(Some(Box::new(found)), &end, origin);
             }
         }

@@ -8,8 +8,8 @@ use crate::ir::undercut::{Surface, Undercut};
 use crate::ir::{Feed, Origin};
 use crate::machine::{Axis, Machine, MachineKind};
 
-use super::at;
 use super::step::{Step, plane_axes};
+use super::{at, raised_at};
 
 type Refusal = Box<Diagnostic>;
 
@@ -18,7 +18,7 @@ type Refusal = Box<Diagnostic>;
 /// # Errors
 /// G3060 outside the plane of Z and X, G3061 without turning technology, G3062 without a diameter axis.
 pub fn admit(machine: &Machine, plane: Plane, origin: &Origin) -> Result<(), Refusal> {
-    let refuse = |code, message: &str, help: Help| Err(Box::new(at(code, *origin, message).help(help)));
+    let refuse = |code, message: &str, help: Help| Err(Box::new(raised_at(code, *origin, message).help(help)));
     if machine.kind != MachineKind::Lathe {
         let help = "set `[machine] kind = \"lathe\"` if the program is for a lathe";
         let help = Answer::key("machine", "kind").one_of(&["\"lathe\""]).help(help);
@@ -59,7 +59,7 @@ pub fn relieve(
 ) -> Result<(Vec<Step>, Step), Refusal> {
     let plane = after.ctx.plane;
     let refuse = |code, message: String| -> Refusal {
-        let found = at(code, origin, message);
+        let found = raised_at(code, origin, message);
         Box::new(found.also(before.origin.loc, "line before").also(after.origin.loc, "line behind"))
     };
     if before.ctx.frame != after.ctx.frame {
@@ -148,12 +148,10 @@ fn refuse_fault(fault: Fault, refuse: &impl Fn(&'static Code, String) -> Refusal
 
 fn report(placed: &Placed, origin: Origin, diags: &Diags) {
     if placed.leans {
-        let message = "a line at the undercut is not parallel to its axis, so the undercut departs from its standard";
-        diags.push(at(codes::G3067, origin, message));
+        diags.push(at(origin, codes::G3067::line_at_undercut_is_not_parallel()));
     }
     if let Some(radius) = placed.reduced {
-        let message = format!("the radius at the entry does not fit and becomes {radius:.4} mm");
-        diags.push(at(codes::G3068, origin, message));
+        diags.push(at(origin, codes::G3068::radius_at_entry_does_not_fit(&radius)));
     }
 }
 

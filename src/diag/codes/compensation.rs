@@ -14,25 +14,54 @@ elements at an outside corner (HEIDENHAIN `M97`). Take a smaller tool, or make t
 G3203 Error "compensation-start" "radius compensation begins or ends where it cannot"
 "The way to a compensated contour, and the way from it, are straight lines that move in the working plane: the tool goes from beside the contour to the \
 point that lies at a right angle beside its first element. On an arc, or without a move in the plane, there is no such way. Program a straight block with RL, RR, \
-R0, G41, G42 or G40."
+R0, G41, G42 or G40." {
+    position_of_tool_gets_lost_inside_compensated() "the position of the tool gets lost inside a compensated contour";
+    follows_compensated_contour(what)
+        "{what} follows a compensated contour: the tool stands beside it, where the block does not start";
+    where_this_element_of_compensated_contour_lies()
+        "where this element of the compensated contour lies in the plane is not known";
+}
 
 G3204 Error "compensation-unfinished" "compensated contour has no end or no element"
 "Where the tool stands beside a contour depends on the direction of its elements. Here the compensation ends before there was one, or a tool change, a work \
-offset, another plane or the end of the program comes while it is on. End it in a straight block that leads away from the contour."
+offset, another plane or the end of the program comes while it is on. End it in a straight block that leads away from the contour." {
+    while_radius_compensation(event) "{event} while radius compensation is on";
+    radius_compensation_is_still_on_at_end()
+        "radius compensation is still on at the end of the program: how the contour ends is not known";
+    radius_compensation_ends_before_contour_has_element()
+        "radius compensation ends before the contour has an element: there is no direction to stand beside";
+}
 
 G3205 Error "compensation-inside" "what may not stand inside a compensated contour"
 "Machine coordinates, threads, arcs outside the working plane and a change of plane, side or radius cannot stand between the first and the last block of a \
-compensated contour: the path beside it would have no meaning. End the compensation in front of the block, and begin it again behind it."
+compensated contour: the path beside it would have no meaning. End the compensation in front of the block, and begin it again behind it." {
+    cycle_is_called_while_tool_stands_beside()
+        "a cycle is called while the tool stands beside a contour with radius compensation";
+    offset_is_held_constant_before_contour() "the offset is held constant before the contour has one";
+    of_compensation_changes_inside_contour(what) "{what} of the compensation changes inside a contour";
+    stands_inside_contour_with_radius_compensation(what) "{what} stands inside a contour with radius compensation";
+    too_many_blocks_without_move_in_plane()
+        "too many blocks without a move in the plane stand between two elements of a compensated contour";
+}
 
 G3206 Error "compensation-no-feed" "arc about an outside corner has no feed"
-"At an outside corner the tool travels on an arc about the corner. Between two blocks at rapid traverse there is no feed for it. Program the contour at a feed."
+"At an outside corner the tool travels on an arc about the corner. Between two blocks at rapid traverse there is no feed for it. Program the contour at a feed." {
+    arc_about_this_corner_lies_between_two()
+        "the arc about this corner lies between two blocks at rapid traverse and has no feed";
+}
 
 G3207 Error "compensation-length" "elements are prolonged too far at an outside corner"
-"The length by which both elements are to be prolonged (M197 DL) is larger than the way after which they meet, so that no arc is left between them. Make it smaller."
+"The length by which both elements are to be prolonged (M197 DL) is larger than the way after which they meet, so that no arc is left between them. Make it smaller." {
+    elements_are_to_be_prolonged_by_mm(length, length2)
+        "the elements are to be prolonged by {length} mm beyond the corner, and meet after {length2} mm";
+}
 
 G3208 Error "compensation-behind" "way around the start or end of a contour is not known"
 "The tool stands on the other side of the contour point, and the control leads it around (KONT). With G450 that is a circle of the tool radius about the point, for \
-which the tool has to stand outside of it; the ways of other settings are not published. Start or end beside the contour."
+which the tool has to stand outside of it; the ways of other settings are not published. Start or end beside the contour." {
+    tool_contour(what)
+        "the tool {what} the contour from behind, and the control's way around the corner is not known";
+}
 
 G3210 Warning "compensation-left-out" "elements are left out where the tool does not fit"
 "A corner of the contour is too narrow for the tool. The program asks for the collision search of the control (HEIDENHAIN M120, SINUMERIK CDON and CDOF), \
@@ -44,7 +73,11 @@ do not look for it without M120, SINUMERIK controls not without CDON. The path i
 
 G3212 Warning "compensation-stays" "tool stays beside the contour"
 "The block that ends the radius compensation does not move in the working plane. The tool stays where it is, beside the contour, and the next block in the plane starts there and moves \
-both axes. No manual at hand says so. End the compensation in a block that leads away from the contour in the plane."
+both axes. No manual at hand says so. End the compensation in a block that leads away from the contour in the plane." {
+    radius_compensation_ends_in_block_that_leaves(place)
+        "radius compensation ends in a block that leaves the plane alone: the tool stays beside the contour{place} \
+        until the next block in the plane";
+}
 
 G3213 Warning "compensation-joint" "arc about an outside corner is partc's reading"
 "At an outside corner the tool travels on an arc about the corner. Which feed counts on it, and whether blocks that stand between the two elements happen in front of \
@@ -53,22 +86,42 @@ SINUMERIK controls do."
 
 G3214 Warning "compensation-nearly-behind" "start or end of a contour may lie behind it"
 "KONT leads around the contour point where the tool stands behind the contour. Where that begins no manual at hand says: partc takes it to be where the straight way would \
-come nearer to the contour point than the radius. Here the tool stands on the right side of the contour, but nearer than that. Start or end farther away."
+come nearer to the contour point than the radius. Here the tool stands on the right side of the contour, but nearer than that. Start or end farther away." {
+    of_way_lies_less_than_tool_radius(what)
+        "the {what} of the way lies less than the tool radius beside the contour: it is taken to be behind it, so a \
+        circle leads around the contour point";
+}
 
 G3215 Warning "compensation-limit" "limit of the control decides an outside corner"
 "Controls prolong the paths at flat outside corners until they meet, and go around sharp ones on an arc. Where one becomes the other is machine data (SINUMERIK MD 20210 with \
-G451, MD 20230 with G450); their defaults are not confirmed, so 100 degrees and 0 are taken. Both ways keep the contour. Give the values of the machine by `[control] g451_limit` and `g450_flat`."
+G451, MD 20230 with G450); their defaults are not confirmed, so 100 degrees and 0 are taken. Both ways keep the contour. Give the values of the machine by `[control] g451_limit` and `g450_flat`." {
+    at_this_outside_corner_of_degrees_limit(to_degrees, way)
+        "at this outside corner of {to_degrees} degrees a limit decides that is machine data of the control: {way}";
+}
 
 G3216 Warning "compensation-feed" "feed on compensated arcs is not the control's"
 "Under CFC, which is in force at power-on, a SINUMERIK control keeps F at the contour: in a hollow arc the centre of the tool travels slower, around others faster. The output has F as \
-it is programmed, so the cutting edge is faster than meant in a hollow arc. `[control] curve_feed = \"control\"` prints the feed of the centre, F times its radius by that of the contour."
+it is programmed, so the cutting edge is faster than meant in a hollow arc. `[control] curve_feed = \"control\"` prints the feed of the centre, F times its radius by that of the contour." {
+    f_is_printed_for_centre_of_tool(center, center2)
+        "F is printed for the centre of the tool, whose radius is {center} mm here; the control keeps it at the \
+        contour of radius {center2} mm";
+}
 
 G3217 Error "compensation-border" "chamfer or rounding at the border of a compensated contour"
 "The way to a compensated contour ends beside its first element, and the way from it begins beside the last one; neither is an element of the contour. What a control makes of a chamfer \
-or rounding between such a way and the contour no manual at hand says. Let the compensation begin and end in blocks without one (RNDM: switch it on behind the first element)."
+or rounding between such a way and the contour no manual at hand says. Let the compensation begin and end in blocks without one (RNDM: switch it on behind the first element)." {
+    chamfer_or_rounding_stands_at_point(what)
+        "a chamfer or rounding stands at the {what} point of a contour with radius compensation";
+}
 
 G3218 Warning "corner-without-effect" "M function for a corner has no effect"
 "M97 and M197 lead the tool around the corner at the end of their block in a way of their own. Only an outside corner has a way around it: at an inside corner, and where the contour goes on \
-straight, nothing comes of them; neither does at the end of the compensation. The block may be the wrong one."
+straight, nothing comes of them; neither does at the end of the compensation. The block may be the wrong one." {
+    m_function_for_corner_at_end()
+        "the M function for the corner at the end of this element has no effect: the compensation ends there";
+    m_function_for_corner_at_end_of_this_element()
+        "the M function for the corner at the end of this element has no effect: the contour turns towards the tool \
+        there, or goes on straight";
+}
 
 }

@@ -217,7 +217,9 @@ If the program really is that long, raise the limit."
 P4002 Error "output-limit" "program makes too many output blocks"
 "The output has more lines than `[limits] output_blocks` (50 million by default), head and end included, so it was given up: most often a \
 loop runs too many times, or \
-never ends. Check the loops and repeats around the marked block, or raise the limit."
+never ends. Check the loops and repeats around the marked block, or raise the limit." {
+    output_has_more_than_lines(most_lines) "the output has more than {most_lines} lines, head and end included";
+}
 
 P4003 Error "call-depth" "calls are nested too deep"
 "Programs and subprograms call each other deeper than `[limits] call_depth`, or deeper than the selected control allows. \

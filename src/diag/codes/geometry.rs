@@ -4,11 +4,16 @@ super::codes! { GEOMETRY:
 
 G3001 Error "arc-end-off-circle" "end point does not lie on the circle"
 "Start and end of an arc must have the same distance from its centre, within the tolerance of the control \
-(0.016 mm on HEIDENHAIN controls). The difference is larger, so start, centre or end is wrong."
+(0.016 mm on HEIDENHAIN controls). The difference is larger, so start, centre or end is wrong." {
+    start_lies_mm_from_centre(r1, r2, off, tol)
+        "the start lies {r1:.4} mm from the centre, the end {r2:.4} mm: {off:.4} mm difference, {tol} allowed";
+}
 
 G3002 Error "radius-too-small" "radius is too small for the distance"
 "An arc by radius reaches at most two radii far, and start and end lie further apart. The control stops here. Check radius and end \
-point; a sign or a decimal point may be lost."
+point; a sign or a decimal point may be lost." {
+    points_are_mm_apart(d, radius) "the points are {d:.4} mm apart, the radius reaches {radius:.4} mm";
+}
 
 G3003 Error "radius-full-circle" "arc by radius ends where it starts"
 "From a radius alone the centre of a full circle cannot be known: every circle through the point would fit. HEIDENHAIN controls \
@@ -24,11 +29,19 @@ the point. Check the end point, or put a line in between."
 
 G3006 Warning "tangent-straight" "tangential arc is a straight line"
 "The end point lies exactly ahead, so the arc degenerates to a line, which is printed. The path is right if a line is meant; then \
-program a line. Otherwise check the end point."
+program a line. Otherwise check the end point." {
+    end_lies_straight_ahead() "the end lies straight ahead, so the arc is a line";
+}
 
 G3007 Error "corner-neighbour" "chamfer or rounding has no neighbour"
 "A chamfer or rounding is put between two contour elements that both move in the working plane. Here one of them is missing: \
-the contour starts or ends with it, or a block in between moves another axis only."
+the contour starts or ends with it, or a block in between moves another axis only." {
+    block_that_does_not_move_stands_between()
+        "a block that does not move stands between the chamfer or rounding and its element";
+    no_contour_element_stands_behind_this_chamfer() "no contour element stands behind this chamfer or rounding";
+    two_chamfers_or_roundings_follow_each_other() "two chamfers or roundings follow each other";
+    no_contour_element_stands_before_this_chamfer() "no contour element stands before this chamfer or rounding";
+}
 
 G3008 Error "corner-too-large" "chamfer or rounding does not fit"
 "The corner would cut off more than a neighbouring element is long. Make the radius or chamfer smaller or the elements longer. \
@@ -60,6 +73,7 @@ G3013 Note "center-adjusted" "arc centres were adjusted"
 "Start and end of some arcs have slightly different distances from their programmed centre, within the tolerance of the control. \
 Controls that check more strictly would refuse them. The centre was moved to the nearest point that fits both; \
 start and end are as programmed. The largest shift is stated." {
+    arc_centres_were_adjusted(count, largest) "{count} arc centres were adjusted, this one most: by {largest:.4} mm";
     centre_of_this_arc_of_contour(shift) "the centre of this arc of the contour was adjusted by {shift:.4} mm";
 }
 
@@ -67,6 +81,8 @@ G8101 Warning "center-moved-far" "arc centre was moved far"
 "Start and end of the arc have slightly different distances from its centre, within the tolerance of the control, and lie so close together \
 that the point which fits both is more than ten times that tolerance away. The bow of the printed arc is the programmed one within the tolerance, \
 but its centre and direction are not: most often a coordinate is rounded too coarsely, or wrong." {
+    arc_centres_were_moved_far(count, largest)
+        "{count} arc centres were moved far, this one most: by {largest:.4} mm";
     centre_is_moved_by_mm(moved) "the centre is moved by {moved:.4} mm, so that start and end lie on one circle";
 }
 
@@ -89,7 +105,9 @@ the corner block stands in the wrong place."
 G3018 Error "travel-limit" "position is beyond the travel limits"
 "A coordinate lies outside `[machine] limits` of partc.toml; for arcs the bulge counts, too. The machine would stop at the limit \
 switch, or refuse the program. Nothing is written: check the datum and the program, or the limits. Coordinates are compared as they \
-are printed, without work offsets."
+are printed, without work offsets." {
+    is_beyond_travel_limits(axis, value, low, high) "{axis}{value:.4} is beyond the travel limits {low} to {high}";
+}
 
 G3019 Error "corner-frame" "coordinate system changes inside a corner"
 "A datum shift, rotation, mirror or scaling is programmed between a chamfer or rounding and the element that follows it. The two \
@@ -102,7 +120,9 @@ start or the end, or a coordinate of it is missing."
 
 G3021 Error "lead-without-way" "lead of a thread along an axis that does not move"
 "The lead of a thread is given along one axis, by `I`, `J` or `K`, and the block does not move this axis. Give the lead along the axis that \
-moves most, and check the end point."
+moves most, and check the end point." {
+    lead_counts_along(axis) "the lead counts along {axis}, which does not move in this block";
+}
 
 G3022 Error "thread-scaled-unevenly" "thread under unequal scaling"
 "Scaling with different factors changes the lead of a thread in a way that depends on its direction. Cancel the scaling in front of the thread."
@@ -141,21 +161,31 @@ nothing to relieve, and the undercut would cut into the part. Check the form (A,
 
 G3067 Warning "undercut-on-taper" "undercut on a taper departs from its standard"
 "A line at the undercut leans out of its axis, by at most 3 degrees, as for a tapered thread. Slope, floor and roundings are those of the \
-standard, and the undercut begins where its slope meets the taper; its length and depth there are not those of the standard."
+standard, and the undercut begins where its slope meets the taper; its length and depth there are not those of the standard." {
+    line_at_undercut_is_not_parallel()
+        "a line at the undercut is not parallel to its axis, so the undercut departs from its standard";
+}
 
 G3068 Warning "undercut-radius-reduced" "radius in the undercut is reduced"
 "The rounding between the slope and the floor of the undercut is larger than the slope is long, which happens with steep entry angles. It is made \
-as large as fits. What the control does in this case is not documented; check the drawing, or take a smaller radius or entry angle."
+as large as fits. What the control does in this case is not documented; check the drawing, or take a smaller radius or entry angle." {
+    radius_at_entry_does_not_fit(radius) "the radius at the entry does not fit and becomes {radius:.4} mm";
+}
 
 G3090 Warning "block-at-corner" "block of M functions between a corner and its element"
 "An M function stands in a block of its own between a chamfer or rounding and the element before or after it. No manual page says whether the \
-control still finds the corner; here it is cut, and the M function is printed in its place. Write it into the block of an element to be sure."
+control still finds the corner; here it is cut, and the M function is printed in its place. Write it into the block of an element to be sure." {
+    block_of_m_functions_stands_between_chamfer()
+        "a block of M functions stands between the chamfer or rounding and its element: the corner is cut all the \
+        same";
+}
 
 G3023 Error "circle-unclear" "full circle or an arc of nearly no length"
 "Start and end of the arc differ by 0.00005 to 0.0005 mm. Up to 0.00005 mm they count as one point, so the block is a full circle; a larger \
 difference may be a rounding of fewer decimal places, and the block still meant as a full circle, or an arc that is next to nothing. The two differ by a \
 whole turn, so nothing is written. Program the start point again as the end point for a full circle (a circle by angle has no such doubt), \
 or leave the arc out." {
+    start_end_of_arc_are_mm_apart(gap) "start and end of the arc are {gap:.5} mm apart";
     cp_starts_mm_beside_its_end(gap) "CP starts {gap:.5} mm beside its end"
         help "for a full circle, program IPA+360 or IPA-360";
 }
@@ -166,19 +196,52 @@ own feed, or program one of the neighbours with a feed."
 
 G3040 Error "cycle-too-many-cuts" "cycle makes too many cuts"
 "The infeed is so small against the depth that the cycle would run without end in sight. Most often a decimal point is lost. \
-Program a larger infeed."
+Program a larger infeed." {
+    infeed_makes_cuts(cuts, limit) "the infeed makes {cuts} cuts, more than {limit}" help "program a larger infeed";
+    infeed_makes_cuts_of_this_thread(cuts, most_cuts)
+        "the infeed makes {cuts} cuts of this thread, more than {most_cuts}"
+        help "program a larger infeed";
+    undercut_takes_cuts_of_mm(count, step) "the undercut takes {count:.0} cuts of {step} mm"
+        help "program a larger infeed";
+    groove_takes_strokes(strokes) "the groove takes {strokes} strokes"
+        help "program a larger infeed, or take a wider tool";
+    cuts_are_interrupted_times(count, most_cuts) "the cuts are interrupted {count} times, more than {most_cuts}"
+        help "program a longer way between the interruptions";
+    recess_needs_strokes(strokes, most_levels) "the recess needs {strokes} strokes, more than {most_levels}"
+        help "program a larger distance of the strokes";
+    infeed_makes_levels_of_this_recess(levels, most_levels)
+        "the infeed makes {levels} levels of this recess, more than {most_levels}"
+        help "program a larger infeed";
+}
 
 G3041 Error "cycle-arguments" "cycle data do not fit together"
 "The data of the cycle describe nothing that can be machined. The message names what is wrong; every dialect names its own word for it \
-before the path is computed, so this text is the last line of defence."
+before the path is computed, so this text is the last line of defence." {
+    allowance_on_floor_leaves_nothing_of_groove() "the allowance on the floor leaves nothing of the groove"
+        help "give a smaller allowance";
+}
 
 G3042 Error "thread-flank-offset" "flank offset is longer than the way it uses up"
 "With infeed along a flank the cuts above the last one start a little ahead or behind. A start ahead of the run-in would plunge into the thread at \
-its full width, and an end behind the last part would cut nothing. Lengthen the run-in or run-out, or make the flank angle smaller."
+its full width, and an end behind the last part would cut nothing. Lengthen the run-in or run-out, or make the flank angle smaller." {
+    flank_infeed_ends_cut_mm_early(behind)
+        "the flank infeed ends a cut {behind:.3} mm early, before the last part begins"
+        help "lengthen the run-out or make the flank angle smaller";
+    flank_infeed_starts_cut_mm_ahead(ahead, run_in)
+        "the flank infeed starts a cut {ahead:.3} mm ahead, but the run-in is {run_in:.3} mm: the tool would plunge \
+        into the thread"
+        help "lengthen the run-in or make the flank angle smaller";
+}
 
 G3043 Error "cycle-start-unknown" "position in front of the cycle is not known"
 "A turning cycle takes the start of its way from where the tool stands when it is called. Here X or Z was not programmed yet, or was lost by \
-machine coordinates or an error before. Position both axes in front of the cycle."
+machine coordinates or an error before. Position both axes in front of the cycle." {
+    tool_is_lifted_off_along(axis) "the tool is lifted off along {axis}, whose position is not known"
+        help "position the tool over the hole in both axes";
+    cycle_starts_where_tool_stands()
+        "the cycle starts where the tool stands, but its position in X and Z is not known"
+        help "position X and Z in front of the cycle";
+}
 
 G3044 Error "recess-contour" "contour is not one recess"
 "Recess turning needs a contour that falls from one rim to the floor and rises to the other rim, seen from the tool, without leaning over. \
@@ -186,20 +249,67 @@ Several recesses need a cycle each; walls that lean over cannot be reached by a 
 
 G3045 Error "recess-tool-too-wide" "recessing tool does not fit"
 "Between the walls, with their oversize, there is not room enough for the cutting width down to the floor; or the floor is round or oblique, so that \
-a flat tool does not reach its lowest point. Take a narrower tool, or one with a larger nose radius for a round floor."
+a flat tool does not reach its lowest point. Take a narrower tool, or one with a larger nose radius for a round floor." {
+    tool_of_mm_width_does_not_reach(width)
+        "the tool of {width} mm width does not reach the floor of the groove between its walls and their allowance"
+        help "take a narrower tool or a smaller allowance";
+    tool_of_mm_width_does_not(width)
+        "the tool of {width} mm width does not reach the floor of the recess between its walls and their oversize"
+        help "take a narrower tool or a smaller oversize";
+}
 
 G3046 Error "cycle-blank" "blank is not where the cycle needs it"
 "The blank that the cycle was given does not stand above the contour, or the tool stands inside of it, so that there is nothing to cut or no \
-safe way. Check blank, contour and the position in front of the cycle."
+safe way. Check blank, contour and the position in front of the cycle." {
+    tool_stands_beside_thread_at_its_height()
+        "the tool stands beside the thread at its height, from where no rapid to the start is safe"
+        help "position the tool in front of the thread, or clear of its diameter, before the cycle";
+    tool_stands_behind_face_of_undercut()
+        "the tool stands behind the face of the undercut, so that there is no safe way to the corner"
+        help "position the tool in front of the face before the cycle";
+    blank_does_not_reach_above_contour() "the blank does not reach above the contour"
+        help "check the size of the blank, the allowances and the contour";
+    blank_does_not_reach_above_floor() "the blank does not reach above the floor of the recess"
+        help "check the height of the blank and the contour";
+}
 
 G3047 Error "roughing-contour" "contour cannot be roughed in parallel cuts"
 "The contour has to run from the side where the cuts begin to the other. Parts that fall behind a higher one are cut only where the cuts before follow the contour: \
-else steps stand where the tool has to pass."
+else steps stand where the tool has to pass." {
+    contour_does_not_run_from_side() "the contour does not run from the side where the cuts begin to the other"
+        help "check the order and the points of the contour, and the direction of machining";
+    contour_falls_behind_higher_part()
+        "the contour falls behind a higher part, and without a cut along the contour steps stand where the tool has \
+        to pass"
+        help "let the cuts follow the contour, or leave the falling part out";
+}
 
 G3048 Error "finishing-way" "no free way to the contour or from it"
-"Before finishing the tool travels to the start of the contour at rapid traverse, and afterwards away from its end. The way has to keep clear of the contour. Position the tool in front of the start, or choose another way of retraction."
+"Before finishing the tool travels to the start of the contour at rapid traverse, and afterwards away from its end. The way has to keep clear of the contour. Position the tool in front of the start, or choose another way of retraction." {
+    way_from_end_of_contour_to_end()
+        "the way from the end of the contour to the end position of the cycle touches the contour"
+        help "choose another order of the axes, or lift only and position afterwards";
+    there_is_no_room_beside_end() "there is no room beside the end of the contour for the tool to lift off"
+        help "end the contour at a place that the tool leaves freely, or make the clearance smaller";
+    rapid_approach_to_x_z_leads_through(map_or, map_or2)
+        "the rapid approach to X{map_or:.3} Z{map_or2:.3} leads through the blank, from which nothing was cut yet"
+        help "rough the contour before it is finished, or correct the section BLANK to what is clamped";
+    tool_cannot_travel_from_where_it_stands()
+        "the tool cannot travel from where it stands to the start of the contour without touching it"
+        help "position the tool in front of the start of the contour";
+    there_is_no_room_beside_start()
+        "there is no room beside the start of the contour for the tool to come down to it"
+        help "begin the contour at a place that the tool reaches freely, or make the clearance smaller";
+    there_is_no_room_between_end()
+        "there is no room between the end of the face and the undercut for the tool to leave"
+        help "cut the face up to a greater height, or give a smaller safety distance";
+}
 
 G3049 Error "finishing-nose" "nose of the tool does not fit the contour"
-"The way of the nose runs parallel to the contour at its radius. Where a hollow, an inner corner between short elements or a recess is narrower than that, the tool would cut into the finished part. Take a smaller nose, or leave the narrow part out of the contour."
+"The way of the nose runs parallel to the contour at its radius. Where a hollow, an inner corner between short elements or a recess is narrower than that, the tool would cut into the finished part. Take a smaller nose, or leave the narrow part out of the contour." {
+    nose_of_tool_has_no_room()
+        "the nose of the tool has no room in a hollow, a corner or an undercut of the contour"
+        help "take a tool with a smaller nose radius, or leave the narrow part out";
+}
 
 }

@@ -4,19 +4,32 @@ super::codes! { LAYERS:
 
 G3301 Error "layers-approach" "no free way to where the cuts begin"
 "The cycle travels at rapid traverse to a point in front of the blank and clear of it. From where the tool stands every way there leads through the \
-blank or what lies below it. Position the tool in front of the blank before the cycle."
+blank or what lies below it. Position the tool in front of the blank before the cycle." {
+    tool_stands_inside_of_blank()
+        "the tool stands inside of the blank, or behind it: it cannot travel to where the cuts begin"
+        help "position the tool in front of the blank, clear of it, before the cycle";
+}
 
 G3302 Error "layers-tool" "cutting edge points out of the material"
 "The position of the cutting edge in the tool data says which way the nose points. For this cycle it has to point into the material, or along the \
-cuts. Select the tool that belongs to the cycle, or correct its edge position."
+cuts. Select the tool that belongs to the cycle, or correct its edge position." {
+    cutting_edge_of_tool_points_out() "the cutting edge of the tool points out of the material"
+        help "select a tool whose edge position fits the side that is machined";
+}
 
 G3303 Error "layers-limits" "limit of the area lies inside the blank"
 "The cuts begin in front of the blank. Where a limit of the area lies on that side inside of the blank, the tool would have to plunge into full \
-material. Set the limit in front of the blank, or machine the part in front of it first."
+material. Set the limit in front of the blank, or machine the part in front of it first." {
+    area_that_is_machined_begins_inside()
+        "the area that is machined begins inside of the blank, so that the cuts cannot begin beside it"
+        help "set the limit in front of the blank, or machine what lies there before";
+}
 
 G3304 Warning "cycle-cuts-nothing" "cycle cuts nothing"
 "No move of the cycle is at a feed: nothing is left to cut at this depth, or between the blank and the part within the limits of the area. A limit on the wrong side, a blank \
-smaller than the part or a wrong datum looks like this. Compare the arguments of the call with the contour."
+smaller than the part or a wrong datum looks like this. Compare the arguments of the call with the contour." {
+    cycle_cuts_nothing() "the cycle cuts nothing: it only travels there and back";
+}
 
 S8210 Note "siemens-relief-left" "relief cut is left standing"
 "The call says that parts which fall behind higher ones are not machined. They stay level with the higher part, in roughing and in finishing. Machine them by a call with \

@@ -4,7 +4,13 @@ super::codes! { MILLING:
 
 G3331 Error "milling-no-path" "milling cycle has no path for the cutter"
 "The sizes of a face, spigot, contour or thread leave no path on which the cutter keeps its distance, or they would make more cuts than any tool makes. \
-The message names the argument. Look for a lost decimal point, take a smaller cutter, or give a larger infeed."
+The message names the argument. Look for a lost decimal point, take a smaller cutter, or give a larger infeed." {
+    straight_way_back_to_start_of_contour()
+        "the straight way back to the start of the contour, in its depth, cuts into it"
+        help "retract the tool at the end of the contour";
+    way_to_contour() "the way to the contour, or from it, cuts into the contour elsewhere"
+        help "give a smaller radius or length of the way, or another shape of it";
+}
 
 S8240 Warning "siemens-spigot-stock" "part of the blank of a spigot stays"
 "CYCLE76 and CYCLE77 go round once on each level, as wide as the cutter: a blank that stands out by more than the allowance and the diameter of the cutter keeps a ring outside. \

@@ -5,7 +5,20 @@ super::codes! { POCKETS:
 G3321 Error "milling-no-room" "area has no path for the cutter"
 "The sizes of a pocket or slot leave no path for the centre of the cutter: the cutter with the allowance is wider than the area, a corner is \
 tighter than the cutter, or the rings computed for a contour did not stand the check of their distance to it. Check the sizes, the radius of the \
-tool, the allowances and the infeeds."
+tool, the allowances and the infeeds." {
+    angle_of_insertion_is_so_small() "the angle of insertion is so small that the strokes to and fro do not end"
+        help "give a larger angle";
+    rings_along_contour_do_not_keep() "the rings along the contour do not keep their distance from it"
+        help "move an end point of the contour a little, or take another infeed in the plane";
+    cutter_with_its_allowance_takes_mm(what, place, away)
+        "{what}: {place}, and the cutter with its allowance takes {away:.3} mm"
+        help "take a cutter or an allowance that is smaller, so that it passes there, or larger, so that it does not";
+    from_start_point_no_straight_way_leads()
+        "from the start point no straight way leads between the walls to where the rings begin"
+        help "give a start point farther from the walls, or leave the choice to the cycle";
+    cutter_finds_no_room_between_walls() "the cutter finds no room between the walls of the contour"
+        help "take a smaller cutter, or a smaller allowance";
+}
 
 S8230 Warning "siemens-milling-left-open" "argument of a milling cycle is left open"
 "The call leaves open what the control takes from elsewhere: the infeed in depth or in the plane, or the sense in which the spindle turns for climb \

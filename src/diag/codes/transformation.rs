@@ -4,7 +4,9 @@ super::codes! { TRANSFORMATION:
 
 G3336 Error "feed-spindle-speed" "feed counts turns of a spindle without a speed"
 "A feed per revolution follows a spindle that is not the first one of the target. It is printed per minute, feed times speed, so the speed has to be \
-programmed in front of the cut."
+programmed in front of the cut." {
+    feed_counts_turns_of_spindle(number) "the feed counts turns of spindle {number}, whose speed is not known";
+}
 
 G3337 Error "transformation-pole" "way passes the axis of rotation"
 "Where the tool passes the axis of rotation of a face closer than 0.01 mm, the workpiece would have to turn over at once. Controls have ways of their own \
@@ -16,7 +18,9 @@ face or mantle first, or say where the rotary axis stands in front of the transf
 
 G3339 Error "transformation-inside" "what a transformation cannot carry out"
 "Inside a transformation X and the rotary axis follow X and Y of the program. Machine coordinates, threads, the rotary axis itself, other axes beside them and \
-feeds per turn of the workpiece spindle cannot be carried out there."
+feeds per turn of the workpiece spindle cannot be carried out there." {
+    frame_shifts(letter) "the frame shifts {letter}, which the transformation moves";
+}
 
 S2280 Error "siemens-transformation-call" "argument of a transformation"
 "TRANSMIT takes the number of the transformation, TRACYL the working diameter, that number and the correction of groove walls. Only the first \

@@ -66,7 +66,7 @@ impl Printer<'_> {
 
     fn carried_line(&mut self, axes: AxisSet, ends: &[i64; AXES], feed: f64, origin: &Origin) {
         let Some(units) = self.feed_places(FeedKind::PerMinute).units(feed).filter(|units| *units > 0) else {
-            return self.report(codes::O1001, origin, &format!("the feed {feed} prints as zero or not at all"));
+            return self.say(origin, codes::O1001::feed_prints_as_zero_or_not(&feed));
         };
         if !self.is_near("feed", feed, units, self.feed_places(FeedKind::PerMinute), origin) {
             return;

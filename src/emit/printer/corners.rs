@@ -71,8 +71,8 @@ impl Printer<'_> {
     pub(super) fn path_control(&mut self, said: Option<PathControl>, origin: &Origin) {
         if self.settings.path_control == Some(PathChoice::None) {
             if said.is_some() && self.diags.first_time(codes::O4006, ()) {
-                let message = "how the program takes its corners is left out: `[output] path_control` is \"none\"";
-                self.diags.push(Diagnostic::new(codes::O4006, origin.loc, message).called(origin.call));
+                self.diags
+                    .push(codes::O4006::how_program_takes_its_corners_is_left().at(origin.loc).called(origin.call));
             }
             return;
         }
@@ -92,12 +92,14 @@ impl Printer<'_> {
     #[cold]
     fn stands_under_compensation(&self, origin: &Origin) {
         let name = self.target.name;
-        let message = format!(
-            "how corners are taken changes while radius compensation is on, and the target {name} does not change it there"
-        );
         let help =
             resolve("let it change before the contour or after it, or set `[output] compensation = \"resolve\"`");
-        self.diags.push(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call));
+        self.diags.push(
+            codes::O9003::how_corners_are_taken_changes_while_radius(&name)
+                .at(origin.loc)
+                .help(help)
+                .called(origin.call),
+        );
     }
 
     /// The words of a mode, on the line under construction.
@@ -201,11 +203,10 @@ impl Printer<'_> {
             Some(PathChoice::Exact) => "a stop in every corner",
             Some(PathChoice::Within(_) | PathChoice::None) | None => "how far corners may be rounded off",
         };
-        let message = format!("`path_control`: the target {} has no word for {what}", self.target.name);
         let help = format!("set `[output] path_control` to {}", choices.join(" or "));
         let help = Answer::key("output", "path_control").one_of(&choices).help(help);
         let start = Loc { line: 1, ..Loc::default() };
-        self.diags.push(Diagnostic::new(codes::O9339, start, message).help(help));
+        self.diags.push(codes::O9339::path_control(&self.target.name, &what).at(start).help(help));
     }
 }
 

@@ -193,8 +193,7 @@ impl Printer<'_> {
 
     /// The block that selects a work offset.
     pub(super) fn dialog_offset(&mut self, dialog: &Dialog, number: u8, word: &str, origin: &Origin) {
-        let message = format!("the work offset is printed as preset {number} ({word})");
-        self.report(codes::O4003, origin, &message);
+        self.say(origin, codes::O4003::work_offset_is_printed_as_preset(&number, &word));
         let [begin, behind] = dialog.offset;
         self.page.words(begin, origin);
         self.page.continued(format!("  {word} {behind}").as_bytes(), origin);

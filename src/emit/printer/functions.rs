@@ -1,6 +1,6 @@
 //! Lines of functions: tool, spindle, coolant, dwell, comments.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Origin, Side};
 use crate::machine::settings::ToolChange;
@@ -21,8 +21,7 @@ impl Printer<'_> {
         match function {
             Function::ToolChange { number } => self.tool_change(*number, origin),
             Function::ToolPrepare { .. } if !self.target.tool.prepares => {
-                let help = "leave the T word out that only brings the tool forth, or take another target";
-                self.lacks(codes::O9320, origin, "a tool that is brought forth before its change", help);
+                self.deny(origin, codes::O9320::target_has_no_word_for_tool(&self.target.name));
             }
             Function::ToolPrepare { number } => {
                 if let Form::Dialog(dialog) = self.target.form {
@@ -86,9 +85,11 @@ impl Printer<'_> {
     pub(super) fn tool_word(&mut self, number: u32, origin: &Origin) {
         let words = &self.target.tool;
         if number > words.most {
-            let message = format!("tool {number}: the target {} counts tools to {}", self.target.name, words.most);
-            let help = "give the tool a smaller number in the program or with `number` in `[tools]`";
-            self.diags.push(Diagnostic::new(codes::O9306, origin.loc, message).help(help).called(origin.call));
+            self.diags.push(
+                codes::O9306::tool_target_counts_tools(&number, &self.target.name, &words.most)
+                    .at(origin.loc)
+                    .called(origin.call),
+            );
         }
         match self.target.form {
             Form::Words => drop(self.page.text.whole(words.address, u64::from(number))),
@@ -146,8 +147,7 @@ impl Printer<'_> {
                 }
             }
             Some(Change::Turret { .. }) => {
-                let help = "a turret has no empty place: leave tool 0 out";
-                return self.lacks(codes::O9305, origin, "tool 0", help);
+                return self.deny(origin, codes::O9305::target_has_no_word_for_tool_0(&self.target.name));
             }
             None => {
                 let help = "set `[output] tool_change = \"stop\"` to change by hand, or write one program a tool";
@@ -179,7 +179,7 @@ impl Printer<'_> {
                 self.length = ToolLength { tool: 0, waits: false, ..self.length };
                 match words.off {
                     Some(off) => self.page.words(off, origin),
-                    None => self.lacks(codes::O9307, origin, "tool 0", "leave tool 0 out: nothing takes a length back"),
+                    None => self.deny(origin, codes::O9307::target_has_no_word_for_tool_0(&self.target.name)),
                 }
             }
             Length::Words(words) if words.with_move => {
@@ -216,9 +216,7 @@ impl Printer<'_> {
     pub(super) fn spindle_stands(&mut self, change: Loc, origin: &Origin) {
         // Once is enough.
         self.spindle = HandChange::Stands;
-        let message = "this block cuts, and the spindle stands since the tool change by hand";
-        let help = "program M3 or M4 behind the change, or M5 where the tool has to stand";
-        let found = Diagnostic::new(codes::O9316, origin.loc, message).help(help).called(origin.call);
+        let found = codes::O9316::this_block_cuts().at(origin.loc).called(origin.call);
         self.diags.push(found.also(change, "the change"));
     }
 
@@ -236,8 +234,7 @@ impl Printer<'_> {
         match word {
             Some(word) => self.page.words(word, origin),
             None => {
-                let help = "cool with M8, or leave the mist out and switch it by hand";
-                self.lacks(codes::O9311, origin, "mist", help);
+                self.deny(origin, codes::O9311::target_has_no_word_for_mist(&self.target.name));
             }
         }
     }
@@ -280,9 +277,7 @@ impl Printer<'_> {
 
     #[cold]
     fn optional_stop_is_idle(&self, origin: &Origin) {
-        let message = format!("the target {} reads the optional stop and does not stop", self.target.name);
-        let help = "program M0 where the operator has to act";
-        self.diags.push(Diagnostic::new(codes::O9312, origin.loc, message).help(help).called(origin.call));
+        self.diags.push(codes::O9312::target_reads_optional_stop(&self.target.name).at(origin.loc).called(origin.call));
     }
 
     fn m_function(&mut self, number: u32, origin: &Origin) {
@@ -292,11 +287,7 @@ impl Printer<'_> {
             return self.lacks(codes::O9313, origin, &format!("M{number}"), help);
         }
         if let Some((_, does)) = words.own.iter().find(|(own, _)| *own == number) {
-            self.report(
-                codes::O2001,
-                origin,
-                &format!("M{number} is printed as listed in `pass_m`; on the target it {does}"),
-            );
+            self.say(origin, codes::O2001::m_is_printed_as_listed_in_pass(&number, &does));
         }
         self.page.text.whole(words.address, u64::from(number));
         self.page.end_line(origin);
@@ -304,16 +295,17 @@ impl Printer<'_> {
 
     fn work_offset(&mut self, number: u8, origin: &Origin) {
         if !self.target.offsets_confirmed && !std::mem::replace(&mut self.doubted, true) {
-            let message = format!("work offsets of the target {} are not confirmed", self.target.name);
-            let help = "look in the air whether the part lies where it should";
-            self.diags.push(Diagnostic::new(codes::O2002, origin.loc, message).help(help).called(origin.call));
+            self.diags.push(
+                codes::O2002::work_offsets_of_target_are_not_confirmed(&self.target.name)
+                    .at(origin.loc)
+                    .called(origin.call),
+            );
         }
         match self.target.offset(number) {
             Some(word) => match self.target.form {
                 Form::Words => {
                     if number > self.target.offsets_named {
-                        let message = format!("the work offset is printed as {word}");
-                        self.report(codes::O4003, origin, &message);
+                        self.say(origin, codes::O4003::work_offset_is_printed(&word));
                     }
                     self.page.words(&word, origin);
                 }
@@ -437,8 +429,7 @@ impl Printer<'_> {
     fn cutting_speed(&mut self, speed: f64, limit: Option<f64>, number: Option<u8>, origin: &Origin) -> bool {
         let words = &self.target.spindle;
         let Some(cutting) = &words.cutting_speed else {
-            let help = "program a constant speed with G97 in the source, or take another target";
-            self.lacks(codes::O9302, origin, "constant cutting speed", help);
+            self.deny(origin, codes::O9302::target_has_no_word_for_constant_cutting(&self.target.name));
             return false;
         };
         if self.measures.inches || limit.is_none() && self.length.limited {
@@ -477,9 +468,7 @@ impl Printer<'_> {
     /// The same of a stop at an angle.
     fn orient(&mut self, angle: f64, origin: &Origin) -> bool {
         let Some((word, address)) = self.target.spindle.orient else {
-            let help =
-                "leave the stop at an angle (M19, SPOS=) out where nothing depends on it, or take another target";
-            self.lacks(codes::O9303, origin, "a spindle stop at an angle", help);
+            self.deny(origin, codes::O9303::target_has_no_word_for_spindle_stop(&self.target.name));
             return false;
         };
         let places = self.measures.angle;
@@ -501,11 +490,10 @@ impl Printer<'_> {
             return None;
         };
         if units == 0 && speed != 0.0 {
-            let message = format!("the speed {speed} prints as zero, and the spindle would stand");
             let help =
                 "program a higher speed, or give `[output] decimals.speed` where the target reads parts of a turn";
             let help = Answer::key("output", "decimals").help(help);
-            self.diags.push(Diagnostic::new(codes::O1004, origin.loc, message).help(help).called(origin.call));
+            self.diags.push(codes::O1004::speed_prints_as_zero(&speed).at(origin.loc).help(help).called(origin.call));
             return None;
         }
         let exact = self.is_near("speed", speed, units, self.measures.speed, origin);
@@ -541,13 +529,7 @@ impl Printer<'_> {
             let help = Answer::key("output", "units").one_of(&["\"mm\""]).help(help);
             return self.lacks(codes::O9319, origin, "a cutting speed in feet", help);
         }
-        let help = "state the largest speed with each constant cutting speed (LIMS, G92 S)";
-        self.lacks(
-            codes::O9323,
-            origin,
-            "a constant cutting speed without a largest speed behind one that had it",
-            help,
-        );
+        self.deny(origin, codes::O9323::target_has_no_word_for_constant_cutting(&self.target.name));
     }
 
     fn comment(&mut self, text: &[u8], origin: &Origin) {

@@ -1,6 +1,6 @@
 //! What stands around the program: its name, who made it of what, the modes that hold, comments of the configuration.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::machine::settings::{Quantity, Units};
 use crate::target::{Form, ProgramName};
 use crate::text::Loc;
@@ -78,10 +78,10 @@ impl Printer<'_> {
         let number = self.settings.program_number;
         if number > most {
             let start = Loc { line: 1, ..Loc::default() };
-            let message = format!("program number {number}: the target {} counts programs to {most}", self.target.name);
             self.diags.push(
-                Diagnostic::new(codes::O9324, start, message)
-                    .help(Answer::key("output", "program_number").help("give a smaller `[output] program_number`")),
+                codes::O9324::program_number(&number, &self.target.name, &most)
+                    .answer(Answer::key("output", "program_number"))
+                    .at(start),
             );
         }
         Some(format!("{}{number:0digits$}", letter as char))
@@ -108,14 +108,12 @@ impl Printer<'_> {
         let target = self.target;
         let (places, most) = (self.settings.places(Quantity::Length), target.numbers.most);
         if places > most {
-            let message =
-                format!("`decimals`: the target {} reads {most} places of a length, not {places}", target.name);
-            self.diags.push(Diagnostic::new(codes::O9326, start, message).help("print fewer places"));
+            self.diags
+                .push(codes::O9326::decimals_target_reads_places_of_length(&target.name, &most, &places).at(start));
         }
         let (time, most) = (self.settings.places(Quantity::Time), target.numbers.time.unwrap_or(u8::MAX));
         if time > most {
-            let message = format!("`decimals`: the target {} reads {most} places of a wait, not {time}", target.name);
-            self.diags.push(Diagnostic::new(codes::O9326, start, message).help("print fewer places"));
+            self.diags.push(codes::O9326::decimals_target_reads_places_of_wait(&target.name, &most, &time).at(start));
         }
     }
 

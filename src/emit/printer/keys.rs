@@ -1,6 +1,6 @@
 //! Keys of `[output]` that change nothing on the target: said, so that nobody counts on them.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::machine::Axis;
 use crate::machine::settings::Compensation;
 use crate::target::{DwellUnit, EVERY_PLANE, Form, Length, ProgramName, RigidTap, Sequence};
@@ -21,17 +21,15 @@ impl Printer<'_> {
         if let Some(why) = numbers
             && self.settings.line_numbers > 0
         {
-            let message = format!("`line_numbers`: the target {name} {why}");
-            self.diags.push(Diagnostic::new(codes::O9329, start, message).help("leave the key away"));
+            self.diags.push(codes::O9329::line_numbers(&name, &why).at(start));
         }
         for (key, spot) in &self.settings.stated.0 {
             let Some(why) = self.unused(key, lathe) else { continue };
-            let message = format!("`{key}` changes nothing: the target {name} {why}");
             let mut help = "leave the key away".to_owned();
             if !spot.file.is_empty() {
                 help = format!("{help}: {}:{}", spot.file, spot.line);
             }
-            self.diags.push(Diagnostic::new(codes::O9336, start, message).help(help));
+            self.diags.push(codes::O9336::changes_nothing(&key, &name, &why).at(start).help(help));
         }
     }
 

@@ -121,19 +121,17 @@ impl Printer<'_> {
     /// A line in step with the spindle.
     pub(super) fn thread(&mut self, lead: f64, mv: &Move, origin: &Origin) {
         let Some(Thread { word, lead: form, stops }) = self.target.motion.thread else {
-            let help = "cut the thread another way, or take a target that turns the spindle in step";
-            self.lacks(codes::O9300, origin, "a thread in step with the spindle", help);
+            self.deny(origin, codes::O9300::target_has_no_word_for_thread(&self.target.name));
             return self.pretend(mv);
         };
         let Some(address) = self.lead_address(form, mv) else {
-            let help = "cut the thread along one axis, or take a target that takes its lead along the way";
-            self.lacks(codes::O9322, origin, "a thread along two axes", help);
+            self.deny(origin, codes::O9322::target_has_no_word_for_thread_along(&self.target.name));
             return self.pretend(mv);
         };
         let programmed = lead;
         let lead = self.measures.lead.units(programmed).filter(|units| *units > 0);
         let Some(lead) = lead else {
-            return self.report(codes::O1003, origin, "the lead of this thread prints as zero or not at all");
+            return self.say(origin, codes::O1003::lead_of_this_thread_prints_as_zero());
         };
         if !self.is_near("lead", programmed, lead, self.measures.lead, origin) {
             return self.pretend(mv);
@@ -151,13 +149,12 @@ impl Printer<'_> {
         let before = self.page.lines();
         let behind_thread = self.thread.as_ref().is_some_and(|(at, lines)| at == self.modal.at() && *lines != before);
         if behind_thread && !stops {
-            let help = "tap by a cycle of the target, or with a floating holder at a feed in mm/min";
-            self.lacks(codes::O9325, origin, "a thread behind a thread with another function between them", help);
+            self.deny(origin, codes::O9325::target_has_no_word_for_thread(&self.target.name));
             return self.pretend(mv);
         }
         self.straight(word, mv, Some((address, lead)), origin);
         if self.page.lines() == before && !self.diags.has_errors() {
-            self.report(codes::O1003, origin, "the thread has no length that can be printed");
+            self.say(origin, codes::O1003::thread_has_no_length_that_can());
         }
         if !stops {
             self.thread = Some((*self.modal.at(), self.page.lines()));
@@ -185,7 +182,7 @@ impl Printer<'_> {
     #[cold]
     pub(super) fn unprintable(&mut self, origin: &Origin) {
         self.page.text.drop_line();
-        self.report(codes::O1002, origin, "a number of this block is too large to print");
+        self.say(origin, codes::O1002::number_of_this_block_is_too_large());
     }
 
     /// The F word where it changes; a change of its kind gets a line of its own.
@@ -194,7 +191,7 @@ impl Printer<'_> {
         let kind = FeedKind::of(feed);
         let units = self.feed_places(kind).units(feed.value()).filter(|units| *units > 0);
         let Some(units) = units else {
-            self.report(codes::O1001, origin, &format!("the feed {} prints as zero or not at all", feed.value()));
+            self.say(origin, codes::O1001::feed_prints_as_zero_or_not(&feed.value()));
             return Err(());
         };
         if !self.is_near(kind.name(), feed.value(), units, self.feed_places(kind), origin) {
@@ -228,7 +225,7 @@ impl Printer<'_> {
         let (Some(to), Some(from)) = (mv.end.in_plane(arc.plane), from) else {
             // Only a refused block leaves an arc without a start, and that was reported.
             if !self.diags.has_errors() {
-                self.report(codes::O1002, origin, "the start of this arc was not printed");
+                self.say(origin, codes::O1002::start_of_this_arc_was_not_printed());
             }
             return;
         };
@@ -275,7 +272,7 @@ impl Printer<'_> {
         let (offset, turns) = match arc::fit(&request) {
             Printed::Arc { offset, turns } => (offset, turns),
             Printed::Nothing => {
-                self.report(codes::O4002, origin, "the arc is shorter than the last printed digit and is left out");
+                self.say(origin, codes::O4002::arc_is_shorter_than_last_printed_digit());
                 let straight = Move { path: Path::Line(feed), ..*mv };
                 return self.straight(self.target.motion.line, &straight, None, origin);
             }
@@ -413,7 +410,7 @@ impl Printer<'_> {
     fn knows_start(&self, mv: &Move, origin: &Origin) -> bool {
         let known = mv.axes.iter().all(|axis| self.modal.place(axis).is_some());
         if !known && !self.diags.has_errors() {
-            self.report(codes::O1002, origin, "an axis of this arc starts where nothing was printed for it");
+            self.say(origin, codes::O1002::axis_of_this_arc_starts_where_nothing());
         }
         known
     }
@@ -433,8 +430,7 @@ impl Printer<'_> {
             return self.too_coarse(most - room, mv, origin);
         }
         let what = if helix { "the helix" } else { "the arc" };
-        let message = format!("{what} is printed as lines that leave it by at most {most} mm");
-        self.report(codes::O4004, origin, &message);
+        self.say(origin, codes::O4004::is_printed_as_lines_that_leave(&what, &most));
         self.lines(arc, feed, mv, (most - unit).max(0.5 * unit).min(room), origin);
     }
 

@@ -1,6 +1,6 @@
 //! What the target has no word for: each refused with its place, and with what to do.
 
-use crate::diag::{Answer, Code, Diagnostic, Help, codes};
+use crate::diag::{Answer, Code, Diagnostic, Fault, Help, codes};
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Origin, Side};
 use crate::machine::settings::Quantity;
@@ -25,6 +25,13 @@ fn in_millimetres(help: &str) -> Help {
 
 impl Printer<'_> {
     /// Refuses what the target has no word for.
+    #[cold]
+    pub(super) fn deny(&mut self, origin: &Origin, fault: Fault) {
+        self.page.text.drop_line();
+        self.diags.push(fault.at(origin.loc).called(origin.call));
+    }
+
+    /// The same, of what the target has no word for.
     #[cold]
     pub(super) fn lacks(&mut self, code: &'static Code, origin: &Origin, what: &str, help: impl Into<Help>) {
         self.page.text.drop_line();
@@ -67,8 +74,7 @@ impl Printer<'_> {
     #[cold]
     pub(super) fn lacks_form(&mut self, mv: &Move, origin: &Origin) {
         if self.length.waits {
-            let help = "move along Z in a straight block behind the tool change";
-            self.lacks(codes::O9318, origin, "the length of a tool that begins in such a block", help);
+            self.deny(origin, codes::O9318::target_has_no_word_for_length(&self.target.name));
         } else {
             let help = in_millimetres("set `[output] units = \"mm\"`");
             self.lacks(codes::O9319, origin, "a rotary axis at a feed in inches", help);
@@ -80,8 +86,7 @@ impl Printer<'_> {
     #[cold]
     pub(super) fn lacks_compensation(&mut self, mv: &Move, origin: &Origin) {
         if self.compensation.refuse_contour() {
-            let help = "program the path of the tool centre, or take a target that compensates";
-            self.lacks(codes::O9308, origin, "radius compensation", help);
+            self.deny(origin, codes::O9308::target_has_no_word_for_radius_compensation(&self.target.name));
         }
         self.pretend(mv);
     }
@@ -113,10 +118,7 @@ impl Printer<'_> {
     pub(super) fn lacks_end_of_compensation(&mut self, origin: &Origin) {
         self.compensation.switched(Side::None);
         if self.compensation.refuse_contour() {
-            let message =
-                "radius compensation is on at a block that ends it, and the target ends it in a straight move only";
-            let help = "move away from the contour without compensation in front of this block";
-            self.diags.push(Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call));
+            self.diags.push(codes::O9003::radius_compensation_is_on_at_block().at(origin.loc).called(origin.call));
         }
     }
 
@@ -131,8 +133,9 @@ impl Printer<'_> {
         let help = "set `[output] arc_fallback_tolerance` in partc.toml: how far lines may leave it, in mm";
         let help = Answer::key("output", "arc_fallback_tolerance").help(help);
         self.page.text.drop_line();
-        let message = format!("the target {} has no word for {what}", self.target.name);
-        self.diags.push(Diagnostic::new(codes::O9328, origin.loc, message).help(help).called(origin.call));
+        self.diags.push(
+            codes::O9328::target_has_no_word(&self.target.name, &what).at(origin.loc).help(help).called(origin.call),
+        );
         self.pretend(mv);
     }
 
@@ -141,13 +144,12 @@ impl Printer<'_> {
     pub(super) fn too_coarse(&mut self, mm: f64, mv: &Move, origin: &Origin) {
         let places = self.settings.places(Quantity::Length);
         let unit = if self.measures.inches { "an inch" } else { "a millimetre" };
-        let message =
-            format!("printed with {places} places of {unit}, this arc would be up to {mm:.3} mm off its path");
         let more = (places + 1).to_string();
         let help = format!("print more places: `[output] decimals = {more}`");
         let help = Answer::key("output", "decimals").one_of(&[more]).help(help);
         self.page.text.drop_line();
-        self.diags.push(Diagnostic::new(codes::O9335, origin.loc, message).help(help).called(origin.call));
+        self.diags
+            .push(codes::O9335::printed_with_places(&places, &unit, &mm).at(origin.loc).help(help).called(origin.call));
         self.pretend(mv);
     }
 
@@ -162,21 +164,26 @@ impl Printer<'_> {
     /// Rapid traverse goes at the last F, and nobody said at which.
     #[cold]
     pub(super) fn lacks_rapid_feed(&mut self, origin: &Origin) {
-        let message =
-            format!("on the target {} rapid traverse goes at the last F, and none is configured", self.target.name);
         let help = "set `[output] rapid_feed` in mm/min, such as 3000";
         let help = Answer::key("output", "rapid_feed").help(help);
-        self.diags.push(Diagnostic::new(codes::O9333, origin.loc, message).help(help).called(origin.call));
+        self.diags.push(
+            codes::O9333::on_target_rapid_traverse_goes_at_last(&self.target.name)
+                .at(origin.loc)
+                .help(help)
+                .called(origin.call),
+        );
     }
 
     /// May this M function of spindle, coolant or stops be printed? Some receivers have them as macros alone.
     pub(super) fn has_m(&mut self, number: u32, origin: &Origin) -> bool {
         let there = !self.target.m.listed || self.settings.pass_m.contains(&number);
         if !there {
-            let message = format!("the target {} has M{number} as a macro, or as an option, only", self.target.name);
-            let help = Answer::pass_m(number)
-                .help(format!("where the machine has it, list it: `[output] pass_m = [{number}]`"));
-            self.diags.push(Diagnostic::new(codes::O9334, origin.loc, message).help(help).called(origin.call));
+            self.diags.push(
+                codes::O9334::target_has_m_as_macro(&self.target.name, &number)
+                    .answer(Answer::pass_m(number))
+                    .at(origin.loc)
+                    .called(origin.call),
+            );
         }
         there
     }
@@ -188,10 +195,14 @@ impl Printer<'_> {
         if number > most {
             self.page.text.drop_line();
             let (name, letter) = (self.target.name, letter as char);
-            let message = format!("{letter}{number}: the target {name} is taken to have {most} offsets of tools");
             let help = "say how many it has (`[output] tool_offsets`), or give the tool a smaller number (`number` in `[tools]`)";
             let help = Answer::key("output", "tool_offsets").help(help);
-            self.diags.push(Diagnostic::new(codes::O9337, origin.loc, message).help(help).called(origin.call));
+            self.diags.push(
+                codes::O9337::target_is_taken_to_have_offsets(&letter, &number, &name, &most)
+                    .at(origin.loc)
+                    .help(help)
+                    .called(origin.call),
+            );
         }
         number <= most
     }
@@ -199,19 +210,20 @@ impl Printer<'_> {
     /// What the number of a wait counts is a setting of the receiver.
     #[cold]
     pub(super) fn lacks_dwell_unit(&mut self, origin: &Origin) {
-        let message =
-            format!("seconds or milliseconds: a setting of the target {} says what a wait counts", self.target.name);
         let help = "set `[output] dwell_unit` as the receiver is set";
         let help = Answer::key("output", "dwell_unit").one_of(&["\"seconds\"", "\"milliseconds\""]).help(help);
-        self.diags.push(Diagnostic::new(codes::O9331, origin.loc, message).help(help).called(origin.call));
+        self.diags.push(
+            codes::O9331::seconds_or_milliseconds(&self.target.name).at(origin.loc).help(help).called(origin.call),
+        );
     }
 
     /// The target may choose a place farther along the contour as the end of its way there.
     pub(super) fn begins_at_rapid(&self, mv: &Move, origin: &Origin) {
         if mv.side != Side::None && matches!(mv.path, Path::Rapid) && self.diags.first_time(codes::O4005, ()) {
-            let message = "radius compensation begins in a rapid move: where the target goes beside the contour is its own choice";
             let help = resolve("lead to the contour at a feed, or set `[output] compensation = \"resolve\"`");
-            self.diags.push(Diagnostic::new(codes::O4005, origin.loc, message).help(help).called(origin.call));
+            self.diags.push(
+                codes::O4005::radius_compensation_begins_in_rapid_move().at(origin.loc).help(help).called(origin.call),
+            );
         }
     }
 
@@ -250,14 +262,13 @@ impl Printer<'_> {
     /// A wait that is shorter than half of its last place.
     #[cold]
     pub(super) fn wait_is_lost(&mut self, seconds: f64, origin: &Origin) {
-        let message = format!("the wait of {seconds} s prints as zero");
         let help = if self.settings.waits_in_milliseconds() {
             "the target counts whole milliseconds: program 0.001 s, or leave the wait out".into()
         } else {
             let help = "print more places (`[output] decimals = { time = 3 }`), or leave the wait out";
             Answer::key("output", "decimals").one_of(&["{ time = 3 }"]).help(help)
         };
-        self.diags.push(Diagnostic::new(codes::O1005, origin.loc, message).help(help).called(origin.call));
+        self.diags.push(codes::O1005::wait_of_s_prints_as_zero(&seconds).at(origin.loc).help(help).called(origin.call));
     }
 
     #[cold]

@@ -111,7 +111,7 @@ impl Printer<'_> {
         let mut at = start;
         for (to, back) in &strokes {
             if *to == at || to == back {
-                self.report(codes::O1003, origin, "the tap has no length that can be printed");
+                self.say(origin, codes::O1003::tap_has_no_length_that_can());
                 return Err(None);
             }
             at = *back;
@@ -178,7 +178,7 @@ impl Printer<'_> {
     pub(super) fn tap_lead(&self, tap: &Tap, origin: &Origin) -> Result<i64, Unfit> {
         let places = self.measures.lead;
         let Some(units) = places.units(tap.lead).filter(|units| *units > 0) else {
-            self.report(codes::O1003, origin, "the pitch of this tap prints as zero or not at all");
+            self.say(origin, codes::O1003::pitch_of_this_tap_prints_as_zero());
             return Err(None);
         };
         if (units as f64 / places.scale() - tap.lead).abs() * tap.turns() > MOST_OFF {

@@ -6,7 +6,7 @@ use crate::ir::compensation::{Compensation, FeedAt};
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Function, Origin};
 
-use super::super::at;
+use super::super::{at, raised_at};
 use super::piece::{Item, Kind, Piece};
 
 /// Why a contour is refused.
@@ -19,7 +19,7 @@ fn length(mm: f64) -> String {
 }
 
 fn raised(code: &'static Code, alarm: Option<u32>, origin: &Origin, message: String) -> Diagnostic {
-    let mut found = at(code, *origin, message);
+    let mut found = raised_at(code, *origin, message);
     found.alarm = alarm;
     found
 }
@@ -57,8 +57,10 @@ pub fn no_room(last: &Piece, next: &Piece) -> Refused {
 }
 
 pub fn start_unknown(origin: &Origin) -> Refused {
-    let message = "where this element of the compensated contour lies in the plane is not known";
-    Box::new(at(codes::G3203, *origin, message).help("program both axes of the plane in front of the contour"))
+    Box::new(
+        at(*origin, codes::G3203::where_this_element_of_compensated_contour_lies())
+            .help("program both axes of the plane in front of the contour"),
+    )
 }
 
 pub fn no_line(begins: bool, arc: bool, rules: &Compensation, origin: &Origin) -> Refused {
@@ -71,38 +73,47 @@ pub fn no_line(begins: bool, arc: bool, rules: &Compensation, origin: &Origin) -
 
 pub fn leaves_on_arc(arc: bool, origin: &Origin) -> Refused {
     let what = if arc { "an arc" } else { "a thread" };
-    let message =
-        format!("{what} follows a compensated contour: the tool stands beside it, where the block does not start");
-    Box::new(at(codes::G3203, *origin, message).help("put a straight block without compensation in between"))
+    Box::new(
+        at(*origin, codes::G3203::follows_compensated_contour(&what))
+            .help("put a straight block without compensation in between"),
+    )
 }
 
 pub fn no_contour(of: &Origin, origin: &Origin) -> Refused {
-    let message = "radius compensation ends before the contour has an element: there is no direction to stand beside";
-    let found = at(codes::G3204, *origin, message).also(of.loc, "compensation begins here");
+    let found = at(*origin, codes::G3204::radius_compensation_ends_before_contour_has_element())
+        .also(of.loc, "compensation begins here");
     Box::new(found.help("program one element of the contour at least between the two blocks"))
 }
 
 pub fn never_ends(of: &Origin) -> Refused {
-    let message = "radius compensation is still on at the end of the program: how the contour ends is not known";
-    Box::new(at(codes::G3204, *of, message).help("end it in a block that leads away from the contour"))
+    Box::new(
+        at(*of, codes::G3204::radius_compensation_is_still_on_at_end())
+            .help("end it in a block that leads away from the contour"),
+    )
 }
 
 /// What TRANSMIT and TRACYL do.
 pub const TRANSFORMED: &str = "a transformation begins or ends";
 
 pub fn still_on(event: &str, origin: &Origin) -> Refused {
-    let message = format!("{event} while radius compensation is on");
-    Box::new(at(codes::G3204, *origin, message).help("end the compensation in a block in front of it"))
+    Box::new(
+        at(*origin, codes::G3204::while_radius_compensation(&event))
+            .help("end the compensation in a block in front of it"),
+    )
 }
 
 pub fn position_lost(origin: &Origin) -> Refused {
-    let message = "the position of the tool gets lost inside a compensated contour";
-    Box::new(at(codes::G3203, *origin, message).help("end the compensation in front of this block"))
+    Box::new(
+        at(*origin, codes::G3203::position_of_tool_gets_lost_inside_compensated())
+            .help("end the compensation in front of this block"),
+    )
 }
 
 pub fn too_much_between(origin: &Origin) -> Refused {
-    let message = "too many blocks without a move in the plane stand between two elements of a compensated contour";
-    Box::new(at(codes::G3205, *origin, message).help("end the compensation in front of them"))
+    Box::new(
+        at(*origin, codes::G3205::too_many_blocks_without_move_in_plane())
+            .help("end the compensation in front of them"),
+    )
 }
 
 /// What may not stand in a contour at all.
@@ -119,8 +130,10 @@ pub fn admit(mv: &Move, origin: &Origin) -> Result<(), Refused> {
 
 #[cold]
 fn stands_inside(what: &str, origin: &Origin) -> Refused {
-    let message = format!("{what} stands inside a contour with radius compensation");
-    Box::new(at(codes::G3205, *origin, message).help("end the compensation in front of this block"))
+    Box::new(
+        at(*origin, codes::G3205::stands_inside_contour_with_radius_compensation(&what))
+            .help("end the compensation in front of this block"),
+    )
 }
 
 pub fn plane_changes(rules: &Compensation, origin: &Origin) -> Refused {
@@ -131,37 +144,36 @@ pub fn plane_changes(rules: &Compensation, origin: &Origin) -> Refused {
 
 pub fn side_changes(side: bool, origin: &Origin) -> Refused {
     let what = if side { "the side" } else { "the radius" };
-    let message = format!("{what} of the compensation changes inside a contour");
-    Box::new(at(codes::G3205, *origin, message).help("end the compensation, and begin it anew behind this place"))
+    Box::new(
+        at(*origin, codes::G3205::of_compensation_changes_inside_contour(&what))
+            .help("end the compensation, and begin it anew behind this place"),
+    )
 }
 
 pub fn constant_at_start(origin: &Origin) -> Refused {
-    let message = "the offset is held constant before the contour has one";
-    Box::new(at(codes::G3205, *origin, message).help("let one element of the contour stand in front"))
+    Box::new(
+        at(*origin, codes::G3205::offset_is_held_constant_before_contour())
+            .help("let one element of the contour stand in front"),
+    )
 }
 
 pub fn no_feed(last: &Piece, next: &Piece) -> Refused {
-    let message = "the arc about this corner lies between two blocks at rapid traverse and has no feed";
-    let found = at(codes::G3206, next.origin, message).also(last.origin.loc, "element before");
+    let found =
+        at(next.origin, codes::G3206::arc_about_this_corner_lies_between_two()).also(last.origin.loc, "element before");
     Box::new(found.help("program the contour at a feed"))
 }
 
 pub fn too_long(last: &Piece, next: &Piece, by: f64, most: f64) -> Refused {
-    let message = format!(
-        "the elements are to be prolonged by {} mm beyond the corner, and meet after {} mm",
-        length(by),
-        length(most)
-    );
-    let found = at(codes::G3207, last.origin, message).also(next.origin.loc, "element after");
+    let found = at(last.origin, codes::G3207::elements_are_to_be_prolonged_by_mm(&length(by), &length(most)))
+        .also(next.origin.loc, "element after");
     Box::new(found.help("make the length smaller"))
 }
 
 pub fn around_otherwise(leaves: bool, origin: &Origin) -> Refused {
     let what = if leaves { "leaves" } else { "comes to" };
-    let message =
-        format!("the tool {what} the contour from behind, and the control's way around the corner is not known");
     Box::new(
-        at(codes::G3208, *origin, message).help("program the way around, or let it lead around on a circle (G450)"),
+        at(*origin, codes::G3208::tool_contour(&what))
+            .help("program the way around, or let it lead around on a circle (G450)"),
     )
 }
 
@@ -197,7 +209,7 @@ pub fn damaged(path: &Origin, contour: &Origin, radius: f64, refuses: bool) -> R
         length(radius)
     );
     let code = if refuses { codes::G3202 } else { codes::G3211 };
-    let found = at(code, *path, message).also(contour.loc, "this element");
+    let found = raised_at(code, *path, message).also(contour.loc, "this element");
     let help = if refuses {
         "take a smaller tool, or switch the search of the control off in front of this contour (M120 LA0, CDOF)"
     } else {
@@ -211,11 +223,9 @@ pub fn offset_stays(at_point: Option<Point2>, plane: Plane, origin: &Origin) -> 
     let names = ["X", "Y", "Z"];
     let place = at_point
         .map_or(String::new(), |p| format!(" ({}{} {}{})", names[first], length(p.x), names[second], length(p.y)));
-    let message = format!(
-        "radius compensation ends in a block that leaves the plane alone: the tool stays beside the contour{place} until the next block in the plane"
-    );
     Box::new(
-        at(codes::G3212, *origin, message).help("end the compensation in a block that leads away from the contour"),
+        at(*origin, codes::G3212::radius_compensation_ends_in_block_that_leaves(&place))
+            .help("end the compensation in a block that leads away from the contour"),
     )
 }
 
@@ -228,11 +238,7 @@ pub fn open_turn(last: &Piece, next: &Piece, diags: &Diags) {
         return;
     }
     let way = if meets { "both paths are prolonged until they meet" } else { "the tool goes around it on an arc" };
-    let message = format!(
-        "at this outside corner of {} degrees a limit decides that is machine data of the control: {way}",
-        length(turn.to_degrees())
-    );
-    diags.push(at(codes::G3215, last.origin, message).also(next.origin.loc, "element after").help(
+    diags.push(at(last.origin, codes::G3215::at_this_outside_corner_of_degrees_limit(&length(turn.to_degrees()), &way)).also(next.origin.loc, "element after").help(
         Answer::key("control", "g451_limit").help(
             "give the limits of the machine: `[control] g451_limit` (MD 20210) and `g450_flat` (MD 20230), in degrees",
         ),
@@ -244,8 +250,8 @@ pub fn corner_without_effect(last: &Piece, next: &Piece, diags: &Diags) {
     if !last.rules.own_corner {
         return;
     }
-    let message = "the M function for the corner at the end of this element has no effect: the contour turns towards the tool there, or goes on straight";
-    let found = at(codes::G3218, last.origin, message).also(next.origin.loc, "element after");
+    let found = at(last.origin, codes::G3218::m_function_for_corner_at_end_of_this_element())
+        .also(next.origin.loc, "element after");
     diags.push(found.help("move it into the block that ends in the corner that is meant, or remove it"));
 }
 
@@ -254,8 +260,8 @@ pub fn last_corner(last: &Piece, leaves: &Origin, diags: &Diags) {
     if !last.rules.own_corner {
         return;
     }
-    let message = "the M function for the corner at the end of this element has no effect: the compensation ends there";
-    let found = at(codes::G3218, last.origin, message).also(leaves.loc, "the tool leaves the contour here");
+    let found = at(last.origin, codes::G3218::m_function_for_corner_at_end())
+        .also(leaves.loc, "the tool leaves the contour here");
     diags.push(found.help("move it into the block that ends in the corner that is meant, or remove it"));
 }
 
@@ -276,7 +282,7 @@ pub fn reading(last: &Piece, next: &Piece, diags: &Diags) {
         }
     };
     if diags.first_text(codes::G3213, message) {
-        let found = at(codes::G3213, next.origin, message).also(last.origin.loc, "element before");
+        let found = raised_at(codes::G3213, next.origin, message).also(last.origin.loc, "element before");
         diags.push(found.help("program the same feed for both elements, and nothing between them"));
     }
 }
@@ -284,19 +290,19 @@ pub fn reading(last: &Piece, next: &Piece, diags: &Diags) {
 /// The start or end of the way lies between the contour and its path, where controls may see it as behind or not.
 pub fn nearly_behind(leaves: bool, origin: &Origin) -> Refused {
     let what = if leaves { "end" } else { "start" };
-    let message = format!(
-        "the {what} of the way lies less than the tool radius beside the contour: it is taken to be behind it, so a circle leads around the contour point"
-    );
     Box::new(
-        at(codes::G3214, *origin, message).help("start or end farther away from the contour, or clearly behind it"),
+        at(*origin, codes::G3214::of_way_lies_less_than_tool_radius(&what))
+            .help("start or end farther away from the contour, or clearly behind it"),
     )
 }
 
 /// A cycle works from where the tool stands, and that is not the programmed point.
 #[cold]
 pub fn cycle_beside(origin: &Origin) -> Option<Refused> {
-    let message = "a cycle is called while the tool stands beside a contour with radius compensation";
-    Some(Box::new(at(codes::G3205, *origin, message).help("leave the contour in the plane in a block in front of it")))
+    Some(Box::new(
+        at(*origin, codes::G3205::cycle_is_called_while_tool_stands_beside())
+            .help("leave the contour in the plane in a block in front of it"),
+    ))
 }
 
 /// F counts at the contour on the control, and is printed for the centre.
@@ -314,12 +320,7 @@ fn feed_of_centre(piece: &Piece, diags: &Diags) {
     if piece.kind != Kind::Element || !diags.first_time(codes::G3216, ()) {
         return;
     }
-    let message = format!(
-        "F is printed for the centre of the tool, whose radius is {} mm here; the control keeps it at the contour of radius {} mm",
-        length(distance(own, center)),
-        length(distance(from, center))
-    );
-    diags.push(at(codes::G3216, piece.origin, message).help(
+    diags.push(at(piece.origin, codes::G3216::f_is_printed_for_centre_of_tool(&length(distance(own, center)), &length(distance(from, center)))).help(
         Answer::key("control", "curve_feed").help("for the feed of the control set `[control] curve_feed = \"control\"`, or program CFTCP if F is meant for the centre"),
     ));
 }

@@ -284,8 +284,7 @@ impl Hole<'_> {
                 continue;
             }
             let Some(at) = start.get(axis) else {
-                let message = format!("the tool is lifted off along {}, whose position is not known", axis.letter());
-                return Err(Failure::new(codes::G3043, message, "position the tool over the hole in both axes"));
+                return Err(Failure::of(codes::G3043::tool_is_lifted_off_along(&axis.letter())));
             };
             lifted.set(axis, at + way);
             centre.set(axis, at);

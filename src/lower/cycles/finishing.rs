@@ -115,32 +115,18 @@ impl Cutter<'_> {
         if distance(from, start) <= SAME_POINT {
             return Ok(());
         }
-        let beside = self.finishing.beside(start).ok_or_else(|| {
-            Failure::new(
-                codes::G3048,
-                "there is no room beside the start of the contour for the tool to come down to it",
-                "begin the contour at a place that the tool reaches freely, or make the clearance smaller",
-            )
-        })?;
+        let beside =
+            self.finishing.beside(start).ok_or_else(|| Failure::of(codes::G3048::there_is_no_room_beside_start()))?;
         let ways =
             [vec![beside], vec![Point2::new(from.x, beside.y), beside], vec![Point2::new(beside.x, from.y), beside]];
         let Some(way) = ways.iter().find(|way| self.is_free(from, way)) else {
-            return Err(Failure::new(
-                codes::G3048,
-                "the tool cannot travel from where it stands to the start of the contour without touching it",
-                "position the tool in front of the start of the contour",
-            ));
+            return Err(Failure::of(codes::G3048::tool_cannot_travel_from_where_it_stands()));
         };
         let Some(way) = ways.iter().find(|way| self.is_free(from, way) && !self.passes_blank(from, way)) else {
-            return Err(Failure::new(
-                codes::G3048,
-                format!(
-                    "the rapid approach to X{:.3} Z{:.3} leads through the blank, from which nothing was cut yet",
-                    2.0 * way.last().map_or(0.0, |to| to.y),
-                    way.last().map_or(0.0, |to| to.x)
-                ),
-                "rough the contour before it is finished, or correct the section BLANK to what is clamped",
-            ));
+            return Err(Failure::of(codes::G3048::rapid_approach_to_x_z_leads_through(
+                &(2.0 * way.last().map_or(0.0, |to| to.y)),
+                &way.last().map_or(0.0, |to| to.x),
+            )));
         };
         for to in way {
             self.track.rapid(*to);
@@ -158,13 +144,10 @@ impl Cutter<'_> {
         if self.finishing.end == FinishingEnd::Stay {
             return Ok(());
         }
-        let beside = self.finishing.beside(self.track.at()).ok_or_else(|| {
-            Failure::new(
-                codes::G3048,
-                "there is no room beside the end of the contour for the tool to lift off",
-                "end the contour at a place that the tool leaves freely, or make the clearance smaller",
-            )
-        })?;
+        let beside = self
+            .finishing
+            .beside(self.track.at())
+            .ok_or_else(|| Failure::of(codes::G3048::there_is_no_room_beside_end()))?;
         self.track.line(beside, self.finishing.feed);
         let (to, way) = match self.finishing.end {
             FinishingEnd::Stay | FinishingEnd::Lift => return Ok(()),
@@ -177,11 +160,7 @@ impl Cutter<'_> {
             Way::ZThenX => vec![Point2::new(to.x, beside.y), to],
         };
         if !self.is_free(beside, &stops) {
-            return Err(Failure::new(
-                codes::G3048,
-                "the way from the end of the contour to the end position of the cycle touches the contour",
-                "choose another order of the axes, or lift only and position afterwards",
-            ));
+            return Err(Failure::of(codes::G3048::way_from_end_of_contour_to_end()));
         }
         for stop in stops {
             match way {

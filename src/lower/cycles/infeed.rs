@@ -88,8 +88,7 @@ pub fn place(from: f64, to: f64, k: u64, steps: u64) -> f64 {
 pub fn heights(from: f64, to: f64, most: f64, limit: u64) -> Result<impl Iterator<Item = f64>, Failure> {
     let cuts = steps(from - to, most).max(1);
     if cuts > limit {
-        let message = format!("the infeed makes {cuts} cuts, more than {limit}");
-        return Err(Failure::new(codes::G3040, message, "program a larger infeed"));
+        return Err(Failure::of(codes::G3040::infeed_makes_cuts(&cuts, &limit)));
     }
     Ok((1..=cuts).map(move |k| place(from, to, k, cuts)))
 }

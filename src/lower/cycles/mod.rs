@@ -73,10 +73,7 @@ impl Start {
     /// # Errors
     /// G3043 where they are not known.
     fn in_turning_plane(&self) -> Result<Point2, Failure> {
-        self.at.in_plane(Plane::Zx).ok_or_else(|| {
-            let message = "the cycle starts where the tool stands, but its position in X and Z is not known";
-            Failure::new(codes::G3043, message, "position X and Z in front of the cycle")
-        })
+        self.at.in_plane(Plane::Zx).ok_or_else(|| Failure::of(codes::G3043::cycle_starts_where_tool_stands()))
     }
 }
 

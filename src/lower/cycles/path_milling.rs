@@ -76,11 +76,7 @@ impl PathMilling {
             };
             let least = self.distance() - NEARER;
             if self.contour.iter().any(|element| gap::between(&way, element) < least) {
-                return Err(Failure::new(
-                    codes::G3331,
-                    "the way to the contour, or from it, cuts into the contour elsewhere",
-                    "give a smaller radius or length of the way, or another shape of it",
-                ));
+                return Err(Failure::of(codes::G3331::way_to_contour()));
             }
         }
         Ok(())
@@ -112,11 +108,7 @@ impl PathMilling {
         if free {
             return Ok(());
         }
-        Err(Failure::new(
-            codes::G3331,
-            "the straight way back to the start of the contour, in its depth, cuts into it",
-            "retract the tool at the end of the contour",
-        ))
+        Err(Failure::of(codes::G3331::straight_way_back_to_start_of_contour()))
     }
 }
 

@@ -36,8 +36,7 @@ pub fn expand<'a>(thread: &Thread, from: Point2, out: &'a mut Strokes<'a>) -> Re
     let passes = Passes { thread, series };
     let cuts = passes.count().saturating_mul(u64::from(thread.starts));
     if cuts > MOST_CUTS {
-        let message = format!("the infeed makes {cuts} cuts of this thread, more than {MOST_CUTS}");
-        return Err(Failure::new(codes::G3040, message, "program a larger infeed"));
+        return Err(Failure::of(codes::G3040::infeed_makes_cuts_of_this_thread(&cuts, &MOST_CUTS)));
     }
     check_shifts(&passes, &line)?;
 
@@ -47,11 +46,7 @@ pub fn expand<'a>(thread: &Thread, from: Point2, out: &'a mut Strokes<'a>) -> Re
     let first = line.before(thread.run_in - passes.shift(1) + thread.start_angle.0 / 360.0 * line.first_lead());
     let stands = view.point(from);
     if stands.y < retract - 1e-9 && stands.x > line.start.x + 1e-9 {
-        return Err(Failure::new(
-            codes::G3046,
-            "the tool stands beside the thread at its height, from where no rapid to the start is safe",
-            "position the tool in front of the thread, or clear of its diameter, before the cycle",
-        ));
+        return Err(Failure::of(codes::G3046::tool_stands_beside_thread_at_its_height()));
     }
     let mut track = Track::new(view, from, out);
     // Whoever stands higher than the way back stays there until the start is reached.
@@ -124,16 +119,10 @@ fn check_shifts(passes: &Passes<'_>, line: &Line) -> Result<(), Failure> {
     }
     let thread = passes.thread;
     if ahead > thread.run_in {
-        let message = format!(
-            "the flank infeed starts a cut {ahead:.3} mm ahead, but the run-in is {:.3} mm: the tool would plunge into \
-             the thread",
-            thread.run_in
-        );
-        return Err(Failure::new(codes::G3042, message, "lengthen the run-in or make the flank angle smaller"));
+        return Err(Failure::of(codes::G3042::flank_infeed_starts_cut_mm_ahead(&ahead, &thread.run_in)));
     }
     if behind >= thread.run_out + line.last_length() {
-        let message = format!("the flank infeed ends a cut {behind:.3} mm early, before the last part begins");
-        return Err(Failure::new(codes::G3042, message, "lengthen the run-out or make the flank angle smaller"));
+        return Err(Failure::of(codes::G3042::flank_infeed_ends_cut_mm_early(&behind)));
     }
     Ok(())
 }

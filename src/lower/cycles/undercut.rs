@@ -49,8 +49,7 @@ pub fn expand(cycle: &UndercutCycle, from: Point2, out: &mut dyn FnMut(&Move)) -
     let start = frame.inward(from);
     let radius = cycle.nose.radius;
     if start.x - cycle.tip().x - radius < -SLACK {
-        let message = "the tool stands behind the face of the undercut, so that there is no safe way to the corner";
-        return Err(Failure::new(codes::G3046, message, "position the tool in front of the face before the cycle"));
+        return Err(Failure::of(codes::G3046::tool_stands_behind_face_of_undercut()));
     }
     let mut path = Track { frame, cycle, out };
     let top = top(cycle, &cuts, start);
@@ -98,8 +97,7 @@ fn steps(cycle: &UndercutCycle) -> Result<Vec<Step>, Failure> {
         let depth = shape.depth();
         let count = parts::count(depth, step).max(1.0);
         if count > MOST_STEPS {
-            let message = format!("the undercut takes {count:.0} cuts of {step} mm");
-            return Err(Failure::new(codes::G3040, message, "program a larger infeed"));
+            return Err(Failure::of(codes::G3040::undercut_takes_cuts_of_mm(&count, &step)));
         }
         let count = count as u32;
         list.extend((1..=count).map(|i| {
@@ -245,13 +243,7 @@ fn lift(cycle: &UndercutCycle, outline: &Outline, cut: &Cut) -> Result<Vec2, Fai
         let clear = part.iter().all(|element| gap::between(&way, element) > (radius - NEAR).max(NEAR));
         clear && path.iter().all(|element| gap::between(&way.shifted(cycle.tip()), element) > NEAR)
     };
-    ways.into_iter().find(free).ok_or_else(|| {
-        Failure::new(
-            codes::G3048,
-            "there is no room between the end of the face and the undercut for the tool to leave",
-            "cut the face up to a greater height, or give a smaller safety distance",
-        )
-    })
+    ways.into_iter().find(free).ok_or_else(|| Failure::of(codes::G3048::there_is_no_room_between_end()))
 }
 
 struct Track<'a> {

@@ -15,7 +15,7 @@ use crate::ir::transformation::Surface;
 use crate::ir::{Feed, Origin, Pos, Side, Transformation};
 use crate::machine::{Axis, AxisSet};
 
-use super::at;
+use super::raised_at;
 use way::Way;
 
 /// How far the way of the machine may leave the programmed one, in mm.
@@ -328,7 +328,7 @@ fn pole_is_far(closest: f64, origin: &Origin) -> Result<(), Box<Diagnostic>> {
 }
 
 fn refusal(code: &'static Code, origin: &Origin, what: String, help: impl Into<Help>) -> Box<Diagnostic> {
-    Box::new(at(code, *origin, what).help(help))
+    Box::new(raised_at(code, *origin, what).help(help))
 }
 
 /// A point that `arc` reaches at a share of its sweep.

@@ -106,16 +106,11 @@ impl<'g> Groove<'g> {
         let plunged = slot(0.0, left).or_else(|| rough.clone());
         let (Some(rough), Some(plunged), Some(finished)) = (rough, plunged, slot(tool.nose, Oversize::default()))
         else {
-            let message = format!(
-                "the tool of {} mm width does not reach the floor of the groove between its walls and their allowance",
-                tool.width
-            );
-            return Err(Failure::new(codes::G3045, message, "take a narrower tool or a smaller allowance"));
+            return Err(Failure::of(codes::G3045::tool_of_mm_width_does_not_reach(&tool.width)));
         };
         let surface = view.height(grooving.surface);
         if surface - plunged.floor <= NO_DEPTH {
-            let message = "the allowance on the floor leaves nothing of the groove";
-            return Err(Failure::new(codes::G3041, message, "give a smaller allowance"));
+            return Err(Failure::of(codes::G3041::allowance_on_floor_leaves_nothing_of_groove()));
         }
         let gaps = infeed::steps(plunged.end(plunged.floor) - plunged.begin(plunged.floor), grooving.spacing);
         let steps = match grooving.plunges {
@@ -128,8 +123,7 @@ impl<'g> Groove<'g> {
         let on_walls = groove.runs().into_iter().flatten().map(|run| infeed::steps(run, groove.wall_spacing()));
         let strokes = on_walls.fold(gaps.max(steps), u64::max);
         if strokes > MOST_STROKES {
-            let message = format!("the groove takes {strokes} strokes");
-            return Err(Failure::new(codes::G3040, message, "program a larger infeed, or take a wider tool"));
+            return Err(Failure::of(codes::G3040::groove_takes_strokes(&strokes)));
         }
         Ok(groove)
     }

@@ -176,10 +176,8 @@ fn finished(region: &Region<'_>) -> Result<Path, Failure> {
 /// Along a contour that leans over somewhere: parallel to it, as far as the nose finds room.
 fn around(region: &Region<'_>) -> Result<Path, Failure> {
     let nose = region.nose();
-    let parts = offset::parallel(&region.contour, nose).map_err(|_| {
-        let message = "the nose of the tool has no room in a hollow, a corner or an undercut of the contour";
-        Failure::new(codes::G3049, message, "take a tool with a smaller nose radius, or leave the narrow part out")
-    })?;
+    let parts =
+        offset::parallel(&region.contour, nose).map_err(|_| Failure::of(codes::G3049::nose_of_tool_has_no_room()))?;
     let down = Vec2::new(0.0, nose);
     let start = parts.first().map_or(Point2::origin(), |part| part.element.from()) - down;
     let legs = parts.iter().filter(|part| length(part.element.to() - part.element.from()) > LEVEL);

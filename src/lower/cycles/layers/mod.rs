@@ -116,10 +116,7 @@ impl Cutter<'_> {
             let to = self.region.tip(home);
             let ways = [vec![to], vec![Point2::new(from.x, to.y), to], vec![Point2::new(to.x, from.y), to]];
             let Some(way) = ways.iter().find(|way| self.region.is_free(from, way)) else {
-                let message =
-                    "the tool stands inside of the blank, or behind it: it cannot travel to where the cuts begin";
-                let help = "position the tool in front of the blank, clear of it, before the cycle";
-                return Err(Failure::new(codes::G3301, message, help));
+                return Err(Failure::of(codes::G3301::tool_stands_inside_of_blank()));
             };
             for to in way {
                 self.track.rapid(*to);

@@ -84,13 +84,7 @@ impl<'l> Region<'l> {
             return Err(no_blank());
         }
         if front < limits.near - LEVEL && blank.highest(front, limits.near) > floor + LEVEL {
-            let message =
-                "the area that is machined begins inside of the blank, so that the cuts cannot begin beside it";
-            return Err(Failure::new(
-                codes::G3303,
-                message,
-                "set the limit in front of the blank, or machine what lies there before",
-            ));
+            return Err(Failure::of(codes::G3303::area_that_is_machined_begins_inside()));
         }
         let mut rough = Profile::new(&chain, grown(nose, nose));
         let far = limits.far - nose;
@@ -229,30 +223,22 @@ fn check_chips(layers: &Layers, length: f64, levels: &[f64]) -> Result<(), Failu
     if layers.operation == Operation::Finish || count <= MOST_CUTS {
         return Ok(());
     }
-    let message = format!("the cuts are interrupted {count} times, more than {MOST_CUTS}");
-    Err(Failure::new(codes::G3040, message, "program a longer way between the interruptions"))
+    Err(Failure::of(codes::G3040::cuts_are_interrupted_times(&count, &MOST_CUTS)))
 }
 
 fn check_nose(layers: &Layers, view: &View) -> Result<(), Failure> {
     if layers.nose.radius > 0.0 && view.vector(layers.nose.tip).y > 0.0 {
-        let message = "the cutting edge of the tool points out of the material";
-        return Err(Failure::new(
-            codes::G3302,
-            message,
-            "select a tool whose edge position fits the side that is machined",
-        ));
+        return Err(Failure::of(codes::G3302::cutting_edge_of_tool_points_out()));
     }
     Ok(())
 }
 
 fn no_contour() -> Failure {
-    let message = "the contour does not run from the side where the cuts begin to the other";
-    Failure::new(codes::G3047, message, "check the order and the points of the contour, and the direction of machining")
+    Failure::of(codes::G3047::contour_does_not_run_from_side())
 }
 
 fn no_blank() -> Failure {
-    let message = "the blank does not reach above the contour";
-    Failure::new(codes::G3046, message, "check the size of the blank, the allowances and the contour")
+    Failure::of(codes::G3046::blank_does_not_reach_above_contour())
 }
 
 /// The contour with what lies in front of it and behind it: level or tangential, and a wall at the end. Seen from a corner of

@@ -22,9 +22,7 @@ impl Cutter<'_> {
         let Some(begin) = region.rough.first_above(floor - 3.0 * LEVEL, f64::NEG_INFINITY) else { return Ok(()) };
         let mut dips = region.rough.dips(Point2::new(begin, floor), region.top(), LEAST_DIP);
         if region.layers.trace == Trace::None && !dips.is_empty() {
-            let message = "the contour falls behind a higher part, and without a cut along the contour steps stand where the tool has to pass";
-            let help = "let the cuts follow the contour, or leave the falling part out";
-            return Err(Failure::new(codes::G3047, message, help));
+            return Err(Failure::of(codes::G3047::contour_falls_behind_higher_part()));
         }
         dips.reverse();
         // Those inside of others come behind them.

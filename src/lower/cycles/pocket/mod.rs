@@ -64,11 +64,7 @@ pub fn strokes(step: f64, length: f64, angle: Deg) -> usize {
 }
 
 pub fn endless_strokes() -> Failure {
-    Failure::new(
-        codes::G3321,
-        "the angle of insertion is so small that the strokes to and fro do not end",
-        "give a larger angle",
-    )
+    Failure::of(codes::G3321::angle_of_insertion_is_so_small())
 }
 
 impl Pocket {

@@ -101,29 +101,22 @@ impl<'r> Groove<'r> {
             valley.slot(tool.width, tool.nose, left, Above::Material)
         };
         let (Some(rough), Some(finished)) = (slot(oversize), slot(Vec2::zeros())) else {
-            let message = format!(
-                "the tool of {} mm width does not reach the floor of the recess between its walls and their oversize",
-                tool.width
-            );
-            return Err(Failure::new(codes::G3045, message, "take a narrower tool or a smaller oversize"));
+            return Err(Failure::of(codes::G3045::tool_of_mm_width_does_not(&tool.width)));
         };
 
         let blank = view.height(recess.blank);
         let depth = blank - rough.floor;
         if depth <= 0.0 {
-            let message = "the blank does not reach above the floor of the recess";
-            return Err(Failure::new(codes::G3046, message, "check the height of the blank and the contour"));
+            return Err(Failure::of(codes::G3046::blank_does_not_reach_above_floor()));
         }
         let levels = infeed::steps(depth, recess.most).max(1);
         if levels > MOST_LEVELS {
-            let message = format!("the infeed makes {levels} levels of this recess, more than {MOST_LEVELS}");
-            return Err(Failure::new(codes::G3040, message, "program a larger infeed"));
+            return Err(Failure::of(codes::G3040::infeed_makes_levels_of_this_recess(&levels, &MOST_LEVELS)));
         }
         if let Passes::Strokes { width, .. } = recess.passes {
             let strokes = infeed::steps(rough.end(blank) - rough.begin(blank), width);
             if strokes > MOST_LEVELS {
-                let message = format!("the recess needs {strokes} strokes, more than {MOST_LEVELS}");
-                return Err(Failure::new(codes::G3040, message, "program a larger distance of the strokes"));
+                return Err(Failure::of(codes::G3040::recess_needs_strokes(&strokes, &MOST_LEVELS)));
             }
         }
         let shortened = if recess.passes == Passes::OneWayShorter { levels.saturating_sub(1) } else { levels / 2 };

@@ -10,19 +10,11 @@ use super::walls::Walls;
 const ABOUT: f64 = 0.02;
 
 pub fn no_room() -> Failure {
-    Failure::new(
-        codes::G3321,
-        "the cutter finds no room between the walls of the contour",
-        "take a smaller cutter, or a smaller allowance",
-    )
+    Failure::of(codes::G3321::cutter_finds_no_room_between_walls())
 }
 
 pub fn start_point() -> Failure {
-    Failure::new(
-        codes::G3321,
-        "from the start point no straight way leads between the walls to where the rings begin",
-        "give a start point farther from the walls, or leave the choice to the cycle",
-    )
+    Failure::of(codes::G3321::from_start_point_no_straight_way_leads())
 }
 
 pub fn no_insertion(what: &str) -> Failure {
@@ -33,16 +25,8 @@ pub fn no_insertion(what: &str) -> Failure {
 pub fn unproved(walls: &Walls, away: f64) -> Failure {
     let what = "the rings along the contour do not keep their distance from it";
     match tight_place(walls.elements(), away) {
-        Some(place) => Failure::new(
-            codes::G3321,
-            format!("{what}: {place}, and the cutter with its allowance takes {:.3} mm", 2.0 * away),
-            "take a cutter or an allowance that is smaller, so that it passes there, or larger, so that it does not",
-        ),
-        None => Failure::new(
-            codes::G3321,
-            what,
-            "move an end point of the contour a little, or take another infeed in the plane",
-        ),
+        Some(place) => Failure::of(codes::G3321::cutter_with_its_allowance_takes_mm(&what, &place, &(2.0 * away))),
+        None => Failure::of(codes::G3321::rings_along_contour_do_not_keep()),
     }
 }
 
