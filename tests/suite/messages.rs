@@ -30,8 +30,8 @@ const SAID: &[(&str, &str, &[&str], &[&str])] = &[
         &["P2022", "division by zero: `SHAG` is 0"],
         &[],
     ),
-    // Which of the two is 0 is not said.
-    ("TWO.MPF", "R1=1 R5=0\nR2=10/R1/R5\nM30\n", &["P2022", "division by zero"], &["is 0"]),
+    // Of two the one that is 0 is named.
+    ("TWO.MPF", "R1=1 R5=0\nR2=10/R1/R5\nM30\n", &["P2022", "division by zero: `R5` is 0"], &["R1"]),
     (
         "LEAD.MPF",
         "N10 G17 G90 G54 G0 X10 Y0 Z1\nN15 S100 M3\nR5=0\nN20 G33 Z-10 K=R5\nM30\n",

@@ -142,6 +142,10 @@ const fn told(text: &'static str) -> &'static str {
     if cfg!(feature = "explain") { text } else { "" }
 }
 
+const fn told_of(wordings: &'static [super::fault::Wording]) -> &'static [super::fault::Wording] {
+    if cfg!(feature = "explain") { wordings } else { &[] }
+}
+
 /// Writes a table of codes as constants plus the list of them all, and the faults that each code has, as functions of a type of its name.
 /// Behind the severity `off` says that a code is found where somebody asks for it only.
 ///
@@ -180,12 +184,12 @@ macro_rules! codes {
             title: $title,
             was: $crate::diag::codes::codes!(@text $($was)?),
             explain: $crate::diag::codes::told($explain),
-            wordings: &[$($($crate::diag::fault::Wording {
+            wordings: $crate::diag::codes::told_of(&[$($($crate::diag::fault::Wording {
                 name: stringify!($fault),
-                message: $crate::diag::codes::told($message),
-                help: $crate::diag::codes::told($crate::diag::codes::codes!(@text $($help)? $($asks)?)),
+                message: $message,
+                help: $crate::diag::codes::codes!(@text $($help)? $($asks)?),
                 alarm: $crate::diag::codes::codes!(@alarm $($alarm)?),
-            }),*)?],
+            }),*)?]),
         };
         $(
             #[derive(Debug)]
