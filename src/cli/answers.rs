@@ -229,12 +229,20 @@ impl Needs {
         let hint = self.hint_of(need).filter(|_| section.starts_with("tools."));
         about.extend(hint.map(Hint::words).filter(|words| !words.is_empty()));
         let offered = match (&need.answer.values, &choices[..]) {
-            (Values::Item(_), _) => Some(format!("[{}]", need.items().join(", "))),
+            (Values::Item(_), _) if self.doubted(need).is_empty() => Some(format!("[{}]", need.items().join(", "))),
             (_, [only]) if !is_promise(need) => Some(only.clone()),
             // What a comment says is a hint; what is offered would be a guess.
             _ => None,
         };
         Question { key: format!("[{section}] {name}"), name, about, offered, choices, places: need.places() }
+    }
+
+    /// Items of a list that may belong to another key: an M function that is passed, or changes the tool.
+    fn doubted(&self, need: &Need) -> Vec<String> {
+        let changing = self.map.values().find(|other| other.answer.path[0] == "tool_change_m");
+        let (Some(changing), "pass_m") = (changing, need.answer.path[0].as_str()) else { return Vec::new() };
+        let changing = changing.choices();
+        need.items().into_iter().filter(|item| changing.contains(&format!("[{item}]"))).collect()
     }
 
     /// Takes what `program` asks for. True if one of it is new.
@@ -372,7 +380,8 @@ impl Needs {
             let key = (at, need.answer.path.clone());
             let choice = self.tried.get(&key).copied().unwrap_or(0);
             let given = self.given.get(&key).map(String::as_str);
-            line(text, form, need, (choice, given), &|key| listed(name, key));
+            let doubted = if form == Form::Tried { Vec::new() } else { self.doubted(need) };
+            line(text, form, need, (choice, given), (&doubted, &|key| listed(name, key)));
         }
     }
 
@@ -406,7 +415,7 @@ impl Needs {
                 (false, _) => drop(writeln!(text, "{head}")),
             }
             for need in needs.into_iter().filter(|need| form != Form::Tried || need.answer.path[1] != "name") {
-                line(text, form, need, (0, self.of_tool(need)), &|_| Vec::new());
+                line(text, form, need, (0, self.of_tool(need)), (&[], &|_| Vec::new()));
             }
         }
     }
@@ -481,13 +490,14 @@ fn is_alternative(need: &Need) -> bool {
     matches!(need.answer.path[0].as_str(), "tool_change_m" | "probing_contact")
 }
 
-/// One line of a key, with what it is and what asks for it. `choice` is the one that is tried, `given` what the user said.
+/// One line of a key, with what it is and what asks for it. `choice` is the one that is tried, `given` what the user said; items that
+/// are `doubted` are left to the user, those `listed` already stay.
 fn line(
     text: &mut String,
     form: Form,
     need: &Need,
     (choice, given): (usize, Option<&str>),
-    listed: &dyn Fn(&str) -> Vec<String>,
+    (doubted, listed): (&[String], &dyn Fn(&str) -> Vec<String>),
 ) {
     let key = match need.answer.is_of_tool() {
         true => need.answer.path[1].clone(),
@@ -502,8 +512,13 @@ fn line(
         _ if given.is_some() => (given.unwrap_or_default().to_owned(), String::new()),
         (Values::Item(_), _) => {
             let mut items = listed(&need.answer.path[0]);
-            items.extend(need.items().into_iter().filter(|item| !items.contains(item)).collect::<Vec<_>>());
-            (format!("[{}]", items.join(", ")), String::new())
+            let more = need.items().into_iter().filter(|item| !items.contains(item) && !doubted.contains(item));
+            items.extend(more.collect::<Vec<_>>());
+            let remark = match doubted {
+                [] => String::new(),
+                _ => format!("and {}, if it changes no tool; ", doubted.join(", ")),
+            };
+            (if items.is_empty() { String::new() } else { format!("[{}]", items.join(", ")) }, remark)
         }
         (_, [only]) if form == Form::Tried || !is_promise(need) => (only.clone(), String::new()),
         (_, [first, ..]) if form == Form::Tried => {

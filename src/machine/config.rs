@@ -110,7 +110,9 @@ impl Reader {
                     }
                     self.settings.leaves.insert(name.to_ascii_uppercase(), leaves);
                 }
-                self.settings.programs.insert(name.to_ascii_uppercase(), stand_in);
+                if self.settings.programs.insert(name.to_ascii_uppercase(), stand_in).is_some() {
+                    return Err(node.fail("a second entry of this name: capital and small letters are the same"));
+                }
             }
             "start" => {
                 let value =

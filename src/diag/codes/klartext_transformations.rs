@@ -195,6 +195,17 @@ program; `[control] open_subprogram = \"end\"` says that it does. Nothing behind
         help "write M30, or LBL 0 behind the last block of the subprogram";
 }
 
+K2851 Warning "probing-left-out" "touch probe cycle is left out"
+"`[control] probing = \"leave-out\"` leaves touch probe cycles out. What they would have measured is unknown from there on: the \
+results in Q115 to Q199 and in the parameters they name, the positions of all axes, and the data of tools that were measured. A block \
+that needs one of these is refused, and so is a cut that does not name all axes. The target stays where it stood before the cycle, so a \
+rapid move runs at that height until the program names the tool axis. The datum and the rotation that the cycle sets have to be set up \
+on the target machine." {
+    is_left_out(name, probe, what) "{name} {probe} is left out: {what} that it would set are not known from here on"
+        help "set up on the target machine what this cycle measures, before the program runs; look at the next rapid \
+        move: the target stands where it stood before the cycle";
+}
+
 K2852 Error "shift-under-turned-plane" "datum shift and turned working plane are mixed"
 "A datum shift in front of PLANE or cycle 19 is measured along the axes of the part, one behind it along the turned ones. What becomes of the \
 one where the other is programmed anew, or where the plane turns back first, no manual page says. Reset the shift before the plane turns, and \

@@ -95,7 +95,7 @@ const EXAMPLES: &str = include_str!("examples.txt");
 
 /// Warnings and notes that say that the path, or what the machine does, is not what the blocks say.
 const FIRM: &[&str] =
-    &["G3009", "G3025", "G3210", "G3211", "G3212", "G8101", "P8104", "K2854", "P0006", "P0201", "S8130"];
+    &["G3009", "G3025", "G3210", "G3211", "G3212", "G8101", "K2851", "K2854", "P0006", "P0201", "S8130"];
 
 impl Code {
     /// Does its id, or one that it had before, begin so?

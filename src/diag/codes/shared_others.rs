@@ -131,23 +131,6 @@ refused. `partc explain` with the code that the text names says why." {
         help "check the target and the sense of the jump";
 }
 
-P8104 Warning "probing-left-out" "probing is left out" was "K2851 S8167 siemens-measuring-left-out"
-"Klartext: `[control] probing = \"leave-out\"` leaves touch probe cycles out. What they would have measured is unknown from there on: the \
-results in Q115 to Q199 and in the parameters they name, the positions of all axes, and the data of tools that were measured. A block \
-that needs one of these is refused, and so is a cut that does not name all axes. The target stays where it stood before the cycle, so a \
-rapid move runs at that height until the program names the tool axis. The datum and the rotation that the cycle sets have to be set up \
-on the target machine.\n\n\
-SINUMERIK: `[control] probing = \"leave-out\"` leaves out measuring cycles, and blocks with MEAS together with their moves. Where the \
-probe left the axes is known at the machine only: increments and arcs after it are refused until the program says where the tool is. \
-MEAW and MEAWA go their whole way, so their moves are printed; so do all where `[control] probing_contact = \"none\"` says that the \
-probe touches nothing. What is measured is asked for by its name where the program reads it." {
-    is_left_out(name, probe, what) "{name} {probe} is left out: {what} that it would set are not known from here on"
-        help "set up on the target machine what this cycle measures, before the program runs; look at the next rapid \
-        move: the target stands where it stood before the cycle";
-    is_left_out_what_it_measures(name, what)
-        "{name} is left out: what it measures is known at the machine only{what}";
-}
-
 P8105 Note "stand-in" "call that `[programs]` stands for" was "K2413 cycle-left-out S8135 siemens-stand-in"
 "Klartext: A cycle: no manual of the control has the cycle: it belongs to the machine builder. `[programs] \"CYCL DEF 392\" = { ignore = \
 true }` says that it moves nothing and changes nothing that the program relies on, so its definition is left out, and the machining \

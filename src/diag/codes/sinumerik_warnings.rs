@@ -495,6 +495,15 @@ Where an axis of the output follows or swings they are refused all the same." {
     is_left_out(name, what) "{name} is left out: it {what}";
 }
 
+S8167 Warning "siemens-measuring-left-out" "measuring is left out"
+"`[control] probing = \"leave-out\"` leaves out measuring cycles, and blocks with MEAS together with their moves. Where the \
+probe left the axes is known at the machine only: increments and arcs after it are refused until the program says where the tool is. \
+MEAW and MEAWA go their whole way, so their moves are printed; so do all where `[control] probing_contact = \"none\"` says that the \
+probe touches nothing. What is measured is asked for by its name where the program reads it." {
+    is_left_out_what_it_measures(name, what)
+        "{name} is left out: what it measures is known at the machine only{what}";
+}
+
 S8168 Note "siemens-measuring-arguments" "arguments of measuring cycles are left out"
 "`_MVAR`, `_SETVAL`, `_KNUM` and others tell a measuring cycle what to do. They have no effect on anything else, and are left out with the cycle." {
     arguments_of_measuring_cycles()

@@ -164,7 +164,7 @@ fn is_function_of_turning(word: &Word) -> bool {
 /// Each block has a number, one more than the block before it; and feeds are those of a lathe, a turn.
 fn is_numbered_by_one(lines: &[Line<'_>]) -> bool {
     let mut last: Option<u32> = None;
-    let (mut count, mut per_minute, mut is_large) = (0_u32, false, false);
+    let (mut count, mut is_large) = (0_u32, false);
     for line in lines {
         let Some(first) = line.words.first().filter(|_| !line.code.trim_ascii_start().starts_with(b"%")) else {
             continue;
@@ -176,12 +176,11 @@ fn is_numbered_by_one(lines: &[Line<'_>]) -> bool {
             (None, _) => return false,
         }
         count += 1;
-        per_minute |= line.words.iter().any(|word| word.is("G", "94"));
         is_large |=
             line.words.iter().any(|word| word.letters == b"F" && feed(word).is_some_and(|feed| feed > MOST_A_TURN));
     }
     let begins = count == 1 && last == Some(1) || count > 1;
-    begins && (per_minute || !is_large)
+    begins && !is_large
 }
 
 /// Millimetres: nobody turns with more.

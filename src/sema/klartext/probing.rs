@@ -137,7 +137,7 @@ impl Run<'_> {
             return Ok(());
         }
         let what = if probe.measures_tools() { "the tool data" } else { "datum, rotation and results" };
-        self.report(codes::P8104::is_left_out(&name, &probe.number, &what).at(self.loc(span)));
+        self.report(codes::K2851::is_left_out(&name, &probe.number, &what).at(self.loc(span)));
         Ok(())
     }
 

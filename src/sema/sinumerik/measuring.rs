@@ -137,7 +137,7 @@ impl Channel<'_> {
             }
         };
         let loc = self.loc(span);
-        let found = codes::P8104::is_left_out_what_it_measures(&name, &what).at(loc);
+        let found = codes::S8167::is_left_out_what_it_measures(&name, &what).at(loc);
         if !self.job.diags.knows(&found) {
             self.report(found.help(
                 "set up on the target what this cycle measures, before the program runs; look at the next rapid move: the target stands \
@@ -238,7 +238,7 @@ impl Channel<'_> {
         } else {
             format!("{} is left out with its move: where {letters} {stops} is known at the machine only", probe.name)
         };
-        let found = Diagnostic::new(codes::P8104, loc, message);
+        let found = Diagnostic::new(codes::S8167, loc, message);
         if !self.job.diags.knows(&found) {
             self.report(found.help("check what follows: no move of the target stands for this one"));
         }
@@ -284,7 +284,7 @@ impl Channel<'_> {
                 "check what follows: no move of the target stands for this one",
             ),
         };
-        let found = Diagnostic::new(codes::P8104, loc, message);
+        let found = Diagnostic::new(codes::S8167, loc, message);
         if !self.job.diags.knows(&found) {
             self.report(found.help(help));
         }

@@ -50,7 +50,8 @@ impl Divisor {
         };
         match self.set {
             SetBy::Block(loc) => format!("`{name}` is 0 (set in {})", line(loc)),
-            SetBy::Definition(loc) => format!("`{name}` is 0 since its definition in {}", line(loc)),
+            // What set it since then is not kept.
+            SetBy::Definition(loc) => format!("`{name}`, defined in {}, is 0", line(loc)),
             SetBy::Configuration => format!("`{name}` is 0, as `[variables]` says"),
             SetBy::Nobody => format!("`{name}` is 0 and set nowhere"),
             SetBy::Unknown => format!("`{name}` is 0"),
