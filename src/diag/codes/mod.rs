@@ -181,6 +181,7 @@ macro_rules! codes {
             severity: $crate::diag::Severity::$severity,
             on: $crate::diag::codes::codes!(@on $($off)?),
             title: $title,
+            of_rule: $crate::diag::codes::told($crate::diag::codes::codes!(@text $($example)?)),
             was: $crate::diag::codes::codes!(@text $($was)?),
             explain: $crate::diag::codes::told($explain),
             wordings: &[$($($crate::diag::fault::Wording {
@@ -189,7 +190,6 @@ macro_rules! codes {
                 help: $crate::diag::codes::told($crate::diag::codes::codes!(@text $($help)? $($asks)?)),
                 alarm: $crate::diag::codes::codes!(@alarm $($alarm)?),
             }),*)?],
-            of_rule: $crate::diag::codes::told($crate::diag::codes::codes!(@text $($example)?)),
         };
         $(
             #[derive(Debug)]
