@@ -53,6 +53,11 @@ pub use facade::trace_batches;
 pub use facade::{Outcome, Program, Trouble, check, compile, trace};
 pub use machine::Settings;
 
+/// The codes of rules stand with their checks in `lint`: the catalogue of `diag`, which knows no stage, has them from here.
+fn codes_of_rules() -> impl Iterator<Item = &'static diag::Code> {
+    lint::rules::RULES.iter().map(|rule| rule.code)
+}
+
 /// Where programs come from.
 pub mod files {
     pub use crate::text::files::{FileError, Files, Folder, Memory, NoFiles, Opened, ReadAt, Request, Within};

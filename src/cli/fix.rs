@@ -7,6 +7,7 @@ use crate::diag::codes;
 use crate::driver::Session;
 use crate::lint::lead;
 use crate::lint::renumber::Renumber;
+use crate::lint::rules::L2005;
 use crate::text::{FileId, Span};
 
 use super::Trouble;
@@ -104,7 +105,7 @@ fn edits(program: &Program, text: &[u8], with_unsafe: bool) -> Vec<Edit> {
     let mut edits: Vec<Edit> = wanted.map(|fix| Edit { span: fix.span, text: fix.text }).collect();
     let useless = own().filter(|found| found.code.id == codes::P8001.id);
     edits.extend(useless.filter_map(|found| comment_around(text, found.label.loc.span)).map(removal));
-    if with_unsafe && own().any(|found| found.code.id == codes::L2005.id) {
+    if with_unsafe && own().any(|found| found.code.id == L2005.id) {
         let step = if program.dialect.numbers_by_one { 1 } else { 10 };
         let mut renumber = Renumber::new(step);
         lead(&sources, FileId(0), program.dialect.survey, &mut renumber);

@@ -101,7 +101,7 @@ impl Asking {
 }
 
 /// Does a help quote a key of `partc.toml`, as in `[control] unit`? Looked at while the catalogue is compiled.
-pub(super) const fn quotes_key(help: &str) -> bool {
+pub(crate) const fn quotes_key(help: &str) -> bool {
     let bytes = help.as_bytes();
     let mut at = 1;
     while at < bytes.len() {

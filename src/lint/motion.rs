@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use crate::diag::{Code, Diagnostic, Diags, codes};
+use crate::diag::{Diagnostic, Diags, Fault, codes};
 use crate::geo::Plane;
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Corner, CtxRef, Load};
@@ -203,8 +203,8 @@ impl<'d> Say<'d> {
         Say { diags }
     }
 
-    pub fn about(&self, code: &'static Code, origin: &Origin, message: impl Into<String>, help: &str) {
-        self.diags.push(Diagnostic::new(code, origin.loc, message).help(help).called(origin.call));
+    pub fn about(&self, fault: Fault, origin: &Origin) {
+        self.diags.push(fault.at(origin.loc).called(origin.call));
     }
 
     pub fn found(&self, found: Diagnostic) {

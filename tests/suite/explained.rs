@@ -1,4 +1,4 @@
-//! The examples of `partc explain` are the first cases of the codes in the golden books.
+//! The examples of `partc explain` are the first cases of the codes in the golden books; rules hold theirs in their files.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -43,6 +43,12 @@ fn explain_shows_the_first_case_of_each_code() {
             }
         }
     }
+    // A rule holds its own beside its check: that of its file fires, as the books prove of theirs.
+    for code in codes::all().into_iter().filter(|code| !code.of_rule.is_empty()) {
+        let of_book = examples.remove(code.id).unwrap_or_default();
+        assert!(of_book.starts_with(&format!("-- Example ({}_fires", code.id)), "{}: no case that fires", code.id);
+        assert_eq!(code.example(), Some(of_book.trim_end()), "{}: the example in the file of its rule", code.id);
+    }
     let text: String = examples.iter().map(|(code, example)| format!("=== {code}\n{example}\n")).collect();
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/diag/codes/examples.txt");
     if std::fs::read_to_string(&path).is_ok_and(|before| before.replace("\r\n", "\n") == text) {
@@ -59,5 +65,9 @@ fn examples_are_found_by_code() {
     let example = codes::find("K2101").and_then(|code| code.example()).expect("an example");
     assert!(example.starts_with("-- Example (K2101_fires.H)\n0 BEGIN PGM") && example.ends_with(" MM"), "{example}");
     let with = codes::all().into_iter().filter(|code| code.example().is_some()).count();
+    assert!(
+        codes::all().iter().all(|code| code.id.starts_with('L') != code.of_rule.is_empty()),
+        "each rule has its example"
+    );
     assert!(with >= 500, "{with} codes with an example");
 }

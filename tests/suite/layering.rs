@@ -94,6 +94,20 @@ fn folders_use_what_they_may() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// What a folder takes from the root of the crate would go round the table: the catalogue gets the codes of rules so, and
+/// nothing else goes this way.
+#[test]
+fn the_root_hands_down_the_codes_of_rules_only() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let lib = fs::read_to_string(root.join("lib.rs")).expect("lib.rs");
+    let own: Vec<&str> =
+        lib.lines().filter(|line| line.starts_with("fn ") || line.starts_with("pub(crate) ")).collect();
+    assert_eq!(own, ["fn codes_of_rules() -> impl Iterator<Item = &'static diag::Code> {"]);
+    let users = sources(&root).into_iter().filter(|(_, text)| text.contains("crate::codes_of_rules"));
+    let users: Vec<String> = users.map(|(file, _)| file.replace('\\', "/")).collect();
+    assert!(matches!(&users[..], [file] if file.ends_with("src/diag/codes/mod.rs")), "{users:?}");
+}
+
 #[test]
 fn nothing_behind_the_contour_knows_a_dialect() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");

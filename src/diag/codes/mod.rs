@@ -1,7 +1,8 @@
 //! Every diagnostic code, with the text behind `partc explain`. Codes are never renumbered or reused.
 //!
 //! Letter: `P` general, and facts that several languages share, `K` Klartext, `S` SINUMERIK, `T` HEIDENHAIN turning, `M` MTC200, `G` geometry,
-//! `R` plain G-code, `O` output, `L` rules in every language. First digit: 0 lexical, 1 syntax, 2 meaning, 3 geometry, 4 limits, 8 lint, 9 unsupported.
+//! `R` plain G-code, `O` output, `L` rules in every language, which stand with their
+//! checks in `lint::rules`. First digit: 0 lexical, 1 syntax, 2 meaning, 3 geometry, 4 limits, 8 lint, 9 unsupported.
 
 mod compensation;
 mod gcode;
@@ -16,8 +17,6 @@ mod klartext_readings;
 mod klartext_transformations;
 mod klartext_unsupported;
 mod layers;
-mod lint_motion;
-mod lint_source;
 mod milling;
 mod mtc200;
 mod output;
@@ -46,8 +45,6 @@ pub use klartext_readings::*;
 pub use klartext_transformations::*;
 pub use klartext_unsupported::*;
 pub use layers::*;
-pub use lint_motion::*;
-pub use lint_source::*;
 pub use milling::*;
 pub use mtc200::*;
 pub use output::*;
@@ -88,6 +85,8 @@ pub struct Code {
     pub explain: &'static str,
     /// What is said of the faults that it stands for.
     pub wordings: &'static [super::fault::Wording],
+    /// The example that stands with a rule, as [`Code::example`] gives it; those of other codes are in `examples.txt`.
+    pub of_rule: &'static str,
 }
 
 /// The first case of each code in the golden books, written by the test suite.
@@ -111,6 +110,9 @@ impl Code {
 
     /// A program in which it is found: parts that begin with `-- ` and a name.
     pub fn example(&self) -> Option<&'static str> {
+        if !self.of_rule.is_empty() {
+            return Some(self.of_rule.trim_ascii());
+        }
         let (_, found) = EXAMPLES.split_once(&format!("=== {}\n", self.id))?;
         Some(found.split_once("\n=== ").map_or(found, |(own, _)| own).trim_end())
     }
@@ -138,7 +140,7 @@ impl From<&'static Code> for Raised {
 }
 
 /// Texts of `partc explain` are a twelfth of what a page loads, which shows none of them.
-const fn told(text: &'static str) -> &'static str {
+pub(crate) const fn told(text: &'static str) -> &'static str {
     if cfg!(feature = "explain") { text } else { "" }
 }
 
@@ -173,15 +175,17 @@ macro_rules! codes {
             $crate::diag::fault::Asking::new($crate::diag::Fault::new(raised, format!($message)).help(format!($asks)))
         }
     };
-    ($list:ident: $($id:ident $severity:ident $($off:ident)? $name:literal $title:literal $(was $was:literal)? $explain:literal $({$(
+    (@entry $id:ident $severity:ident [$($off:ident)?] $name:literal $title:literal [$($was:literal)?] $explain:literal
+        [$($example:literal)?] $({$(
         $fault:ident ($($of:ident),*) $message:literal $(alarm $alarm:literal)? $(help $help:literal)? $(asks $asks:literal)?;
-    )*})?)*) => {
-        $(pub const $id: &$crate::diag::Code = &$crate::diag::Code {
+    )*})?) => {
+        pub const $id: &$crate::diag::Code = &$crate::diag::Code {
             id: stringify!($id),
             name: $name,
             severity: $crate::diag::Severity::$severity,
             on: $crate::diag::codes::codes!(@on $($off)?),
             title: $title,
+            of_rule: $crate::diag::codes::told($crate::diag::codes::codes!(@text $($example)?)),
             was: $crate::diag::codes::codes!(@text $($was)?),
             explain: $crate::diag::codes::told($explain),
             wordings: $crate::diag::codes::told_of(&[$($($crate::diag::fault::Wording {
@@ -199,11 +203,17 @@ macro_rules! codes {
                     @fault $id $fault ($($of),*) $message [$($alarm)?] [$($help)?] [$($asks)?]
                 })*
             }
-        )?)*
+        )?
+    };
+    ($list:ident: $($id:ident $severity:ident $($off:ident)? $name:literal $title:literal $(was $was:literal)? $explain:literal
+        $({$($faults:tt)*})?)*) => {
+        $($crate::diag::codes::codes! {
+            @entry $id $severity [$($off)?] $name $title [$($was)?] $explain [] $({$($faults)*})?
+        })*
         pub(super) const $list: &[&$crate::diag::Code] = &[$($id),*];
     };
 }
-use codes;
+pub(crate) use codes;
 
 /// Every code, in order of its id.
 pub fn all() -> Vec<&'static Code> {
@@ -232,14 +242,13 @@ pub fn all() -> Vec<&'static Code> {
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
         transformation::TRANSFORMATION,
         layers::LAYERS,
-        lint_motion::LINT_MOTION,
-        lint_source::LINT_SOURCE,
         turning::TURNING,
         milling::MILLING,
         mtc200::MTC200,
     ]
     .iter()
     .flat_map(|table| table.iter().copied())
+    .chain(crate::codes_of_rules())
     .collect();
     list.sort_by_key(|code| code.id);
     list

@@ -1,12 +1,29 @@
 //! A block stands behind the end of the program and nothing leads to it.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::Diagnostic;
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
 
 use super::unreachable::Targets;
+
+super::rule! { L2003 Source BehindEnd Warning "block-behind-end"
+    what "block stands behind the end of the program and nothing leads to it"
+    why "M30, M2, RET or END stands before this block, and no label that could be called comes between. It never runs. It was left \
+        over, or the end of the program stands too early. Subprograms behind M30 begin with a label. Said once."
+    example r#"
+-- Example (L2003_fires.MPF)
+; A move behind M30.
+G0 X0 Y0 Z5
+G1 X5 F100
+M30
+G1 X9 F100
+"#
+    says {
+        behind() "this block stands behind the end of the program" help "remove it, or give it a label that something calls";
+    }
+}
 
 /// Most blocks that are remembered.
 const MOST: usize = 1000;
@@ -37,9 +54,8 @@ impl SourceRule for BehindEnd {
         let is_found = !block.is_empty && !block.is_bad && ends.is_none() && self.found.len() < MOST;
         if let Some(end) = self.end.filter(|_| is_found) {
             self.end = None;
-            let found = Diagnostic::new(codes::L2003, read.words(), "this block stands behind the end of the program")
-                .also(end, "the program ends here");
-            self.found.push((block.number, found.help("remove it, or give it a label that something calls")));
+            let found = L2003::behind().at(read.words()).also(end, "the program ends here");
+            self.found.push((block.number, found));
         }
         // One that may be skipped, or stands in a branch, ends nothing for sure.
         if let Some(item) = ends.filter(|_| !block.skip && !self.branches) {

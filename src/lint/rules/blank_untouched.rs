@@ -1,9 +1,30 @@
 //! No move reaches the blank that the program describes.
 
-use crate::diag::codes;
 use crate::ir::{Function, Origin};
 use crate::lint::motion::{Blank, Machine, MotionRule, Say, Setup, Step};
 use crate::machine::axis::Axis;
+
+super::rule! { L1032 Motion BlankUntouched Warning "blank-untouched"
+    what "no move reaches the blank"
+    why "The program describes a blank, and all of its cuts are outside it. The blank stands elsewhere than the part, most often \
+        because one of them was moved to another zero. A tool has a radius and a length: a cut within 100 mm of the blank counts \
+        as one that reaches it. The path does not depend on it; every simulation and `partc`'s own rules about the blank do."
+    example r#"
+-- Example (L1032_fires.H)
+0 BEGIN PGM P MM
+; The cuts are 400 mm away from the blank.
+1 BLK FORM 0.1 Z X+0 Y+0 Z-40
+2 BLK FORM 0.2 X+100 Y+100 Z+0
+3 TOOL CALL 1 Z S2000
+4 L X+500 Y+50 Z+2 R0 FMAX M3
+5 L Z-5 F100
+6 L Z+50 FMAX M30
+7 END PGM P MM
+"#
+    says {
+        missed() "no cut of this program reaches its blank" help "check BLK FORM and the zero";
+    }
+}
 
 /// Room for the radius of tools around the blank, mm.
 const ROOM: f64 = 100.0;
@@ -46,7 +67,7 @@ impl MotionRule for BlankUntouched {
 
     fn finish(&mut self, _: &Machine, say: Say<'_>) {
         if let Some(first) = self.first.filter(|_| self.blank.is_some() && !self.reached) {
-            say.about(codes::L1032, &first, "no cut of this program reaches its blank", "check BLK FORM and the zero");
+            say.about(L1032::missed(), &first);
         }
     }
 }

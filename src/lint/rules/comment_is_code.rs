@@ -1,8 +1,29 @@
 //! A comment reads like a block.
 
-use crate::diag::{Diagnostic, codes};
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
+
+super::rule! { L2007 Source CommentIsCode Note off "comment-is-code"
+    what "comment reads like a block"
+    why "A comment holds what would be a block with coordinates or a G function without the sign of the comment. Blocks that were \
+        switched off for a test and forgotten are the most frequent reason why a part lacks something. Off by default."
+    example r#"
+-- Example (L2007_fires.H)
+0 BEGIN PGM P MM
+; A block that was switched off.
+1 L X+0 Y+0 Z+5 R0 F300
+; L X+50 Y+20 F200
+2 L Z+50 FMAX M30
+3 END PGM P MM
+-- partc.toml
+# Every rule.
+[lint]
+select = ["all"]
+"#
+    says {
+        is_code() "this comment reads like a block" help "remove it, or let it run";
+    }
+}
 
 #[derive(Debug)]
 pub(super) struct CommentIsCode;
@@ -18,8 +39,8 @@ impl SourceRule for CommentIsCode {
         for comment in read.block.comments {
             let text = comment.of(read.block.text);
             if is_code(text) {
-                let found = Diagnostic::new(codes::L2007, read.loc(*comment), "this comment reads like a block");
-                told.say.found(found.help("remove it, or let it run"));
+                let found = L2007::is_code().at(read.loc(*comment));
+                told.say.found(found);
             }
         }
     }

@@ -1,10 +1,28 @@
 //! A dwell takes no time.
 
-use crate::diag::codes;
 use crate::ir::{Function, Origin};
 use crate::lint::motion::{Machine, MotionRule, Say, Setup};
 use crate::text::Sources;
 use crate::text::decode::readable;
+
+super::rule! { L1011 Motion DwellZero Warning "dwell-zero"
+    what "dwell takes no time"
+    why "A dwell of 0 seconds does nothing, and some controls read 0 as another value. A parameter was not set, or a digit is \
+        missing. Where P2021 has said already that nothing sets the variable, it is not said again."
+    example r#"
+-- Example (L1011_fires.MPF)
+; No time at all.
+T1 M6
+S1000 M3
+G0 X0 Y0 Z5
+G4 F0
+G0 Z50
+M30
+"#
+    says {
+        empty() "this dwell takes no time" help "give it a time, or remove it";
+    }
+}
 
 #[derive(Debug)]
 pub(super) struct DwellZero<'a> {
@@ -29,7 +47,7 @@ impl MotionRule for DwellZero<'_> {
         // What the operator sets before the start is 0 here only.
         let block = self.sources.bytes(origin.loc.file, origin.loc.span);
         if !say.reads_unset(&readable(&block)) {
-            say.about(codes::L1011, origin, "this dwell takes no time", "give it a time, or remove it");
+            say.about(L1011::empty(), origin);
         }
     }
 }

@@ -1,8 +1,28 @@
 //! A coordinate is farther out than machines reach.
 
-use crate::diag::codes;
 use crate::lint::motion::{Machine, MotionRule, Say, Setup, Step};
 use crate::machine::axis::AxisSet;
+
+super::rule! { L1013 Motion FarCoordinates Warning "coordinate-far"
+    what "coordinate is farther out than machines reach"
+    why "A linear axis goes farther than 10 m from the zero of the workpiece. A decimal point is missing, or a parameter has a \
+        wrong value. Where the travel of the machine is known, `[machine] limits` says it exactly, and the error G3018 takes the \
+        place of this warning. Said once for each axis."
+    example r#"
+-- Example (L1013_fires.MPF)
+; 20 m away.
+T1 M6
+S1000 M3
+G0 X0 Y0 Z5
+G0 X20000
+G0 Z50
+M30
+"#
+    says {
+        far(letter, value) "{letter}{value:.3} is over 10 m away"
+            asks "check the decimal point; `[machine] limits` says how far the machine goes";
+    }
+}
 
 /// Farthest coordinate that is nothing special, mm.
 const FARTHEST: f64 = 10_000.0;
@@ -30,13 +50,9 @@ impl MotionRule for FarCoordinates {
             let Some(value) = step.mv.end.get(axis).filter(|value| value.abs() > FARTHEST) else { continue };
             if !self.limited.contains(axis) && !self.said.contains(axis) {
                 self.said.insert(axis);
-                let message = format!("{}{value:.3} is over 10 m away", axis.letter());
-                say.about(
-                    codes::L1013,
-                    step.origin,
-                    message,
-                    "check the decimal point; `[machine] limits` says how far the machine goes",
-                );
+                // The limits keep it quiet; what it wants is a look at the number.
+                let fault = L1013::far(&axis.letter(), &value).answers([]);
+                say.about(fault, step.origin);
             }
         }
     }

@@ -1,10 +1,26 @@
 //! The program ends while G91 holds.
 
-use crate::diag::{Diagnostic, codes};
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
+
+super::rule! { L2009 Source IncrementalLeft Warning "incremental-left-on"
+    what "program ends while G91 holds"
+    why "The last of G90 and G91 in the program is G91, and then comes its end. Where the control does not reset it, the next \
+        program starts with increments: a rapid move to a height becomes one by this height. Go back to G90 where the increments \
+        end."
+    example r#"
+-- Example (L2009_fires.MPF)
+; G91 up to the end.
+G0 X0 Y0 Z5
+G91 G1 X5 F100
+M30
+"#
+    says {
+        left_on() "G91 holds up to the end of the program" help "go back to G90 behind the increments";
+    }
+}
 
 #[derive(Debug, Default)]
 pub(super) struct IncrementalLeft {
@@ -30,8 +46,8 @@ impl SourceRule for IncrementalLeft {
                 What::Begins | What::Label(_) => self.last = None,
                 What::Ends if !block.skip && !self.saved => {
                     if let Some(loc) = self.last.take() {
-                        let found = Diagnostic::new(codes::L2009, loc, "G91 holds up to the end of the program");
-                        told.say.found(found.help("go back to G90 behind the increments"));
+                        let found = L2009::left_on().at(loc);
+                        told.say.found(found);
                     }
                 }
                 _ => {}

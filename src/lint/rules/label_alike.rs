@@ -1,10 +1,34 @@
 //! Two labels differ in upper and lower case only.
 
-use crate::diag::{Diagnostic, codes};
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
+
+super::rule! { L2006 Source LabelAlike Warning "label-alike"
+    what "two labels differ in upper and lower case only"
+    why "Two labels have the same letters in different case. Controls differ in whether they tell them apart, so a call may lead to \
+        the wrong one on another machine. Rename one of them."
+    example r#"
+-- Example (L2006_fires.H)
+0 BEGIN PGM P MM
+; A and a.
+1 L X+0 Y+0 Z+5 R0 F300
+2 CALL LBL "A"
+3 CALL LBL "a"
+4 L Z+50 FMAX M30
+5 LBL "A"
+6 L X+10
+7 LBL 0
+8 LBL "a"
+9 L X+20
+10 LBL 0
+11 END PGM P MM
+"#
+    says {
+        alike(name, other) "`{name}` and `{other}` differ in upper and lower case only" help "rename one of them";
+    }
+}
 
 /// Most labels that are remembered.
 const MOST: usize = 1000;
@@ -27,9 +51,8 @@ impl SourceRule for LabelAlike {
             let lower = name.to_lowercase();
             let loc = read.loc(item.span);
             if let Some((_, other, first)) = self.labels.iter().find(|(low, other, _)| *low == lower && other != name) {
-                let message = format!("`{name}` and `{other}` differ in upper and lower case only");
-                let found = Diagnostic::new(codes::L2006, loc, message).also(*first, "the other one");
-                told.say.found(found.help("rename one of them"));
+                let found = L2006::alike(&name, &other).at(loc).also(*first, "the other one");
+                told.say.found(found);
             }
             if self.labels.len() < MOST {
                 self.labels.push((lower, name.clone(), loc));

@@ -1,10 +1,29 @@
 //! The last block has no line end.
 
-use crate::diag::{Diagnostic, codes};
 use crate::lint::fix::Fix;
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::text::{FileId, Loc, Sources, Span};
+
+super::rule! { L2011 Source LineEndMissing Note off "line-end-missing"
+    what "last block has no line end"
+    why "The last line of the file does not end. Some controls and transfer programs lose such a block, which is most often the end \
+        of the program. Off by default; `partc check --fix` ends it."
+    example r#"
+-- Example (L2011_fires.H)
+0 BEGIN PGM P MM
+; The file ends behind the last letter.
+1 L X+0 Y+0 Z+5 R0 F300
+2 END PGM P MM
+-- partc.toml
+# Every rule.
+[lint]
+select = ["all"]
+"#
+    says {
+        missing() "the last block has no line end" help "end the line";
+    }
+}
 
 #[derive(Debug)]
 pub(super) struct LineEndMissing<'a> {
@@ -45,8 +64,7 @@ impl SourceRule for LineEndMissing<'_> {
     fn finish(&mut self, told: &mut Told<'_>) {
         let ends_there = |(_, end, padding): &(Loc, u32, u32)| u64::from(*end) + u64::from(*padding) >= self.size;
         let Some((loc, end, _)) = self.last.filter(ends_there) else { return };
-        let found = Diagnostic::new(codes::L2011, loc, "the last block has no line end");
-        let found = found.help("end the line");
+        let found = L2011::missing().at(loc);
         let text = if self.is_windows() { b"\r\n".to_vec() } else { b"\n".to_vec() };
         let fix = Fix::new(&found, Span::at(end, 0), text);
         told.found_with(found, fix);

@@ -1,4 +1,4 @@
-//! The rules: a file and a line each.
+//! The rules: a file each, with what, why, an example and the check, and a line here.
 
 mod arc_tiny;
 mod behind_centre;
@@ -53,7 +53,11 @@ mod units_mixed;
 mod unreachable;
 mod variable_unread;
 
-use crate::diag::{Code, codes};
+use crate::diag::Code;
+
+/// `partc check --fix` numbers blocks anew where it is found.
+#[cfg(feature = "cli")]
+pub use number_order::L2005;
 
 use super::motion::{MotionRule, Setup};
 use super::source::SourceRule;
@@ -79,79 +83,45 @@ pub struct Rule {
     pub make: Make,
 }
 
-macro_rules! rules {
-    ($($kind:ident $code:ident $module:ident::$rule:ident,)+) => {
-        /// All rules.
-        pub const RULES: &[Rule] = &[
-            $(Rule { code: codes::$code, make: Make::$kind(|setup| Box::new($module::$rule::new(setup))) },)+
-        ];
+/// A rule in its file: its code, how it is made, what `partc explain` says of it, and what it says itself, as in the catalogue of
+/// `diag::codes`.
+macro_rules! rule {
+    ($code:ident $kind:ident $rule:ident $severity:ident $($off:ident)? $name:literal what $what:literal why $why:literal
+        example $example:literal says {$($faults:tt)*}) => {
+        $crate::diag::codes::codes! {
+            @entry $code $severity [$($off)?] $name $what [] $why [$example] {$($faults)*}
+        }
+
+        pub(super) const RULE: $crate::lint::rules::Rule = $crate::lint::rules::Rule {
+            code: $code,
+            make: $crate::lint::rules::Make::$kind(|setup| Box::new($rule::new(setup))),
+        };
     };
 }
+use rule;
 
-rules! {
-    Motion L1001 spindle_off::SpindleOff,
-    Motion L1002 start_without_speed::StartWithoutSpeed,
-    Motion L1003 tool_without_speed::ToolWithoutSpeed,
-    Motion L1004 tool_unused::ToolUnused,
-    Motion L1005 tool_called_again::ToolCalledAgain,
-    Motion L1006 rapid_into_blank::RapidIntoBlank,
-    Motion L1007 cut_below_blank::CutBelowBlank,
-    Motion L1009 coolant_left_on::CoolantLeftOn,
-    Motion L1010 cut_dry::CutDry,
-    Motion L1011 dwell_zero::DwellZero,
-    Motion L1012 dwell_long::DwellLong,
-    Motion L1013 far_coordinates::FarCoordinates,
-    Motion L1014 plunge_at_feed::PlungeAtFeed,
-    Motion L1015 feed_tiny::FeedTiny,
-    Motion L1016 feed_huge::FeedHuge,
-    Motion L1017 speed_huge::SpeedHuge,
-    Motion L1018 change_in_cut::ChangeInCut,
-    Motion L1019 rapid_slanting_down::RapidSlantingDown,
-    Motion L1020 cut_backwards::CutBackwards,
-    Motion L1022 cut_before_tool::CutBeforeTool,
-    Motion L1023 tool_data_missing::ToolDataMissing,
-    Motion L1024 arc_tiny::ArcTiny,
-    Motion L1025 plane_left::PlaneLeft,
-    Motion L1026 behind_centre::BehindCentre,
-    Motion L1027 speed_unlimited::SpeedUnlimited,
-    Motion L1028 slow_retract::SlowRetract,
-    Motion L1029 stop_in_cut::StopInCut,
-    Motion L1030 offset_compensated::OffsetCompensated,
-    Motion L1031 spindle_reversed::SpindleReversed,
-    Motion L1032 blank_untouched::BlankUntouched,
-    Motion L1033 feed_outlier::FeedOutlier,
-    Motion L1034 drill_sideways::DrillSideways,
-    Motion L1035 tap_pitch::TapPitch,
-    Motion L1036 thread_crossed::ThreadCrossed,
-    Motion L1037 cut_beside_blank::CutBesideBlank,
-    Source L2001 label_unused::LabelUnused,
-    Source L2002 unreachable::Unreachable,
-    Source L2003 behind_end::BehindEnd,
-    Source L2004 variable_unread::VariableUnread,
-    Source L2005 number_order::NumberOrder,
-    Source L2006 label_alike::LabelAlike,
-    Source L2007 comment_is_code::CommentIsCode,
-    Source L2008 redundant_word::RedundantWord,
-    Source L2009 incremental_left::IncrementalLeft,
-    Source L2010 units_mixed::UnitsMixed,
-    Source L2011 line_end_missing::LineEndMissing,
-    Source L2012 number_precision::NumberPrecision,
-    Source L2013 unfinished::Unfinished,
-    Source L2014 skip_mark::SkipMark,
-    Source L2015 foreign_letters::ForeignLetters,
-    Source L2016 pole_elsewhere::PoleElsewhere,
-    Source L2017 diameter_left::DiameterLeft,
-}
+/// All rules in order of their codes: `build.rs` lists the files of this folder.
+pub const RULES: &[Rule] = include!(concat!(env!("OUT_DIR"), "/rules.rs"));
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diag::codes;
 
     #[test]
-    fn every_code_of_a_rule_has_its_rule() {
+    fn rules_stand_in_order_and_the_catalogue_knows_each() {
+        assert!(RULES.len() > 50 && RULES.is_sorted_by(|a, b| a.code.id < b.code.id));
         let rules: Vec<&str> = RULES.iter().map(|rule| rule.code.id).collect();
         let all = codes::all();
         let found: Vec<&str> = all.iter().map(|code| code.id).filter(|id| id.starts_with('L')).collect();
         assert_eq!(rules, found);
+    }
+
+    #[cfg(feature = "explain")]
+    #[test]
+    fn each_rule_says_what_why_an_example_and_its_words() {
+        for code in RULES.iter().map(|rule| rule.code) {
+            assert!(code.of_rule.starts_with("\n-- Example (") && !code.wordings.is_empty(), "{}", code.id);
+        }
     }
 }

@@ -1,9 +1,32 @@
 //! A block number is not larger than the one before.
 
-use crate::diag::{Diagnostic, codes};
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::What;
+
+super::rule! { L2005 Source NumberOrder Note off "block-number-order"
+    what "block number is not larger than the one before"
+    why "The number of a block is smaller than, or the same as, that of the block before it. Blocks were moved or joined from two \
+        programs. Controls run them in the order in which they stand; a search for a block number finds the wrong one. Said once. \
+        Off by default; `partc check --fix --unsafe-fixes` numbers the blocks anew where nothing jumps to a number."
+    example r#"
+-- Example (L2005_fires.H)
+0 BEGIN PGM P MM
+; 2 stands behind 3.
+1 L X+0 Y+0 Z+5 R0 F300
+3 L X+10
+2 L X+20
+4 L Z+50 FMAX M30
+5 END PGM P MM
+-- partc.toml
+# Every rule.
+[lint]
+select = ["all"]
+"#
+    says {
+        out_of_order(number, last) "block {number} stands behind block {last}" help "number the blocks anew";
+    }
+}
 
 #[derive(Debug, Default)]
 pub(super) struct NumberOrder {
@@ -27,9 +50,8 @@ impl SourceRule for NumberOrder {
         }
         if let Some(last) = self.last.filter(|last| number <= *last && !self.said) {
             self.said = true;
-            let found =
-                Diagnostic::new(codes::L2005, read.words(), format!("block {number} stands behind block {last}"));
-            told.say.found(found.help("number the blocks anew"));
+            let found = L2005::out_of_order(&number, &last).at(read.words());
+            told.say.found(found);
         }
         self.last = Some(number);
     }

@@ -1,10 +1,29 @@
 //! A literal has more decimals than controls resolve.
 
-use crate::diag::{Diagnostic, codes};
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::{LONG, What};
 use crate::text::decode::readable;
+
+super::rule! { L2012 Source NumberPrecision Note off "digits-beyond-resolution"
+    what "number has more digits than controls resolve"
+    why "A literal has more than five decimals. Controls resolve a tenth of a micrometre at best, and some refuse longer numbers. \
+        Digits were computed and not rounded. Off by default. Said once."
+    example r#"
+-- Example (L2012_fires.MPF)
+; Seven decimals.
+G0 X0 Y0 Z5
+G1 X5.1234567 F100
+M30
+-- partc.toml
+# Every rule.
+[lint]
+select = ["all"]
+"#
+    says {
+        long(word, decimals) "`{word}` has {decimals} decimals" help "round it";
+    }
+}
 
 /// Most decimals that controls resolve.
 const MOST_DECIMALS: usize = LONG - 1;
@@ -31,8 +50,7 @@ impl SourceRule for NumberPrecision {
                 .map_or(0, |at| text[at + 1..].iter().filter(|b| b.is_ascii_digit()).count());
             if matches!(item.what, What::Word { .. }) && decimals > MOST_DECIMALS {
                 self.said = true;
-                let message = format!("`{}` has {decimals} decimals", readable(text));
-                told.say.found(Diagnostic::new(codes::L2012, read.loc(item.span), message).help("round it"));
+                told.say.found(L2012::long(&readable(text), &decimals).at(read.loc(item.span)));
                 return;
             }
         }

@@ -1,9 +1,32 @@
 //! A milling program ends in another plane than G17.
 
-use crate::diag::codes;
 use crate::geo::Plane;
 use crate::ir::{Function, Origin};
 use crate::lint::motion::{Machine, MotionRule, Say, Setup, Step};
+
+super::rule! { L1025 Motion PlaneLeft Note off "plane-left-changed"
+    what "program ends in another working plane than G17"
+    why "On a milling machine the program ends while G18 or G19 holds. A program that follows, or a restart in the middle, may \
+        trust in G17. Off by default: controls reset the plane at the end of a program."
+    example r#"
+-- Example (L1025_fires.MPF)
+; G18 holds at the end.
+T1 M6
+S1000 M3
+G0 X0 Y0 Z5
+G18
+G2 X10 Z5 I5 K0 F100
+G0 Z50
+M30
+-- partc.toml
+# Every rule.
+[lint]
+select = ["all"]
+"#
+    says {
+        left() "this plane holds up to the end of the program" help "go back to G17";
+    }
+}
 
 #[derive(Debug, Default)]
 pub(super) struct PlaneLeft {
@@ -35,7 +58,7 @@ impl MotionRule for PlaneLeft {
 
     fn finish(&mut self, _: &Machine, say: Say<'_>) {
         if let Some(origin) = self.last.filter(|_| !self.lathe) {
-            say.about(codes::L1025, &origin, "this plane holds up to the end of the program", "go back to G17");
+            say.about(L1025::left(), &origin);
         }
     }
 }

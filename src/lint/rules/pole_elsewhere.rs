@@ -1,11 +1,37 @@
 //! A polar block uses a pole that was set in another working plane.
 
-use crate::diag::{Diagnostic, codes};
 use crate::geo::Plane;
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
+
+super::rule! { L2016 Source PoleElsewhere Warning "pole-of-other-plane"
+    what "polar block uses a pole of another working plane"
+    why "The pole was set, then the working plane changed (G17, G18, G19; another tool axis in TOOL CALL), and now a block counts \
+        from the pole. SINUMERIK takes the zero of the new plane for its pole; a HEIDENHAIN control keeps a pole in axes that are \
+        no longer those of the plane. Neither is what the program seems to mean. Set the pole again behind the change of the \
+        plane. Behind a label nothing is said: who leads there is not known."
+    example r#"
+-- Example (L2016_fires_by_the_tool_axis.H)
+0 BEGIN PGM P MM
+; The pole lies in X and Y, the plane of tool 2 in Z and X.
+1 TOOL CALL 1 Z S2000
+2 L X+0 Y+0 Z+5 R0 FMAX M3
+3 CC X+10 Y+10
+4 LP PR+20 PA+30 F500
+5 L Z+50 R0 FMAX
+6 TOOL CALL 2 Y S2000
+7 L X+0 Y+5 Z+0 R0 FMAX M3
+8 LP PR+20 PA+30 F500
+9 L Y+50 R0 FMAX M30
+10 END PGM P MM
+"#
+    says {
+        elsewhere() "this block counts from a pole that was set in another working plane"
+            help "set the pole behind the change of the plane";
+    }
+}
 
 /// Where a pole was set, and in which plane.
 #[derive(Debug, Clone, Copy)]
@@ -56,9 +82,8 @@ impl SourceRule for PoleElsewhere {
         }
         if let Some(pole) = self.pole.filter(|pole| pole.stale && read.has(&What::Polar)) {
             self.pole = None;
-            let message = "this block counts from a pole that was set in another working plane";
-            let found = Diagnostic::new(codes::L2016, read.words(), message).also(pole.loc, "the pole");
-            told.say.found(found.help("set the pole behind the change of the plane"));
+            let found = L2016::elsewhere().at(read.words()).also(pole.loc, "the pole");
+            told.say.found(found);
         }
     }
 }

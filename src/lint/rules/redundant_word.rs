@@ -1,12 +1,34 @@
 //! A modal word says what holds already.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::Diagnostic;
 use crate::lint::fix::Fix;
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::{Surveyed, What};
 use crate::text::Span;
 use crate::text::decode::readable;
+
+super::rule! { L2008 Source RedundantWord Note off "word-redundant"
+    what "word says what holds already"
+    why "A modal G function, an F or an S is programmed, and the same holds already from a block before. It does no harm. Off by \
+        default; `partc check --fix` removes it where the program does the same without it. F and S of a tool call are those of \
+        the tool, and no modal words."
+    example r#"
+-- Example (L2008_fires.MPF)
+; G1 and F100 hold already.
+G0 X0 Y0 Z5
+G1 X5 F100
+G1 Y5 F100
+M30
+-- partc.toml
+# Every rule.
+[lint]
+select = ["all"]
+"#
+    says {
+        redundant(word) "`{word}` holds already" help "remove the word";
+    }
+}
 
 /// M functions up to here are spindle, coolant, stop and change.
 const LAST_PLAIN_M: f64 = 69.0;
@@ -70,8 +92,7 @@ impl SourceRule for RedundantWord {
             if place.replace(value) == Some(value) && !is_alone(block, item.span) && self.waiting.len() < MOST_WAITING {
                 let loc = read.loc(item.span);
                 let shown = readable(item.span.of(block.text)).into_owned();
-                let found = Diagnostic::new(codes::L2008, loc, format!("`{shown}` holds already"));
-                let found = found.help("remove the word");
+                let found = L2008::redundant(&shown).at(loc);
                 let fix = Fix::removal(&found, block.text, block.site.at);
                 self.waiting.push((found, fix));
             }

@@ -1,9 +1,27 @@
 //! The spindle starts and no speed was given.
 
-use crate::diag::codes;
 use crate::ir::function::Spindle;
 use crate::ir::{Function, Origin};
 use crate::lint::motion::{Machine, MotionRule, Say, Setup};
+
+super::rule! { L1002 Motion StartWithoutSpeed Warning "spindle-without-speed"
+    what "spindle starts and no speed was given"
+    why "M3 or M4 comes before any S word. The control starts the spindle at the speed that the program before has left, or not at \
+        all. Program S with the tool call or beside M3."
+    example r#"
+-- Example (L1002_fires.MPF)
+; M3 and no S at all.
+T1 M6
+M3
+G0 X0 Y0 Z5
+G1 X10 F100
+G0 Z50
+M30
+"#
+    says {
+        unset() "the spindle starts, and no speed was given before" help "program S with the tool, or beside M3";
+    }
+}
 
 #[derive(Debug, Default)]
 pub(super) struct StartWithoutSpeed {
@@ -41,8 +59,7 @@ impl MotionRule for StartWithoutSpeed {
     fn finish(&mut self, machine: &Machine, say: Say<'_>) {
         // Where no tool was called, this is a part of another program.
         if let Some(start) = self.waits.filter(|_| machine.tool.is_some()) {
-            let message = "the spindle starts, and no speed was given before";
-            say.about(codes::L1002, &start, message, "program S with the tool, or beside M3");
+            say.about(L1002::unset(), &start);
         }
     }
 }

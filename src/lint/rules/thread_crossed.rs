@@ -1,11 +1,37 @@
 //! A pass crosses the thread that the pass before has cut.
 
-use crate::diag::codes;
 use crate::ir::motion::Path;
 use crate::ir::{Function, Origin, Pos};
 use crate::lint::motion::{Machine, MotionRule, Say, Setup, Step, TINY, Turning};
 use crate::lint::tapping::Tapping;
 use crate::machine::Axis;
+
+super::rule! { L1036 Motion ThreadCrossed Warning "thread-crossed"
+    what "pass crosses the thread that the pass before has cut"
+    why "Two passes lie in one thread, and the second makes a helix of the other hand: it goes the other way while the spindle \
+        turns as before, or the same way while the spindle turns the other way. A tap that comes out so tears the thread or \
+        breaks; a turned thread is destroyed. Reverse the spindle (M3, M4) for the way out of a tapped hole; return beside a \
+        turned thread at rapid. Cycles reverse the spindle by themselves."
+    example r#"
+-- Example (L1036_fires_tap.H)
+0 BEGIN PGM P MM
+; M3 in and M3 out.
+1 TOOL CALL 1 Z S500
+2 L X+0 Y+0 Z+5 R0 FMAX M3
+3 L Z-10 F750
+4 L Z+5
+5 L Z+50 FMAX M30
+6 END PGM P MM
+-- partc.toml
+[tools.1]
+kind = "tap"
+radius = 5.0
+"#
+    says {
+        crosses() "this pass crosses the thread of the pass before: it is of the other hand"
+            help "reverse the spindle for the way out of a tapped hole; return beside a turned thread at rapid";
+    }
+}
 
 /// Farthest beside each other that two passes of one thread lie, mm.
 const MOST_BESIDE: f64 = 5.0;
@@ -79,13 +105,7 @@ impl MotionRule for ThreadCrossed<'_> {
         }
         let pass = Pass { axis, from: *step.from, to: step.to, turning: machine.turning, tool: machine.tool };
         if self.last.replace(pass).is_some_and(|last| pass.beside(&last) && pass.crosses(&last)) {
-            let message = "this pass crosses the thread of the pass before: it is of the other hand";
-            say.about(
-                codes::L1036,
-                step.origin,
-                message,
-                "reverse the spindle for the way out of a tapped hole; return beside a turned thread at rapid",
-            );
+            say.about(L1036::crosses(), step.origin);
         }
     }
 

@@ -1,8 +1,29 @@
 //! A tool is called and does nothing.
 
-use crate::diag::codes;
 use crate::ir::{Function, Origin};
 use crate::lint::motion::{Machine, MotionRule, Say, Setup, Step};
+
+super::rule! { L1004 Motion ToolUnused Warning "tool-unused"
+    what "tool is called and does nothing"
+    why "A tool is changed in, and the next tool or the end of the program comes before it has cut anything. A call was left over, \
+        or the moves of this tool got lost. A last tool that is put in for the next part, tool 0, and tools that only move at \
+        rapid (feelers, stops) can be meant: suppress the finding there."
+    example r#"
+-- Example (L1004_fires.H)
+0 BEGIN PGM P MM
+; Tool 1 positions only.
+1 TOOL CALL 1 Z S2000
+2 L X+0 Y+0 Z+5 R0 FMAX M3
+3 TOOL CALL 2 Z S2000
+4 L X+0 Y+0 Z+5 R0 FMAX M3
+5 L Z-1 F100
+6 L Z+50 FMAX M30
+7 END PGM P MM
+"#
+    says {
+        idle(number) "tool {number} is called and cuts nothing" help "remove the call, or look for the moves of this tool";
+    }
+}
 
 #[derive(Debug, Default)]
 pub(super) struct ToolUnused {
@@ -53,8 +74,7 @@ impl MotionRule for ToolUnused {
 impl ToolUnused {
     fn settle(&mut self, say: Say<'_>) {
         if let Some((number, origin)) = self.waits.take() {
-            let message = format!("tool {number} is called and cuts nothing");
-            say.about(codes::L1004, &origin, message, "remove the call, or look for the moves of this tool");
+            say.about(L1004::idle(&number), &origin);
         }
     }
 }

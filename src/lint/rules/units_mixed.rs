@@ -1,10 +1,26 @@
 //! The program changes between inches and millimetres.
 
-use crate::diag::{Diagnostic, codes};
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
+
+super::rule! { L2010 Source UnitsMixed Warning "units-mixed"
+    what "program changes between inches and millimetres"
+    why "G70 or G700 (inches) and G71 or G710 (millimetres) both stand in the program. Feeds, offsets and cycle parameters do not \
+        all follow the change, and controls differ in which. Write the program in one unit. Said once."
+    example r#"
+-- Example (L2010_fires.MPF)
+; Inches and millimetres.
+G700 G0 X0 Y0 Z1
+G1 X1 F10
+G710 G1 X30 F100
+M30
+"#
+    says {
+        mixed() "the program changes between inches and millimetres" help "write the program in one unit";
+    }
+}
 
 #[derive(Debug, Default)]
 pub(super) struct UnitsMixed {
@@ -34,9 +50,8 @@ impl SourceRule for UnitsMixed {
             if let (Some(inch), Some(mm), false) = (self.inch, self.mm, self.said) {
                 self.said = true;
                 let first = if loc == inch { mm } else { inch };
-                let message = "the program changes between inches and millimetres";
-                let found = Diagnostic::new(codes::L2010, loc, message).also(first, "the other unit");
-                told.say.found(found.help("write the program in one unit"));
+                let found = L2010::mixed().at(loc).also(first, "the other unit");
+                told.say.found(found);
             }
         }
     }

@@ -2,11 +2,28 @@
 
 use rustc_hash::FxHashSet;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::Diagnostic;
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::{Surveyed, What};
 use crate::text::Loc;
+
+super::rule! { L2002 Source Unreachable Warning "block-unreachable"
+    what "block can never run"
+    why "A jump that is always made stands before this block, and no label leads to it. It can never run: a condition got lost, or \
+        the label in front of it. Said at the first block of each such stretch."
+    example r#"
+-- Example (L2002_fires.MPF)
+; The jump is always made.
+G0 X0 Y0 Z5
+GOTOF ENDE
+G1 X5 F100
+ENDE: M30
+"#
+    says {
+        unreachable() "this block can never run" help "remove it, or give it a label that something jumps to";
+    }
+}
 
 /// Most blocks that are remembered.
 const MOST: usize = 1000;
@@ -61,9 +78,8 @@ impl SourceRule for Unreachable {
         }
         if let Some(jump) = self.after.filter(|_| !block.is_empty && !block.is_bad && self.found.len() < MOST) {
             self.after = None;
-            let found = Diagnostic::new(codes::L2002, read.words(), "this block can never run")
-                .also(jump, "the program goes on elsewhere here");
-            self.found.push((block.number, found.help("remove it, or give it a label that something jumps to")));
+            let found = L2002::unreachable().at(read.words()).also(jump, "the program goes on elsewhere here");
+            self.found.push((block.number, found));
         }
         self.targets.see(block);
         if let Some(item) = block.items.iter().rfind(|item| item.what == What::Leaves && !block.skip) {

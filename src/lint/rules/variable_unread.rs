@@ -1,11 +1,33 @@
 //! A variable gets a value that nothing reads.
 
-use crate::diag::{Diagnostic, codes};
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
 use rustc_hash::FxHashSet;
+
+super::rule! { L2004 Source VariableUnread Note off "variable-unread"
+    what "variable gets a value that nothing reads"
+    why "A variable is set, and no block of the program reads it. It is left over, or the block that should read it names another \
+        one. Programs that call others, and parameters that the control reads itself (Q100 to Q1999 of Klartext cycles), are left \
+        alone. Off by default: operators read variables, too."
+    example r#"
+-- Example (L2004_fires.MPF)
+; Nothing reads R2.
+R1=5
+R2=7
+G0 X0 Y0 Z5
+G1 X=R1 F100
+M30
+-- partc.toml
+# Every rule.
+[lint]
+select = ["all"]
+"#
+    says {
+        unread(name) "`{name}` gets a value that no block reads" help "remove it, or mend the block that should read it";
+    }
+}
 
 /// Most variables that are remembered.
 const MOST: usize = 1000;
@@ -45,8 +67,8 @@ impl SourceRule for VariableUnread {
         for (name, loc) in
             self.written.iter().filter(|(name, _)| !self.opaque && !self.read.contains(name) && !of_control(name))
         {
-            let found = Diagnostic::new(codes::L2004, *loc, format!("`{name}` gets a value that no block reads"));
-            told.say.found(found.help("remove it, or mend the block that should read it"));
+            let found = L2004::unread(&name).at(*loc);
+            told.say.found(found);
         }
     }
 }
