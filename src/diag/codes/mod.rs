@@ -144,7 +144,7 @@ pub(crate) const fn told(text: &'static str) -> &'static str {
     if cfg!(feature = "explain") { text } else { "" }
 }
 
-const fn told_of(wordings: &'static [super::fault::Wording]) -> &'static [super::fault::Wording] {
+pub(crate) const fn told_of(wordings: &'static [super::fault::Wording]) -> &'static [super::fault::Wording] {
     if cfg!(feature = "explain") { wordings } else { &[] }
 }
 
