@@ -490,6 +490,9 @@ fn is_alternative(need: &Need) -> bool {
     matches!(need.answer.path[0].as_str(), "tool_change_m" | "probing_contact")
 }
 
+/// The items that a list of this key holds already.
+type Listed<'a> = &'a dyn Fn(&str) -> Vec<String>;
+
 /// One line of a key, with what it is and what asks for it. `choice` is the one that is tried, `given` what the user said; items that
 /// are `doubted` are left to the user, those `listed` already stay.
 fn line(
@@ -497,7 +500,7 @@ fn line(
     form: Form,
     need: &Need,
     (choice, given): (usize, Option<&str>),
-    (doubted, listed): (&[String], &dyn Fn(&str) -> Vec<String>),
+    (doubted, listed): (&[String], Listed<'_>),
 ) {
     let key = match need.answer.is_of_tool() {
         true => need.answer.path[1].clone(),
