@@ -107,6 +107,9 @@ pub fn read_as(file_name: &str, head: &[u8]) -> Option<&'static Dialect> {
     let named = |dialect: &&Dialect| dialect.extensions.contains(&extension.as_str());
     let mut by_extension = ALL.iter().copied().filter(named);
     match (by_extension.next(), by_extension.next()) {
+        (Some(dialect), None) if dialect.turns && foreign::is_turning_by_numbers(file_name, head) => {
+            Some(&turning::BY_NUMBERS)
+        }
         (Some(dialect), None) => Some(dialect),
         _ => None,
     }

@@ -1,6 +1,9 @@
 //! HEIDENHAIN turning: MANUALplus 4110 DIN programs, DIN PLUS and smart.Turn.
 
-use crate::sema::turning;
+use crate::diag::codes;
+use crate::ir::contour::Sink;
+use crate::sema::{Job, turning};
+use crate::text::{Loc, Span};
 
 use super::Dialect;
 
@@ -19,6 +22,24 @@ pub(super) const DIALECT: Dialect = Dialect {
     survey: turning::survey,
     cycles: turning::cycle_signatures,
 };
+
+/// The same, of a file that nothing shows but the numbers of its blocks: many controls could have written it.
+pub(super) const BY_NUMBERS: Dialect = Dialect { run: run_by_numbers, check_form: check_by_numbers, ..DIALECT };
+
+fn run_by_numbers(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
+    say_by_numbers(job);
+    turning::run(job, out)
+}
+
+fn check_by_numbers(job: &Job<'_>) {
+    say_by_numbers(job);
+    turning::check_form(job);
+}
+
+fn say_by_numbers(job: &Job<'_>) {
+    let start = Loc { file: job.main, line: 1, span: Span::at(0, 1) };
+    job.diags.push(codes::P0012::file_is_read_as_heidenhain_turning().at(start));
+}
 
 /// A name line `%name.nc` with a title in square brackets behind it, or the section codes of DIN PLUS.
 fn recognizes(head: &[u8]) -> bool {

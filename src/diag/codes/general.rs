@@ -55,7 +55,7 @@ P0008 Error "cut-off" "file stops in its last line"
 of `G1 X123.456`). No key allows it (a piece of Klartext without BEGIN PGM, which another \
 program joins to others, is P0007). Get the file anew from where it was made. If it is complete, write the end of the program as its last \
 block; a last line that holds the end of the program needs no line end, unless the file stops after `M2`: that may be the beginning of `M20` or `M2=3`, so write \
-`M30`, or a line end behind it." {
+`M30`, or a line end after it." {
     file_stops_in_its_last_line(end, best) "the file stops in its last line, without {end}: it was cut off"
         help "get the file anew; if its last line is complete, end it, and add {best}";
     file_stops_in_its_last_line_after()
@@ -71,7 +71,16 @@ partc reads Klartext, SINUMERIK, MTC200, HEIDENHAIN turning and plain G-code. If
 under `[dialects]` in partc.toml: then nothing is guessed. `--dialect gcode` is advised where the reader of plain G-code takes the beginning of the file; \
 otherwise the help names the first line that it refuses.\n\
 `.nc` is the name of programs of many controls. Such a file is read as HEIDENHAIN turning where a name line (`%95.nc`), a comment in \
-square brackets, `END`, a function of that control or blocks numbered by one show it. Files that nobody wants to have read are left out by a line in `.partcignore`."
+square brackets, `END` or a function of that control shows it, and with a warning (P0012) where only its blocks are numbered by one. To leave files out, add a line to `.partcignore`."
+
+P0012 Warning "turning-by-numbers" "language is told by the numbers of the blocks alone"
+"A file `.nc` may come from many controls. Nothing in this one shows which but the numbers of its blocks, N1, N2, N3, and feeds of a lathe: it is \
+read as HEIDENHAIN turning, where X is a diameter. Say so with `--dialect heidenhain-turning` or under `[dialects]`, and the warning is gone; if the \
+program is for another control, say that one." {
+    file_is_read_as_heidenhain_turning()
+        "the file is read as HEIDENHAIN turning, where X is a diameter, and only the numbers of its blocks show it"
+        help "say the language with `--dialect`, or under [dialects]: \"*.nc\" = \"heidenhain-turning\"";
+}
 
 P0101 Error "program-not-found" "called program is not in the include roots"
 "The program calls another one that partc cannot find. Without it the path is incomplete, so nothing is written.\n\
@@ -225,7 +234,7 @@ P4003 Error "call-depth" "calls are nested too deep"
 "Programs and subprograms call each other deeper than `[limits] call_depth`, or deeper than the selected control allows. \
 Often a program calls itself by way of another one." {
     program_calls_itself(number) "program {number} calls itself";
-    of_another_kind(message, cycle) "{message}: {cycle}";
+    calls_go_round(message, cycle) "{message}: {cycle}";
     programs_repeats_are_nested_deeper(levels) "programs and repeats are nested deeper than {levels}" alarm 14012;
     texts_that_execute_texts_are_nested_too() "texts that execute texts are nested too deep" alarm 14012
         help "check for an EXECSTRING that executes itself";

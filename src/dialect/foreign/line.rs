@@ -70,20 +70,15 @@ impl<'a> Line<'a> {
         Span::at(blank as u32, self.text.trim_ascii().len() as u32)
     }
 
-    /// Nothing but positions of axes that lines before it had, too (`seen`): it shows no language, and most lines are such.
-    pub fn repeats(&self, seen: &mut u32) -> bool {
-        let mut letters = 0_u32;
-        for word in &self.words {
-            match word.letters[..] {
-                [letter @ (b'A'..=b'C' | b'I'..=b'K' | b'X'..=b'Z')] if !word.number.is_empty() => {
-                    letters |= 1 << (letter - b'A');
-                }
-                _ => return false,
-            }
-        }
+    /// Nothing but words of a plain move, as a line before it had them, too (`seen`): it shows no language, and most lines are such.
+    pub fn repeats(&self, seen: &mut Vec<u32>) -> bool {
         let of_words = |b: &u8| b.is_ascii_alphanumeric() || matches!(b, b' ' | b'\t' | b'.' | b'+' | b'-');
-        let is_known = letters != 0 && letters & !*seen == 0 && self.text.iter().all(of_words);
-        *seen |= letters;
+        let words = self.words.iter().map(bit_of_move).try_fold(0_u32, |all, bit| Some(all | bit?));
+        let Some(words) = words.filter(|words| *words != 0 && self.text.iter().all(of_words)) else { return false };
+        let is_known = seen.contains(&words);
+        if !is_known {
+            seen.push(words);
+        }
         is_known
     }
 
@@ -111,6 +106,20 @@ impl<'a> Line<'a> {
             Some((first, rest)) if first.letters == b"N" && !first.number.is_empty() => rest,
             _ => &self.words,
         }
+    }
+}
+
+/// The words of a plain move: number of the block, G0 to G3, axes and centres, feed. None for any other.
+fn bit_of_move(word: &Word) -> Option<u32> {
+    match word.letters[..] {
+        [b'G'] => match word.value() {
+            [digit @ b'0'..=b'3'] => Some(1 << (26 + (digit - b'0'))),
+            _ => None,
+        },
+        [letter @ (b'A'..=b'C' | b'F' | b'I'..=b'K' | b'N' | b'X'..=b'Z')] if !word.number.is_empty() => {
+            Some(1 << (letter - b'A'))
+        }
+        _ => None,
     }
 }
 

@@ -76,7 +76,7 @@ fn look(file_name: &str, head: &[u8]) -> Option<Found> {
         return Some(Found { kind, evidence: vec![(1, Span::at(0, first.len().min(SHOWN) as u32))] });
     }
     let own = Own::of(file_name);
-    let mut seen = 0;
+    let mut seen = Vec::new();
     let mut lines: Vec<Line<'_>> = line::lines(head).filter(|line| !line.repeats(&mut seen)).collect();
     mark_sections(&mut lines);
     let is_own = lines.iter().any(|line| own.shows(line));
@@ -85,13 +85,21 @@ fn look(file_name: &str, head: &[u8]) -> Option<Found> {
         .filter(|kind| (kind.under)(own))
         .find_map(|kind| kind.fits(&lines, is_own))
         .or_else(|| files::as_a_whole(own, &lines, is_own))
-        .or_else(|| undecided(own, &lines))
+        .or_else(|| undecided(own, head, &lines))
 }
 
 /// What many languages could be, by the extension and by its words.
-fn undecided(own: Own, lines: &[Line<'_>]) -> Option<Found> {
+fn undecided(own: Own, head: &[u8], lines: &[Line<'_>]) -> Option<Found> {
     let kind = &kinds::UNDECIDED;
-    if (kind.under)(own) && !own::is_turning(lines) { kind.fits(lines, false) } else { None }
+    let is_ours = || own::shows_turning(lines) || own::is_numbered_as_turning(head);
+    if (kind.under)(own) && !is_ours() { kind.fits(lines, false) } else { None }
+}
+
+/// Is a file of this name, which is read as HEIDENHAIN turning, taken for it because of the numbers of its blocks alone?
+pub fn is_turning_by_numbers(file_name: &str, head: &[u8]) -> bool {
+    let head = &head[..head.len().min(HEAD as usize)];
+    let lines: Vec<Line<'_>> = line::lines(head).collect();
+    (kinds::UNDECIDED.under)(Own::of(file_name)) && !own::shows_turning(&lines)
 }
 
 /// From G291 to G290 a program of a SINUMERIK is one of the ISO dialect.

@@ -1,6 +1,6 @@
 //! What the extension of a file says, and what shows a language of ours.
 
-use super::line::{Line, Word};
+use super::line::{self, Line, Word};
 
 /// What the extension says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -110,17 +110,17 @@ fn is_sinumerik(line: &Line<'_>) -> bool {
     named || assigned && !code.starts_with(b"#") || line.text.starts_with(b"%_N_")
 }
 
-/// Does something show a program of a HEIDENHAIN turning control: its name line, a comment in square brackets, its end, a
-/// function of its own, or blocks that are numbered by one as that control does it?
-pub fn is_turning(lines: &[Line<'_>]) -> bool {
+/// Does something show a program of a HEIDENHAIN turning control: its name line, a comment in square brackets, its end, or a
+/// function of its own?
+pub fn shows_turning(lines: &[Line<'_>]) -> bool {
     let is_named = lines.first().is_some_and(|line| {
         let name = line.code.trim_ascii();
         name.starts_with(b"%") && (name.ends_with(b".NC") || name.ends_with(b".NCS"))
     });
-    is_named || lines.iter().any(shows_turning) || is_numbered_by_one(lines)
+    is_named || lines.iter().any(is_line_of_turning)
 }
 
-fn shows_turning(line: &Line<'_>) -> bool {
+fn is_line_of_turning(line: &Line<'_>) -> bool {
     let words = line.behind_number();
     let ends = matches!(words, [word] if word.number.is_empty() && matches!(&word.letters[..], b"END" | b"RETURN"));
     let behind = |word: &Word| line.code.get(word.span.end as usize..).unwrap_or_default().trim_ascii_start();
@@ -161,11 +161,11 @@ fn is_function_of_turning(word: &Word) -> bool {
         })
 }
 
-/// Each block has a number, one more than the block before it; and feeds are those of a lathe, a turn.
-fn is_numbered_by_one(lines: &[Line<'_>]) -> bool {
+/// Has each block a number, one more than the block before it, as that control gives them, and are feeds those of a lathe, a turn?
+pub fn is_numbered_as_turning(head: &[u8]) -> bool {
     let mut last: Option<u32> = None;
     let (mut count, mut is_large) = (0_u32, false);
-    for line in lines {
+    for line in line::lines(head) {
         let Some(first) = line.words.first().filter(|_| !line.code.trim_ascii_start().starts_with(b"%")) else {
             continue;
         };

@@ -39,6 +39,11 @@ pub(super) const BUILT: &[Built] = &[
     },
     Built { code: "P0009", fires: || read_as_it_is("P.H", "#ifndef P_H\n"), silent: || read_as_it_is("P.H", PART) },
     Built {
+        code: "P0012",
+        fires: || read_as_it_is("A.NC", "N1 G95 F0.2\nN2 G0 X50 Z2\nN3 M30\n"),
+        silent: || read_as_it_is("A.NC", "N1 G95 F0.2 [rough the face]\nN2 G0 X50 Z2\nN3 M30\n"),
+    },
+    Built {
         code: "P0102",
         fires: || {
             calling(|_| {
