@@ -8,12 +8,13 @@ use std::path::{Path, PathBuf};
 use crate::diag::codes;
 use crate::text::decode::harmless_lines;
 
-use super::answers::{Form, Needs, Place};
+use super::answers::Needs;
 use super::args::Init;
 use super::ask::{Shop, ask};
 use super::closure::Targets;
 use super::inputs::{Input, inputs, no_program};
 use super::listing::print;
+use super::need::{Form, Place};
 use super::options::Common;
 use super::output::Destination;
 use super::pool::in_order;

@@ -22,6 +22,7 @@ mod listed;
 mod listing;
 mod lsp;
 mod merge;
+mod need;
 mod options;
 mod output;
 mod page;

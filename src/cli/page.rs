@@ -9,11 +9,12 @@ use crate::driver::{Failure, Session};
 use crate::exhibit;
 use crate::text::{FileId, Memory, Opened, Span};
 
-use super::answers::{Form, Needs, requests};
+use super::answers::{Needs, requests};
 use super::args::Page;
 use super::closure::Targets;
 use super::disk::file_name;
 use super::inputs::Input;
+use super::need::Form;
 use super::output::{Destination, Made, Replaces, ignore_closed_pipe, is_foreign};
 use super::progress::Ticker;
 use super::report::{Reporter, Stdout};

@@ -5,7 +5,8 @@ use std::fmt::Write as _;
 
 use crate::diag::codes;
 
-use super::answers::{Form, Needs, Request};
+use super::answers::{Needs, Request};
+use super::need::Form;
 
 /// Findings of a program that are shown unless the user wants more.
 pub(super) const USUAL: usize = 20;

@@ -7,7 +7,7 @@
 use crate::driver::Session;
 use crate::text::{Loc, Span};
 
-use super::answers::{Place, cut};
+use super::need::{Place, cut};
 
 /// Bytes in front of a call in which its comment stands.
 const BEFORE: u32 = 600;

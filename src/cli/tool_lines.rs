@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use super::answers::{FREE, Need, Needs, Place, WIDTH};
+use super::answers::Needs;
+use super::need::{FREE, Need, Place, WIDTH};
 use super::tool_hints::Hint;
 
 /// Tools as one table, a line for each: behind what its fields are, number, fields, what its name or its block says, place.

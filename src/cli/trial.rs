@@ -3,15 +3,16 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-use crate::diag::{Answer, Severity, codes};
+use crate::diag::{Answer, Diagnostic, Severity, codes};
 use crate::dialect::{self, Dialect};
 use crate::driver::Session;
 use crate::machine::tree::{Table, Value, overlay, parse};
 use crate::machine::{MachineKind, Settings};
 use crate::text::FileId;
 
-use super::answers::{Form, Needs, Place, Request, can_be_tried, requests};
+use super::answers::{Needs, Request, requests};
 use super::inputs::{Ignored, walk};
+use super::need::{Form, Place, can_be_tried};
 use super::options::Common;
 use super::run::{Loaded, load_with};
 use super::tool_hints::Hint;
@@ -209,6 +210,7 @@ impl<'a> Tried<'a> {
         let name = self.path.display().to_string();
         let mut requests: Vec<Request> = Vec::new();
         let mut last: Option<Trial> = None;
+        let mut not_found = None;
         for round in 0.. {
             let mut trial = match (self.once(&needs), last.take()) {
                 (Ok(trial), _) => trial,
@@ -218,6 +220,11 @@ impl<'a> Tried<'a> {
                 }
                 (Err(trouble), None) => return Err(trouble),
             };
+            // What was not found at first is not there, whatever stands for it.
+            match &not_found {
+                Some(missing) => trial.missing = Vec::clone(missing),
+                None => not_found = Some(trial.missing.clone()),
+            }
             let is_new = needs.take(&name, &trial.requests);
             requests.extend(trial.requests.drain(..).map(|request| needs.by_its_name(request)));
             let is_enough = round + 1 == MOST_ROUNDS || requests.len() >= MOST_ASKED;
@@ -324,9 +331,12 @@ fn missing(session: &Session) -> Vec<(String, Place)> {
 
 /// Does an error ask for what no trial can make up?
 fn asks_for_a_name(session: &Session) -> bool {
-    session
-        .diags
-        .any(|found| found.severity == Severity::Error && found.answers.iter().any(|answer| !can_be_tried(answer)))
+    session.diags.any(|found| found.severity == Severity::Error && is_untried(found))
+}
+
+/// Is it answered by nothing but what no trial can make up: the name of a file, a folder?
+fn is_untried(found: &Diagnostic) -> bool {
+    !found.answers.is_empty() && !found.answers.iter().any(can_be_tried)
 }
 
 /// Codes of the errors that no answer mends, as far as a trial shows, each once.
@@ -335,8 +345,7 @@ fn errors(session: &Session) -> Vec<(&'static str, Place)> {
     session.diags.each(|found| {
         let is_known = list.iter().any(|(code, _)| *code == found.code.id);
         // A trial is cut off early.
-        let is_untried = found.answers.iter().any(|answer| !can_be_tried(answer));
-        if found.severity == Severity::Error && found.code.id != codes::P4001.id && !is_known && !is_untried {
+        if found.severity == Severity::Error && found.code.id != codes::P4001.id && !is_known && !is_untried(found) {
             list.push((found.code.id, Place::new(found.label.loc, session)));
         }
     });

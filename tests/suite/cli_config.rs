@@ -45,6 +45,7 @@ fn a_configuration_extends_another() {
 fn what_a_configuration_cannot_hold_is_refused() {
     let folder = Folder::new("config_errors").with(&[("A.H", PART)]);
     for (text, says) in [
+        ("[programs]\nHC = { ignore = true }\nhc = { change = true }\n", "a second entry of this name"),
         ("[output]\ndecimal = 3\n", "partc.toml:2:1: unknown key `decimal`; did you mean `decimals`?"),
         ("[machin]\nkind = \"mill\"\n", "did you mean `machine`?"),
         ("[control]\nklartext = \"tnc641\"\n", "did you mean `tnc640`?"),

@@ -421,3 +421,29 @@ fn a_course_is_asked_for_in_few_lines() {
         assert_eq!(config.matches(&format!("{{ name = \"{tool}\"")).count(), 1, "{config}");
     }
 }
+
+/// Whether an M function changes the tool only the user knows: passed where it does, the old tool would cut on.
+#[test]
+fn an_m_function_that_may_change_the_tool_is_not_passed_by_enter() {
+    const PROGRAM: &str = "G17 G90 G54\nT1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nM77\nT2\nM66\nG1 Z-2\nM30\n";
+    let folder = Folder::new("init_change").with(&[("X.MPF", PROGRAM)]);
+    folder.run_with(&["init", ".", "-i"], "\n\n\n").exits(0);
+    let config = folder.read("partc.toml");
+    assert!(!config.contains("66]") || config.contains("# [66], if that is so"), "{config}");
+    folder.run(&["compile", "X.MPF", "-o", "-"]).exits(1);
+    folder.run(&["init", ".", "--force"]).exits(0);
+    let config = folder.read("partc.toml");
+    assert!(config.contains("#pass_m = [77] ") && config.contains("# and 66, if it changes no tool; "), "{config}");
+    assert!(config.contains("#tool_change_m =  "), "{config}");
+}
+
+/// A trial answers a call of a program that is nowhere, and what follows counts.
+#[test]
+fn a_builders_program_is_tried_as_left_out() {
+    const PROGRAM: &str = "0 BEGIN PGM Y MM\n1 TOOL CALL 5 Z S2000 F300\n2 L X+0 Y+0 Z+50 R0 FMAX M3\n3 CALL PGM HC\n\
+                           4 L X+20 F200 M30\n5 END PGM Y MM\n";
+    let folder = Folder::new("init_nowhere").with(&[("Y.H", PROGRAM)]);
+    let said = folder.run(&["init", ".", "-o", "-"]).exits(0).out;
+    assert!(said.contains("# 0 compile as it is, 1 once the values below are filled in."), "{said}");
+    assert!(said.contains("put them beside the programs") && said.contains("\n#HC =  "), "{said}");
+}
