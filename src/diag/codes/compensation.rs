@@ -34,7 +34,7 @@ offset, another plane or the end of the program comes while it is on. End it in 
 
 G3205 Error "compensation-inside" "what may not stand inside a compensated contour"
 "Machine coordinates, threads, arcs outside the working plane and a change of plane, side or radius cannot stand between the first and the last block of a \
-compensated contour: the path beside it would have no meaning. End the compensation in front of the block, and begin it again behind it." {
+compensated contour: the path beside it would have no meaning. End the compensation before the block, and begin it again after it." {
     cycle_is_called_while_tool_stands_beside()
         "a cycle is called while the tool stands beside a contour with radius compensation";
     offset_is_held_constant_before_contour() "the offset is held constant before the contour has one";
@@ -73,7 +73,7 @@ do not look for it without M120, SINUMERIK controls not without CDON. The path i
 
 G3212 Warning "compensation-stays" "tool stays beside the contour"
 "The block that ends the radius compensation does not move in the working plane. The tool stays where it is, beside the contour, and the next block in the plane starts there and moves \
-both axes. No manual at hand says so. End the compensation in a block that leads away from the contour in the plane." {
+both axes. No available manual confirms this. End the compensation in a block that leads away from the contour in the plane." {
     radius_compensation_ends_in_block_that_leaves(place)
         "radius compensation ends in a block that leaves the plane alone: the tool stays beside the contour{place} \
         until the next block in the plane";
@@ -109,7 +109,7 @@ it is programmed, so the cutting edge is faster than meant in a hollow arc. `[co
 
 G3217 Error "compensation-border" "chamfer or rounding at the border of a compensated contour"
 "The way to a compensated contour ends beside its first element, and the way from it begins beside the last one; neither is an element of the contour. What a control makes of a chamfer \
-or rounding between such a way and the contour no manual at hand says. Let the compensation begin and end in blocks without one (RNDM: switch it on behind the first element)." {
+or rounding between such a way and the contour is in no available manual. Let the compensation begin and end in blocks without one (RNDM: switch it on after the first element)." {
     chamfer_or_rounding_stands_at_point(what)
         "a chamfer or rounding stands at the {what} point of a contour with radius compensation";
 }

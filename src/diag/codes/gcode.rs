@@ -20,7 +20,7 @@ thousandths of a second, and on its lathes G90 cuts. Compile the program that it
 
 R1004 Warning "gcode-after-percent" "lines after the closing %"
 "The file begins with a line of a single `%`, so the second one ends the program, as it ended a paper tape: LinuxCNC reads nothing after it, and neither does partc. There was no M2 or M30 before it, \
-so the lines behind it may be part of the program, and a `%` too many may stand in the middle, where files were joined. If they belong to the program, delete the `%` in front of them; otherwise delete them." {
+so the lines after it may be part of the program, and a second `%` may stand in the middle where files were joined. If they belong to the program, delete the `%` before them; otherwise delete them." {
     this_stands_after_that_ends_program() "this stands after the `%` that ends the program, and does not run";
 }
 

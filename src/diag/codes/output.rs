@@ -9,7 +9,6 @@ CALL, RND or CHF block counts, too." {
     feed_has_to_be_above_zero(what) "{what}: the feed has to be above zero" help "program the feed of this move";
     feed_of_m140_is_not_above_zero() "the feed of M140 is not above zero";
     feed(at) "the feed is {at}";
-    feed_2(num) "the feed is {num}";
 }
 
 O1002 Error "value-not-finite" "value is too large to print"

@@ -124,7 +124,7 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     neither_q257_nor_q256_may_be_below(way, pitches) "neither Q257 = {way} nor Q256 = {pitches} may be below zero";
     no_tool_offset_is_active() "no tool offset is active" alarm 61000 help "program D1 before the cycle";
     no_tool_is_active(change) "no tool is active" alarm 61009 help "select the tool before the cycle: {change}";
-    of_another_kind(parameter, place, meaning, what) "`{parameter}` (argument {place}{meaning}) {what}"
+    argument_is_wrong(parameter, place, meaning, what) "`{parameter}` (argument {place}{meaning}) {what}"
         help "arguments are counted by their commas";
     no_contour_is_named() "no contour is named" alarm 61027 help "name a subprogram, or two labels: \"START:END\"";
     more_than_one_contour_is_called() "more than one contour is called" alarm 61704
@@ -156,7 +156,7 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
         help "give a smaller radius or chamfer";
     safety_distance_is_missing(args, place) "the safety distance `{args}` (argument {place}) is missing" alarm 61019
         help "the tool needs a distance above 0 from the blank at rapid traverse";
-    fault(fault, key, place) "{fault}: `{key}` (argument {place})";
+    family_refuses(fault, key, place) "{fault}: `{key}` (argument {place})";
     reduced_speed_ss2_is_missing(place)
         "the reduced speed `_SS2` (argument {place}) is missing, and the cutting speed at the centre has no limit" alarm 61019
         help "give `_SS2`, or a greatest speed `_SV2`";
@@ -453,7 +453,7 @@ cuts matters." {
     cutter_leaves_open_side_by_safety_distance() "the cutter leaves an open side by the safety distance";
     limits_are_read_from_right_as_walls()
         "limits are read from the right as walls at the minus and plus side of the first axis, then of the second";
-    of_another_kind(args, what) "{args}: {what}";
+    path_is_own(args, what) "{args}: {what}";
     controls_do_not_publish_cuts()
         "controls do not publish the cuts: they are at equal depths, follow the contour up to the cut before, and \
         relief cuts are cut from their falling side";

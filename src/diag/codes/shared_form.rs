@@ -53,7 +53,6 @@ and its value stand together (`X50`, `Xi-5`, `X#5`, `X{#5+2}`); a coordinate tha
     block_ends_too_early_2() "the block ends too early";
     takes_another_number_of_values(name) "`{name}` takes another number of values";
     is_no_value_2(shown) "`{shown}` is no value";
-    cannot_stand_in_front_3(shown) "`{shown}` cannot stand in front of `=`";
     is_no_address(shown) "`{shown}` is no address";
     stands_where_value_is_missing(word) "`{word}` stands where a value is missing";
     fn_23_names_its_result() "FN 23 names its result and its points" help "write `FN 23: Q20 = CDATA Q30`";
@@ -99,13 +98,7 @@ HEIDENHAIN turning: A block may hold several functions as long as no address is 
 guessed. Put the second function into a block of its own." {
     sets_second_time_so_remove_one(shown, q) "`{shown}` sets {q} a second time in this definition"
         help "remove one of the two";
-    sets_second_time_in_this_definition(word_text, q) "`{word_text}` sets {q} a second time in this definition"
-        help "remove one of the two";
     repeats_word_of_this_block(shown) "`{shown}` repeats a word of this block" help "remove one of the two";
-    repeats_word_of_this_block_so_remove_one(text) "`{text}` repeats a word of this block"
-        help "remove one of the two";
-    repeats_word_of_this_block_so_remove_one_of_two(word_text) "`{word_text}` repeats a word of this block"
-        help "remove one of the two";
     one_corner_takes_one_cf_or_rd() "one corner takes one CF or RD";
     acc_stands_twice_in_this_block() "ACC stands twice in this block";
     stands_twice_in_this_block(letter) "{letter} stands twice in this block"
@@ -118,8 +111,6 @@ guessed. Put the second function into a block of its own." {
     block_has_at_most_three_s_words() "a block has at most three S words" alarm 12010 help "divide the block";
     block_has_at_most_five_m_functions() "a block has at most five M functions" alarm 12010 help "divide the block";
     address_stands_twice_in_block() "the address stands twice in the block" alarm 12000
-        help "delete one of the words";
-    axis_stands_twice_in_block_so_delete_one_of_words(axis) "the axis {axis} stands twice in the block" alarm 12000
         help "delete one of the words";
     l_stands_twice_in_block() "L stands twice in the block" alarm 12000 help "give each call a block of its own";
     p_stands_twice_in_block() "P stands twice in the block" alarm 12000 help "delete one of the words";
@@ -212,8 +203,6 @@ refuse it or ignore it; partc never drops a word. Remove it, or put it where it 
         help "remove the word, or put it where it belongs";
     no_function_of_block_takes_text(addr) "no function of the block takes a text at {addr}";
     takes_number(name) "{name} takes a number";
-    no_function_of_block_takes_so_remove_word(name) "no function of the block takes {name}"
-        help "remove the word, or put it where it belongs";
     takes_plain_number_here(letter) "{letter} takes a plain number here"
         help "only X and Z can be incremental or left open with `?`";
     hands_no_value_over(addr) "{addr} hands no value over";
@@ -257,7 +246,7 @@ word." {
         help "write `FPOL X+50 Y+20`";
     fselect_needs_number_of_solution() "FSELECT needs the number of a solution" help "write it behind: `FSELECT 1`";
     needs(text, needs) "`{text}` needs {needs}" help "complete the data, or remove the word";
-    of_another_kind(text, what) "`{text}` {what}" help "correct the value";
+    word_lacks(text, what) "`{text}` {what}" help "correct the value";
     lacks_its_value(word_text) "`{word_text}` lacks its value" help "write the value behind the word";
     needs_length_above_zero(name) "{name} needs a length above zero";
     names_no_label(name) "`{name}` names no label" help "write the label behind it: `BRA .LOOP`";
@@ -394,8 +383,6 @@ rest still is comment, while many editors show a line of its own. Whether the bl
 line feed, or remove the block." {
     stands_in_comment_behind_lone_carriage_return(block)
         "`{block}` stands in a comment behind a lone carriage return"
-        help "end the line of the comment with a line feed, or remove the block";
-    stands_in_comment_behind_lone_carriage(shown) "`{shown}` stands in a comment behind a lone carriage return"
         help "end the line of the comment with a line feed, or remove the block";
 }
 

@@ -33,6 +33,9 @@ SINUMERIK: A move with G1, G2, G3 needs a feed: alarm 10860. The feed also has t
 G96).\n\n\
 HEIDENHAIN turning: A cutting move needs a feed, and F needs G94 (mm per minute) or G95 (mm per revolution) to have a meaning; what \
 holds when the control is switched on is not in the program. Program `G95 F0.25` or `G94 F200` first." {
+    leaves_feed_that_is_not_known(name)
+        "{name} leaves a feed that is not known, as `[programs]` says, and this cut has none of its own"
+        help "program F after {name}, or say the feed that it leaves in place of \"lost\"";
     no_feed_rate_is_programmed_before() "no feed rate is programmed before this cutting move";
     no_feed_is_programmed_for_this_move() "no feed is programmed for this move" help "program F in this block";
     kind_of_feed_has_changed_since_frcm()
@@ -150,7 +153,6 @@ Klartext: The configured tool table has no such tool, so nothing is known about 
 stop. Check the number, or add the tool to the table. The change is printed as programmed.\n\n\
 SINUMERIK: A tool table was given, and this tool is not in it. Check the number, or add the tool." {
     tool_is_not_in_tool_table(tool) "tool {tool} is not in the tool table";
-    tool_is_not_in_tool_table_2(number) "tool {number} is not in the tool table";
 }
 
 P2007 Error "m-function-unknown" "M function of the machine builder" was "K2701 M2701 mtc-m-function S2044 siemens-m-unknown T2018 turning-m-unknown R9001 gcode-m-function"
@@ -288,7 +290,7 @@ as the integer part of a negative number. The block is not executed." {
     number_is_too_large() "the number is too large";
     offset_is_too_large() "the offset is too large";
     value_is_infinite() "the value is infinite" alarm 14051;
-    of_another_kind(word, why) "{word}: {why}";
+    formula_has_no_value(word, why) "{word}: {why}";
     axname_names_no_axis_of_this_machine(name) "AXNAME: `{name}` names no axis of this machine" alarm 14097;
 }
 

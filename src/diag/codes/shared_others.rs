@@ -77,9 +77,6 @@ partc.toml or from `$TC_DP` of the program. With `[output] compensation = \"cont
         "the data of T{number} D{edge} were written after its selection, and no D stands after them: whether they \
         count already is not documented"
         help "program D{edge} after the assignment";
-    under_radius_is_compensated_in_space_which_cannot(kind)
-        "under {kind} the radius is compensated in space, which cannot be printed"
-        help "have the CAM system put out the centre path";
 }
 
 P3001 Error "end-off-circle" "end point does not lie on the circle" was "M2010 mtc-circle-end S3007 siemens-end-off-circle"

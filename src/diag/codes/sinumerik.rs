@@ -54,7 +54,6 @@ archive lie in the folders of their `;$PATH=` lines, and `[include] roots` names
     there_is_no_program_and_no(name, file)
         "there is no program `{name}`, and no file `{file}`, which `[programs]` gives for it" alarm 14011
         help "put the file where `[programs]` says, counted from its partc.toml";
-    of_another_kind() "";
 }
 
 S2004 Error "siemens-structure" "control structure is not closed"
@@ -80,7 +79,6 @@ S2010 Error "siemens-g-unknown" "G code is not known"
 "The number belongs to no G group of the SINUMERIK language (alarm 12470). G codes of other languages, like G43, G28 or G80, mean nothing here." {
     g_group_cannot_be_set_by_index(group) "G group {group} cannot be set by index" alarm 12470;
     g_is_not_known(number) "G{number} is not known" alarm 12470;
-    g_is_not_known_2(given) "G{given} is not known" alarm 12470;
 }
 
 S2011 Error "siemens-g-index" "G group has no such index"
@@ -147,7 +145,6 @@ S2016 Error "siemens-name-taken" "name is used already, or no address"
 S2017 Error "siemens-start-values" "start values do not fit"
 "More values are given than the array has elements (alarm 12260), or the type takes no start value in DEF (alarm 12261)." {
     values_for_elements(count, room) "{count} values for {room} elements" alarm 12260;
-    values_for_elements_2(list, room) "{list} values for {room} elements" alarm 12260;
     rep_needs_value() "REP needs a value" alarm 12260;
     rep_counts_elements_by_whole_number() "REP counts elements by a whole number" alarm 12260;
     frame_cannot_be_given_value_by_def() "a FRAME cannot be given a value by DEF" alarm 12261;
@@ -163,9 +160,7 @@ The control shows alarm 12400, 12410, 12430 or 17020." {
     elements_are_too_many(count) "{count} elements are too many" alarm 12380;
     array_has_at_most_three_directions() "an array has at most three directions" alarm 12190;
     array_has_1_to_32767_elements() "an array has 1 to 32767 elements in a direction" alarm 12430;
-    there_is_no_parameter_r_2(index) "there is no parameter R{index}" alarm 17020;
     r_parameter_has_one_index() "an R parameter has one index" alarm 12400;
-    text_has_no_character_2(index) "the text has no character {index}" alarm 12400;
     there_is_no_spindle(n) "there is no spindle {n}" alarm 12430;
     index_is_whole_number() "an index is a whole number" alarm 12410;
     one_index_is_needed() "one index is needed" alarm 12430;
@@ -418,7 +413,9 @@ Alarms 10790 to 10795. Nothing but blocks without motion may stand between the t
     first_line_of_pair_stands_under_mcall()
         "the first line of a pair stands under MCALL, and the call would come before its end is known";
     second_line_of_pair_is_missing() "the second line of the pair is missing" alarm 10793;
-    of_another_kind() "" alarm 10791;
+    two_lines_are_parallel() "the two lines are parallel and have no corner" alarm 10791 help "check the two angles";
+    lines_meet_behind_start(which) "the lines meet behind the start: {which}" alarm 10791
+        help "turn that angle by 180 degrees, or check the end point";
     end_coordinate_lies_behind_start() "the end coordinate lies behind the start, seen along the angle" alarm 10795
         help "turn the angle by 180 degrees, or check the end coordinate";
     end_coordinate_cannot_be_reached() "the end coordinate cannot be reached at this angle" alarm 10795

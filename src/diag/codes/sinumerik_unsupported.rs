@@ -278,7 +278,7 @@ S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
     choice_of_first_start_that_is_cut(first)
         "the choice of the first start that is cut (`_GST` {first}), whose order is not confirmed, is not supported"
         help "use the plain variant of the cycle, or plain moves";
-    of_another_kind(args, message) "{args}: {message}" help "leave one of them 0";
+    contradicts(args, message) "{args}: {message}" help "leave one of them 0";
     cycle70_what_tens()
         "CYCLE70: what the tens and hundreds of `_VARI` mean, sense and hand of the thread, is not confirmed"
         asks "have them read by `[cycles] thread_milling_digits = true`: tens 1 down, 2 up; hundreds 1 left-hand";

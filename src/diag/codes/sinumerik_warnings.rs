@@ -192,7 +192,6 @@ S8022 Warning "siemens-undercut-facts" "undercut rests on facts that are not con
 "Some values of undercut tables and their use in the control have one source only. They can be set under [undercut]; check the drawing." {
     not_confirmed(what, verb) "{what} {verb} not confirmed: compare with the drawing";
     undercut_rests_on_facts_that_are_not(thread) "the undercut rests on facts that are not confirmed: {thread}";
-    undercut_rests_on_facts(doubts) "the undercut rests on facts that are not confirmed: {doubts}";
     contour_does_not_tell_side_of_material(side, facts)
         "the contour does not tell the side of the material; the undercut is taken as one {side}{facts}";
 }

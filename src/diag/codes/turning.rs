@@ -37,7 +37,6 @@ and the sign." {
     e_is_no_share_of_feed(num) "E{num} is no share of the feed"
         help "on this control E is a factor above 0 and up to 1";
     e_has_to_be_above_zero() "E has to be above zero";
-    is_not_negative_2(name) "{name} is not negative";
     turning_depth_compensation_is_not_negative() "the turning depth compensation is not negative";
     oversize_is_not_negative() "an oversize is not negative";
     greatest_infeed_is_not_zero() "the greatest infeed is not zero";
@@ -143,7 +142,7 @@ so it is never guessed: set `[control] tool_change_point = { X = 300.0, Z = 400.
 T2007 Error "turning-tool-number" "tool number cannot be printed"
 "T names a position of the turret, with a point and a digit for one edge of a tool that has several (`T2.1`). The target knows whole tool \
 numbers only: give the edge a number in `[tools.\"2.1\"]`. Four digits name a tool and its offset; both have to be the same." {
-    of_another_kind(word, why) "`{word}` {why}";
+    word_names_no_tool(word, why) "`{word}` {why}";
     edge_of_tool_has_no_tool_number(edge, number) "edge {edge} of tool {number} has no tool number to print"
         asks "add `[tools.\"{number}.{edge}\"]` with `number = …` to partc.toml";
 }

@@ -88,7 +88,7 @@ fn hidden_block(text: &[u8], comment: Span, problems: &mut Vec<Problem>) {
         start = span.end + 1;
         if span.start != comment.start && reads_as_block(piece) {
             let shown = readable(piece.trim_ascii()).into_owned();
-            problems.push(codes::P1010::stands_in_comment_behind_lone_carriage(&shown).among(span));
+            problems.push(codes::P1010::stands_in_comment_behind_lone_carriage_return(&shown).among(span));
             return;
         }
     }

@@ -81,7 +81,7 @@ impl<'a> Build<'a> {
             Some(var) => Ok(var),
             None => {
                 let span = Span { start, end };
-                refuse(span, codes::P1001::cannot_stand_in_front_3(&self.shown(span)))
+                refuse(span, codes::P1001::cannot_stand_in_front(&self.shown(span)))
             }
         }
     }

@@ -62,9 +62,7 @@ impl Run<'_> {
                 let words: Vec<&str> = open.left.iter().map(|word| word.text.as_str()).collect();
                 text.push_str(&format!(", and with it `{}`", words.join(" ")));
             }
-            if self.job.diags.first_text(codes::P8105, &text) {
-                self.report(Diagnostic::new(codes::P8105, here, text));
-            }
+            self.report_once(Diagnostic::new(codes::P8105, here, text));
             self.leave_axes(&name, "end the contour with R0 before it")?;
             return self.leave_technology(&name);
         }

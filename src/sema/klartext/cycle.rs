@@ -101,7 +101,7 @@ impl Run<'_> {
             open.parameters.push((q.number, value));
         } else if open.loose {
             open.failed = true;
-            return self.refuse(span, codes::P1002::sets_second_time_in_this_definition(&self.word_text(span), &q));
+            return self.refuse(span, codes::P1002::sets_second_time_so_remove_one(&self.word_text(span), &q));
         }
         Ok(())
     }

@@ -181,12 +181,7 @@ impl Run<'_> {
         }
         let key = q.to_string();
         let Some(given) = variables.get(&key).filter(|given| **given != taken) else { return };
-        let message = format!(
-            "`{key}` = {given} of `[variables]` is not used: what the program and `[tools]` say makes it {taken}"
-        );
-        if self.job.diags.first_text(codes::K2415, &message) {
-            self.report(codes::K2415::of_variables_is_not_used(&key, &given, &taken).at(self.loc(span)));
-        }
+        self.report_once(codes::K2415::of_variables_is_not_used(&key, &given, &taken).at(self.loc(span)));
     }
 
     fn undefined(&mut self, q: QRef, span: Span) -> Outcome<Val> {

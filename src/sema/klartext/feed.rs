@@ -283,7 +283,9 @@ impl Run<'_> {
                 .help(format!("{usual}; a contour by itself takes the feed at the start, `[control] feed`")),
             false => usual.into(),
         };
-        self.report(codes::P2002::no_feed_rate_is_programmed_before().at(self.here.origin.loc).help(help));
+        if !self.feed_is_lost_by_call() {
+            self.report(codes::P2002::no_feed_rate_is_programmed_before().at(self.here.origin.loc).help(help));
+        }
         // One report is enough.
         self.st.feed.modal.presume();
         Err(Reported)

@@ -18,6 +18,8 @@ use super::{Outcome, Run};
 pub(super) struct FeedLeft {
     name: String,
     call: Loc,
+    /// The feed that it leaves is another one, and not known.
+    lost: bool,
 }
 
 impl Run<'_> {
@@ -36,10 +38,7 @@ impl Run<'_> {
         }
         match change {
             None => {
-                let text = format!("`{name}` is left out, as `[programs]` says: the Q parameters keep what they were");
-                if self.job.diags.first_text(codes::P8105, &text) {
-                    self.report(codes::P8105::is_left_out(&name).at(self.here.origin.loc));
-                }
+                self.report_once(codes::P8105::is_left_out(&name).at(self.here.origin.loc));
             }
             Some(ChangeCall { tool: None, edge: None }) => self.change_by_program(name, span)?,
             Some(_) => {
@@ -49,7 +48,8 @@ impl Run<'_> {
         self.leave_axes(key, "end the contour with R0 before the call")?;
         self.leave_technology(key)?;
         if self.job.settings.left_by(key).feed.is_none() && self.st.feed.word().is_some() {
-            self.feed_left = Some(Box::new(FeedLeft { name: name.to_owned(), call: self.here.origin.loc }));
+            self.feed_left =
+                Some(Box::new(FeedLeft { name: name.to_owned(), call: self.here.origin.loc, lost: false }));
             self.st.feed.left_by_call();
         }
         Ok(())
@@ -63,7 +63,6 @@ impl Run<'_> {
                 codes::K2802::changes_tool(&name).answer(Answer::key("control", "tool_change").one_of(&["\"m6\""])),
             );
         }
-        let text = format!("`{name}` changes the tool, as `[programs]` says; whatever else it does is left out");
         self.change_at(span, &format!("`{name}`"))?;
         // Where it leaves the axes only the configuration knows.
         let loc = self.here.origin.loc;
@@ -71,9 +70,7 @@ impl Run<'_> {
         self.st.position.hide(AxisSet::MAIN, By::ToolChange, loc);
         self.lost();
         self.stand_after_change();
-        if self.job.diags.first_text(codes::P8105, &text) {
-            self.report(codes::P8105::changes_tool(&name).at(loc));
-        }
+        self.report_once(codes::P8105::changes_tool(&name).at(loc));
         Ok(())
     }
 
@@ -107,7 +104,12 @@ impl Run<'_> {
                 let feed = self.feed_of(written);
                 self.st.feed.program(feed, written);
             }
-            Some(Left::Lost) => self.st.feed.forget(),
+            Some(Left::Lost) => {
+                self.st.feed.forget();
+                self.st.feed.left_by_call();
+                self.feed_left =
+                    Some(Box::new(FeedLeft { name: name.to_owned(), call: self.here.origin.loc, lost: true }));
+            }
             None => {}
         }
         match left.speed {
@@ -133,18 +135,24 @@ impl Run<'_> {
         if self.is_capturing() {
             return;
         }
+        let Some(left) = self.feed_left.take_if(|left| !left.lost) else { return };
         self.st.feed.took_left();
-        let Some(left) = self.feed_left.take() else { return };
-        let FeedLeft { name, call } = *left;
-        let message =
-            format!("this cut takes the feed of before `{name}`, which is left out and may leave another one");
-        if !self.job.diags.first_text(codes::K2414, &message) {
-            return;
-        }
+        let FeedLeft { name, call, .. } = *left;
         let key = key_of(&name);
-        self.report(
-            codes::K2414::this_cut_takes_feed_of_before(&name, &key).at(self.here.origin.loc).also(call, "the call"),
-        );
+        let found = codes::K2414::this_cut_takes_feed_of_before(&name, &key).at(self.here.origin.loc);
+        self.report_once(found.also(call, "the call"));
+    }
+
+    /// Says of a cut without a feed that a program which is left out leaves one that is not known.
+    pub(super) fn feed_is_lost_by_call(&mut self) -> bool {
+        let Some(left) = self.feed_left.take_if(|left| left.lost) else { return false };
+        let FeedLeft { name, call, .. } = *left;
+        let is_of_call = self.st.feed.is_of_before_call();
+        if is_of_call {
+            let found = codes::P2002::leaves_feed_that_is_not_known(&name).at(self.here.origin.loc);
+            self.report(found.also(call, "the call"));
+        }
+        is_of_call
     }
 }
 

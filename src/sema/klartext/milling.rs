@@ -98,44 +98,24 @@ impl Run<'_> {
             return;
         }
         let flat = 2.0 * (tool.effective_radius().unwrap_or(0.0) - rounding).max(0.0);
-        let text = format!(
-            "cycle {}: the corner radius {} mm of the cutter is not counted: it stays at the foot of walls, and as cusps on floors where paths lie \
-             farther apart than {} mm",
-            cycle.number,
-            shown(rounding),
-            shown(flat)
+        self.report_once(
+            codes::P8102::cycle_corner_radius_mm_of_cutter(&cycle.number, &shown(rounding), &shown(flat))
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here"),
         );
-        if self.job.diags.first_text(codes::P8102, &text) {
-            self.report(
-                codes::P8102::cycle_corner_radius_mm_of_cutter(&cycle.number, &shown(rounding), &shown(flat))
-                    .at(self.here.origin.loc)
-                    .also(cycle.loc, "the cycle is defined here"),
-            );
-        }
     }
 
     /// Once for each kind of cycle: which path is made.
     fn says_own_path(&mut self, cycle: &DefinedCycle) {
         let what = cycle.row().called();
-        let text = format!(
-            "cycle {} {what}: the finished shape is as programmed; entry, order of the cuts and approach are those of partc",
-            cycle.number
-        );
-        if self.job.diags.first_text(codes::P8101, &text) {
-            let found =
-                codes::P8101::cycle_finished_shape_is_as_programmed(&cycle.number, &what).at(self.here.origin.loc);
-            self.report(found.help("docs/cycles.md describes the path"));
-        }
+        let found = codes::P8101::cycle_finished_shape_is_as_programmed(&cycle.number, &what).at(self.here.origin.loc);
+        self.report_once(found.help("docs/cycles.md describes the path"));
     }
 
     /// Once for each kind of cycle: nobody says where the tool stands in the plane afterwards.
     fn says_open_end(&mut self, cycle: &DefinedCycle) {
-        let text = format!("cycle {}: where the control leaves the tool in the working plane is open", cycle.number);
-        if self.job.diags.first_text(codes::K8104, &text) {
-            let found =
-                codes::K8104::cycle_where_control_leaves_tool_in_working(&cycle.number).at(self.here.origin.loc);
-            self.report(found.help("name both axes of the plane in the next block that moves in it"));
-        }
+        let found = codes::K8104::cycle_where_control_leaves_tool_in_working(&cycle.number).at(self.here.origin.loc);
+        self.report_once(found.help("name both axes of the plane in the next block that moves in it"));
     }
 
     /// A block leaves the open place where a cycle ended: only a retract may, and one that names both axes.
@@ -347,14 +327,11 @@ impl Run<'_> {
         if area >= 0.0 {
             return;
         }
-        let text = format!("cycle {}: the mirror turns climb into up-cut milling, and up-cut into climb", cycle.number);
-        if self.job.diags.first_text(codes::K8107, &text) {
-            self.report(
-                codes::K8107::cycle_mirror_turns_climb_into_up_cut(&cycle.number)
-                    .at(self.here.origin.loc)
-                    .also(cycle.loc, "the cycle is defined here"),
-            );
-        }
+        self.report_once(
+            codes::K8107::cycle_mirror_turns_climb_into_up_cut(&cycle.number)
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here"),
+        );
     }
 
     /// Width of a cut: Q370 radii.

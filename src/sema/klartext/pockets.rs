@@ -167,17 +167,11 @@ impl Run<'_> {
         if corner >= radius {
             return Ok(corner);
         }
-        let text = format!(
-            "cycle {}: the corners get the radius of the cutter, {radius} mm, and not {word} = {corner}",
-            cycle.number
+        self.report_once(
+            codes::K8102::cycle_corners_get_radius_of_cutter(&cycle.number, &radius, &word, &corner)
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here"),
         );
-        if self.job.diags.first_text(codes::K8102, &text) {
-            self.report(
-                codes::K8102::cycle_corners_get_radius_of_cutter(&cycle.number, &radius, &word, &corner)
-                    .at(self.here.origin.loc)
-                    .also(cycle.loc, "the cycle is defined here"),
-            );
-        }
         Ok(0.0)
     }
 

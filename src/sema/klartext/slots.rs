@@ -123,19 +123,16 @@ impl Run<'_> {
             Some(false) => return infeed,
             None => {}
         }
-        let text = format!("cycle {}: each stroke falls by Q202; a stroke to and one fro may be meant", cycle.number);
-        if self.job.diags.first_text(codes::K8142, &text) {
-            self.report(
-                codes::K8142::cycle_each_stroke_falls_by_q202(&cycle.number)
-                    .at(self.here.origin.loc)
-                    .also(cycle.loc, "the cycle is defined here")
-                    .help(
-                        Answer::key("cycles", "q202")
-                            .one_of(&["\"stroke\"", "\"pair\""])
-                            .help("say which by `[cycles] q202 = \"stroke\"` or `\"pair\"`"),
-                    ),
-            );
-        }
+        self.report_once(
+            codes::K8142::cycle_each_stroke_falls_by_q202(&cycle.number)
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here")
+                .help(
+                    Answer::key("cycles", "q202")
+                        .one_of(&["\"stroke\"", "\"pair\""])
+                        .help("say which by `[cycles] q202 = \"stroke\"` or `\"pair\"`"),
+                ),
+        );
         infeed
     }
 }

@@ -256,17 +256,11 @@ impl Run<'_> {
 
     /// The middle of the cutter goes over the face: a chamfer needs it on the other side of the edge.
     fn says_sink_in_the_face(&mut self, cycle: &DefinedCycle, radius: f64, diameter: f64) {
-        let text = format!(
-            "cycle {}: the circle of the countersink, {FRONT_OFFSET} = {radius} mm from the middle, goes over the face beside the thread of {diameter} mm",
-            cycle.number
+        self.report_once(
+            codes::K8111::cycle_circle_of_countersink(&cycle.number, &FRONT_OFFSET, &radius, &diameter)
+                .at(self.here.origin.loc)
+                .also(cycle.loc, "the cycle is defined here"),
         );
-        if self.job.diags.first_text(codes::K8111, &text) {
-            self.report(
-                codes::K8111::cycle_circle_of_countersink(&cycle.number, &FRONT_OFFSET, &radius, &diameter)
-                    .at(self.here.origin.loc)
-                    .also(cycle.loc, "the cycle is defined here"),
-            );
-        }
     }
 
     fn thread_cycle(&mut self, cycle: &DefinedCycle, thread: ThreadMilling) -> Outcome<Option<Cycle>> {

@@ -315,7 +315,7 @@ impl Run<'_> {
     #[cold]
     pub(super) fn twice<T>(&self, word: Word, block: &Block) -> Outcome<T> {
         let text = self.word_text(word.span);
-        let found = codes::P1002::repeats_word_of_this_block_so_remove_one(&text).at(self.loc(word.span));
+        let found = codes::P1002::repeats_word_of_this_block(&text).at(self.loc(word.span));
         let first = block.words.iter().find(|first| same_matter(first.addr, word.addr));
         let found = match first.filter(|first| first.span.start < word.span.start) {
             Some(first) => found.also(self.loc(first.span), "the first one"),

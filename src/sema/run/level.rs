@@ -144,7 +144,7 @@ impl<L: Language> Core<'_, L> {
     /// Calls are nested deeper than `message` says it is possible.
     pub fn too_deep<T>(&self, message: impl Into<String>) -> Outcome<T> {
         match self.cycle_of_calls() {
-            Some(cycle) => self.end_run(codes::P4003::of_another_kind(&message.into(), &cycle)),
+            Some(cycle) => self.end_run(codes::P4003::calls_go_round(&message.into(), &cycle)),
             None => self.fatal(codes::P4003, message),
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 2.10 and 2.11 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{self, codes};
 use crate::geo::open::{Coord, Data, Fault, NOT_FIXED, Rules, Start, solve};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT};
 use crate::ir::contour::{Coords, Corner, Move, Path};
@@ -202,10 +202,8 @@ impl Channel<'_> {
     }
 
     fn second_line(&mut self, pending: Box<FirstLine>, angle: Deg, end: &Pos, path: Path, span: Span) -> Outcome {
-        let first = codes::S2070::of_another_kind().at(self.loc(span));
-        let refuse = |run: &Self, message: &str, help: &str| -> Outcome {
-            let found = Diagnostic { message: message.to_owned(), ..first.clone() };
-            run.report(found.also(pending.origin.loc, "the first line").help(help));
+        let refuse = |run: &Self, fault: diag::Fault| -> Outcome {
+            run.report(fault.at(run.loc(span)).also(pending.origin.loc, "the first line"));
             Err(Reported)
         };
         let (Some(start), Some(to)) = (self.st.position.in_plane(pending.plane), end.in_plane(pending.plane)) else {
@@ -214,7 +212,7 @@ impl Channel<'_> {
         let (u, v) = (pending.angle.unit(), angle.unit());
         let next = Data { x: Coord::At(to.x), y: Coord::At(to.y), ..line(angle) };
         let Ok(corner) = ended(start, &line(pending.angle), Some(&next)) else {
-            return refuse(self, "the two lines are parallel and have no corner", "check the two angles");
+            return refuse(self, codes::S2070::two_lines_are_parallel());
         };
         let (first_way, second_way) = ((corner - start).dot(&u), (to - corner).dot(&v));
         if first_way < -BACK || second_way < -BACK {
@@ -223,11 +221,7 @@ impl Channel<'_> {
             } else {
                 "the second line would run backwards"
             };
-            return refuse(
-                self,
-                &format!("the lines meet behind the start: {which}"),
-                "turn that angle by 180 degrees, or check the end point",
-            );
+            return refuse(self, codes::S2070::lines_meet_behind_start(&which));
         }
         let mut first_end = pending.rest;
         first_end.set_in_plane(pending.plane, corner);

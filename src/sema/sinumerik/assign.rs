@@ -395,7 +395,7 @@ impl Core<'_> {
         match fill {
             Fill::Set(list) => {
                 if list.len() > room {
-                    return self.refuse(span, codes::S2017::values_for_elements_2(&list.len(), &room));
+                    return self.refuse(span, codes::S2017::values_for_elements(&list.len(), &room));
                 }
                 for (at, value) in list.iter().enumerate().filter(|(_, value)| **value != Val::Missing) {
                     made.values[start + at] = self.converted(value, made.kind, span)?;

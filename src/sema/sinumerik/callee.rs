@@ -40,7 +40,7 @@ impl Run<'_> {
             return Ok(unit);
         }
         if self.missing.contains(&key) {
-            let again = codes::S2002::of_another_kind().at(self.loc(span));
+            let again = codes::S2002::there_is_no_program(&name).at(self.loc(span));
             if self.job.diags.knows(&again) {
                 self.report(again);
                 self.go_on_in_doubt();

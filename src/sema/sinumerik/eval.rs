@@ -409,7 +409,7 @@ impl Run<'_> {
             self.warn_of_kept(slot, &[], span);
             return match found {
                 Some(c) => Ok(Val::Char(c)),
-                None => self.refuse(span, codes::S2018::text_has_no_character_2(&index)),
+                None => self.refuse(span, codes::S2018::text_has_no_character(&index)),
             };
         }
         self.variable_value(slot, indices, span)
@@ -453,7 +453,7 @@ impl Run<'_> {
                     "NUMBER" => 14098,
                     _ => 14051,
                 };
-                self.refuse(span, codes::P2022::of_another_kind(&word, &why).alarm(alarm))
+                self.refuse(span, codes::P2022::formula_has_no_value(&word, &why).alarm(alarm))
             }
         }
     }
@@ -502,7 +502,7 @@ impl Core<'_> {
         let index = self.index(index, span)?;
         match u32::try_from(index) {
             Ok(n) if n <= MOST_R => Ok(n),
-            _ => self.refuse(span, codes::S2018::there_is_no_parameter_r_2(&index)),
+            _ => self.refuse(span, codes::S2018::there_is_no_parameter_r(&index)),
         }
     }
 

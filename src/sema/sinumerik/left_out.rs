@@ -168,9 +168,7 @@ impl Core<'_> {
 
     /// A note that is made once for each text.
     pub(super) fn note_word(&self, code: &'static crate::diag::Code, span: Span, message: String) {
-        if self.job.diags.first_text(code, &message) {
-            self.report(Diagnostic::new(code, self.loc(span), message));
-        }
+        self.report_once(Diagnostic::new(code, self.loc(span), message));
     }
 
     /// The manuals say how positive halves are rounded.

@@ -308,14 +308,10 @@ impl Channel<'_> {
         if word != "$AC_MEA" {
             return self.refuse(span, codes::P2023::has_no_value(&key, &name, &at.line));
         }
-        let message =
-            format!("`{key}` is 0: {name} in line {} touches nothing, as `[control] probing_contact` says", at.line);
-        if self.job.diags.first_text(codes::S8169, &message) {
-            let found = codes::S8169::is_0_in_line_touches_nothing(&key, &name, &at.line)
-                .at(self.loc(span))
-                .also(at, "it is measured here");
-            self.report(found.help("check that the control goes the same way through the program"));
-        }
+        let found = codes::S8169::is_0_in_line_touches_nothing(&key, &name, &at.line)
+            .at(self.loc(span))
+            .also(at, "it is measured here");
+        self.report_once(found.help("check that the control goes the same way through the program"));
         Ok(Some(Val::Int(0)))
     }
 

@@ -119,9 +119,7 @@ impl Channel<'_> {
         } else {
             format!("CYCLE800 without angles turns nothing and shifts the workpiece by X{x} Y{y} Z{z}")
         };
-        if self.job.diags.first_text(codes::S8029, &message) {
-            self.report(Diagnostic::new(codes::S8029, self.loc(span), message));
-        }
+        self.report_once(Diagnostic::new(codes::S8029, self.loc(span), message));
         self.shift_workpiece(shift);
         Ok(())
     }

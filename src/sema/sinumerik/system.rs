@@ -128,12 +128,7 @@ impl Channel<'_> {
     fn says_unused(&self, key: &str, value: &Val, span: Span) {
         let Some(given) = self.job.settings.variables.get(key).copied() else { return };
         let Some(taken) = value.number().filter(|taken| *taken != given) else { return };
-        let message = format!(
-            "`{key}` = {given} of `[variables]` is not used: the program, `[tools]` or another key make it {taken}"
-        );
-        if self.job.diags.first_text(codes::S8172, &message) {
-            self.report(codes::S8172::of_variables_is_not_used(&key, &given, &taken).at(self.loc(span)));
-        }
+        self.report_once(codes::S8172::of_variables_is_not_used(&key, &given, &taken).at(self.loc(span)));
     }
 
     /// Reads `$NAME[args]`.
@@ -167,7 +162,7 @@ impl Channel<'_> {
         let help = self.tool_is_asked(&word, args, &key).unwrap_or_else(|| {
             let meaning = meaning_of(&word, args).unwrap_or_default();
             let help = Answer::variable(&key, meaning).help(format!("give it under [variables]: \"{key}\" = value"));
-            if word == "$AC_MEA" { or_untouched(help) } else { help }
+            if word == "$AC_MEA" && !self.never_touches() { or_untouched(help) } else { help }
         });
         self.refuse(span, codes::P2023::value_of_is_known_on_machine(&key, &said_meaning(&word, args)).help(help))
     }

@@ -167,7 +167,7 @@ impl Channel<'_> {
         self.st.tool.choose(number);
         let settings = &self.job.settings.tools;
         if settings.complete && number != 0 && settings.called(number).is_none() {
-            let found = codes::P2006::tool_is_not_in_tool_table_2(&number).at(self.loc(t.span));
+            let found = codes::P2006::tool_is_not_in_tool_table(&number).at(self.loc(t.span));
             self.report(found.help("add it to the table, or check the number"));
         }
         if self.changes_by_t() {
@@ -333,7 +333,7 @@ impl Channel<'_> {
             }
             if self.st.codes.of(Group::CompensationType).index > 2 {
                 let kind = self.st.codes.of(Group::CompensationType).word();
-                return self.refuse(span, codes::P9013::under_radius_is_compensated_in_space_which_cannot(&kind));
+                return self.refuse(span, codes::P9013::under_radius_is_compensated_in_space(&kind));
             }
             self.st.compensation.open = Some(span);
             if !self.resolves() {

@@ -382,9 +382,7 @@ impl Run<'_> {
     fn g_word(&mut self, words: &mut Words, given: Given) -> Outcome {
         match self.gcodes.get(given.value) {
             Some(code) => words.add_code(&self.core, code, given.span),
-            None => {
-                self.refuse(given.span, codes::S2010::g_is_not_known_2(&given.value).help(in_place_of(given.value)))
-            }
+            None => self.refuse(given.span, codes::S2010::g_is_not_known(&given.value).help(in_place_of(given.value))),
         }
     }
 
@@ -452,8 +450,7 @@ impl Words {
 
     pub fn set_axis(&mut self, core: &Core<'_>, axis: Axis, given: Given) -> Outcome {
         if self.axes.contains(axis) {
-            return core
-                .refuse(given.span, codes::P1002::axis_stands_twice_in_block_so_delete_one_of_words(&axis.letter()));
+            return core.refuse(given.span, codes::P1002::axis_stands_twice_in_block(&axis.letter()));
         }
         if given.mode.is_feed() {
             return core.misplaced_modifier(given.span);
@@ -502,7 +499,8 @@ impl Words {
             return core.refuse(given.span, codes::P2007::m_is_no_m_function(&given.value));
         }
         let mut number = given.value as u32;
-        if core.job.settings.control.tool_change_m.contains(&number) {
+        // `M1=66` is a function of the spindle, whatever M66 is.
+        if spindle.is_none() && core.job.settings.control.tool_change_m.contains(&number) {
             number = 6;
         }
         self.m.push(MWord { spindle, number, span: given.span });

@@ -165,7 +165,7 @@ impl Run<'_> {
         for (addr, num) in w.longs() {
             let name = addr.to_string();
             if !functions.iter().flatten().any(|function| function.takes(&name)) {
-                return self.refuse(num.span, codes::P1003::no_function_of_block_takes_so_remove_word(&name));
+                return self.refuse(num.span, codes::P1003::no_function_of_block_takes(&name));
             }
             if num.unknown {
                 return self.refuse(num.span, codes::P1003::takes_number(&name));

@@ -139,7 +139,7 @@ impl Run<'_> {
         match num {
             None => Ok(0.0),
             Some(num) if num.value >= 0.0 => Ok(num.value * self.st.mm()),
-            Some(num) => self.refuse(num.span, codes::T1007::is_not_negative_2(&name)),
+            Some(num) => self.refuse(num.span, codes::T1007::is_not_negative(&name)),
         }
     }
 

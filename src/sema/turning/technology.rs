@@ -125,7 +125,7 @@ impl Run<'_> {
     pub(super) fn feed_word(&mut self, num: Num) -> Outcome {
         let value = num.value * self.st.mm();
         if value <= 0.0 {
-            return self.refuse(num.span, codes::O1001::feed_2(&num.value));
+            return self.refuse(num.span, codes::O1001::feed(&num.value));
         }
         let Some(feed) = self.st.feed.of(value) else {
             return self.refuse(num.span, codes::P2002::neither_g94_nor_g95_says_what_f());
@@ -318,7 +318,7 @@ impl Run<'_> {
     fn tool_number(&self, num: Num, written: &[u8]) -> Outcome<(u32, u8)> {
         let unclear = |why: &str, help: &str| {
             let word = readable(written).into_owned();
-            self.refuse(num.span, codes::T2007::of_another_kind(&word, &why).help(help))
+            self.refuse(num.span, codes::T2007::word_names_no_tool(&word, &why).help(help))
         };
         let digits = written.get(1..).unwrap_or_default();
         let (whole, fraction) = match digits.iter().position(|b| *b == b'.') {

@@ -182,10 +182,7 @@ impl Run<'_> {
                 return self.not_admitted(word, name(head));
             }
             if said.get(found).is_some() {
-                return self.refuse(
-                    word.span,
-                    codes::P1002::repeats_word_of_this_block_so_remove_one_of_two(&self.word_text(word.span)),
-                );
+                return self.refuse(word.span, codes::P1002::repeats_word_of_this_block(&self.word_text(word.span)));
             }
             let (mut value, mut span) = (0.0, word.span);
             if !matches!(found, Key::Closed(_)) {
@@ -255,7 +252,7 @@ impl Run<'_> {
 
     fn wrong<T>(&mut self, span: Span, what: &str) -> Outcome<T> {
         let text = self.word_text(span);
-        self.refuse(span, codes::P1004::of_another_kind(&text, &what))
+        self.refuse(span, codes::P1004::word_lacks(&text, &what))
     }
 
     fn end_of_element(&mut self, item: &mut Item, free: &Free, w: &Words, said: &Data) -> Outcome {

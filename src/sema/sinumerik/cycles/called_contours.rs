@@ -322,7 +322,7 @@ impl CycleCall<'_, '_> {
         what: &str,
     ) -> Outcome {
         let meaning = if parameter.what.is_empty() { String::new() } else { format!(": {}", parameter.what) };
-        self.refuse_cycle(span, codes::P2090::of_another_kind(&parameter.name, &place, &meaning, &what).alarm(alarm))
+        self.refuse_cycle(span, codes::P2090::argument_is_wrong(&parameter.name, &place, &meaning, &what).alarm(alarm))
     }
 }
 

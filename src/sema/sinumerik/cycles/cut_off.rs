@@ -210,7 +210,7 @@ impl CycleCall<'_, '_> {
         };
         self.refuse_cycle(
             args.span_of(key),
-            codes::P2090::fault(&fault, &args.written(key), &args.place(key)).help(help).alarm(alarm),
+            codes::P2090::family_refuses(&fault, &args.written(key), &args.place(key)).help(help).alarm(alarm),
         )
     }
 }

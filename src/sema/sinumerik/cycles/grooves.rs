@@ -451,26 +451,16 @@ impl CycleCall<'_, '_> {
     fn less_on_flanks(&self, shape: &GrooveShape, left: Left, width: f64, key: Key) -> Left {
         let args = self.args;
         let Some(less) = shape.left_for(left, width) else { return left };
-        let message = format!(
-            "{}: the tool of {width} mm leaves no room for the allowance on the flanks, which is reduced to {}",
-            args.name(),
-            shown(match less {
+        let found = codes::S8221::tool_of_mm_leaves_no_room(
+            &args.name(),
+            &width,
+            &shown(match less {
                 Left::Square { flanks, .. } => flanks,
                 Left::Along { surface, .. } => surface,
-            })
-        );
-        if self.job.diags.first_text(codes::S8221, &message) {
-            let found = codes::S8221::tool_of_mm_leaves_no_room(
-                &args.name(),
-                &width,
-                &shown(match less {
-                    Left::Square { flanks, .. } => flanks,
-                    Left::Along { surface, .. } => surface,
-                }),
-            )
-            .at(self.loc(args.span_of(key)));
-            self.report(found.help("take a narrower tool, or no allowance on the flanks"));
-        }
+            }),
+        )
+        .at(self.loc(args.span_of(key)));
+        self.report_once(found.help("take a narrower tool, or no allowance on the flanks"));
         less
     }
 
@@ -492,26 +482,15 @@ impl CycleCall<'_, '_> {
         if edge == 0.0 || f64::from(self.st.tool.edge_or_first()) == edge {
             return;
         }
-        let message = format!(
-            "{}: the control {what} (`_DN`, argument {}); partc computes it from the cutting width, and D stays",
-            args.name(),
-            args.place(DN)
-        );
-        if self.job.diags.first_text(codes::S8223, &message) {
-            let found =
-                codes::S8223::control_partc_computes_it_from_cutting_width(&args.name(), &what, &args.place(DN))
-                    .at(self.loc(args.span_of(DN)));
-            self.report(found.help("check that the cutting width in the tool table is that of the tool"));
-        }
+        let found = codes::S8223::control_partc_computes_it_from_cutting_width(&args.name(), &what, &args.place(DN))
+            .at(self.loc(args.span_of(DN)));
+        self.report_once(found.help("check that the cutting width in the tool table is that of the tool"));
     }
 
     /// A reading of the manuals or a path of our own, once for each cycle.
     pub(super) fn own_groove(&self, what: &str) {
-        let message = format!("{}: {what}", self.args.name());
-        if self.job.diags.first_text(codes::P8101, &message) {
-            let found = codes::P8101::of_another_kind(&self.args.name(), &what).at(self.loc(self.args.span));
-            self.report(found.help("docs/cycles.md describes the path; compare with what the machine does"));
-        }
+        let found = codes::P8101::path_is_own(&self.args.name(), &what).at(self.loc(self.args.span));
+        self.report_once(found.help("docs/cycles.md describes the path; compare with what the machine does"));
     }
 }
 

@@ -181,14 +181,8 @@ impl CycleCall<'_, '_> {
             }
         }
         if layers.points_back() {
-            let message = format!(
-                "{}: the cutting edge points back, against the way of the cuts: the body of such a tool runs ahead of its nose",
-                args.name()
-            );
-            if self.job.diags.first_text(codes::S8213, &message) {
-                let found = codes::S8213::cutting_edge_points_back(&args.name()).at(self.loc(args.span));
-                self.report(found.help("check the edge position in the tool data, and the direction of the cycle"));
-            }
+            let found = codes::S8213::cutting_edge_points_back(&args.name()).at(self.loc(args.span));
+            self.report_once(found.help("check the edge position in the tool data, and the direction of the cycle"));
         }
         if layers.leans_over() && layers.operation != Operation::Finish {
             self.say_once(args.span, codes::S8212::part_of_contour_leans_over(&args.name()));

@@ -157,23 +157,15 @@ impl CycleCall<'_, '_> {
     fn corners_of_cutter(&self, radius: f64) {
         let rounding = self.active_tool().and_then(|tool| tool.corner_radius).filter(|rounding| *rounding > 0.0);
         let Some(rounding) = rounding else { return };
-        let message = format!(
-            "{}: the corner radius {rounding} mm of the cutter, radius {radius} mm, is not counted: it stays at the foot of walls, and as cusps on \
-             floors where the infeed in the plane is larger than {} mm",
-            self.args.name(),
-            2.0 * (radius - rounding).max(0.0)
+        self.report_once(
+            codes::P8102::corner_radius_mm_of_cutter(
+                &self.args.name(),
+                &rounding,
+                &radius,
+                &(2.0 * (radius - rounding).max(0.0)),
+            )
+            .at(self.loc(self.args.span)),
         );
-        if self.job.diags.first_text(codes::P8102, &message) {
-            self.report(
-                codes::P8102::corner_radius_mm_of_cutter(
-                    &self.args.name(),
-                    &rounding,
-                    &radius,
-                    &(2.0 * (radius - rounding).max(0.0)),
-                )
-                .at(self.loc(self.args.span)),
-            );
-        }
     }
 
     fn mill_heights(&mut self, names: &Names) -> Outcome<Heights> {
@@ -356,7 +348,7 @@ impl CycleCall<'_, '_> {
         };
         self.refuse_cycle(
             args.span_of(key),
-            codes::P2090::fault(&fault, &args.written(key), &args.place(key)).help(help).alarm(alarm),
+            codes::P2090::family_refuses(&fault, &args.written(key), &args.place(key)).help(help).alarm(alarm),
         )
     }
 }

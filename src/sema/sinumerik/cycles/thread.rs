@@ -229,7 +229,7 @@ impl CycleCall<'_, '_> {
             let message = format!(
                 "the number of passes `_NRC` is {given}, and the infeed `_MID` makes {cuts}: which of them counts is not known"
             );
-            return self.refuse(args.span_of(MID), codes::S9015::of_another_kind(&args.name(), &message));
+            return self.refuse(args.span_of(MID), codes::S9015::contradicts(&args.name(), &message));
         }
         self.whole_of(NRC, 1)
     }

@@ -188,7 +188,9 @@ impl CycleCall<'_, '_> {
         };
         self.refuse_cycle(
             self.args.span_of(key),
-            codes::P2090::fault(&fault, &self.args.written(key), &self.args.place(key)).help(help).alarm(alarm),
+            codes::P2090::family_refuses(&fault, &self.args.written(key), &self.args.place(key))
+                .help(help)
+                .alarm(alarm),
         )
     }
 }

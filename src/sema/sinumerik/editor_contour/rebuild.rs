@@ -209,7 +209,7 @@ impl Core<'_> {
         }
         for (record, doubts) in made.doubts.iter().filter(|(at, _)| !made.assumed.iter().any(|(told, _)| told == at)) {
             self.stand_at(stored, *record);
-            self.say_once(Where::Block, codes::S8022::undercut_rests_on_facts(&doubts));
+            self.say_once(Where::Block, codes::S8022::undercut_rests_on_facts_that_are_not(&doubts));
         }
     }
 }
