@@ -48,7 +48,7 @@ pub mod read {
 }
 
 pub mod sema {
-    pub use crate::sema::cycle_table;
+    pub use crate::sema::cycle;
 
     pub mod sinumerik {
         pub use crate::sema::sinumerik::all_words;

@@ -12,7 +12,7 @@ use std::borrow::Cow;
 use crate::ir::contour::Sink;
 use crate::machine::{MachineKind, Settings};
 use crate::sema::Job;
-use crate::sema::cycle_table::Signature;
+use crate::sema::cycle::row::Signature;
 use crate::sema::run::survey::Survey;
 use crate::text::ControlFolder;
 

@@ -7,7 +7,7 @@ use lsp_types::{
     Position, TextEdit,
 };
 
-use crate::sema::cycle_table::{Name, Signature};
+use crate::sema::cycle::row::{Name, Signature};
 use crate::text::Span;
 
 use super::hover::word_at;
@@ -92,7 +92,7 @@ fn dialog(cycle: &Signature) -> String {
 
 /// `CYCLE81(RTP, …)`, or words behind the cycle.
 fn call(cycle: &Signature, dialect: &str) -> String {
-    let name = |parameter: &crate::sema::cycle_table::Parameter| parameter.name.to_string();
+    let name = |parameter: &crate::sema::cycle::row::Parameter| parameter.name.to_string();
     let stops = (1..).zip(cycle.parameters);
     if dialect == "sinumerik" {
         let arguments: Vec<String> =

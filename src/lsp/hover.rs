@@ -8,7 +8,7 @@ use crate::diag::trail::{Assigned, MOST_ASSIGNED};
 use crate::ir::{Feed, Side};
 use crate::machine::Axis;
 use crate::seen::Stop;
-use crate::sema::cycle_table::{Name as ParameterName, Parameter, Signature};
+use crate::sema::cycle::row::{Name as ParameterName, Parameter, Signature};
 use crate::text::{FileId, Span};
 
 use super::hints::{coordinates, number, turned};

@@ -5,7 +5,7 @@
 
 pub mod chain;
 pub mod common;
-pub mod cycle_table;
+pub mod cycle;
 pub mod gcode;
 pub mod klartext;
 pub mod mtc200;

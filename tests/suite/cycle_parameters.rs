@@ -10,7 +10,7 @@ use std::path::Path;
 
 use partc::internals::dialect;
 use partc::internals::machine::Settings;
-use partc::internals::sema::cycle_table::{Rule, Signature, Status};
+use partc::internals::sema::cycle::row::{Rule, Signature, Status};
 use partc::internals::target;
 use partc::internals::text::files::NoFiles;
 
@@ -167,7 +167,7 @@ fn no_parameter_is_ignored() {
                 if says_nothing && !tells_taps_apart(found, cycle.name, &changed) {
                     bad.push(format!("{what}: {case} is the same without it"));
                 }
-                if parameter.rule == Rule::Needed && !without.has_errors() {
+                if parameter.needed && !without.has_errors() {
                     bad.push(format!("{what} is said to be needed, and {case} does without"));
                 }
             }

@@ -2,7 +2,7 @@
 //! there is missed. The parameters are those of the table that the compiler reads them by.
 
 use partc::internals::dialect;
-use partc::internals::sema::cycle_table::{Kind, Name, Parameter, Rule, Signature, Status};
+use partc::internals::sema::cycle::row::{Kind, Name, Parameter, Rule, Signature, Status};
 use partc::internals::target;
 use partc::internals::text::files::NoFiles;
 
@@ -335,7 +335,7 @@ fn no_parameter_is_ignored() {
                 bad.push(format!("{what}: another value, and without effect: {:?}", parameter.without_effect));
             }
             let missed = run(number, cycle, at, Given::Nothing).1.iter().any(|said| said.starts_with("K2402"));
-            if missed != (parameter.rule == Rule::Needed) {
+            if missed != (parameter.needed) {
                 bad.push(format!("{what}: {:?}, and it is missed: {missed}", parameter.rule));
             }
         }

@@ -3,7 +3,7 @@
 
 use super::book::{Case, cases};
 use super::common::{Compiled, compile_bytes, settings};
-use partc::internals::sema::cycle_table::Kind;
+use partc::internals::sema::cycle::row::Kind;
 
 /// Letters whose number is a name, not a value.
 const NAMES: &[&str] = &["N", "G", "M", "T", "NS", "NE", "L"];

@@ -7,7 +7,7 @@ use crate::diag::codes;
 use crate::lexer::klartext::{QKind, QRef, Value};
 use crate::machine::AxisSet;
 use crate::parser::klartext::ast::{Addr, Block, Word};
-use crate::sema::cycle_table::Name;
+use crate::sema::cycle::row::Name;
 use crate::text::{Span, number::decimal};
 
 use super::cycle_definition::{AxisValue, Labelled, What, WordFeed};

@@ -9,7 +9,7 @@ use crate::ir::cycle::drilling::{Ahead, Bore, Breaks, Degression, Levels, Method
 use crate::ir::cycle::{Cycle, Drilling, Family};
 use crate::ir::function::{Spindle, Turn};
 use crate::machine::{Axis, AxisSet};
-use crate::sema::cycle_table::Name;
+use crate::sema::cycle::row::Name;
 
 use super::cycles::DefinedCycle;
 use super::cycles::call::Call;

@@ -11,7 +11,7 @@ use crate::ir::{Feed, Pos};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::Block;
 use crate::sema::common::plane::plane_axes;
-use crate::sema::cycle_table::Name;
+use crate::sema::cycle::row::Name;
 use crate::text::Loc;
 
 use super::cycles::DefinedCycle;

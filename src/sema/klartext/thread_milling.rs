@@ -11,7 +11,7 @@ use crate::ir::cycle::thread_milling::{Positioning, Side, Sink, Stage, ThreadMil
 use crate::ir::cycle::{Cycle, Drilling};
 use crate::machine::Axis;
 use crate::machine::options::klartext_cycles::OutsideThread;
-use crate::sema::cycle_table::Name;
+use crate::sema::cycle::row::Name;
 
 use super::cycles::bores::NOMINAL;
 use super::cycles::call::Call;

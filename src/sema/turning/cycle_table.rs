@@ -3,7 +3,7 @@
 //! Sources: MANUALplus 4110 pilot (4110P) and manual (4110), CNC PILOT 4290 DIN PLUS (4290-71), MANUALplus 620.
 
 use crate::diag::{Answer, codes};
-use crate::sema::cycle_table::{
+use crate::sema::cycle::row::{
     Kind, Name, Parameter, Rule, Signature, Status, angle, count, dwell, feed, length, number, words,
 };
 

@@ -1,6 +1,6 @@
 //! Bore milling: cycle 208.
 
-use crate::sema::cycle_table::{Kind, Parameter};
+use crate::sema::cycle::row::{Kind, Parameter};
 
 use super::drilling::{FEED, Q201, ROUGH_DIAMETER};
 use super::milling::{OVERLAP, Q351, cycle};
@@ -25,7 +25,7 @@ pub(super) const ROWS: &[Row] = &[cycle(
         SECOND,
         DIAMETER,
         q(ROUGH_DIAMETER, Kind::Length, "diameter that is drilled already").default("0"),
-        Parameter { rule: crate::sema::cycle_table::Rule::Any, ..Q351 }.default("+1"),
+        Parameter { rule: crate::sema::cycle::row::Rule::Any, ..Q351 }.default("+1"),
         q(OVERLAP, Kind::Number, "width of a cut in radii of the cutter, 0.1 to 1.9999").default("one circle"),
     ],
 )];

@@ -1,6 +1,6 @@
 //! Cycles along contours of subprograms: 14, 20 to 25 and 270.
 
-use crate::sema::cycle_table::{Kind, Name, Parameter, Signature, Status};
+use crate::sema::cycle::row::{Kind, Name, Parameter, Signature, Status};
 
 use super::milling::cycle;
 use super::{Nature, Q, REMOVE, Row, SettingOf, q};

@@ -1,7 +1,7 @@
 //! A machining cycle as its definition left it.
 
 use crate::machine::Axis;
-use crate::sema::cycle_table::Name;
+use crate::sema::cycle::row::Name;
 use crate::text::Loc;
 
 use super::super::cycle_definition::{DottedValue, Open, WordFeed};

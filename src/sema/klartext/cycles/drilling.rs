@@ -1,6 +1,6 @@
 //! Drilling and tapping: 1, 2, 17, 200 to 203, 205 to 207, 240, 241.
 
-use crate::sema::cycle_table::{Kind, Name, Parameter, Signature, Status};
+use crate::sema::cycle::row::{Kind, Name, Parameter, Signature, Status};
 
 use super::{AT_SURFACE, DEPTH, Drilling, Nature, Q, REMOVE, Row, SECOND, SET_UP, q};
 

@@ -1,6 +1,6 @@
 //! Faces: 230 to 233.
 
-use crate::sema::cycle_table::{Kind, Parameter};
+use crate::sema::cycle::row::{Kind, Parameter};
 
 use super::drilling::PREPOSITION;
 use super::milling::{

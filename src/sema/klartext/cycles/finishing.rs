@@ -1,6 +1,6 @@
 //! Walls of pockets and studs that are finished: 212 to 215.
 
-use crate::sema::cycle_table::{Kind, Parameter};
+use crate::sema::cycle::row::{Kind, Parameter};
 
 use super::drilling::Q201;
 use super::milling::{CORNER, DIAMETER, FIRST_SIDE, Q202, Q206, Q207, SECOND_SIDE, cycle};

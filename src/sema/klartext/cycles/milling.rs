@@ -1,6 +1,6 @@
 //! Parameters that many milling cycles have.
 
-use crate::sema::cycle_table::{Kind, Parameter, Signature, Status};
+use crate::sema::cycle::row::{Kind, Parameter, Signature, Status};
 
 use super::drilling::{FEED, PLUNGE};
 use super::{MillingOf, Nature, Q, REMOVE, Row, q};

@@ -27,7 +27,7 @@ use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::drilling::Method;
 use crate::lexer::klartext::{QKind, QRef};
-use crate::sema::cycle_table::{Kind, Name, Parameter, Rule, Signature, Status};
+use crate::sema::cycle::row::{Kind, Name, Parameter, Signature, Status};
 
 pub(super) use super::cycle_definition::What;
 
@@ -168,7 +168,7 @@ impl Row {
 
     /// The parameters that a definition has to set.
     pub fn needed(&self) -> impl Iterator<Item = Name> {
-        self.signature.parameters.iter().filter(|known| known.rule == Rule::Needed).map(|known| known.name)
+        self.signature.parameters.iter().filter(|known| known.needed).map(|known| known.name)
     }
 
     /// May a definition of the cycle `number` set this parameter?

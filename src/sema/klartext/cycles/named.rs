@@ -2,7 +2,7 @@
 //!
 //! Source: K 4.4, 6.9 (docs/sources.md).
 
-use crate::sema::cycle_table::{Signature, Status};
+use crate::sema::cycle::row::{Signature, Status};
 
 use super::{Nature, REMOVE, Row};
 

@@ -1,6 +1,6 @@
 //! The old pockets and slots, whose values stand in parts: 3 to 5.
 
-use crate::sema::cycle_table::{Kind, Name, Parameter, Signature, Status};
+use crate::sema::cycle::row::{Kind, Name, Parameter, Signature, Status};
 
 use super::{MillingOf, Nature, Row};
 

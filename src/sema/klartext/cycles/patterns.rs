@@ -1,6 +1,6 @@
 //! Patterns that run the machining cycle at many places: 220 and 221.
 
-use crate::sema::cycle_table::{Kind, Parameter, Signature, Status};
+use crate::sema::cycle::row::{Kind, Parameter, Signature, Status};
 
 use super::{AT_SURFACE, Nature, Q, REMOVE, Row, SECOND, SET_UP, q};
 

@@ -1,6 +1,6 @@
 //! Pockets and slots: 251 to 254.
 
-use crate::sema::cycle_table::Kind;
+use crate::sema::cycle::row::Kind;
 
 use super::drilling::Q201;
 use super::milling::{

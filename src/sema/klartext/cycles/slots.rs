@@ -1,6 +1,6 @@
 //! Slots that are milled to and fro on falling strokes: 210 and 211.
 
-use crate::sema::cycle_table::{Kind, Parameter};
+use crate::sema::cycle::row::{Kind, Parameter};
 
 use super::drilling::{FEED, Q201};
 use super::milling::{FIRST_SIDE, OPERATION, Q202, Q207, Q338, SECOND_SIDE, TURN, cycle};

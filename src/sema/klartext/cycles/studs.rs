@@ -1,6 +1,6 @@
 //! Studs: 256 and 257.
 
-use crate::sema::cycle_table::Kind;
+use crate::sema::cycle::row::Kind;
 
 use super::drilling::Q201;
 use super::milling::{
@@ -9,7 +9,7 @@ use super::milling::{
 };
 use super::pockets::START_ANGLE;
 use super::{AT_SURFACE, Q, Row, SECOND, SET_UP, q};
-use crate::sema::cycle_table::Parameter;
+use crate::sema::cycle::row::Parameter;
 
 pub(in super::super) const RAW_DIAMETER: Q = Q(222);
 pub(in super::super) const RAW: (Q, Q) = (Q(424), Q(425));

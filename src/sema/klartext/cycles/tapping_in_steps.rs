@@ -3,7 +3,7 @@
 use crate::diag::codes;
 use crate::ir::cycle::drilling::{Chip, Degression, Method, TapStep};
 use crate::machine::Generation;
-use crate::sema::cycle_table::{Kind, Signature, Status};
+use crate::sema::cycle::row::{Kind, Signature, Status};
 
 use super::super::{Outcome, Run};
 use super::DefinedCycle;

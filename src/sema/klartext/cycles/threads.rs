@@ -1,6 +1,6 @@
 //! Thread milling: cycles 262 to 265 and 267.
 
-use crate::sema::cycle_table::{Kind, Parameter};
+use crate::sema::cycle::row::{Kind, Parameter};
 
 use super::bores::DIAMETER;
 use super::drilling::{AHEAD_ABOVE, BREAK_DEPTH, BREAK_WAY, FEED, PLUNGE, PREPOSITION, Q201, Q239};

@@ -1,7 +1,7 @@
 //! Cycles that act where they are defined: shifts, mirror, dwell, rotation, scaling, program call, orientation, tilt,
 //! tolerance, datum; and those that set data for others.
 
-use crate::sema::cycle_table::{Kind, Name, Parameter, Signature, Status};
+use crate::sema::cycle::row::{Kind, Name, Parameter, Signature, Status};
 
 use super::{Nature, Q, REMOVE, Row, q};
 

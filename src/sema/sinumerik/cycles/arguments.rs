@@ -1,6 +1,6 @@
 //! The arguments of a call, read by the names of their parameters.
 
-use crate::sema::cycle_table::{Name, Parameter};
+use crate::sema::cycle::row::{Name, Parameter};
 use crate::text::Span;
 
 use super::super::value::{Val, to_text, whole};

@@ -8,7 +8,7 @@ use crate::geo::arc::Closing;
 use crate::geo::{Element, Plane};
 use crate::ir::captured::{Captured, CapturedKind};
 use crate::parser::sinumerik::ast::Search;
-use crate::sema::cycle_table::{Kind, Parameter, Rule};
+use crate::sema::cycle::row::{Kind, Parameter, Rule};
 use crate::text::Loc;
 use crate::text::Span;
 use crate::text::blocks::Place;
@@ -275,7 +275,7 @@ impl CycleCall<'_, '_> {
         for (place, parameter) in (1..).zip(args.cycle.signature.parameters) {
             let given = args.list.get(place - 1).filter(|(value, _)| *value != Val::Missing);
             let Some((value, span)) = given else {
-                if parameter.rule == Rule::Needed {
+                if parameter.needed {
                     return self.parameter_fault((place, args.span), parameter, None, "is missing");
                 }
                 continue;
@@ -295,10 +295,10 @@ impl CycleCall<'_, '_> {
                 return self.parameter_fault((place, *span), parameter, None, "has to be a number");
             };
             let wrong = match parameter.rule {
-                Rule::Any | Rule::Needed => None,
+                Rule::Any => None,
                 Rule::Unsigned => (number < 0.0).then_some((61019, "must not be negative")),
                 // 0 is what an empty field becomes.
-                Rule::Above(alarm) => (number < 0.0).then_some((alarm, "must be above 0")),
+                Rule::Above(alarm) | Rule::AboveOrEmpty(alarm) => (number < 0.0).then_some((alarm, "must be above 0")),
                 Rule::Below90 => {
                     (!(0.0..90.0).contains(&number)).then_some((61019, "has to be from 0 to below 90 degrees"))
                 }

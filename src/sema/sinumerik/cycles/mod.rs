@@ -40,7 +40,7 @@ use crate::ir::function::{Spindle, Turn};
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Args, Block, Formula};
-use crate::sema::cycle_table::Kind;
+use crate::sema::cycle::row::Kind;
 use crate::text::Span;
 
 use super::diameter::Diameter;

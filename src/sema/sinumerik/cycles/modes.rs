@@ -6,7 +6,7 @@ use crate::diag::{Answer, Help, codes};
 use crate::geo::{Deg, Plane};
 use crate::ir::cycle::drilling::Levels;
 use crate::machine::Axis;
-use crate::sema::cycle_table::Kind;
+use crate::sema::cycle::row::Kind;
 
 use super::super::Outcome;
 use super::arguments::{AMODE, AXN, DMODE, DP, DPR, GMODE, Key, RFP, RTP, SDIS};

@@ -6,7 +6,7 @@ use crate::diag::codes;
 use crate::geo::pattern::{Circle, Fault, Grid, Row, Shear};
 use crate::geo::{Deg, Point2};
 use crate::ir::contour::Path;
-use crate::sema::cycle_table::{Name, Rule};
+use crate::sema::cycle::row::{Name, Rule};
 
 use super::super::value::whole;
 use super::super::{Outcome, Reported};

@@ -1,6 +1,6 @@
 //! Cycles that work along a contour, or take off a shape of their own: read and checked, their tracks are not published.
 
-use crate::sema::cycle_table::{Parameter, Rule, Signature, Status, feed, length, number, words};
+use crate::sema::cycle::row::{Parameter, Rule, Signature, Status, feed, length, number, words};
 
 use super::{Cycle, Source, Unpublished, Work};
 
@@ -8,7 +8,7 @@ use super::{Cycle, Source, Unpublished, Work};
 const UNPUBLISHED: Status =
     Status::Checked { code: "S9020", why: "the tracks are made inside the control and not published" };
 /// "Above 0" where 0 is what an empty field becomes.
-const FEED: Rule = Rule::Above(61003);
+const FEED: Rule = Rule::AboveOrEmpty(61003);
 
 const UMODE: Parameter = number("_UMODE", "");
 const GMODE: Parameter = number("_GMODE", "");

@@ -2,7 +2,7 @@
 
 use crate::ir::Feed;
 use crate::ir::cycle::drilling::Method;
-use crate::sema::cycle_table::{
+use crate::sema::cycle::row::{
     ANY_DIGITS, Digit, Digits, Parameter, Rule, Signature, angle, digits, dwell, feed, length, number, speed, words,
 };
 

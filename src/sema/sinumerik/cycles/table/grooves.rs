@@ -1,13 +1,13 @@
 //! Grooves and cut-off: CYCLE92, CYCLE93, CYCLE930.
 
-use crate::sema::cycle_table::{
+use crate::sema::cycle::row::{
     ANY_DIGITS, Digit, Digits, Parameter, Rule, Signature, angle, count, digits, dwell, feed, length, number, speed,
 };
 
 use super::{BUILT, Cycle, Work};
 
 /// "Above 0" where 0 is what an empty field becomes.
-const FEED: Rule = Rule::Above(61003);
+const FEED: Rule = Rule::AboveOrEmpty(61003);
 
 const fn digit(place: u32, most: i32) -> Digit {
     Digit { place, most, unknown: "" }

@@ -1,13 +1,13 @@
 //! Stock removal on lathes: at a corner, and along a contour.
 
-use crate::sema::cycle_table::{
+use crate::sema::cycle::row::{
     Digit, Digits, Parameter, Rule, Signature, count, digits, dwell, feed, length, number, words,
 };
 
 use super::{BUILT, Cycle, Work};
 
 /// "Above 0" where 0 is what an empty field becomes.
-const FEED: Rule = Rule::Above(61003);
+const FEED: Rule = Rule::AboveOrEmpty(61003);
 
 const PLANE: Parameter = number("_DMODE", "units: plane, 0 the active one, 2 G18").default("0");
 

@@ -1,6 +1,6 @@
 //! Parameters that most milling cycles take.
 
-use crate::sema::cycle_table::{Digit, Digits, Parameter, angle, digits, feed, length, number};
+use crate::sema::cycle::row::{Digit, Digits, Parameter, angle, digits, feed, length, number};
 
 pub(super) const RTP: Parameter = length("_RTP", "retraction plane").needed();
 pub(super) const RFP: Parameter = length("_RFP", "reference plane: the surface").needed();

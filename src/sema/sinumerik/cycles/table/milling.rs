@@ -1,6 +1,6 @@
 //! Faces, spigots, and what is milled along contours.
 
-use crate::sema::cycle_table::{
+use crate::sema::cycle::row::{
     ANY_DIGITS, Digit, Digits, Parameter, Signature, angle, count, digits, feed, length, number, words,
 };
 

@@ -14,7 +14,7 @@ mod undercuts;
 
 use crate::ir::Feed;
 use crate::ir::cycle::drilling::{Levels, Method};
-use crate::sema::cycle_table::{Signature, Status};
+use crate::sema::cycle::row::{Signature, Status};
 
 use super::super::{Outcome, Run};
 use super::arguments::Arguments;
@@ -132,7 +132,7 @@ const BUILT: Status = Status::Built;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sema::cycle_table::Name;
+    use crate::sema::cycle::row::Name;
     use crate::sema::sinumerik::cycles::arguments;
 
     /// A name of the code that no row has would read as an argument that is never given.

@@ -1,6 +1,6 @@
 //! Cycles that are known by their names, so that a refusal can say what they are.
 
-use crate::sema::cycle_table::{Signature, Status};
+use crate::sema::cycle::row::{Signature, Status};
 
 use super::{Cycle, Work};
 

@@ -1,6 +1,6 @@
 //! Hole patterns: HOLES1, HOLES2, CYCLE801, CYCLE802.
 
-use crate::sema::cycle_table::{ANY_DIGITS, Parameter, Signature, angle, count, digits, either, length, number};
+use crate::sema::cycle::row::{ANY_DIGITS, Parameter, Signature, angle, count, digits, either, length, number};
 
 use super::{BUILT, Cycle, Work};
 

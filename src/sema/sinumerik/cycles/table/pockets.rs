@@ -1,6 +1,6 @@
 //! Pockets, slots and long holes.
 
-use crate::sema::cycle_table::{
+use crate::sema::cycle::row::{
     ANY_DIGITS, Digit, Digits, Parameter, Signature, angle, count, digits, feed, length, number, speed, words,
 };
 

@@ -1,6 +1,6 @@
 //! Thread cycles: CYCLE97, CYCLE98, CYCLE99.
 
-use crate::sema::cycle_table::{ANY_DIGITS, Parameter, Rule, Signature, angle, count, digits, length, number, words};
+use crate::sema::cycle::row::{ANY_DIGITS, Parameter, Rule, Signature, angle, count, digits, length, number, words};
 
 use super::{BUILT, Cycle, Work};
 

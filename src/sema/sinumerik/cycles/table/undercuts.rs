@@ -1,6 +1,6 @@
 //! Undercut cycles: CYCLE94, CYCLE96, CYCLE940.
 
-use crate::sema::cycle_table::{
+use crate::sema::cycle::row::{
     ANY_DIGITS, Parameter, Rule, Signature, angle, digits, either, feed, length, number, words,
 };
 

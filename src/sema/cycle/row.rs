@@ -1,9 +1,7 @@
 //! What the cycles of the controls take: one row a cycle, one row a parameter, in every dialect.
 //!
-//! A dialect keeps its rows beside the code that reads them by name; the documentation, the parameter tests and hover
-//! texts are made of the same rows ([`text`]).
-
-pub mod text;
+//! A dialect keeps its rows beside the plans that read them by name; the documentation, the parameter tests and hover
+//! texts are made of the same rows ([`super::text`]).
 
 use core::fmt;
 
@@ -64,6 +62,9 @@ pub struct Parameter {
     pub name: Name,
     pub what: &'static str,
     pub kind: Kind,
+    /// It has to be there.
+    pub needed: bool,
+    /// What it has to be where it is given.
     pub rule: Rule,
     /// Newer software has it, or a call may leave it out: what holds then.
     pub default: &'static str,
@@ -124,12 +125,12 @@ pub const ANY_DIGITS: Digits = Digits { known: &[], other: "", doubt: None };
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rule {
     Any,
-    /// It has to be there.
-    Needed,
-    /// "Without sign".
+    /// "Without sign": not below 0.
     Unsigned,
-    /// Above 0 where given; the alarm of the control.
+    /// Above 0; the number that the control shows, 0 for none.
     Above(u32),
+    /// The same, where 0 is what a field of an editor becomes that was left empty.
+    AboveOrEmpty(u32),
     /// An angle of 0 to below 90 degrees.
     Below90,
     /// A whole number between the two.
@@ -138,12 +139,12 @@ pub enum Rule {
 
 impl Parameter {
     pub const fn new(name: Name, kind: Kind, what: &'static str) -> Parameter {
-        Parameter { name, what, kind, rule: Rule::Any, default: "", without_effect: None }
+        Parameter { name, what, kind, needed: false, rule: Rule::Any, default: "", without_effect: None }
     }
 
     /// The same, and it has to be there.
     pub const fn needed(self) -> Parameter {
-        self.rule(Rule::Needed)
+        Parameter { needed: true, ..self }
     }
 
     /// The same, without sign.

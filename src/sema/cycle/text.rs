@@ -2,7 +2,7 @@
 
 use core::fmt::Write;
 
-use super::{Kind, Parameter, Rule, Signature, Status};
+use super::row::{Kind, Parameter, Rule, Signature, Status};
 
 impl Kind {
     /// What the value is, with its unit.
@@ -25,14 +25,15 @@ impl Kind {
 impl Parameter {
     /// What the value has to be; empty for anything.
     pub fn rule_text(&self) -> String {
-        match self.rule {
+        let rule = match self.rule {
             Rule::Any => String::new(),
-            Rule::Needed => "needed".to_owned(),
             Rule::Unsigned => "without sign".to_owned(),
-            Rule::Above(_) => "above 0".to_owned(),
+            Rule::Above(_) | Rule::AboveOrEmpty(_) => "above 0".to_owned(),
             Rule::Below90 => "0 to below 90".to_owned(),
             Rule::OneOf(low, high) => format!("{low} to {high}"),
-        }
+        };
+        let needed = if self.needed { "needed" } else { "" };
+        [needed, &rule].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
     }
 }
 
