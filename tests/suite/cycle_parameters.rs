@@ -10,7 +10,7 @@ use std::path::Path;
 
 use partc::internals::dialect;
 use partc::internals::machine::Settings;
-use partc::internals::sema::cycle::row::{Rule, Signature, Status};
+use partc::internals::sema::cycle::row::{Signature, Status};
 use partc::internals::target;
 use partc::internals::text::files::NoFiles;
 

@@ -2,7 +2,7 @@
 //! there is missed. The parameters are those of the table that the compiler reads them by.
 
 use partc::internals::dialect;
-use partc::internals::sema::cycle::row::{Kind, Name, Parameter, Rule, Signature, Status};
+use partc::internals::sema::cycle::row::{Kind, Name, Parameter, Signature, Status};
 use partc::internals::target;
 use partc::internals::text::files::NoFiles;
 

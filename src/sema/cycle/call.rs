@@ -38,6 +38,7 @@ pub struct Remark {
 }
 
 /// The arguments of a call, what they count under, and what is said of it.
+#[derive(Debug)]
 pub struct Call<'c, S> {
     pub given: &'c Given,
     /// What the control knows where the cycle is called.
