@@ -53,6 +53,7 @@ S8213 Warning "siemens-edge-points-back" "cutting edge points against the way of
 "The edge position in the tool data says that the programmed point lies behind the nose, seen along the cuts. The body of such a tool runs ahead of its nose, into whatever stands at the end of the cut. Check the edge position, or turn the direction of the cycle around." {
     cutting_edge_points_back(args)
         "{args}: the cutting edge points back, against the way of the cuts: the body of such a tool runs ahead of \
-        its nose";
+        its nose"
+        help "check the edge position in the tool data, and the direction of the cycle";
 }
 }

@@ -17,7 +17,8 @@ S8240 Warning "siemens-spigot-stock" "part of the blank of a spigot stays"
 Later moves may run into it. Call the cycle several times with smaller and smaller allowances, the outermost first, and give each call the blank that the one before leaves." {
     tool_goes_round_once(args, stays, what, args2, place)
         "{args}: the tool goes round once, and leaves {stays:.3} mm {what} `{args2}` (argument {place}) standing \
-        outside";
+        outside"
+        help "call the cycle several times with smaller and smaller `_FAL`, each with the blank that the one before leaves";
 }
 
 }

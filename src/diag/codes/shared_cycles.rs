@@ -156,6 +156,23 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
         help "give a smaller radius or chamfer";
     safety_distance_is_missing(args, place) "the safety distance `{args}` (argument {place}) is missing" alarm 61019
         help "the tool needs a distance above 0 from the blank at rapid traverse";
+    call_makes_no_cycle(fault) "{fault}";
+    cutter_does_not_fit(fault, key, place, diameter) "{fault}: `{key}` (argument {place}), cutter {diameter} mm" alarm 61105
+        help "take a smaller cutter, or a smaller allowance";
+    pattern_has_no_hole() "the pattern has no hole" alarm 61103 help "check number and spacing of the holes";
+    pattern_has_no_column_or_row() "the pattern has no column or no row" alarm 62105
+        help "check number and spacing of the holes";
+    holes_go_round_more_than_once() "the holes go round more than once" alarm 61106
+        help "check number and spacing of the holes";
+    pattern_has_too_many_holes() "the pattern has more than 100000 holes" help "check number and spacing of the holes";
+    data_of_pattern_make_no_positions() "the data of the pattern make no positions"
+        help "check number and spacing of the holes";
+    tool_would_lift_beyond_centre() "the tool would lift off beyond the turning centre" alarm 61001
+        help "check the diameters, the depth and the lift-off";
+    thread_is_deeper_than_part() "the thread is deeper than the part" alarm 61001
+        help "check the diameters, the depth and the lift-off";
+    number_of_passes_is_missing(place) "the number of roughing passes NRC (argument {place}) is missing"
+        help "arguments are counted by their commas";
     family_refuses(fault, key, place) "{fault}: `{key}` (argument {place})";
     reduced_speed_ss2_is_missing(place)
         "the reduced speed `_SS2` (argument {place}) is missing, and the cutting speed at the centre has no limit" alarm 61019
@@ -242,7 +259,7 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     names_no_side_of_groove(name, place) "`{name}` (argument {place}) names no side of a groove" alarm 61002
         help "1 and 5 outside, 3 and 7 inside, 2 and 4 rear face, 6 and 8 front face; CYCLE930 has it in the \
         hundreds";
-    grooves_need_turning_technology() "grooves need turning technology" asks "set `[machine] kind = \"lathe\"`";
+    cycle_needs_turning_technology() "the cycle needs turning technology" asks "set `[machine] kind = \"lathe\"`";
     so_check_corner(what, key, place) "{what}: `{key}` (argument {place})" alarm 61118
         help "check the corner of the blank, the end point and the position";
     there_is_no_such_kind_of_machining(key, place) "there is no such kind of machining `{key}` (argument {place})" alarm 61002;
@@ -415,7 +432,6 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
         help "forms A and B are external, C and D internal";
     machine_datum_20100_names_no_axis() "machine datum 20100 names no axis of G18, so there are no undercuts" alarm 16510
         asks "set `[machine] diameter_axis = \"X\"`";
-    undercuts_need_turning_technology() "undercuts need turning technology" asks "set `[machine] kind = \"lathe\"`";
 }
 
 P8101 Note "path-of-partc" "path of a cycle is that of partc" was "K8101 milling-path-of-partc S8220 siemens-groove-way S8225 siemens-cut-off-way S8231 siemens-milling-way"
@@ -453,7 +469,10 @@ cuts matters." {
     cutter_leaves_open_side_by_safety_distance() "the cutter leaves an open side by the safety distance";
     limits_are_read_from_right_as_walls()
         "limits are read from the right as walls at the minus and plus side of the first axis, then of the second";
-    path_is_own(args, what) "{args}: {what}";
+    groove_93_as_partc_reads_it()
+        "WIDG counts at the floor, DIAG square to the axis, plunges are at most 0.8 of the tool apart and start from the middle";
+    groove_930_as_partc_reads_it()
+        "the digits of `_VARI` and `_AMODE` are read as in stored calls, plunges are at most 0.8 of the tool apart and start from the middle";
     controls_do_not_publish_cuts()
         "controls do not publish the cuts: they are at equal depths, follow the contour up to the cut before, and \
         relief cuts are cut from their falling side";

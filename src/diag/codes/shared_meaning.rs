@@ -99,7 +99,15 @@ target compensate." {
     tool_has_oversize_dr(called) "tool {called} has an oversize DR, and its radius is not known"
         asks "add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block";
     radius_compensation_without_tool() "radius compensation without a tool" help "program TOOL CALL before RL or RR";
-    of_tool_d_is_not_known(args, what, number, edge) "{args}: {what} of tool {number} D{edge} is not known" alarm 61000;
+    cutting_width_of_tool_d_is_not_known(args, number, edge)
+        "{args}: the cutting width of tool {number} D{edge} is not known" alarm 61000
+        asks "add it to partc.toml: `[tools.{number}] width = 3.0`";
+    nose_radius_for_groove_is_not_known(args, number, edge)
+        "{args}: the nose radius of tool {number} D{edge} is not known" alarm 61000
+        asks "add it to partc.toml: `[tools.{number}] radius = 0.2`, or write `$TC_DP6[{number},{edge}]=0.2` before";
+    position_for_groove_is_not_known(args, number, edge)
+        "{args}: the position of the cutting edge of tool {number} D{edge} is not known" alarm 61000
+        asks "add it to partc.toml: `[tools.{number}] orientation = 3`, or write `$TC_DP2[{number},{edge}]=3` before";
     position_of_cutting_edge_of_tool_d(args, number, edge)
         "{args}: the position of the cutting edge of tool {number} D{edge} is not known" alarm 61000
         asks "give it in partc.toml: `[tools.{number}] orientation = 3`, or in the program: \

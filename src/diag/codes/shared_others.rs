@@ -172,7 +172,7 @@ partc takes it as the message says; compare with what the machine does." {
     first_depth_counts_for_tip_of_drill()
         "the first depth counts for the tip of the drill, the last one for its full diameter; this is not confirmed"
         help "compare with what the machine does";
-    this_is_not_confirmed(args, what) "{args}: {what}; this is not confirmed";
+    digits_are_read_so(args, what) "{args}: {what}; this is not confirmed" help "compare with what the machine does";
     which_digit_of_vari_is_predrilling(args)
         "{args}: which digit of `_VARI` is predrilling and which is through-drilling is not confirmed: both zones \
         are drilled slowly"

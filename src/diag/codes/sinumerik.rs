@@ -525,6 +525,8 @@ leaves its plane, crosses itself, holds functions or cycles, or is not closed wh
     program_ends_inside_contour() "the program ends inside a contour"
         help "put the label of the end of the contour in front of this block";
     contour_crosses_itself() "the contour crosses itself";
+    island_does_not_lie_inside_pocket(name) "the island `{name}` does not lie inside the pocket by itself" alarm 61932
+        help "draw one contour where areas touch; call the pocket first, then its islands";
     there_is_no_label(missing, behind, program) "there is no label `{missing}`{behind} in `{program}`" alarm 61701;
 }
 

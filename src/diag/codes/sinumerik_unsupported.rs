@@ -208,6 +208,9 @@ S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
     offn_is_in_force(args, normal)
         "{args}: OFFN={normal} is in force, and is not supported in the path of this cycle"
         help "program OFFN=0 before the cycle, and leave material by the allowances of the cycle";
+    digit_at_place_is_not_supported(args, digit, place, name)
+        "{args}: the digit {digit} at place {place} from the right of `{name}` is not supported"
+        help "take a variant that docs/cycle-parameters.md describes, or replace the cycle by plain moves";
     is_not_supported(args, what) "{args}: {what} is not supported"
         help "use the plain variant of the cycle, or plain moves";
     whether_its_lengths_along_are_diameters_under(name, axis)
@@ -266,8 +269,12 @@ S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
         "the digit {digit} at place {place} from the right of `_VARI`, whose meaning is not confirmed, is not \
         supported"
         help "use the plain variant of the cycle, or plain moves";
-    leans_degrees_out_of_z(args, part, angle)
-        "{args}: {part} leans {angle:.1} degrees out of Z, and over 45 degrees it is a face thread: from which side \
+    thread_leans_out_of_z(args, angle)
+        "{args}: the thread leans {angle:.1} degrees out of Z, and over 45 degrees it is a face thread: from which side \
+        the control feeds in, and how run-in and lift-off count, is not published"
+        help "cut a face thread by blocks: G0 to the depth of the pass in Z, then G33 X… I… with the pitch along X";
+    part_of_thread_leans_out_of_z(args, part, angle)
+        "{args}: part {part} of the thread leans {angle:.1} degrees out of Z, and over 45 degrees it is a face thread: from which side \
         the control feeds in, and how run-in and lift-off count, is not published"
         help "cut a face thread by blocks: G0 to the depth of the pass in Z, then G33 X… I… with the pitch along X";
     pitch_in_inches() "a pitch in inches, turns or modules (`_PITA`) is not supported"
@@ -278,7 +285,9 @@ S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
     choice_of_first_start_that_is_cut(first)
         "the choice of the first start that is cut (`_GST` {first}), whose order is not confirmed, is not supported"
         help "use the plain variant of the cycle, or plain moves";
-    contradicts(args, message) "{args}: {message}" help "leave one of them 0";
+    passes_contradict_infeed(args, passes, cuts)
+        "{args}: the number of passes `_NRC` is {passes}, and the infeed `_MID` makes {cuts}: which of them counts is not known"
+        help "leave one of them 0";
     cycle70_what_tens()
         "CYCLE70: what the tens and hundreds of `_VARI` mean, sense and hand of the thread, is not confirmed"
         asks "have them read by `[cycles] thread_milling_digits = true`: tens 1 down, 2 up; hundreds 1 left-hand";
@@ -328,7 +337,12 @@ of the control and accept it again." {
 
 S9020 Error "siemens-contour-cycle" "contour cycle is not supported"
 "The arguments of the cycle were read and its contour was run and checked, so what is reported about them is true. But the tracks of the cycle are \
-computed inside the control and are not published. Replace it by plain moves, or have the CAM system put them out."
+computed inside the control and are not published. Replace it by plain moves, or have the CAM system put them out." {
+    cycle_is_not_supported(args, what) "{args} ({what}) is not supported"
+        help "replace it by plain moves, or have the CAM system put them out";
+    cycle_is_read_without_fault(args, what, shown) "{args} ({what}) is not supported; read without a fault: {shown}"
+        help "replace it by plain moves, or have the CAM system put them out";
+}
 
 S9021 Error "siemens-edge-length" "edge of another length than D1"
 "The target has one length for a tool and prints the positions of the program. Of an edge whose length is another one ($TC_DP3 to $TC_DP5) they would be off by the difference. \

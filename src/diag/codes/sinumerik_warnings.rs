@@ -163,14 +163,17 @@ S8017 Note "siemens-files" "file access is left out"
 
 S8018 Warning "siemens-two-depths" "two depths for one hole"
 "DP and DPR, or FDEP and FDPR, give different depths. The cycle takes the relative one. Leave one of them out." {
-    dp_dpr_give_different_depths(args) "{args}: DP and DPR give different depths; DPR counts";
+    dp_dpr_give_different_depths(args) "{args}: DP and DPR give different depths; DPR counts" help "leave one of them out";
+    fdep_fdpr_give_different_first_depths(args)
+        "{args}: FDEP and FDPR give different first depths; FDPR counts" help "leave one of them out";
     dp_dpr_are_both_given(args, used)
-        "{args}: DP and DPR are both given; the units of `_AMODE` choose {used} (message 61805)";
+        "{args}: DP and DPR are both given; the units of `_AMODE` choose {used} (message 61805)" help "leave the other one out";
 }
 
 S8019 Warning "siemens-starts" "thread with several starts"
 "The editor of CYCLE99 may leave a number of starts in its call though one start is meant. All starts are cut as the argument says: check it." {
-    cuts_starts(args, starts) "{args} cuts {starts} starts";
+    cuts_starts(args, starts) "{args} cuts {starts} starts"
+        help "the editor may leave a number here though one start is meant: set it to 1 then";
 }
 
 S8020 Warning "siemens-thread-variant" "digits of a thread cycle"
@@ -185,7 +188,8 @@ S8021 Warning "siemens-flank" "reference of the flank infeed"
 "With a flank infeed the passes are shifted along the thread. Which of them stands at the programmed start is not documented; partc shifts from \
 the crest on. The finished thread is the same up to a shift along its axis, which matters where a thread is cut anew. `[control] thread_flank` says it." {
     flank_infeed_is_counted_from_crest()
-        "a flank infeed is counted from the crest: the manuals leave open which pass stands at the programmed Z";
+        "a flank infeed is counted from the crest: the manuals leave open which pass stands at the programmed Z"
+        asks "say it by `[control] thread_flank`: \"crest\", or \"root\" for the last pass";
 }
 
 S8022 Warning "siemens-undercut-facts" "undercut rests on facts that are not confirmed"
@@ -359,7 +363,7 @@ S8050 Warning "siemens-count-rounded" "number of holes is rounded"
 "The number of holes is an INT of the cycle, and the control rounds a REAL that is given for one: 4.5 holes become 5. Write a whole number, or \
 look at the formula that makes it." {
     argument_is_cycle_counts(args, place, given, count)
-        "{args}: argument {place} is {given}, and the cycle counts {count}";
+        "{args}: argument {place} is {given}, and the cycle counts {count}" help "write a whole number";
 }
 
 S8130 Note "siemens-axis-left-out" "axis that is left out"
@@ -374,6 +378,16 @@ programmed start on. The tool goes to that place at rapid traverse: see that no 
     is_made_by_start_that_lies_mm(word, start, back, axis)
         "{word}={start} is made by a start that lies {back:.4} mm farther back along {axis}, where the tool goes at \
         rapid";
+    start_angle_by_cuts_farther_back(args, angle, back)
+        "{args}: the start angle {angle} is made by cuts that begin up to {back:.4} mm farther back, where the tool goes at rapid"
+        help "see that nothing stands there";
+    starts_by_cuts_farther_back(args, starts, back)
+        "{args}: {starts} starts are made by cuts that begin up to {back:.4} mm farther back, where the tool goes at rapid"
+        help "see that nothing stands there";
+    angle_and_starts_by_cuts_farther_back(args, angle, starts, back)
+        "{args}: the start angle {angle} and {starts} starts are made by cuts that begin up to {back:.4} mm farther back, where the tool \
+        goes at rapid"
+        help "see that nothing stands there";
 }
 
 S8134 Warning "siemens-g40-waits" "G40 without a move in the plane"
@@ -481,7 +495,8 @@ S8164 Warning "siemens-cycle-from-unknown-place" "cycle begins at a place that i
 "In front of the cycle the tool was changed, and no block has placed it since, so that where it stands is not known. The cycle goes to the front of the part in one rapid move, \
 as to any first position, and comes back there; on the control it may end where it came from. Behind it the position counts as not known again. Position the tool in front of the cycle." {
     where_tool_stands_is_not_known(args)
-        "{args}: where the tool stands is not known: it goes to the front of the part first";
+        "{args}: where the tool stands is not known: it goes to the front of the part first"
+        help "position the tool in X and Z in front of the cycle";
 }
 
 S8165 Warning "siemens-action-left-out" "synchronized action is left out"

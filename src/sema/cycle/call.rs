@@ -1,11 +1,12 @@
 //! A call of a cycle while its path is planned.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use crate::diag::Fault;
 use crate::machine::Settings;
+use crate::sema::Reported;
 use crate::sema::run::Where;
-use crate::sema::{Outcome, Reported};
+use crate::text::Loc;
 
 use super::given::{Breach, Given};
 use super::row::Name;
@@ -15,6 +16,8 @@ use super::row::Name;
 pub enum Refusal {
     /// What is wrong, and where.
     Fault(Where, Box<Fault>),
+    /// The same at a place outside the call, and what the call is there.
+    Elsewhere(Loc, Box<Fault>, &'static str),
     /// It only suffers from what was reported before.
     Known,
 }
@@ -33,8 +36,22 @@ impl From<Reported> for Refusal {
 pub struct Remark {
     pub place: Where,
     pub fault: Fault,
+    pub kind: Kind,
+}
+
+/// How often something is said, and with what.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Of every call.
+    Each,
+    /// Once at a place, however often the cycle runs there.
+    OnceHere,
     /// Once for the whole program, however many calls are worth it.
-    pub once: bool,
+    Once,
+    /// A reading of the manuals or a path of our own: of a call that makes a path.
+    Way,
+    /// The call leaves something open that the control takes from elsewhere: of a call that makes a path.
+    Open,
 }
 
 /// The arguments of a call, what they count under, and what is said of it.
@@ -45,6 +62,8 @@ pub struct Call<'c, S> {
     pub st: &'c S,
     pub settings: &'c Settings,
     remarks: RefCell<Vec<Remark>>,
+    /// The plan takes the feed that is modal.
+    pub takes_modal_feed: Cell<bool>,
 }
 
 /// What a control says of arguments that are not what their rows ask for.
@@ -55,7 +74,7 @@ pub trait Says {
 
 impl<'c, S> Call<'c, S> {
     pub fn new(given: &'c Given, st: &'c S, settings: &'c Settings) -> Call<'c, S> {
-        Call { given, st, settings, remarks: RefCell::default() }
+        Call { given, st, settings, remarks: RefCell::default(), takes_modal_feed: Cell::default() }
     }
 
     /// What was said, in its order.
@@ -80,31 +99,32 @@ impl<'c, S> Call<'c, S> {
 
     /// Refuses the call for what stands at a place.
     pub fn refuse_at<T>(&self, place: Where, fault: Fault) -> Made<T> {
-        Err(Refusal::Fault(place, Box::new(self.of_cycle(fault))))
+        self.refuse_as_said(place, self.of_cycle(fault))
     }
 
-    /// Says something of the call.
-    pub fn say(&self, fault: Fault) {
-        self.say_at(self.given.place, fault);
+    /// The same for a fault that names the cycle itself, or that is none of the cycle.
+    pub fn refuse_as_said<T>(&self, place: Where, fault: Fault) -> Made<T> {
+        Err(Refusal::Fault(place, Box::new(fault)))
     }
 
-    /// Says something of an argument: that it is read in a way that is not confirmed, or not used.
+    /// Says something of an argument: that it is read in a way that is not confirmed.
     pub fn say_of(&self, name: Name, fault: Fault) {
-        self.say_at(self.given.place_of(name), fault);
+        self.note(self.given.place_of(name), self.of_cycle(fault), Kind::Each);
     }
 
-    pub fn say_at(&self, place: Where, fault: Fault) {
-        self.remark(Remark { place, fault: self.of_cycle(fault), once: false });
+    /// A reading of the manuals or a path of our own.
+    pub fn own_way(&self, fault: Fault) {
+        self.note(self.given.place, fault, Kind::Way);
     }
 
-    /// Says something once for the whole program.
-    pub fn say_once(&self, place: Where, fault: Fault) {
-        self.remark(Remark { place, fault: self.of_cycle(fault), once: true });
+    /// The call leaves something open.
+    pub fn leaves_open(&self, fault: Fault) {
+        self.note(self.given.place, fault, Kind::Open);
     }
 
-    /// Says something whose text does not begin with the cycle.
-    pub fn remark(&self, remark: Remark) {
-        self.remarks.borrow_mut().push(remark);
+    /// Says something whose text does not begin with the cycle, or names it itself.
+    pub fn note(&self, place: Where, fault: Fault, kind: Kind) {
+        self.remarks.borrow_mut().push(Remark { place, fault, kind });
     }
 }
 
@@ -127,14 +147,4 @@ impl<S: Says> Call<'_, S> {
             }
         }
     }
-}
-
-/// Hands what a plan made to the one place that reports: `refuse` says why there is nothing.
-pub fn reported<T>(made: Made<T>, refuse: impl FnOnce(Where, Fault)) -> Outcome<T> {
-    made.map_err(|refusal| {
-        if let Refusal::Fault(place, fault) = refusal {
-            refuse(place, *fault);
-        }
-        Reported
-    })
 }

@@ -33,6 +33,8 @@ pub enum Breach {
     Negative(f64),
     /// With the alarm of the control, 0 for none.
     NotAboveZero(f64, u32),
+    /// A size that is 0.
+    Zero,
     NotBelow90(f64),
     NoneOf(f64, i32, i32),
 }
@@ -179,6 +181,14 @@ impl Given {
         self.length(name).abs()
     }
 
+    /// A text; `None` for an empty one.
+    pub fn text(&self, name: Name) -> Option<&str> {
+        match self.value(name) {
+            Value::Text(text) if !text.is_empty() => Some(text),
+            _ => None,
+        }
+    }
+
     /// The word in place of a number.
     pub fn word(&self, name: Name) -> Option<&'static str> {
         match self.value(name) {
@@ -192,10 +202,9 @@ impl Given {
         names.iter().copied().find(|name| self.or_zero(*name) < 0.0)
     }
 
-    /// A whole number; 0 for one that is none, and where it is not given.
+    /// The nearest whole number; 0 where there is none.
     pub fn whole(&self, name: Name) -> i32 {
-        let value = self.or_zero(name);
-        if value.fract() == 0.0 && value.abs() <= f64::from(i32::MAX) { value as i32 } else { 0 }
+        self.number(name).and_then(crate::sema::value::whole).unwrap_or(0)
     }
 
     /// A decimal digit of a coded number, from the right: 0 is the units.
@@ -221,7 +230,7 @@ impl Parameter {
     pub fn breach_of_kind(&self, value: &Value) -> Option<Breach> {
         match (value, self.kind) {
             (Value::Number(number), _) if !number.is_finite() || number.abs() > LARGEST => Some(Breach::OutOfAllRange),
-            (Value::Number(number), Kind::Text) if *number != 0.0 => Some(Breach::NoText),
+            (Value::Number(number), Kind::Text) if self.needed || *number != 0.0 => Some(Breach::NoText),
             (Value::Number(number), Kind::Digits(_)) if *number < 0.0 || number.fract() != 0.0 => {
                 Some(Breach::NoDigits(*number))
             }
@@ -239,6 +248,7 @@ impl Rule {
             Rule::Unsigned => (number < 0.0).then_some(Breach::Negative(number)),
             Rule::Above(alarm) => (number <= 0.0).then_some(Breach::NotAboveZero(number, alarm)),
             Rule::AboveOrEmpty(alarm) => (number < 0.0).then_some(Breach::NotAboveZero(number, alarm)),
+            Rule::Size => (number == 0.0).then_some(Breach::Zero),
             Rule::Below90 => (!(0.0..90.0).contains(&number)).then_some(Breach::NotBelow90(number)),
             Rule::OneOf(low, high) => {
                 let fits = number.fract() == 0.0 && (f64::from(low)..=f64::from(high)).contains(&number);

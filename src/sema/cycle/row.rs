@@ -70,6 +70,10 @@ pub struct Parameter {
     pub default: &'static str,
     /// Why nothing depends on it.
     pub without_effect: Option<&'static str>,
+    /// The number that the control shows where it is missing or is not what it has to be; 0 for the usual one.
+    pub alarm: u32,
+    /// What to do then; empty for the usual advice.
+    pub fix: &'static str,
 }
 
 /// What a value is, and in which unit.
@@ -131,6 +135,8 @@ pub enum Rule {
     Above(u32),
     /// The same, where 0 is what a field of an editor becomes that was left empty.
     AboveOrEmpty(u32),
+    /// A size, whose sign is left out, and which is not 0.
+    Size,
     /// An angle of 0 to below 90 degrees.
     Below90,
     /// A whole number between the two.
@@ -139,7 +145,17 @@ pub enum Rule {
 
 impl Parameter {
     pub const fn new(name: Name, kind: Kind, what: &'static str) -> Parameter {
-        Parameter { name, what, kind, needed: false, rule: Rule::Any, default: "", without_effect: None }
+        Parameter {
+            name,
+            what,
+            kind,
+            needed: false,
+            rule: Rule::Any,
+            default: "",
+            without_effect: None,
+            alarm: 0,
+            fix: "",
+        }
     }
 
     /// The same, and it has to be there.
@@ -154,6 +170,11 @@ impl Parameter {
 
     pub const fn rule(self, rule: Rule) -> Parameter {
         Parameter { rule, ..self }
+    }
+
+    /// The same, with what the control shows and what to do where it is not so.
+    pub const fn or_else(self, alarm: u32, fix: &'static str) -> Parameter {
+        Parameter { alarm, fix, ..self }
     }
 
     /// The same; `default` holds where it is left out.

@@ -29,6 +29,7 @@ impl Parameter {
             Rule::Any => String::new(),
             Rule::Unsigned => "without sign".to_owned(),
             Rule::Above(_) | Rule::AboveOrEmpty(_) => "above 0".to_owned(),
+            Rule::Size => "not 0".to_owned(),
             Rule::Below90 => "0 to below 90".to_owned(),
             Rule::OneOf(low, high) => format!("{low} to {high}"),
         };

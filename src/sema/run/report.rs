@@ -18,6 +18,16 @@ pub enum Where {
     Words(Span),
 }
 
+impl Where {
+    /// The words, or no word for the whole block.
+    pub fn span(self) -> Span {
+        match self {
+            Where::Block => Span::default(),
+            Where::Words(span) => span,
+        }
+    }
+}
+
 impl From<Span> for Where {
     /// Words that the block does not have have no place of their own.
     fn from(span: Span) -> Where {

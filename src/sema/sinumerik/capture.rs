@@ -9,8 +9,8 @@ use crate::ir::captured::{Captured, Unfit};
 use crate::sema::run::{Counted, Where, step};
 use crate::text::Span;
 
+use super::called_contours::{ContourCall, MOST_ELEMENTS};
 use super::calls::FrameKind;
-use super::cycles::{ContourCall, MOST_ELEMENTS};
 use super::g_groups::{GCode, Group};
 use super::state::State;
 use super::vars::Vars;

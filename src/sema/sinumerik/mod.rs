@@ -12,6 +12,7 @@ mod axis_order;
 mod axis_words;
 mod beside_path;
 mod block;
+mod called_contours;
 mod callee;
 mod calls;
 mod capture;
@@ -20,6 +21,8 @@ mod circle;
 mod compensation;
 mod control_folders;
 mod corners;
+mod cycle_alarms;
+mod cycle_call;
 mod cycles;
 mod declare;
 mod diameter;
@@ -221,7 +224,7 @@ struct Run<'a> {
     warned: Warned,
     externs: Vec<externs::Extern>,
     /// Contours that CYCLE62 called.
-    contours: cycles::Contours,
+    contours: called_contours::Contours,
     /// Nesting of texts that are executed.
     depth: u32,
     machine: eval::Machine,
@@ -248,7 +251,7 @@ impl<'a> Run<'a> {
             call_path: None,
             warned: Warned::default(),
             externs: Vec::new(),
-            contours: cycles::Contours::default(),
+            contours: called_contours::Contours::default(),
             depth: 0,
             machine: eval::Machine::new(value::RULES),
             words: None,

@@ -2,7 +2,7 @@
 
 use crate::text::Loc;
 
-use super::cycles::ModalCycle;
+use super::cycle_call::ModalCycle;
 use super::vars::Argument;
 
 /// A program that runs behind every positioning block.

@@ -273,7 +273,7 @@ impl Run<'_> {
             }
         }
         self.stop_run();
-        let (cause, help) = match alarm.and_then(super::cycles::alarm_meaning) {
+        let (cause, help) = match alarm.and_then(super::cycle_alarms::meaning) {
             Some((cause, help)) => (format!(": {cause}"), help),
             None => (String::new(), "it found its own data wrong: look at the conditions before SETAL"),
         };

@@ -17,7 +17,7 @@ use super::{Channel, Outcome, Reported};
 const STILL: f64 = 1e-9;
 
 /// Start angle of threads without SF= (SD 42000).
-const START_ANGLE: &str = "$SC_THREAD_START_ANGLE";
+pub(super) const START_ANGLE: &str = "$SC_THREAD_START_ANGLE";
 
 /// Threads that later blocks go on with.
 #[derive(Debug, Clone, Default)]
@@ -160,16 +160,6 @@ impl Channel<'_> {
     fn start_angle_by_setting(&self, span: Span) -> Option<Given> {
         let value = self.st.system.number(START_ANGLE)?;
         Some(Given { value, mode: Mode::Plain, span })
-    }
-
-    /// What a thread cycle makes of that setting is not confirmed.
-    pub(super) fn no_start_angle_by_setting(&self, span: Span) -> Outcome {
-        match self.start_angle_by_setting(span).filter(|given| given.value != 0.0) {
-            Some(Given { value, .. }) => {
-                self.refuse(span, codes::S9012::whether_holds_for_threads_of_cycle(&START_ANGLE, &value))
-            }
-            None => Ok(()),
-        }
     }
 
     /// Whether a control cuts corners off threads is not documented.

@@ -7,6 +7,7 @@ use crate::ir::transformation::Surface;
 use crate::ir::{Function, Side, Transformation};
 use crate::machine::{Axis, AxisSet, MachineKind, Transmit};
 use crate::parser::sinumerik::ast::{Block, Formula};
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::diameter::Diameter;
@@ -205,10 +206,10 @@ impl Channel<'_> {
     }
 
     /// Alarm 61020: a turning cycle where the program sees a face or mantle.
-    pub(super) fn no_turning_cycle_here(&self, name: &str, span: Span) -> Outcome {
+    pub(super) fn no_turning_cycle_here(&self, name: &str, place: Where) -> Outcome {
         if self.st.transformation.is_none() || !TURNING.contains(&name) {
             return Ok(());
         }
-        self.refuse(span, codes::S2282::is_not_possible_while_transmit_or_tracyl(&name))
+        self.refuse(place, codes::S2282::is_not_possible_while_transmit_or_tracyl(&name))
     }
 }

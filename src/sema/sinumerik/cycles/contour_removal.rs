@@ -12,15 +12,16 @@ use crate::ir::cycle::recess::Operation;
 use crate::ir::cycle::roughing::Nose;
 use crate::ir::cycle::turning::Towards;
 
+use super::super::called_contours::CalledContour;
 use super::super::g_groups::GCode;
-use super::super::{Outcome, Run};
-use super::arguments::{
-    AMODE, Arguments, BL, CON, CONR, D, DAM, DI, DMODE, DT, F, FAL, FALX, FALZ, FF1, FF2, FF3, FR, FS, GMODE, Key, MID,
-    RP, SC, U, U1, UX, UZ, VARI, VRT, XA, XB, XD, ZA, ZB, ZD,
-};
-use super::call::CycleCall;
+use super::call::{Acts, CycleCall};
 use super::layers::{Side, rectangle};
-use super::table::Source;
+use super::names::{
+    AMODE, BL, CON, CONR, D, DAM, DI, DMODE, DT, F, FAL, FALX, FALZ, FF1, FF2, FF3, FR, FS, GMODE, MID, RP, SC, U, U1,
+    UX, UZ, VARI, VRT, XA, XB, XD, ZA, ZB, ZD,
+};
+use crate::sema::cycle::call::Made;
+use crate::sema::cycle::row::Name;
 
 /// Way back where a cut of CYCLE952 is interrupted, mm (SD 55586).
 const INTERRUPTION: f64 = 1.0;
@@ -70,32 +71,14 @@ fn elements(made: &Captured) -> Vec<Element> {
     made.pieces.iter().map(|piece| piece.element).collect()
 }
 
-impl Run<'_> {
-    pub(super) fn contour_removal_95(&mut self, args: &Arguments) -> Outcome {
-        self.cycle(args).removal_is_possible()?;
-        let contours = self.contours_of(args, Source::Argument, true)?;
-        let Some((_, made)) = contours.first() else { return Ok(()) };
-        self.cycle(args).classic_removal(&elements(made))
-    }
-
-    pub(super) fn contour_removal_952(&mut self, args: &Arguments) -> Outcome {
-        self.cycle(args).removal_is_possible()?;
-        let contours = self.contours_of(args, Source::Turned, true)?;
-        let (blank, part) = match contours.as_slice() {
-            [(_, part)] => (None, part),
-            [(_, blank), (_, part)] => (Some(elements(blank)), part),
-            _ => return Ok(()),
-        };
-        self.cycle(args).contour_removal(&elements(part), blank)
-    }
-}
-
-impl CycleCall<'_, '_> {
+impl CycleCall<'_> {
     /// CYCLE95.
-    fn classic_removal(&mut self, contour: &[Element]) -> Outcome {
-        let args = self.args;
+    pub(super) fn classic_removal(&self, contours: &[CalledContour]) -> Made<Acts> {
+        let [part] = contours else { return Ok(Acts::new()) };
+        self.removal_digits()?;
+        let given = self.given;
         let help = "1 to 4 rough, 5 to 8 finish, 9 to 12 do both; of each along Z or X, outside or inside; 2 in front of them leaves steps";
-        let vari = args.or_zero(VARI);
+        let vari = given.or_zero(VARI);
         if !(1.0..300.0).contains(&vari) || vari.fract() != 0.0 {
             return self.kind_fault(VARI, help);
         }
@@ -110,14 +93,16 @@ impl CycleCall<'_, '_> {
             2 => Side { into: Towards::PlusX, along: -1.0 },
             _ => Side { into: Towards::MinusZ, along: 1.0 },
         };
-        let (contour, turned) = side.in_order(contour);
+        let (contour, turned) = side.in_order(&elements(&part.made));
         let most = self.infeed(MID, operation)?;
-        let keys = self.job.settings.cycles.layers.clone();
-        let lift = Some(self.magnitude(VRT)).filter(|way| *way > 0.0).unwrap_or(keys.release);
-        let allowance =
-            Allowance { axes: Vec2::new(self.magnitude(FALZ), self.magnitude(FALX)), around: self.magnitude(FAL) };
+        let keys = self.settings.cycles.layers.clone();
+        let lift = Some(self.given.magnitude(VRT)).filter(|way| *way > 0.0).unwrap_or(keys.release);
+        let allowance = Allowance {
+            axes: Vec2::new(self.given.magnitude(FALZ), self.given.magnitude(FALX)),
+            around: self.given.magnitude(FAL),
+        };
         if allowance.axes.y != 0.0 {
-            self.reads(FALX, codes::P8106::falx_counts_on_radius());
+            self.say_of(FALX, codes::P8106::falx_counts_on_radius());
         }
         if allowance.around != 0.0 && allowance.axes != Vec2::zeros() {
             self.own_way(codes::P8101::fal_is_left_beside_falx());
@@ -154,7 +139,7 @@ impl CycleCall<'_, '_> {
             home: side.point(cut - side.along * entry, depth + side.out() * (up + allowance.around + lift)),
         };
         self.plunge_feed(&mut layers, FF2)?;
-        let by_tip = keys.rough_by_tip.unwrap_or(self.job.settings.control.sinumerik.model == "802d");
+        let by_tip = keys.rough_by_tip.unwrap_or(self.settings.control.sinumerik.model == "802d");
         if by_tip && operation != Operation::Finish && nose.radius > 0.0 {
             return self.rough_by_tip(layers);
         }
@@ -162,7 +147,7 @@ impl CycleCall<'_, '_> {
     }
 
     /// Roughing by the programmed tip, finishing with the nose.
-    fn rough_by_tip(&mut self, layers: Layers) -> Outcome {
+    fn rough_by_tip(&self, layers: Layers) -> Made<Acts> {
         // The tip stands for the nose only where it lies ahead of it and below.
         let ahead = layers.into.unit() + layers.side_of_cuts();
         if layers.nose.tip != ahead {
@@ -176,22 +161,22 @@ impl CycleCall<'_, '_> {
         let finishes = layers.operation == Operation::RoughAndFinish;
         let nose = layers.nose;
         let rough = Layers { nose: Nose { radius: 0.0, ..nose }, operation: Operation::Rough, ..layers.clone() };
-        self.send_layers(rough)?;
+        let mut acts = self.send_layers(rough)?;
         if finishes {
-            self.send_layers(Layers { operation: Operation::Finish, ..layers })?;
+            acts.extend(self.send_layers(Layers { operation: Operation::Finish, ..layers })?);
         }
-        Ok(())
+        Ok(acts)
     }
 
     /// Feeds of roughing and finishing; one that the kind of machining does not use is not asked for.
-    fn removal_feeds(&mut self, operation: Operation, [rough, finish]: [Key; 2]) -> Outcome<LayerFeeds> {
+    fn removal_feeds(&self, operation: Operation, [rough, finish]: [Name; 2]) -> Made<LayerFeeds> {
         let first = self.mill_feed(if operation == Operation::Finish { finish } else { rough })?;
         let last = if operation == Operation::RoughAndFinish { self.mill_feed(finish)? } else { first };
         Ok(LayerFeeds { rough: first, plunge: first, finish: last })
     }
 
     /// The feed into relief cuts, where there are some.
-    fn plunge_feed(&mut self, layers: &mut Layers, key: Key) -> Outcome {
+    fn plunge_feed(&self, layers: &mut Layers, key: Name) -> Made {
         let cuts = layers.relief == Relief::Cut && layers.operation != Operation::Finish;
         if cuts && !layers.reliefs().is_empty() {
             layers.feeds.plunge = self.mill_feed(key)?;
@@ -201,31 +186,37 @@ impl CycleCall<'_, '_> {
 
     /// A dwell after each part of a long cut.
     fn chips_95(&self) -> Option<ChipBreaking> {
-        let args = self.args;
-        let every = self.magnitude(DAM);
+        let given = self.given;
+        let every = self.given.magnitude(DAM);
         if every > 0.0 {
-            return Some(ChipBreaking { every, by: Interruption::Dwell(args.or_zero(DT).abs()) });
+            return Some(ChipBreaking { every, by: Interruption::Dwell(given.or_zero(DT).abs()) });
         }
-        if args.or_zero(DT) != 0.0 {
-            self.unused(DT, "DT", "without `DAM`, the way after which the chip is broken");
+        if given.or_zero(DT) != 0.0 {
+            self.unused(DT, "without `DAM`, the way after which the chip is broken");
         }
         None
     }
 
     /// CYCLE952.
-    fn contour_removal(&mut self, contour: &[Element], blank: Option<Vec<Element>>) -> Outcome {
-        let args = self.args;
+    pub(super) fn contour_removal(&self, contours: &[CalledContour]) -> Made<Acts> {
+        let (blank, part) = match contours {
+            [part] => (None, part),
+            [blank, part] => (Some(elements(&blank.made)), part),
+            _ => return Ok(Acts::new()),
+        };
+        self.removal_digits()?;
+        let given = self.given;
         let help = "units 1 along Z, 2 along X; tens 1 rough, 2 finish, 3 both; hundreds 1 X-, 2 X+, 3 Z-, 4 Z+; thousands 1 outside, \
             2 inside, 3 front, 4 rear";
-        let vari = args.or_zero(VARI);
+        let vari = given.or_zero(VARI);
         if !(1.0..1e7).contains(&vari) || vari.fract() != 0.0 {
             return self.refuse_argument(VARI, codes::S9015::this_process_vari_has_7_digits());
         }
-        if args.digit(VARI, 0) == 3 {
+        if given.digit(VARI, 0) == 3 {
             return self.refuse_argument(VARI, codes::S9015::cutting_parallel_to_contour());
         }
-        let Some(operation) = self.operation(args.digit(VARI, 1)) else { return self.kind_fault(VARI, help) };
-        let side = match (args.digit(VARI, 0), args.digit(VARI, 2), args.digit(VARI, 3)) {
+        let Some(operation) = self.operation(given.digit(VARI, 1)) else { return self.kind_fault(VARI, help) };
+        let side = match (given.digit(VARI, 0), given.digit(VARI, 2), given.digit(VARI, 3)) {
             (1, way @ (3 | 4), 1) => Side { into: Towards::MinusX, along: if way == 3 { -1.0 } else { 1.0 } },
             (1, way @ (3 | 4), 2) => Side { into: Towards::PlusX, along: if way == 3 { -1.0 } else { 1.0 } },
             (2, way @ (1 | 2), 3) => Side { into: Towards::MinusZ, along: if way == 1 { -1.0 } else { 1.0 } },
@@ -234,24 +225,24 @@ impl CycleCall<'_, '_> {
         };
         self.no_residual(blank.is_some())?;
         self.digits_952()?;
-        let relief = match args.digit(VARI, 6) {
+        let relief = match given.digit(VARI, 6) {
             2 => Relief::Left,
             _ => Relief::Cut,
         };
-        let (contour, _) = side.in_order(contour);
+        let (contour, _) = side.in_order(&elements(&part.made));
         let most = self.infeed(D, operation)?;
-        let keys = self.job.settings.cycles.layers.clone();
+        let keys = self.settings.cycles.layers.clone();
         let nose = self.nose_of_edge()?;
         // Alone, finishing has the feed of roughing.
         let feeds = self.removal_feeds(operation, if operation == Operation::Finish { [F, F] } else { [F, FS] })?;
         let blank = self.blank_952(&contour, side, blank)?;
         let (cut, depth) = self.outermost(&contour, side, &blank);
-        let clearance = Some(self.magnitude(SC)).filter(|way| *way > 0.0).unwrap_or(keys.blank_offset);
-        let out = match self.length_of(args, RP).filter(|plane| *plane != 0.0) {
+        let clearance = Some(self.given.magnitude(SC)).filter(|way| *way > 0.0).unwrap_or(keys.blank_offset);
+        let out = match self.given.length_if(RP).filter(|plane| *plane != 0.0) {
             Some(plane) if side.into.is_radial() && (plane / 2.0 - depth) * side.out() >= 0.0 => plane / 2.0,
             _ => depth + side.out() * clearance,
         };
-        let every = self.magnitude(DI);
+        let every = self.given.magnitude(DI);
         let mut layers = Layers {
             contour,
             into: side.into,
@@ -277,16 +268,16 @@ impl CycleCall<'_, '_> {
 
     /// `_U1` moves the contour away from the material, below 0 into it, along X as a radius and along Z. Roughing leaves
     /// what is above 0 beside its allowances, and nothing less for what is below.
-    fn send_with_u1(&mut self, layers: Layers, side: Side) -> Outcome {
-        let args = self.args;
-        let by = if args.digit(AMODE, 3) == 1 { self.length_of(args, U1).unwrap_or(0.0) } else { 0.0 };
+    fn send_with_u1(&self, layers: Layers, side: Side) -> Made<Acts> {
+        let given = self.given;
+        let by = if given.digit(AMODE, 3) == 1 { self.given.length(U1) } else { 0.0 };
         if by == 0.0 {
             return self.send_layers(layers);
         }
         if !layers.reliefs().is_empty() || layers.leans_over() {
             return self.refuse_argument(U1, codes::S9015::further_allowance_u1_on_contour_that_falls());
         }
-        self.reads(U1, codes::P8106::u1_moves_contour_by_its_amount_along());
+        self.say_of(U1, codes::P8106::u1_moves_contour_by_its_amount_along());
         let way = side.point(-side.along * by, side.out() * by) - Point2::origin();
         let moved = |layers: &Layers, operation| Layers {
             contour: layers.contour.iter().map(|element| shifted(element, way)).collect(),
@@ -305,45 +296,44 @@ impl CycleCall<'_, '_> {
             }
             (false, _) => Layers { operation: Operation::Rough, ..layers.clone() },
         };
-        self.send_layers(rough)?;
+        let mut acts = self.send_layers(rough)?;
         if layers.operation == Operation::RoughAndFinish {
-            let made = moved(&layers, Operation::Finish);
-            return self.send_layers(made);
+            acts.extend(self.send_layers(moved(&layers, Operation::Finish))?);
         }
-        Ok(())
+        Ok(acts)
     }
 
     /// Residual material is read from files of the control.
-    fn no_residual(&self, blank: bool) -> Outcome {
+    fn no_residual(&self, blank: bool) -> Made {
         for key in [CON, CONR] {
-            if !blank && self.args.text(key).is_some_and(|text| !text.is_empty()) {
+            if !blank && self.given.text(key).is_some() {
                 return self.refuse_argument(key, codes::S9015::residual_material());
             }
         }
         Ok(())
     }
 
-    fn digits_952(&mut self) -> Outcome {
-        let args = self.args;
-        if args.digit(DMODE, 4) == 1 && !self.st.is(GCode::G94) {
-            return self.refuse_cycle(args.span_of(DMODE), codes::P2090::ten_thousands_of_dmode_count_feeds());
+    fn digits_952(&self) -> Made {
+        let given = self.given;
+        if given.digit(DMODE, 4) == 1 && !self.st.is(GCode::G94) {
+            return self.refuse_argument(DMODE, codes::P2090::ten_thousands_of_dmode_count_feeds());
         }
-        if args.digit(VARI, 4) > 1 || args.digit(VARI, 5) != 1 {
+        if given.digit(VARI, 4) > 1 || given.digit(VARI, 5) != 1 {
             return self.kind_fault(
                 VARI,
                 "ten thousands 0 `_UX` and `_UZ`, 1 `_U`; hundred thousands 1: cuts follow the contour",
             );
         }
-        if args.digit(VARI, 6) > 2 {
+        if given.digit(VARI, 6) > 2 {
             return self.kind_fault(VARI, "millions 1 cuts reliefs, 2 leaves them");
         }
         self.own_way(codes::P8101::digits_of_vari_are_read_from_stored());
-        if args.digit(VARI, 6) == 0 {
-            self.reads(VARI, codes::P8106::of_0_in_millions_of_vari_is_taken());
+        if given.digit(VARI, 6) == 0 {
+            self.say_of(VARI, codes::P8106::of_0_in_millions_of_vari_is_taken());
         }
-        let limited = |place: u32| args.digit(GMODE, 3) == 1 && args.digit(GMODE, place) == 1;
+        let limited = |place: u32| given.digit(GMODE, 3) == 1 && given.digit(GMODE, place) == 1;
         for (place, limit, name) in [(4, 6, "`_XB`, ten thousands"), (5, 7, "`_ZB`, hundred thousands")] {
-            if args.digit(AMODE, place) == 1 && limited(limit) {
+            if given.digit(AMODE, place) == 1 && limited(limit) {
                 self.own_way(codes::P8101::of_amode_1(&name));
             }
         }
@@ -351,19 +341,19 @@ impl CycleCall<'_, '_> {
     }
 
     fn allowance_952(&self) -> Allowance {
-        if self.args.digit(VARI, 4) == 1 {
-            return Allowance { axes: Vec2::zeros(), around: self.magnitude(U) };
+        if self.given.digit(VARI, 4) == 1 {
+            return Allowance { axes: Vec2::zeros(), around: self.given.magnitude(U) };
         }
-        Allowance { axes: Vec2::new(self.magnitude(UZ), self.magnitude(UX)), around: 0.0 }
+        Allowance { axes: Vec2::new(self.given.magnitude(UZ), self.given.magnitude(UX)), around: 0.0 }
     }
 
-    fn blank_952(&mut self, contour: &[Element], side: Side, blank: Option<Vec<Element>>) -> Outcome<Blank> {
-        let args = self.args;
-        let (x, z) = (self.length_of(args, XD).unwrap_or(0.0), self.length_of(args, ZD).unwrap_or(0.0));
-        let (x_from_contour, z_from_contour) = (args.digit(AMODE, 1) == 1, args.digit(AMODE, 2) == 1);
-        match (args.or_zero(BL) as i32, blank) {
+    fn blank_952(&self, contour: &[Element], side: Side, blank: Option<Vec<Element>>) -> Made<Blank> {
+        let given = self.given;
+        let (x, z) = (self.given.length(XD), self.given.length(ZD));
+        let (x_from_contour, z_from_contour) = (given.digit(AMODE, 1) == 1, given.digit(AMODE, 2) == 1);
+        match (given.or_zero(BL) as i32, blank) {
             (_, Some(outline)) => Ok(Blank::Outline(outline)),
-            (3, None) => self.refuse_cycle(args.span_of(BL), codes::P2090::contour_of_blank_is_missing()),
+            (3, None) => self.refuse_argument(BL, codes::P2090::contour_of_blank_is_missing()),
             (2, None) => Ok(Blank::On(Vec2::new(z.abs(), x.abs()))),
             _ => {
                 let (mut near, far) = Extent::of(contour).corners(side);
@@ -391,21 +381,20 @@ impl CycleCall<'_, '_> {
         }
     }
 
-    fn limits_952(&self, side: Side) -> Outcome<Limits> {
-        let args = self.args;
-        if args.digit(GMODE, 3) != 1 {
+    fn limits_952(&self, side: Side) -> Made<Limits> {
+        let given = self.given;
+        if given.digit(GMODE, 3) != 1 {
             return Ok(Limits::default());
         }
         // XA is the smaller diameter and ZA lies in front: alone, on other sides, it is open which of both borders it is.
         let usual = side.into == Towards::MinusX && side.along < 0.0;
         for (a, b, names) in [(4, 6, "XA and XB"), (5, 7, "ZA and ZB")] {
-            if !usual && args.digit(GMODE, a) != args.digit(GMODE, b) {
+            if !usual && given.digit(GMODE, a) != given.digit(GMODE, b) {
                 return self.refuse_argument(GMODE, codes::S9015::one_of_limits_without_other_one(&names));
             }
         }
         self.own_way(codes::P8101::what_stands_outside_of_limits_is_taken());
-        let given =
-            |key: Key, place: u32| (args.digit(GMODE, place) == 1).then(|| self.length_of(args, key).unwrap_or(0.0));
+        let given = |key: Name, place: u32| (given.digit(GMODE, place) == 1).then(|| self.given.length(key));
         let radius = |v: Option<f64>| v.map(|v| v / 2.0);
         Ok(Limits { z: [given(ZA, 5), given(ZB, 7)], x: [radius(given(XA, 4)), radius(given(XB, 6))] })
     }

@@ -9,12 +9,11 @@ use crate::geo::{Element, Point2, Vec2, cross, direction, distance};
 use crate::ir::cycle::layers::{Allowance, Blank, Clearance, LayerFeeds, Layers, Limits, Relief, Segmentation, Trace};
 use crate::ir::cycle::turning::Towards;
 
-use super::super::Outcome;
-use super::arguments::{
-    AMODE, EPD, EPL, FALX, FALZ, FF1, Key, LAGE, MID, NR, RF1, RF2, RF3, SDIS, SPD, SPL, VARI, ZPD, ZPL,
-};
-use super::call::CycleCall;
+use super::call::{Acts, CycleCall};
 use super::layers::{Side, rectangle};
+use super::names::{AMODE, EPD, EPL, FALX, FALZ, FF1, LAGE, MID, NR, RF1, RF2, RF3, SDIS, SPD, SPL, VARI, ZPD, ZPL};
+use crate::sema::cycle::call::Made;
+use crate::sema::cycle::row::Name;
 
 /// What arithmetic loses, mm.
 const SLACK: f64 = 1e-6;
@@ -35,15 +34,15 @@ struct Transition {
     chamfer: bool,
 }
 
-impl CycleCall<'_, '_> {
-    pub(super) fn corner_removal(&mut self) -> Outcome {
-        let args = self.args;
-        self.removal_is_possible()?;
+impl CycleCall<'_> {
+    pub(super) fn corner_removal(&self) -> Made<Acts> {
+        let given = self.given;
+        self.removal_digits()?;
         let corner = self.corner()?;
-        let Some(operation) = self.operation(args.digit(VARI, 1)).filter(|_| args.or_zero(VARI) < 100.0) else {
+        let Some(operation) = self.operation(given.digit(VARI, 1)).filter(|_| given.or_zero(VARI) < 100.0) else {
             return self.kind_fault(VARI, "tens 1 roughing, 2 finishing, 3 both");
         };
-        let along_z = match args.digit(VARI, 0) {
+        let along_z = match given.digit(VARI, 0) {
             1 => true,
             2 => false,
             _ => return self.kind_fault(VARI, "units 1 along Z, 2 along X"),
@@ -58,21 +57,21 @@ impl CycleCall<'_, '_> {
         let (contour, _) = side.in_order(&self.corner_contour(&corner)?);
         let nose = self.nose_of_edge()?;
         let most = self.infeed(MID, operation)?;
-        let clearance = self.magnitude(SDIS);
+        let clearance = self.given.magnitude(SDIS);
         if clearance == 0.0 {
-            return self.refuse_cycle(
-                args.span_of(SDIS),
-                codes::P2090::safety_distance_is_missing(&args.written(SDIS), &args.place(SDIS)),
+            return self.refuse_argument(
+                SDIS,
+                codes::P2090::safety_distance_is_missing(&given.written(SDIS), &given.argument(SDIS)),
             );
         }
-        let keys = &self.job.settings.cycles.layers;
+        let keys = &self.settings.cycles.layers;
         let lift = if corner.inside { keys.release_inside } else { keys.release_outside }.unwrap_or(clearance);
         let percent = keys.finish_feed_percent;
         let feed = self.mill_feed(FF1)?;
-        let axes = Vec2::new(self.magnitude(FALZ), self.magnitude(FALX));
+        let axes = Vec2::new(self.given.magnitude(FALZ), self.given.magnitude(FALX));
         let depth = if along_z { way.y.abs() - axes.y } else { way.x.abs() - axes.x };
         // Facing in one cut leaves no step that a way up the end wall would remove.
-        let plain = !along_z && args.or_zero(NR) == 0.0 && depth <= most + SLACK;
+        let plain = !along_z && given.or_zero(NR) == 0.0 && depth <= most + SLACK;
         let out = if corner.inside { -clearance } else { clearance };
         let layers = Layers {
             contour,
@@ -96,31 +95,29 @@ impl CycleCall<'_, '_> {
         self.send_layers(layers)
     }
 
-    fn corner(&mut self) -> Outcome<Corner> {
-        let args = self.args;
-        let blank = Point2::new(self.needed_length(SPL, "Z0")?, self.needed_length(SPD, "X0")? / 2.0);
-        let position = args.or_zero(LAGE) as i32;
+    fn corner(&self) -> Made<Corner> {
+        let given = self.given;
+        let blank = Point2::new(self.given.length(SPL), self.given.length(SPD) / 2.0);
+        let position = given.or_zero(LAGE) as i32;
         let (inside, front) = (position >= 2, position % 2 == 1);
         // Increments lead into the material.
         let into = Vec2::new(if front { -1.0 } else { 1.0 }, if inside { 1.0 } else { -1.0 });
-        let x = |call: &Self, key: Key, place: u32| {
-            let value = call.length_of(args, key).unwrap_or(0.0);
-            if args.digit(AMODE, place) == 1 { blank.y + into.y * value.abs() } else { value / 2.0 }
+        let x = |key: Name, place: u32| {
+            let value = given.length(key);
+            if given.digit(AMODE, place) == 1 { blank.y + into.y * value.abs() } else { value / 2.0 }
         };
-        let z = |call: &Self, key: Key, place: u32| {
-            let value = call.length_of(args, key).unwrap_or(0.0);
-            if args.digit(AMODE, place) == 1 { blank.x + into.x * value.abs() } else { value }
+        let z = |key: Name, place: u32| {
+            let value = given.length(key);
+            if given.digit(AMODE, place) == 1 { blank.x + into.x * value.abs() } else { value }
         };
-        self.needed(EPD, "X1")?;
-        self.needed(EPL, "Z1")?;
-        let end = Point2::new(z(self, EPL, 1), x(self, EPD, 0));
+        let end = Point2::new(z(EPL, 1), x(EPD, 0));
         if (end.y - blank.y) * into.y <= SLACK {
             return self.no_material(EPD, "X1 does not lie in the material, seen from X0");
         }
         if (end.x - blank.x) * into.x <= SLACK {
             return self.no_material(EPL, "Z1 does not lie in the material, seen from Z0");
         }
-        let between = if args.or_zero(NR) == 2.0 { Point2::new(z(self, ZPL, 3), x(self, ZPD, 2)) } else { end };
+        let between = if given.or_zero(NR) == 2.0 { Point2::new(z(ZPL, 3), x(ZPD, 2)) } else { end };
         let outside = |a: f64, b: f64, v: f64| v < a.min(b) - SLACK || v > a.max(b) + SLACK;
         if outside(blank.y, end.y, between.y) {
             return self.no_material(ZPD, "XM does not lie between X0 and X1");
@@ -132,8 +129,8 @@ impl CycleCall<'_, '_> {
     }
 
     /// The line from the front of the blank over the corner to its second side, with its transitions.
-    fn corner_contour(&mut self, corner: &Corner) -> Outcome<Vec<Element>> {
-        let args = self.args;
+    fn corner_contour(&self, corner: &Corner) -> Made<Vec<Element>> {
+        let given = self.given;
         let way = corner.end - corner.blank;
         let first = Point2::new(corner.blank.x, corner.end.y);
         let last = Point2::new(corner.end.x, corner.blank.y);
@@ -141,14 +138,14 @@ impl CycleCall<'_, '_> {
         let before = first + Vec2::new(0.0, way.y);
         let behind = last + Vec2::new(way.x, 0.0);
         let points = [before, first, corner.between, last, behind];
-        let with_transitions = args.or_zero(NR) != 0.0;
+        let with_transitions = given.or_zero(NR) != 0.0;
         let mut sizes = [Transition { size: 0.0, chamfer: false }; 3];
         for ((key, place), transition) in [(RF1, 4), (RF2, 5), (RF3, 6)].into_iter().zip(&mut sizes) {
-            let size = self.magnitude(key);
+            let size = self.given.magnitude(key);
             if with_transitions {
-                *transition = Transition { size, chamfer: args.digit(AMODE, place) == 1 };
+                *transition = Transition { size, chamfer: given.digit(AMODE, place) == 1 };
             } else if size != 0.0 {
-                self.unused(key, &args.written(key), "by a corner without transitions (`_NR` 0)");
+                self.unused(key, "by a corner without transitions (`_NR` 0)");
             }
         }
         let mut contour: Vec<Element> = Vec::with_capacity(5);
@@ -161,9 +158,9 @@ impl CycleCall<'_, '_> {
             let ahead = at.map_or(0.0, |at| (from - at).dot(&(points[1] - points[0])));
             let room = distance(points[1], to) <= distance(points[1], points[2]) + SLACK;
             if ahead < -SLACK || !room {
-                return self.refuse_cycle(
-                    args.span_of(key),
-                    codes::P2090::transition_is_larger_than_its_edge(&args.written(key), &args.place(key)),
+                return self.refuse_argument(
+                    key,
+                    codes::P2090::transition_is_larger_than_its_edge(&given.written(key), &given.argument(key)),
                 );
             }
             if let Some(at) = at.filter(|at| distance(*at, from) > SLACK) {

@@ -8,9 +8,11 @@ use crate::ir::Feed;
 use crate::ir::cycle::drilling::{Entry, Levels};
 use crate::machine::options::cycles::DrillingZones;
 
-use super::super::Outcome;
-use super::arguments::{Arguments, Key, S_FA, S_FD, S_ZA, S_ZD, VARI};
 use super::call::CycleCall;
+use super::names::{S_FA, S_FD, S_ZA, S_ZD, VARI};
+use crate::sema::cycle::call::{Kind, Made};
+use crate::sema::cycle::given::Given;
+use crate::sema::cycle::row::Name;
 
 /// The hole in up to three parts.
 #[derive(Debug, Clone, Copy)]
@@ -22,24 +24,22 @@ pub(super) struct Zones {
     pub last: Option<(f64, Feed)>,
 }
 
-impl Arguments {
-    /// Does `_VARI` of CYCLE82 switch a zone on?
-    pub(super) fn has_zones(&self) -> bool {
-        self.name() == "CYCLE82" && self.or_zero(VARI) != 0.0
-    }
+/// Does `_VARI` of CYCLE82 switch a zone on?
+pub(in super::super) fn has_zones(given: &Given) -> bool {
+    given.signature.name == "CYCLE82" && given.or_zero(VARI) != 0.0
 }
 
-impl CycleCall<'_, '_> {
+impl CycleCall<'_> {
     /// The zones of a hole that is drilled at `feed`.
-    pub(super) fn zones(&self, levels: &Levels, feed: Feed) -> Outcome<Zones> {
-        let args = self.args;
-        let digits = [args.digit(VARI, 3), args.digit(VARI, 4)];
-        if digits.iter().any(|digit| *digit > 1) || (0..10).any(|at| !matches!(at, 3 | 4) && args.digit(VARI, at) != 0)
+    pub(super) fn zones(&self, levels: &Levels, feed: Feed) -> Made<Zones> {
+        let given = self.given;
+        let digits = [given.digit(VARI, 3), given.digit(VARI, 4)];
+        if digits.iter().any(|digit| *digit > 1) || (0..10).any(|at| !matches!(at, 3 | 4) && given.digit(VARI, at) != 0)
         {
             return self.refuse_argument(VARI, codes::S9015::another_digit_than_1_in_thousands());
         }
         let [thousands, ten_thousands] = digits.map(|digit| digit == 1);
-        let (enters, comes_out) = match self.job.settings.cycles.drilling_zones {
+        let (enters, comes_out) = match self.settings.cycles.drilling_zones {
             DrillingZones::Both => {
                 if thousands != ten_thousands {
                     self.says_both_zones();
@@ -74,46 +74,39 @@ impl CycleCall<'_, '_> {
     }
 
     /// Length and feed of a zone; one that is off has no length.
-    fn zone(&self, on: bool, [length, percent]: [Key; 2], way: f64, feed: Feed) -> Outcome<(f64, Feed)> {
-        let args = self.args;
+    fn zone(&self, on: bool, [length, percent]: [Name; 2], way: f64, feed: Feed) -> Made<(f64, Feed)> {
+        let given = self.given;
         if !on {
             for key in [length, percent] {
-                if args.or_zero(key) != 0.0 {
-                    self.unused(key, key.0, "without its digit in `_VARI`");
+                if given.or_zero(key) != 0.0 {
+                    self.unused(key, "without its digit in `_VARI`");
                 }
             }
             return Ok((0.0, feed));
         }
-        let given = args.or_zero(percent);
+        let given = given.or_zero(percent);
         if given < 0.0 {
-            return self.refuse_cycle(args.span_of(percent), codes::P2090::feed_of_zone_is_below_0());
+            return self.refuse_argument(percent, codes::P2090::feed_of_zone_is_below_0());
         }
         if given == 0.0 {
             self.reads_once(percent, codes::P8106::feed_of_0_percent_is_taken());
         }
         let part = if given == 0.0 { 1.0 } else { given / 100.0 };
-        let way_in = self.length_of(args, length).unwrap_or(0.0);
+        let way_in = self.given.length(length);
         if way_in < 0.0 {
-            self.reads_once(length, codes::P8106::below_0_is_taken_without_its_sign(&length.0));
+            self.reads_once(length, codes::P8106::below_0_is_taken_without_its_sign(&self.given.written(length)));
         }
         let length = way_in.abs();
         Ok((length.min(way), feed.with_value(feed.value() * part)))
     }
 
     fn says_both_zones(&self) {
-        let args = self.args;
-        let found = codes::P8106::which_digit_of_vari_is_predrilling(&args.name())
-            .answer(Answer::key("cycles", "cycle82_vari").one_of(&["\"thousands-through\"", "\"thousands-predrill\""]))
-            .at(self.loc(args.span_of(VARI)));
-        if !self.job.diags.knows(&found) {
-            self.report(found);
-        }
+        let fault = codes::P8106::which_digit_of_vari_is_predrilling(&self.given.called)
+            .answer(Answer::key("cycles", "cycle82_vari").one_of(&["\"thousands-through\"", "\"thousands-predrill\""]));
+        self.note(self.given.place_of(VARI), fault, Kind::OnceHere);
     }
 
-    fn reads_once(&self, key: Key, fault: Fault) {
-        let found = fault.of(self.args.name()).at(self.loc(self.args.span_of(key)));
-        if !self.job.diags.knows(&found) {
-            self.report(found);
-        }
+    fn reads_once(&self, name: Name, fault: Fault) {
+        self.note(self.given.place_of(name), self.of_cycle(fault), Kind::OnceHere);
     }
 }

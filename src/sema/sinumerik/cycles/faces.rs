@@ -8,39 +8,38 @@ use crate::ir::cycle::facing::{FacingFault, Kind, Links, Overrun};
 use crate::ir::cycle::milling::{Mill, Place};
 use crate::ir::cycle::{Cycle, Facing, Family};
 
-use super::super::Outcome;
-use super::super::value::whole;
-use super::arguments::{AMODE, FDP, FDP1, Key, LENG, LIM, MIDA, PA, PO, STA, VARI, WID};
-use super::call::CycleCall;
+use super::call::{Act, Acts, CycleCall};
 use super::milling::CLASSIC;
+use super::names::{AMODE, FDP, FDP1, LENG, LIM, MIDA, PA, PO, STA, VARI, WID};
+use crate::sema::cycle::call::Made;
+use crate::sema::cycle::row::Name;
 
-impl CycleCall<'_, '_> {
+impl CycleCall<'_> {
     /// CYCLE71
-    pub(super) fn face(&mut self) -> Outcome {
+    pub(super) fn face(&self) -> Made<Acts> {
         let mill = self.mill(&CLASSIC)?;
-        let args = self.args;
-        let turn = args.or_zero(STA);
+        let given = self.given;
+        let turn = given.or_zero(STA);
         if !(0.0..180.0).contains(&turn) {
-            return self
-                .refuse_cycle(args.span_of(STA), codes::P2090::rotation_sta_is_0_to_below_180(&args.place(STA)));
+            return self.refuse_argument(STA, codes::P2090::rotation_sta_is_0_to_below_180(&given.argument(STA)));
         }
-        let size = [self.signed_size(LENG)?, self.signed_size(WID)?];
-        let overrun = Overrun { ends: self.magnitude(FDP), side: self.magnitude(FDP1) };
+        let size = [given.length(LENG), given.length(WID)];
+        let overrun = Overrun { ends: self.given.magnitude(FDP), side: self.given.magnitude(FDP1) };
         let corner = Place { at: self.reference_point(PA, PO), turn: Deg(turn) };
         self.mill_face(mill, corner, size, overrun, [[false; 2]; 2])
     }
 
     /// CYCLE61
-    pub(super) fn face_by_limits(&mut self) -> Outcome {
+    pub(super) fn face_by_limits(&self) -> Made<Acts> {
         let mill = self.mill(&CLASSIC)?;
-        let args = self.args;
+        let given = self.given;
         let at = self.reference_point(PA, PO);
         let size = [self.size_from(LENG, 3, at.x)?, self.size_from(WID, 4, at.y)?];
-        let limits = args.number(LIM).and_then(whole).unwrap_or(0);
-        if limits > 1111 || (0..4).any(|place| args.digit(LIM, place) > 1) {
-            return self.refuse_cycle(args.span_of(LIM), codes::P2090::limits_lim_are_four_digits_0(&args.place(LIM)));
+        let limits = given.whole(LIM);
+        if limits > 1111 || (0..4).any(|place| given.digit(LIM, place) > 1) {
+            return self.refuse_argument(LIM, codes::P2090::limits_lim_are_four_digits_0(&given.argument(LIM)));
         }
-        let wall = |place: u32| args.digit(LIM, place) == 1;
+        let wall = |place: u32| given.digit(LIM, place) == 1;
         if limits > 0 {
             self.own_way(codes::P8101::limits_are_read_from_right_as_walls());
         }
@@ -52,33 +51,28 @@ impl CycleCall<'_, '_> {
     }
 
     /// A length of the face, or its end point, by a digit of `_AMODE`.
-    fn size_from(&self, key: Key, place: u32, from: f64) -> Outcome<f64> {
-        let given = self.length_of(self.args, key).unwrap_or(0.0);
-        let size = if self.args.digit(AMODE, place) == 1 { given } else { given - from };
+    fn size_from(&self, key: Name, place: u32, from: f64) -> Made<f64> {
+        let given = self.given.length(key);
+        let size = if self.given.digit(AMODE, place) == 1 { given } else { given - from };
         if size == 0.0 { self.size_is_missing(key) } else { Ok(size) }
     }
 
-    fn signed_size(&self, key: Key) -> Outcome<f64> {
-        let size = self.length_of(self.args, key).unwrap_or(0.0);
-        if size == 0.0 { self.size_is_missing(key) } else { Ok(size) }
-    }
-
-    fn size_is_missing<T>(&self, key: Key) -> Outcome<T> {
-        let (name, place) = (self.args.written(key), self.args.place(key));
-        self.refuse_cycle(self.args.span_of(key), codes::P2090::side_of_face_is_0(&name, &place))
+    fn size_is_missing<T>(&self, key: Name) -> Made<T> {
+        let (name, place) = (self.given.written(key), self.given.argument(key));
+        self.refuse_argument(key, codes::P2090::side_of_face_is_0(&name, &place))
     }
 
     fn mill_face(
-        &mut self,
+        &self,
         mill: Mill,
         corner: Place,
         size: [f64; 2],
         overrun: Overrun,
         walls: [[bool; 2]; 2],
-    ) -> Outcome {
-        let args = self.args;
-        let (unit, tens) = (args.digit(VARI, 0), args.digit(VARI, 1));
-        let more = args.number(VARI).and_then(whole).unwrap_or(0) >= 100;
+    ) -> Made<Acts> {
+        let given = self.given;
+        let (unit, tens) = (given.digit(VARI, 0), given.digit(VARI, 1));
+        let more = given.whole(VARI) >= 100;
         if !(1..=2).contains(&unit) || !(1..=4).contains(&tens) || more {
             return self.no_such_machining(
                 "units 1 roughs, 2 finishes; tens 1 and 3 along the first axis, 2 and 4 along the second, 3 and 4 to and fro",
@@ -103,8 +97,7 @@ impl CycleCall<'_, '_> {
         if let Err(fault) = face.check() {
             return self.face_fault(fault);
         }
-        self.send_cycle(Cycle::Facing(face));
-        Ok(())
+        Ok(vec![Act::Cycle(Cycle::Facing(face))])
     }
 
     /// How far the tool is lifted behind a finished path.
@@ -114,8 +107,8 @@ impl CycleCall<'_, '_> {
         [overrun.ends, heights.clearance].into_iter().find(|way| *way > 0.0).map_or(free, |way| way.min(free))
     }
 
-    fn face_fault(&self, fault: FacingFault) -> Outcome {
-        let (key, alarm, help) = match fault {
+    fn face_fault<T>(&self, fault: FacingFault) -> Made<T> {
+        let at = match fault {
             FacingFault::Mill(fault) => return self.mill_fault(&CLASSIC, fault),
             FacingFault::Size => (LENG, 61118, "give both sides of the face"),
             FacingFault::Width | FacingFault::TooManyPaths => (MIDA, 61111, "give a usual width of a cut"),
@@ -123,11 +116,6 @@ impl CycleCall<'_, '_> {
             FacingFault::NoEntry => (VARI, 61002, "cut along the other axis of the face"),
             FacingFault::Number => (VARI, 61019, "check the arguments of the cycle"),
         };
-        self.refuse_cycle(
-            self.args.span_of(key),
-            codes::P2090::family_refuses(&fault, &self.args.written(key), &self.args.place(key))
-                .help(help)
-                .alarm(alarm),
-        )
+        self.unsound(at, &fault)
     }
 }

@@ -2,6 +2,8 @@
 //!
 //! Source: M 1, 2 and 9 (docs/sources.md).
 
+use core::fmt;
+
 use crate::diag::{Answer, codes};
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::cycle::Cycle;
@@ -12,10 +14,11 @@ use crate::ir::cycle::turning::Towards;
 
 use nalgebra::Vector3;
 
-use super::super::Outcome;
 use super::super::compensation::nose_of;
-use super::arguments::{DMODE, Key};
-use super::call::CycleCall;
+use super::call::{Act, Acts, CycleCall};
+use super::names::DMODE;
+use crate::sema::cycle::call::{Kind, Made};
+use crate::sema::cycle::row::Name;
 
 /// The side from which material is taken, and the way of the cuts.
 #[derive(Debug, Clone, Copy)]
@@ -69,42 +72,40 @@ pub(super) fn rectangle(a: Point2, b: Point2) -> Vec<Element> {
     sides.map(|pair| Element::Line { from: pair[0], to: pair[1] }).collect()
 }
 
-impl CycleCall<'_, '_> {
-    /// What all of them need of the call and of the modal state.
-    pub(super) fn removal_is_possible(&mut self) -> Outcome {
-        self.check_parameters()?;
-        self.in_turning_plane()?;
-        if !matches!(self.args.digit(DMODE, 0), 0 | 2) {
+impl CycleCall<'_> {
+    /// The plane and the coded arguments of stock removal.
+    pub(super) fn removal_digits(&self) -> Made {
+        if !matches!(self.given.digit(DMODE, 0), 0 | 2) {
             return self.refuse_argument(DMODE, codes::S9015::turning_cycle_in_another_plane_than_g18());
         }
-        self.digits_are_known()?;
-        self.digits_of_are_known(DMODE)?;
-        self.no_normal_offset()?;
-        self.frame_is_not_scaled()
+        self.digits_of_are_known(DMODE)
     }
 
     /// The nose of the active edge.
-    pub(super) fn nose_of_edge(&self) -> Outcome<Nose> {
-        let args = self.args;
+    pub(super) fn nose_of_edge(&self) -> Made<Nose> {
+        let given = self.given;
         let (number, edge) = self.active_edge()?;
         let Some(radius) = self.known_radius() else {
-            return self.refuse(
-                args.span,
-                codes::P2004::nose_radius_of_tool_d_is_not(&args.name(), &number, &edge)
+            return self.refuse_as_said(
+                given.place,
+                codes::P2004::nose_radius_of_tool_d_is_not(&given.called, &number, &edge)
                     .answers([Answer::tool(number, "radius"), Answer::tool(number, "orientation")]),
             );
         };
         if radius < 0.0 {
-            return self.refuse(args.span, codes::P2004::nose_radius_of_tool_d_is_below(&args.name(), &number, &edge));
+            return self.refuse_as_said(
+                given.place,
+                codes::P2004::nose_radius_of_tool_d_is_below(&given.called, &number, &edge),
+            );
         }
         if radius == 0.0 {
             return Ok(Nose::default());
         }
-        match self.edge_position(number, edge).and_then(nose_of) {
+        match self.st.edge_position(self.settings, number, edge).and_then(nose_of) {
             Some(way) => Ok(Nose { radius, tip: self.in_frame(Vec2::zeros() - way)? }),
-            None => self.refuse(
-                args.span,
-                codes::P2004::position_of_cutting_edge_of_tool_d(&args.name(), &number, &edge)
+            None => self.refuse_as_said(
+                given.place,
+                codes::P2004::position_of_cutting_edge_of_tool_d(&given.called, &number, &edge)
                     .answer(Answer::tool(number, "orientation")),
             ),
         }
@@ -115,12 +116,12 @@ impl CycleCall<'_, '_> {
         let number = self.st.tool.active()?;
         let edge = self.st.tool.edge_or_first();
         let written = self.st.system.number(&format!("$TC_DP24[{number},{edge}]"));
-        let listed = || self.active_tool().and_then(|tool| tool.clearance).filter(|_| edge == 1);
+        let listed = || self.st.active_tool(self.settings).and_then(|tool| tool.clearance).filter(|_| edge == 1);
         written.or_else(listed).filter(|angle| *angle > 0.0)
     }
 
     /// A direction of the tool along Z and X as the programmed frame sees it: no frame turns the tool.
-    fn in_frame(&self, way: Vec2) -> Outcome<Vec2> {
+    fn in_frame(&self, way: Vec2) -> Made<Vec2> {
         let linear = self.st.ctx.frame.linear();
         let seen = linear.transpose() * Vector3::new(way.y, 0.0, way.x);
         let whole = seen.map(|v| v.round());
@@ -128,7 +129,7 @@ impl CycleCall<'_, '_> {
         if straight && (linear * whole - Vector3::new(way.y, 0.0, way.x)).norm() < 1e-9 {
             return Ok(Vec2::new(whole.z, whole.x));
         }
-        self.refuse(self.args.span, codes::S9015::under_frame_that_turns_part_by_angle(&self.args.name()))
+        self.refuse_as_said(self.given.place, codes::S9015::under_frame_that_turns_part_by_angle(&self.given.called))
     }
 
     /// The kind of machining from a digit: 1 roughing, 2 finishing, 3 both.
@@ -142,70 +143,74 @@ impl CycleCall<'_, '_> {
     }
 
     /// Infeed that roughing needs.
-    pub(super) fn infeed(&self, key: Key, operation: Operation) -> Outcome<f64> {
-        let args = self.args;
-        let most = self.magnitude(key);
+    pub(super) fn infeed(&self, key: Name, operation: Operation) -> Made<f64> {
+        let given = self.given;
+        let most = self.given.magnitude(key);
         if most > 0.0 || operation == Operation::Finish {
             return Ok(most);
         }
-        self.refuse_cycle(
-            args.span_of(key),
-            codes::P2090::greatest_infeed_is_missing(&args.written(key), &args.place(key)),
-        )
+        self.refuse_argument(key, codes::P2090::greatest_infeed_is_missing(&given.written(key), &given.argument(key)))
     }
 
-    /// Sends the cycle, and says what it rests on.
-    pub(super) fn send_layers(&mut self, layers: Layers) -> Outcome {
-        let args = self.args;
+    /// The cycle, and what it rests on.
+    pub(super) fn send_layers(&self, layers: Layers) -> Made<Acts> {
+        let given = self.given;
         let reliefs = layers.reliefs();
+        let (called, place) = (&given.called, given.place);
         if !reliefs.is_empty() {
-            let axis = if layers.into.is_radial() { "Z" } else { "X" };
-            let scale = if layers.into.is_radial() { 1.0 } else { 2.0 };
-            let shown: Vec<String> = reliefs
-                .iter()
-                .map(|(from, to)| format!("{axis}{:.3} to {axis}{:.3}", from * scale, to * scale))
-                .collect();
-            let shown = shown.join(", ");
+            let shown = Reliefs { list: &reliefs, along_z: layers.into.is_radial() };
             if layers.relief == Relief::Left {
-                self.say_once(args.span, codes::S8210::relief_cut_from_is_left_standing(&args.name(), &shown));
+                self.note(place, codes::S8210::relief_cut_from_is_left_standing(called, &shown), Kind::Once);
             } else if let Some(angle) = self.clearance_angle() {
                 let steepest = layers.steepest_fall();
                 if steepest > angle + 1e-6 {
-                    return self.refuse_cycle(
-                        args.span,
-                        codes::P2090::relief_cut_from_falls_at_degrees(&shown, &steepest, &angle),
-                    );
+                    return self.refuse(codes::P2090::relief_cut_from_falls_at_degrees(&shown, &steepest, &angle));
                 }
             } else {
-                self.say_once(args.span, codes::S8211::relief_cut(&args.name(), &shown));
+                self.note(place, codes::S8211::relief_cut(called, &shown), Kind::Once);
             }
         }
         if layers.points_back() {
-            let found = codes::S8213::cutting_edge_points_back(&args.name()).at(self.loc(args.span));
-            self.report_once(found.help("check the edge position in the tool data, and the direction of the cycle"));
+            self.note(place, codes::S8213::cutting_edge_points_back(called), Kind::Once);
         }
         if layers.leans_over() && layers.operation != Operation::Finish {
-            self.say_once(args.span, codes::S8212::part_of_contour_leans_over(&args.name()));
+            self.note(place, codes::S8212::part_of_contour_leans_over(called), Kind::Once);
         }
         if layers.operation != Operation::Finish {
             self.own_way(codes::P8101::controls_do_not_publish_cuts());
         }
-        self.send_cycle(Cycle::Layers(layers));
-        self.say_remarks();
-        Ok(())
+        Ok(vec![Act::Cycle(Cycle::Layers(layers))])
     }
 
     /// Refuses a kind of machining.
-    pub(super) fn kind_fault<T>(&self, key: Key, help: &str) -> Outcome<T> {
-        self.refuse_cycle(
-            self.args.span_of(key),
-            codes::P2090::there_is_no_such_kind_of_machining(&self.args.written(key), &self.args.place(key)).help(help),
+    pub(super) fn kind_fault<T>(&self, key: Name, help: &str) -> Made<T> {
+        self.refuse_argument(
+            key,
+            codes::P2090::there_is_no_such_kind_of_machining(&self.given.written(key), &self.given.argument(key))
+                .help(help),
         )
     }
 
     /// Nothing between the blank and the end point.
-    pub(super) fn no_material<T>(&self, key: Key, what: &str) -> Outcome<T> {
-        let args = self.args;
-        self.refuse_cycle(args.span_of(key), codes::P2090::so_check_corner(&what, &args.written(key), &args.place(key)))
+    pub(super) fn no_material<T>(&self, key: Name, what: &str) -> Made<T> {
+        let given = self.given;
+        self.refuse_argument(key, codes::P2090::so_check_corner(&what, &given.written(key), &given.argument(key)))
+    }
+}
+
+/// Relief cuts as findings show them: from where to where on the axis of the cuts, X as a diameter.
+struct Reliefs<'r> {
+    list: &'r [(f64, f64)],
+    along_z: bool,
+}
+
+impl fmt::Display for Reliefs<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (axis, scale) = if self.along_z { ("Z", 1.0) } else { ("X", 2.0) };
+        for (at, (from, to)) in self.list.iter().enumerate() {
+            let between = if at == 0 { "" } else { ", " };
+            write!(f, "{between}{axis}{:.3} to {axis}{:.3}", from * scale, to * scale)?;
+        }
+        Ok(())
     }
 }

@@ -10,11 +10,10 @@ use crate::ir::frame::PlaneMap;
 use crate::ir::function::Turn;
 use crate::machine::Axis;
 
-use super::super::{Outcome, Reported};
-use super::arguments::{
-    AMODE, CDIR, DMODE, DP, DPR, F, FALD, FFD, FFP1, FZ, Key, MID, RFP, RP, RTP, SC, SDIS, UZ, Z0, Z1,
-};
 use super::call::CycleCall;
+use super::names::{AMODE, CDIR, DMODE, DP, DPR, F, FALD, FFD, FFP1, FZ, MID, RFP, RP, RTP, SC, SDIS, UZ, Z0, Z1};
+use crate::sema::cycle::call::{Kind, Made, Refusal};
+use crate::sema::cycle::row::Name;
 
 /// The plane infeed as a part of the diameter of the cutter, where none is given.
 const USUAL_WIDTH: f64 = 0.8;
@@ -27,15 +26,15 @@ const LARGEST_FEED: f64 = 999_999.999;
 /// Where a cycle has what all milling cycles take.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Names {
-    pub retract: Key,
-    pub reference: Key,
-    pub clearance: Key,
-    pub depth: Key,
-    pub step: Key,
-    pub floor: Key,
-    pub feed: Key,
+    pub retract: Name,
+    pub reference: Name,
+    pub clearance: Name,
+    pub depth: Name,
+    pub step: Name,
+    pub floor: Name,
+    pub feed: Name,
     /// As `feed` where the cycle has none.
-    pub depth_feed: Key,
+    pub depth_feed: Name,
 }
 
 /// The names of the cycles that the old controls have, too.
@@ -63,18 +62,17 @@ pub(super) enum Around {
     Outside,
 }
 
-impl CycleCall<'_, '_> {
+impl CycleCall<'_> {
     /// What every milling cycle takes; everything that recurs in the codes is checked here.
-    pub(super) fn mill(&mut self, names: &Names) -> Outcome<Mill> {
-        let args = self.args;
-        self.digits_are_known()?;
+    pub(super) fn mill(&self, names: &Names) -> Made<Mill> {
+        let given = self.given;
         self.digits_of_are_known(DMODE)?;
         self.frame_is_not_scaled()?;
         let plane = self.plane_of_mode()?;
         self.frame_keeps_the_tool_axis(plane)?;
         let (first, second, third) = plane.axes();
         for axis in [first, second, third] {
-            self.no_diameters(args.name(), Axis::ALL[axis], args.span)?;
+            self.no_diameters(Axis::ALL[axis], given.place)?;
         }
         let radius = self.cutter()?;
         let heights = self.mill_heights(names)?;
@@ -82,29 +80,17 @@ impl CycleCall<'_, '_> {
         let mill = Mill { plane, heights, radius, feeds };
         match mill.check() {
             Ok(()) if third == Axis::Z.index() && heights.outward() < 0.0 && !self.st.machine.lathe => {
-                let (name, place) = (args.written(names.retract), args.place(names.retract));
-                self.refuse_cycle(
-                    args.span_of(names.retract),
-                    codes::P2090::retraction_plane_lies_below_surface(&name, &place),
-                )
+                let (name, place) = (given.written(names.retract), given.argument(names.retract));
+                self.refuse_argument(names.retract, codes::P2090::retraction_plane_lies_below_surface(&name, &place))
             }
             Ok(()) => self.levels_are_meant(names, mill),
             Err(fault) => self.mill_fault(names, fault),
         }
     }
 
-    /// Cycles whose path does not count OFFN refuse it: the control selects compensation in them, with the radius that OFFN enlarges.
-    pub(super) fn no_normal_offset(&self) -> Outcome {
-        let normal = self.st.path.normal() / self.st.length_unit();
-        if normal == 0.0 {
-            return Ok(());
-        }
-        self.refuse(self.args.span, codes::S9015::offn_is_in_force(&self.args.name(), &normal))
-    }
-
     /// The plane that `_DMODE` names.
-    fn plane_of_mode(&self) -> Outcome<Plane> {
-        match self.args.digit(DMODE, 0) {
+    fn plane_of_mode(&self) -> Made<Plane> {
+        match self.given.digit(DMODE, 0) {
             0 => Ok(self.st.plane()),
             1 => Ok(Plane::Xy),
             2 => Ok(Plane::Zx),
@@ -113,16 +99,8 @@ impl CycleCall<'_, '_> {
         }
     }
 
-    /// Mirrors and rotations are allowed: the shape is turned with its frame.
-    pub(super) fn frame_is_not_scaled(&self) -> Outcome {
-        if self.st.ctx.frame.uniform_scale().is_some_and(|scale| (scale - 1.0).abs() < 1e-9) {
-            return Ok(());
-        }
-        self.refuse_cycle(self.args.span, codes::P2090::scaling_is_active())
-    }
-
     /// The heights of the cycle lie along the tool axis of the machine, and its way out of the workpiece is the tool's.
-    fn frame_keeps_the_tool_axis(&self, plane: Plane) -> Outcome {
+    fn frame_keeps_the_tool_axis(&self, plane: Plane) -> Made {
         let (first, second, third) = plane.axes();
         let linear = self.st.ctx.frame.linear();
         let tilted =
@@ -130,12 +108,12 @@ impl CycleCall<'_, '_> {
         if !tilted && linear[(third, third)] > 0.0 {
             return Ok(());
         }
-        self.refuse(self.args.span, codes::S9015::frame_mirrors_or_tilts_tool_axis(&self.args.name()))
+        self.refuse_as_said(self.given.place, codes::S9015::frame_mirrors_or_tilts_tool_axis(&self.given.called))
     }
 
     /// The radius of the active tool.
-    fn cutter(&self) -> Outcome<f64> {
-        let args = self.args;
+    fn cutter(&self) -> Made<f64> {
+        let given = self.given;
         let (number, edge) = self.active_edge()?;
         match self.known_radius() {
             Some(radius) if radius > 0.0 => {
@@ -144,9 +122,9 @@ impl CycleCall<'_, '_> {
             }
             known => {
                 let what = if known.is_some() { "is not above 0" } else { "is not known" };
-                self.refuse(
-                    args.span,
-                    codes::P2004::radius_of_tool(&args.name(), &number, &what, &edge)
+                self.refuse_as_said(
+                    given.place,
+                    codes::P2004::radius_of_tool(&given.called, &number, &what, &edge)
                         .answer(Answer::tool(number, "radius")),
                 )
             }
@@ -155,43 +133,37 @@ impl CycleCall<'_, '_> {
 
     /// The paths are those of a cutter with sharp corners.
     fn corners_of_cutter(&self, radius: f64) {
-        let rounding = self.active_tool().and_then(|tool| tool.corner_radius).filter(|rounding| *rounding > 0.0);
+        let rounding =
+            self.st.active_tool(self.settings).and_then(|tool| tool.corner_radius).filter(|rounding| *rounding > 0.0);
         let Some(rounding) = rounding else { return };
-        self.report_once(
-            codes::P8102::corner_radius_mm_of_cutter(
-                &self.args.name(),
-                &rounding,
-                &radius,
-                &(2.0 * (radius - rounding).max(0.0)),
-            )
-            .at(self.loc(self.args.span)),
-        );
+        let flat = 2.0 * (radius - rounding).max(0.0);
+        let fault = codes::P8102::corner_radius_mm_of_cutter(&self.given.called, &rounding, &radius, &flat);
+        self.note(self.given.place, fault, Kind::Once);
     }
 
-    fn mill_heights(&mut self, names: &Names) -> Outcome<Heights> {
-        let retract = self.needed_length(names.retract, "the retraction plane")?;
-        let reference = self.needed_length(names.reference, "the reference plane")?;
+    fn mill_heights(&self, names: &Names) -> Made<Heights> {
+        let (retract, reference) = (self.given.length(names.retract), self.given.length(names.reference));
         let depth = self.mill_depth(names, retract, reference)?;
         Ok(Heights {
             retract,
             reference,
-            clearance: self.magnitude(names.clearance),
+            clearance: self.given.magnitude(names.clearance),
             depth,
-            step: self.magnitude(names.step),
+            step: self.given.magnitude(names.step),
             division: Division::Even,
-            allowance: self.magnitude(names.floor),
+            allowance: self.given.magnitude(names.floor),
         })
     }
 
     /// The depth from one argument, absolute or incremental by the units of `_AMODE`, or from the pair DP and DPR.
-    fn mill_depth(&mut self, names: &Names, retract: f64, reference: f64) -> Outcome<f64> {
-        let args = self.args;
-        let (mut absolute, mut relative) = (self.length_of(args, names.depth), None);
-        if args.place(DPR) > 0 {
-            relative = self.length_of(args, DPR);
+    fn mill_depth(&self, names: &Names, retract: f64, reference: f64) -> Made<f64> {
+        let given = self.given;
+        let (mut absolute, mut relative) = (given.length_if(names.depth), None);
+        if given.argument(DPR) > 0 {
+            relative = self.given.length_if(DPR);
             self.one_depth(self.depth_by(), &mut absolute, &mut relative)?;
             self.depths_agree(reference, retract, absolute, relative);
-        } else if args.digit(AMODE, 0) == 1 {
+        } else if given.digit(AMODE, 0) == 1 {
             relative = absolute.take().or(Some(0.0));
         }
         match relative.filter(|way| *way != 0.0 || absolute.is_none()) {
@@ -202,29 +174,28 @@ impl CycleCall<'_, '_> {
     }
 
     fn depths_agree(&self, reference: f64, retract: f64, absolute: Option<f64>, relative: Option<f64>) {
-        let args = self.args;
+        let given = self.given;
         let (Some(absolute), Some(way)) = (absolute, relative.filter(|way| *way != 0.0)) else { return };
         let by_way = reference - (retract - reference).signum() * way.abs();
         if absolute != 0.0 && (absolute - by_way).abs() > 1e-9 {
-            let found = codes::S8018::dp_dpr_give_different_depths(&args.name()).at(self.loc(args.span_of(DP)));
-            self.report(found.help("leave one of them out"));
+            self.note(given.place_of(DP), codes::S8018::dp_dpr_give_different_depths(&given.called), Kind::Each);
         }
     }
 
-    fn mill_feeds(&mut self, names: &Names) -> Outcome<Feeds> {
+    fn mill_feeds(&self, names: &Names) -> Made<Feeds> {
         let plane = self.mill_feed(names.feed)?;
-        let depth = if self.args.place(names.depth_feed) > 0 { self.mill_feed(names.depth_feed)? } else { plane };
+        let depth = if self.given.argument(names.depth_feed) > 0 { self.mill_feed(names.depth_feed)? } else { plane };
         Ok(Feeds { plane, depth })
     }
 
     /// A feed among the arguments, of the kind in force; the modal one where it is 0 or missing.
-    pub(super) fn mill_feed(&mut self, key: Key) -> Outcome<Feed> {
-        let args = self.args;
-        let value = args.or_zero(key);
+    pub(super) fn mill_feed(&self, key: Name) -> Made<Feed> {
+        let given = self.given;
+        let value = given.or_zero(key);
         if value > LARGEST_FEED {
-            return self.refuse_cycle(
-                args.span_of(key),
-                codes::P2090::feed_is_out_of_all_range(&args.written(key), &args.place(key)),
+            return self.refuse_argument(
+                key,
+                codes::P2090::feed_is_out_of_all_range(&given.written(key), &given.argument(key)),
             );
         }
         if value > 0.0 {
@@ -235,38 +206,36 @@ impl CycleCall<'_, '_> {
             return Ok(feed);
         }
         if value == 0.0 && self.st.feed.is_lost() {
-            return Err(Reported);
+            return Err(Refusal::Known);
         }
         match self.st.feed.word().filter(|_| value == 0.0) {
             Some(feed) => {
-                self.feed_kind_is_said();
+                self.takes_modal_feed.set(true);
                 Ok(feed)
             }
             None => {
-                let (name, place) = (args.written(key), args.place(key));
+                let (name, place) = (given.written(key), given.argument(key));
                 let what = if value < 0.0 { "is below 0" } else { "is missing, and no F stands before it" };
-                self.refuse_cycle(args.span_of(key), codes::P2090::feed(&name, &place, &what))
+                self.refuse_argument(key, codes::P2090::feed(&name, &place, &what))
             }
         }
-    }
-
-    /// A length that the manuals call unsigned, without its sign.
-    pub(super) fn magnitude(&self, key: Key) -> f64 {
-        self.length_of(self.args, key).unwrap_or(0.0).abs()
     }
 
     /// No infeed: one level, where the tool is long enough for it.
-    fn levels_are_meant(&self, names: &Names, mill: Mill) -> Outcome<Mill> {
-        let args = self.args;
-        if mill.heights.step > 0.0 || args.place(names.step) == 0 {
+    fn levels_are_meant(&self, names: &Names, mill: Mill) -> Made<Mill> {
+        let given = self.given;
+        if mill.heights.step > 0.0 || given.argument(names.step) == 0 {
             return Ok(mill);
         }
-        let (name, place) = (args.written(names.step), args.place(names.step));
+        let (name, place) = (given.written(names.step), given.argument(names.step));
         let way = mill.heights.way();
-        match self.active_tool().and_then(|tool| tool.length).filter(|length| *length > 0.0 && *length < way) {
-            Some(length) => {
-                self.refuse_cycle(args.span_of(names.step), codes::P2090::no_infeed_in_depth(&name, &place, &length))
-            }
+        match self
+            .st
+            .active_tool(self.settings)
+            .and_then(|tool| tool.length)
+            .filter(|length| *length > 0.0 && *length < way)
+        {
+            Some(length) => self.refuse_argument(names.step, codes::P2090::no_infeed_in_depth(&name, &place, &length)),
             None => {
                 self.leaves_open(codes::S8230::no_infeed_in_depth(&name, &place, &way));
                 Ok(mill)
@@ -275,17 +244,17 @@ impl CycleCall<'_, '_> {
     }
 
     /// The greatest plane infeed: mm, or percent of the diameter by the tens of `_AMODE`.
-    pub(super) fn width(&self, key: Key, radius: f64) -> Outcome<f64> {
-        let args = self.args;
-        let (name, place) = (args.written(key), args.place(key));
-        let width = if args.digit(AMODE, 1) == 1 {
-            args.or_zero(key).abs() / 100.0 * 2.0 * radius
+    pub(super) fn width(&self, key: Name, radius: f64) -> Made<f64> {
+        let given = self.given;
+        let (name, place) = (given.written(key), given.argument(key));
+        let width = if given.digit(AMODE, 1) == 1 {
+            given.or_zero(key).abs() / 100.0 * 2.0 * radius
         } else {
-            self.magnitude(key)
+            self.given.magnitude(key)
         };
         if width > 2.0 * radius + 1e-9 {
-            return self.refuse_cycle(
-                args.span_of(key),
+            return self.refuse_argument(
+                key,
                 codes::P2090::infeed_in_plane_of_mm_is_larger(&name, &place, &width, &(2.0 * radius)),
             );
         }
@@ -297,17 +266,17 @@ impl CycleCall<'_, '_> {
     }
 
     /// Does the tool go round counter-clockwise, by CDIR?
-    pub(super) fn goes_counter_clockwise(&self, around: Around) -> Outcome<bool> {
-        let args = self.args;
-        let climb = match args.or_zero(CDIR) {
+    pub(super) fn goes_counter_clockwise(&self, around: Around) -> Made<bool> {
+        let given = self.given;
+        let climb = match given.or_zero(CDIR) {
             2.0 => return Ok(false),
             3.0 => return Ok(true),
             0.0 => true,
             1.0 => false,
             _ => {
-                return self.refuse_cycle(
-                    args.span_of(CDIR),
-                    codes::P2090::direction_is_0_to_3(&args.written(CDIR), &args.place(CDIR)),
+                return self.refuse_argument(
+                    CDIR,
+                    codes::P2090::direction_is_0_to_3(&given.written(CDIR), &given.argument(CDIR)),
                 );
             }
         };
@@ -330,25 +299,19 @@ impl CycleCall<'_, '_> {
     }
 
     /// Refuses what makes no milling cycle.
-    pub(super) fn mill_fault<T>(&self, names: &Names, fault: MillFault) -> Outcome<T> {
-        let args = self.args;
-        let (key, alarm, help) = match fault {
-            MillFault::ReferencePlane => (
-                names.depth,
-                Some(61101),
-                "the retraction plane lies on the far side of the surface, seen from the depth",
-            ),
-            MillFault::RetractBelowStart => {
-                (names.retract, None, "partc wants the retraction plane above the surface plus the safety distance")
+    pub(super) fn mill_fault<T>(&self, names: &Names, fault: MillFault) -> Made<T> {
+        let at = match fault {
+            MillFault::ReferencePlane => {
+                (names.depth, 61101, "the retraction plane lies on the far side of the surface, seen from the depth")
             }
-            MillFault::FloorAllowance => (names.floor, Some(61010), "give a smaller allowance on the floor"),
-            MillFault::TooManyLevels => (names.step, Some(61019), "give a larger infeed in depth"),
-            MillFault::Feed => (names.feed, Some(61003), "give a feed above 0"),
-            MillFault::Number | MillFault::Radius => (names.depth, Some(61019), "check the arguments of the cycle"),
+            MillFault::RetractBelowStart => {
+                (names.retract, 0, "partc wants the retraction plane above the surface plus the safety distance")
+            }
+            MillFault::FloorAllowance => (names.floor, 61010, "give a smaller allowance on the floor"),
+            MillFault::TooManyLevels => (names.step, 61019, "give a larger infeed in depth"),
+            MillFault::Feed => (names.feed, 61003, "give a feed above 0"),
+            MillFault::Number | MillFault::Radius => (names.depth, 61019, "check the arguments of the cycle"),
         };
-        self.refuse_cycle(
-            args.span_of(key),
-            codes::P2090::family_refuses(&fault, &args.written(key), &args.place(key)).help(help).alarm(alarm),
-        )
+        self.unsound(at, &fault)
     }
 }

@@ -2,244 +2,174 @@
 //!
 //! Source: C 6.4 (docs/sources.md).
 
-use crate::diag::codes;
-use crate::geo::pattern::{Circle, Fault, Grid, Row, Shear};
+use crate::diag::{Fault, codes};
+use crate::geo::pattern::{Circle, Fault as PatternFault, Grid, Row, Shear};
 use crate::geo::{Deg, Point2};
-use crate::ir::contour::Path;
-use crate::sema::cycle::row::{Name, Rule};
+use crate::sema::cycle::row::Name;
 
 use super::super::value::whole;
-use super::super::{Outcome, Reported};
-use super::arguments::{
-    ANG1, ANG2, CPA, CPO, DBH, DIS1, DIS2, DMODE, FDIS, HIDE, INDA, Key, NSP, NUM, NUM1, NUM2, RAD, SPCA, SPCO, STA,
-    STA1, VARI, XA, YA,
+use super::call::{Act, Acts, CycleCall};
+use super::names::{
+    ANG1, ANG2, CPA, CPO, DBH, DIS1, DIS2, FDIS, HIDE, INDA, NSP, NUM, NUM1, NUM2, RAD, SPCA, SPCO, STA, STA1, VARI,
+    XA, YA,
 };
-use super::call::CycleCall;
+use crate::sema::cycle::call::{Kind, Made};
 
 /// The positions of CYCLE802.
-const POSITIONS: [(Key, Key); 9] = [
-    (Key("X0"), Key("Y0")),
-    (Key("X1"), Key("Y1")),
-    (Key("X2"), Key("Y2")),
-    (Key("X3"), Key("Y3")),
-    (Key("X4"), Key("Y4")),
-    (Key("X5"), Key("Y5")),
-    (Key("X6"), Key("Y6")),
-    (Key("X7"), Key("Y7")),
-    (Key("X8"), Key("Y8")),
+const POSITIONS: [(Name, Name); 9] = [
+    (Name::Word("X0"), Name::Word("Y0")),
+    (Name::Word("X1"), Name::Word("Y1")),
+    (Name::Word("X2"), Name::Word("Y2")),
+    (Name::Word("X3"), Name::Word("Y3")),
+    (Name::Word("X4"), Name::Word("Y4")),
+    (Name::Word("X5"), Name::Word("Y5")),
+    (Name::Word("X6"), Name::Word("Y6")),
+    (Name::Word("X7"), Name::Word("Y7")),
+    (Name::Word("X8"), Name::Word("Y8")),
 ];
-
-/// Alarm and fault of a pattern without a hole.
-const NO_HOLE: (u32, &str) = (61103, "the pattern has no hole");
 
 /// Begin of the names of arguments that CYCLE802 has besides.
 const FURTHER: &str = "S_AB";
 
-impl CycleCall<'_, '_> {
+impl CycleCall<'_> {
     /// HOLES1
-    pub(super) fn row(&mut self) -> Outcome {
-        let args = self.args;
-        self.begin_pattern()?;
+    pub(super) fn row(&self) -> Made<Acts> {
+        let given = self.given;
         self.plain_variant()?;
         self.all_positions_in_order()?;
-        self.no_signs()?;
         let made = Row {
             reference: self.point_in_plane(SPCA, SPCO),
-            direction: Deg(args.or_zero(STA1)),
-            first: self.length_or_zero(FDIS),
-            spacing: self.length_or_zero(DBH),
+            direction: Deg(given.or_zero(STA1)),
+            first: given.length(FDIS),
+            spacing: given.length(DBH),
             count: self.holes(NUM),
         };
         let positions = made.positions().map(Iterator::collect);
-        self.drill_pattern(SPCA, positions, NO_HOLE)
+        self.drill_pattern(SPCA, positions, codes::P2090::pattern_has_no_hole())
     }
 
     /// HOLES2
-    pub(super) fn circle_of_holes(&mut self) -> Outcome {
-        let args = self.args;
-        self.begin_pattern()?;
+    pub(super) fn circle_of_holes(&self) -> Made<Acts> {
+        let given = self.given;
         self.plain_variant()?;
         self.all_positions_in_order()?;
-        self.no_signs()?;
         let made = Circle {
             center: self.point_in_plane(CPA, CPO),
-            radius: self.length_or_zero(RAD),
-            start: Deg(args.or_zero(STA1)),
-            step: Deg(args.or_zero(INDA)),
+            radius: given.length(RAD),
+            start: Deg(given.or_zero(STA1)),
+            step: Deg(given.or_zero(INDA)),
             count: self.holes(NUM),
         };
         let positions = made.positions().map(Iterator::collect);
-        self.drill_pattern(CPA, positions, NO_HOLE)
+        self.drill_pattern(CPA, positions, codes::P2090::pattern_has_no_hole())
     }
 
     /// CYCLE801
-    pub(super) fn grid(&mut self) -> Outcome {
-        let args = self.args;
-        self.begin_pattern()?;
+    pub(super) fn grid(&self) -> Made<Acts> {
+        let given = self.given;
         self.all_positions_in_order()?;
-        self.no_signs()?;
-        if !matches!(args.or_zero(VARI), 0.0 | 1.0) {
+        if !matches!(given.or_zero(VARI), 0.0 | 1.0) {
             return self.refuse_argument(VARI, codes::S9015::this_variant_of_pattern());
         }
-        if args.or_zero(ANG1) != 0.0 || args.or_zero(ANG2) != 0.0 {
+        if given.or_zero(ANG1) != 0.0 || given.or_zero(ANG2) != 0.0 {
             return self.refuse_argument(ANG1, codes::S9015::oblique_grid_is_not_supported());
         }
         let made = Grid {
             reference: self.point_in_plane(SPCA, SPCO),
-            turn: Deg(args.or_zero(STA)),
-            column_spacing: self.length_or_zero(DIS1),
-            row_spacing: self.length_or_zero(DIS2),
+            turn: Deg(given.or_zero(STA)),
+            column_spacing: given.length(DIS1),
+            row_spacing: given.length(DIS2),
             columns: self.holes(NUM1),
             rows: self.holes(NUM2),
             shear: Shear { rows: Deg(0.0), columns: Deg(0.0) },
-            frame: args.or_zero(VARI) != 0.0,
+            frame: given.or_zero(VARI) != 0.0,
         };
         let positions = made.positions().map(Iterator::collect);
-        self.drill_pattern(SPCA, positions, (62105, "the pattern has no column or no row"))
+        self.drill_pattern(SPCA, positions, codes::P2090::pattern_has_no_column_or_row())
     }
 
-    /// Goes to each position and runs the modal cycle there.
-    fn drill_pattern(&mut self, first: Key, made: Result<Vec<Point2>, Fault>, empty: (u32, &str)) -> Outcome {
-        let args = self.args;
-        let positions = match made {
-            Ok(positions) => positions,
-            Err(fault) => {
-                let (alarm, what) = match fault {
-                    Fault::None => (Some(empty.0), empty.1),
-                    Fault::Overlap => (Some(61106), "the holes go round more than once"),
-                    Fault::TooMany => (None, "the pattern has more than 100000 holes"),
-                    Fault::Value => (None, "the data of the pattern make no positions"),
-                };
-                return self.cycle_fault(args.span, alarm, what, "check number and spacing of the holes");
+    /// Goes to each position and runs the modal cycle there; `empty` is what a pattern without a hole is refused as.
+    fn drill_pattern(&self, first: Name, made: Result<Vec<Point2>, PatternFault>, empty: Fault) -> Made<Acts> {
+        match made {
+            Ok(_) if self.st.modal_call.cycle().is_none() => {
+                self.refuse_argument(first, codes::S9015::pattern_with_modal_program_of_ones_own())
             }
-        };
-        if self.st.modal_call.cycle().is_none() {
-            return self.refuse_argument(first, codes::S9015::pattern_with_modal_program_of_ones_own());
+            Ok(places) => Ok(vec![Act::Drill(places)]),
+            Err(PatternFault::None) => self.refuse(empty),
+            Err(PatternFault::Overlap) => self.refuse(codes::P2090::holes_go_round_more_than_once()),
+            Err(PatternFault::TooMany) => self.refuse(codes::P2090::pattern_has_too_many_holes()),
+            Err(PatternFault::Value) => self.refuse(codes::P2090::data_of_pattern_make_no_positions()),
         }
-        // Computing them is work, too.
-        self.budget.take(positions.len() as u64 / 16);
-        for position in positions {
-            self.goes_on()?;
-            let end = self.moved_in_plane(position);
-            self.send(&end, Path::Rapid);
-            self.drill_modal()?;
-        }
-        Ok(())
     }
 
     /// CYCLE802: up to nine positions, absolute as the masks say.
-    pub(super) fn free_positions(&mut self) -> Outcome {
-        let args = self.args;
-        self.begin_pattern()?;
+    pub(super) fn free_positions(&self) -> Made<Acts> {
+        let given = self.given;
         self.plain_variant()?;
         self.all_positions_in_order()?;
-        for parameter in args.cycle.signature.parameters {
+        for parameter in given.signature.parameters {
             if let Name::Word(name) = parameter.name
                 && name.starts_with(FURTHER)
-                && args.or_zero(Key(name)) != 0.0
+                && given.or_zero(parameter.name) != 0.0
             {
-                return self.refuse_argument(Key(name), codes::S9015::further_arguments_of_cycle802_is_not_supported());
+                return self
+                    .refuse_argument(parameter.name, codes::S9015::further_arguments_of_cycle802_is_not_supported());
             }
         }
-        self.no_signs()?;
-        let unit = self.st.length_unit();
+        let unit = self.given.unit;
         let mut positions = Vec::new();
         for (x, y) in POSITIONS {
-            let (x, y) = (args.number(x), args.number(y));
+            let (x, y) = (given.number(x), given.number(y));
             let (Some(x), Some(y)) = (x, y) else {
                 if x.is_some() || y.is_some() {
-                    return self.refuse_cycle(args.span, codes::P2090::position_has_one_coordinate());
+                    return self.refuse(codes::P2090::position_has_one_coordinate());
                 }
                 continue;
             };
             // One digit for each position, 1 absolute; the digit of an incremental one is not confirmed.
             for mask in [XA, YA] {
-                if args.or_zero(mask) != 111_111_111.0 {
+                if given.or_zero(mask) != 111_111_111.0 {
                     return self.refuse_argument(mask, codes::S9015::mask_that_is_not_111111111());
                 }
             }
             positions.push(Point2::new(x * unit, y * unit));
         }
-        self.drill_pattern(XA, Ok(positions), NO_HOLE)
-    }
-
-    /// A pattern needs a cycle that it runs.
-    fn begin_pattern(&self) -> Outcome {
-        let args = self.args;
-        if self.st.modal_call.is_lost() {
-            return Err(Reported);
-        }
-        if !self.st.modal_call.is_on() {
-            return self.refuse_cycle(args.span, codes::P2090::no_drilling_cycle_is_active());
-        }
-        Ok(())
+        self.drill_pattern(XA, Ok(positions), codes::P2090::pattern_has_no_hole())
     }
 
     /// Arguments that leave positions out or change their order.
-    fn all_positions_in_order(&self) -> Outcome {
-        let args = self.args;
-        if args.text(HIDE).is_some_and(|text| !text.is_empty() && text != "0") {
+    fn all_positions_in_order(&self) -> Made {
+        let given = self.given;
+        if given.text(HIDE).is_some_and(|text| text != "0") {
             return self.refuse_argument(HIDE, codes::S9015::hidden_positions());
         }
-        if args.or_zero(NSP) != 0.0 {
+        if given.or_zero(NSP) != 0.0 {
             return self.refuse_argument(NSP, codes::S9015::another_first_position());
         }
-        if self.names_other_plane(args) {
-            return self.refuse_argument(DMODE, codes::S9015::plane_other_than_active_one());
-        }
         Ok(())
     }
 
-    /// Distances and numbers stand without a sign; standard cycles V06.02.09 take the magnitude of one, others are not
-    /// known.
-    fn no_signs(&self) -> Outcome {
-        let args = self.args;
-        let below =
-            (1..).zip(args.cycle.signature.parameters).zip(&args.list).find_map(|((place, known), (value, span))| {
-                let given = value.number().filter(|given| known.rule == Rule::Unsigned && *given < 0.0)?;
-                Some((place, given, *span))
-            });
-        let Some((place, given, span)) = below else { return self.lengths_are_plain() };
-        let place: usize = place;
-        self.refuse_cycle(span, codes::P2090::argument_is_has_no_sign_in_manuals(&place, &given))
+    fn point_in_plane(&self, first: Name, second: Name) -> Point2 {
+        Point2::new(self.given.length(first), self.given.length(second))
     }
 
-    fn lengths_are_plain(&self) -> Outcome {
-        let args = self.args;
-        let [first, second, _] = self.st.roles();
-        for axis in [first, second] {
-            self.no_diameters(args.name(), axis, args.span)?;
-        }
-        Ok(())
-    }
-
-    fn length_or_zero(&self, key: Key) -> f64 {
-        let args = self.args;
-        args.or_zero(key) * self.st.length_unit()
-    }
-
-    fn point_in_plane(&self, first: Key, second: Key) -> Point2 {
-        Point2::new(self.length_or_zero(first), self.length_or_zero(second))
-    }
-
-    fn plain_variant(&self) -> Outcome {
-        let args = self.args;
-        if args.or_zero(VARI) != 0.0 {
+    fn plain_variant(&self) -> Made {
+        let given = self.given;
+        if given.or_zero(VARI) != 0.0 {
             return self.refuse_argument(VARI, codes::S9015::variant_of_pattern());
         }
         Ok(())
     }
 
     /// A number of holes: an INT of the cycle, so a REAL is rounded.
-    fn holes(&self, key: Key) -> u32 {
-        let args = self.args;
-        let given = args.or_zero(key);
+    fn holes(&self, key: Name) -> u32 {
+        let given = self.given;
+        let number = given.or_zero(key);
         // No pattern has so many; it is refused there.
-        let count = whole(given).map_or(u32::MAX, i32::unsigned_abs);
-        if given != f64::from(count) {
-            let found = codes::S8050::argument_is_cycle_counts(&args.name(), &args.place(key), &given, &count)
-                .at(self.loc(args.span_of(key)));
-            self.report(found.help("write a whole number"));
+        let count = whole(number).map_or(u32::MAX, i32::unsigned_abs);
+        if number != f64::from(count) {
+            let fault = codes::S8050::argument_is_cycle_counts(&given.called, &given.argument(key), &number, &count);
+            self.note(given.place_of(key), fault, Kind::Each);
         }
         count
     }

@@ -10,14 +10,15 @@ use crate::ir::cycle::pocket::{
 };
 use crate::ir::cycle::{Cycle, Family, LongHole};
 
-use super::super::Outcome;
 use super::super::value::whole;
-use super::arguments::{
-    AD, AFSL, AP1, AP2, CDIAM, CPA, CPO, CRAD, DMODE, DP1, FAL, FALD, FFCP, FFP2, GMODE, INDA, Key, LENG, MIDA, MIDF,
-    NUM, PA, PO, PRAD, RAD, RAD1, SSF, STA, STA1, STA2, VARI, WID,
-};
-use super::call::CycleCall;
+use super::call::{Act, Acts, CycleCall};
 use super::milling::{Around, CLASSIC};
+use super::names::{
+    AD, AFSL, AP1, AP2, CDIAM, CPA, CPO, CRAD, DMODE, DP1, FAL, FALD, FFCP, FFP2, GMODE, INDA, LENG, MIDA, MIDF, NUM,
+    PA, PO, PRAD, RAD, RAD1, SSF, STA, STA1, STA2, VARI, WID,
+};
+use crate::sema::cycle::call::Made;
+use crate::sema::cycle::row::Name;
 
 /// Arguments of POCKET4 where its fifth one is a radius.
 const WITH_RADIUS: usize = 19;
@@ -53,14 +54,14 @@ fn chord(radius: f64, turn: f64) -> f64 {
     2.0 * radius * sin
 }
 
-impl CycleCall<'_, '_> {
+impl CycleCall<'_> {
     /// POCKET3
-    pub(super) fn rectangular_pocket(&mut self) -> Outcome {
+    pub(super) fn rectangular_pocket(&self) -> Made<Acts> {
         let mill = self.mill(&CLASSIC)?;
         let shape = self.rectangle(&mill)?;
-        let Shape::Rectangle { half, .. } = shape else { return Ok(()) };
-        let turn = Deg(self.args.or_zero(STA));
-        let [x, y] = match self.args.digit(GMODE, 3) {
+        let Shape::Rectangle { half, .. } = shape else { return Ok(Acts::new()) };
+        let turn = Deg(self.given.or_zero(STA));
+        let [x, y] = match self.given.digit(GMODE, 3) {
             2 => [half[0], half[1]],
             3 => [-half[0], half[1]],
             4 => [half[0], -half[1]],
@@ -77,10 +78,10 @@ impl CycleCall<'_, '_> {
     }
 
     /// POCKET4
-    pub(super) fn circular_pocket(&mut self) -> Outcome {
+    pub(super) fn circular_pocket(&self) -> Made<Acts> {
         let mill = self.mill(&CLASSIC)?;
-        let size = self.size(CDIAM)?;
-        let by_radius = self.args.list.len() <= WITH_RADIUS;
+        let size = self.given.magnitude(CDIAM);
+        let by_radius = self.given.count() <= WITH_RADIUS;
         let radius = if by_radius { size } else { size / 2.0 };
         if by_radius {
             self.own_way(codes::P8101::without_codes_behind_dp1_fifth_argument());
@@ -88,7 +89,7 @@ impl CycleCall<'_, '_> {
         let place = Place { at: self.reference_point(PA, PO), turn: Deg(0.0) };
         let asked = self.asked(&[1, 2, 3, 4])?;
         let cleared = self.cleared([AP1, AP1])?;
-        let strategy = match self.args.digit(VARI, 3) {
+        let strategy = match self.given.digit(VARI, 3) {
             0 => Strategy::Levels,
             1 => Strategy::Helix,
             _ => return self.no_such_machining("thousands 0 mills level by level, 1 on helices"),
@@ -103,32 +104,32 @@ impl CycleCall<'_, '_> {
     }
 
     /// POCKET1
-    pub(super) fn old_rectangular_pocket(&mut self) -> Outcome {
+    pub(super) fn old_rectangular_pocket(&self) -> Made<Acts> {
         let mill = self.mill(&CLASSIC)?;
         let shape = self.rectangle(&mill)?;
-        let place = Place { at: self.reference_point(CPA, CPO), turn: Deg(self.args.or_zero(STA1)) };
+        let place = Place { at: self.reference_point(CPA, CPO), turn: Deg(self.given.or_zero(STA1)) };
         self.old_pocket(mill, shape, place)
     }
 
     /// POCKET2
-    pub(super) fn old_circular_pocket(&mut self) -> Outcome {
+    pub(super) fn old_circular_pocket(&self) -> Made<Acts> {
         let mill = self.mill(&CLASSIC)?;
-        let radius = self.size(PRAD)?;
+        let radius = self.given.magnitude(PRAD);
         let place = Place { at: self.reference_point(CPA, CPO), turn: Deg(0.0) };
         self.old_pocket(mill, Shape::Circle { radius }, place)
     }
 
-    fn old_pocket(&mut self, mill: Mill, shape: Shape, place: Place) -> Outcome {
+    fn old_pocket(&self, mill: Mill, shape: Shape, place: Place) -> Made<Acts> {
         let asked = self.asked_or_complete()?;
         let pocket = self.with_own_finish(self.pocket(mill, shape, vec![place], asked)?)?;
         self.mill_pocket(pocket)
     }
 
     /// SLOT1
-    pub(super) fn slots(&mut self) -> Outcome {
+    pub(super) fn slots(&self) -> Made<Acts> {
         let mill = self.mill(&CLASSIC)?;
-        let (length, width) = (self.size(LENG)?, self.size(WID)?);
-        let rad = self.magnitude(RAD);
+        let (length, width) = (self.given.magnitude(LENG), self.given.magnitude(WID));
+        let rad = self.given.magnitude(RAD);
         let between = length - width;
         let centred = self.slot_is_centred()?;
         let shape = if centred {
@@ -138,7 +139,7 @@ impl CycleCall<'_, '_> {
         };
         let places = self.places()?;
         if centred && places.len() > 1 {
-            return self.refuse_cycle(self.args.span_of(NUM), codes::P2090::slots_about_one_point_run_into_each());
+            return self.refuse_argument(NUM, codes::P2090::slots_about_one_point_run_into_each());
         }
         if places.len() > 1 {
             self.slots_are_apart(chord(shape.entry().x, least_turn(&places)), width)?;
@@ -151,15 +152,15 @@ impl CycleCall<'_, '_> {
     }
 
     /// SLOT2
-    pub(super) fn circular_slots(&mut self) -> Outcome {
+    pub(super) fn circular_slots(&self) -> Made<Acts> {
         let mill = self.mill(&CLASSIC)?;
-        let (radius, width) = (self.size(RAD)?, self.size(WID)?);
-        let sweep = self.args.or_zero(AFSL);
+        let (radius, width) = (self.given.magnitude(RAD), self.given.magnitude(WID));
+        let sweep = self.given.or_zero(AFSL);
         if sweep <= 0.0 || sweep >= 360.0 {
-            return self.refuse_cycle(self.args.span_of(AFSL), codes::P2090::angle_of_slot_afsl());
+            return self.refuse_argument(AFSL, codes::P2090::angle_of_slot_afsl());
         }
         if radius <= width / 2.0 {
-            return self.refuse_cycle(self.args.span_of(RAD), codes::P2090::radius_rad(&radius));
+            return self.refuse_argument(RAD, codes::P2090::radius_rad(&radius));
         }
         let shape = Shape::Bow { radius, sweep: Deg(sweep), width };
         self.own_way(codes::P8101::angle_of_slot_is_taken_between_centres());
@@ -167,22 +168,22 @@ impl CycleCall<'_, '_> {
         self.slots_are_apart(chord(radius, least_turn(&places) - sweep), width)?;
         let asked = self.asked_or_complete()?;
         let insertion = self.slot_insertion()?;
-        let transfer = if self.args.or_zero(FFCP) > 0.0 { Some(self.mill_feed(FFCP)?) } else { None };
+        let transfer = if self.given.or_zero(FFCP) > 0.0 { Some(self.mill_feed(FFCP)?) } else { None };
         let pocket = Pocket { insertion, transfer, ..self.pocket(mill, shape, places, asked)? };
         let pocket = self.with_own_finish(pocket)?;
         self.mill_pocket(pocket)
     }
 
     /// LONGHOLE
-    pub(super) fn long_holes(&mut self) -> Outcome {
-        let args = self.args;
+    pub(super) fn long_holes(&self) -> Made<Acts> {
+        let given = self.given;
         let mill = self.mill(&CLASSIC)?;
-        if args.or_zero(VARI) != 0.0 {
+        if given.or_zero(VARI) != 0.0 {
             return self.no_such_machining("LONGHOLE knows 0 only");
         }
-        let (length, rad) = (self.size(LENG)?, self.magnitude(RAD));
+        let (length, rad) = (self.given.magnitude(LENG), self.given.magnitude(RAD));
         if length <= 2.0 * mill.radius {
-            return self.refuse_cycle(args.span_of(LENG), codes::P2090::length_leng(&length));
+            return self.refuse_argument(LENG, codes::P2090::length_leng(&length));
         }
         let ends = [rad + mill.radius, rad + length - mill.radius].map(|way| Point2::new(way, 0.0));
         let places = self.places()?;
@@ -191,22 +192,21 @@ impl CycleCall<'_, '_> {
             self.slots_are_apart(chord(ends[0].x, least_turn(&places)), 2.0 * mill.radius)?;
         }
         self.own_way(codes::P8101::length_is_taken_over_outer_edges());
-        self.send_cycle(Cycle::LongHole(LongHole { mill, holes, home: None }));
-        Ok(())
+        Ok(vec![Act::Cycle(Cycle::LongHole(LongHole { mill, holes, home: None }))])
     }
 
     /// Sizes and corners of POCKET1 and POCKET3.
-    fn rectangle(&self, mill: &Mill) -> Outcome<Shape> {
-        let half = [self.size(LENG)? / 2.0, self.size(WID)? / 2.0];
-        let corner = self.magnitude(CRAD);
+    fn rectangle(&self, mill: &Mill) -> Made<Shape> {
+        let half = [self.given.magnitude(LENG) / 2.0, self.given.magnitude(WID) / 2.0];
+        let corner = self.given.magnitude(CRAD);
         if corner == 0.0 {
             self.leaves_open(codes::S8230::no_corner_radius());
         } else if corner < mill.radius - 1e-9 {
-            return self.refuse_cycle(
-                self.args.span_of(CRAD),
+            return self.refuse_argument(
+                CRAD,
                 codes::P2090::corner_radius_of_mm_is_smaller(
-                    &self.args.written(CRAD),
-                    &self.args.place(CRAD),
+                    &self.given.written(CRAD),
+                    &self.given.argument(CRAD),
                     &corner,
                     &mill.radius,
                 ),
@@ -215,28 +215,18 @@ impl CycleCall<'_, '_> {
         Ok(Shape::Rectangle { half, corner })
     }
 
-    /// A size above 0, without its sign.
-    pub(super) fn size(&self, key: Key) -> Outcome<f64> {
-        let size = self.magnitude(key);
-        if size > 0.0 {
-            return Ok(size);
-        }
-        let (name, place) = (self.args.written(key), self.args.place(key));
-        self.refuse_cycle(self.args.span_of(key), codes::P2090::size_is_0_or_missing(&name, &place))
-    }
-
-    pub(super) fn reference_point(&self, first: Key, second: Key) -> Point2 {
-        Point2::new(self.length_of(self.args, first).unwrap_or(0.0), self.length_of(self.args, second).unwrap_or(0.0))
+    pub(super) fn reference_point(&self, first: Name, second: Name) -> Point2 {
+        Point2::new(self.given.length(first), self.given.length(second))
     }
 
     /// What the units of `_VARI` ask for, among `known` digits.
-    fn asked(&self, known: &[i32]) -> Outcome<Asked> {
-        let unit = self.args.digit(VARI, 0);
+    fn asked(&self, known: &[i32]) -> Made<Asked> {
+        let unit = self.given.digit(VARI, 0);
         if unit == 5 {
             return self.refuse_argument(VARI, codes::S9015::chamfering_units_of_vari_is_not_supported());
         }
-        let more = self.args.number(VARI).and_then(whole).unwrap_or(0).unsigned_abs() / 10_000;
-        let other = self.args.digit(VARI, 2) > 0 || self.args.digit(VARI, 3) > 0 && self.args.place(CDIAM) == 0;
+        let more = self.given.whole(VARI).unsigned_abs() / 10_000;
+        let other = self.given.digit(VARI, 2) > 0 || self.given.digit(VARI, 3) > 0 && self.given.argument(CDIAM) == 0;
         if !known.contains(&unit) || more > 0 || other {
             return self.no_such_machining("units 1 roughs, 2 finishes wall and floor, 3 the floor, 4 the wall");
         }
@@ -250,18 +240,18 @@ impl CycleCall<'_, '_> {
     }
 
     /// The same for the cycles that know 0, and whose floor has an allowance in newer software only.
-    fn asked_or_complete(&self) -> Outcome<Asked> {
+    fn asked_or_complete(&self) -> Made<Asked> {
         let asked = self.asked(&[0, 1, 2, 4])?;
-        Ok(Asked { floor: asked.floor && self.magnitude(FALD) > 0.0, ..asked })
+        Ok(Asked { floor: asked.floor && self.given.magnitude(FALD) > 0.0, ..asked })
     }
 
-    pub(super) fn no_such_machining<T>(&self, help: &str) -> Outcome<T> {
-        let (name, place) = (self.args.written(VARI), self.args.place(VARI));
-        self.refuse_cycle(self.args.span_of(VARI), codes::P2090::there_is_no_such_kind(&name, &place).help(help))
+    pub(super) fn no_such_machining<T>(&self, help: &str) -> Made<T> {
+        let (name, place) = (self.given.written(VARI), self.given.argument(VARI));
+        self.refuse_argument(VARI, codes::P2090::there_is_no_such_kind(&name, &place).help(help))
     }
 
     /// What all pockets and slots take.
-    fn pocket(&self, mill: Mill, shape: Shape, places: Vec<Place>, asked: Asked) -> Outcome<Pocket> {
+    fn pocket(&self, mill: Mill, shape: Shape, places: Vec<Place>, asked: Asked) -> Made<Pocket> {
         let finish = (asked.wall || asked.floor).then_some(Finish {
             wall: asked.wall,
             floor: asked.floor,
@@ -271,8 +261,11 @@ impl CycleCall<'_, '_> {
             onto: Onto::Usual,
             inserts: false,
         });
-        let width =
-            if self.args.place(MIDA) > 0 { self.width(MIDA, mill.radius)? } else { USUAL_WIDTH * 2.0 * mill.radius };
+        let width = if self.given.argument(MIDA) > 0 {
+            self.width(MIDA, mill.radius)?
+        } else {
+            USUAL_WIDTH * 2.0 * mill.radius
+        };
         Ok(Pocket {
             counter_clockwise: self.goes_counter_clockwise(Around::Inside)?,
             allowance: self.allowance(&mill, &shape),
@@ -293,7 +286,7 @@ impl CycleCall<'_, '_> {
 
     /// The allowance on the wall; in a slot no more than there is room for.
     fn allowance(&self, mill: &Mill, shape: &Shape) -> f64 {
-        let asked = self.magnitude(FAL);
+        let asked = self.given.magnitude(FAL);
         let room = match shape {
             Shape::Slot { .. } | Shape::Bow { .. } => shape.room(mill.radius).least(),
             Shape::Rectangle { .. } | Shape::Circle { .. } => return asked,
@@ -306,20 +299,20 @@ impl CycleCall<'_, '_> {
     }
 
     /// Finishing with data of its own: MIDF, FFP2, SSF.
-    fn with_own_finish(&mut self, mut pocket: Pocket) -> Outcome<Pocket> {
-        let feed = if self.args.or_zero(FFP2) == 0.0 { pocket.mill.feeds.plane } else { self.mill_feed(FFP2)? };
-        let speed = self.args.or_zero(SSF).abs();
+    fn with_own_finish(&self, mut pocket: Pocket) -> Made<Pocket> {
+        let feed = if self.given.or_zero(FFP2) == 0.0 { pocket.mill.feeds.plane } else { self.mill_feed(FFP2)? };
+        let speed = self.given.or_zero(SSF).abs();
         if speed > 0.0 && self.st.spindles.is_cutting() {
             return self.refuse_argument(SSF, codes::S9015::speed_for_finishing_under_g96_is_not());
         }
         if speed > 0.0 {
-            self.master_is_main(self.args.span_of(SSF), "a speed for finishing")?;
+            self.master_is_main(self.given.place_of(SSF), "a speed for finishing")?;
             if self.st.spindles.speed().is_none() {
                 self.leaves_open(codes::S8230::speed_of_finishing_stays());
             }
         }
         let speed = (speed > 0.0).then(|| Speed { finishing: speed, after: self.st.spindles.speed() });
-        let step = self.magnitude(MIDF);
+        let step = self.given.magnitude(MIDF);
         if let Some(finish) = &mut pocket.finish {
             (finish.step, finish.feed, finish.speed) = (step, feed, speed);
         }
@@ -327,25 +320,24 @@ impl CycleCall<'_, '_> {
     }
 
     /// How the tool gets to a level, by the tens of `_VARI` up to `most`. Is a part `cleared`, the hole is as deep as that.
-    fn insertion(&mut self, mill: &Mill, most: i32, cleared: bool) -> Outcome<Insertion> {
-        let args = self.args;
-        let asked = args.digit(VARI, 1);
+    fn insertion(&self, mill: &Mill, most: i32, cleared: bool) -> Made<Insertion> {
+        let given = self.given;
+        let asked = given.digit(VARI, 1);
         Ok(match asked {
             _ if asked > most => {
                 return self.no_such_machining("tens 0 and 1 straight down, 2 on a helix, 3 to and fro (POCKET3)");
             }
             // Finishing goes straight down.
-            _ if args.digit(VARI, 0) != 1 => Insertion::Vertical,
+            _ if given.digit(VARI, 0) != 1 => Insertion::Vertical,
             0 if !cleared => {
                 self.needs_predrilled();
                 Insertion::Predrilled
             }
             0 | 1 => Insertion::Vertical,
             2 => {
-                let (radius, pitch) = (self.magnitude(RAD1), self.magnitude(DP1));
+                let (radius, pitch) = (self.given.magnitude(RAD1), self.given.magnitude(DP1));
                 if pitch == 0.0 {
-                    return self
-                        .refuse_cycle(args.span_of(DP1), codes::P2090::pitch_of_helix_dp1_is_0(&args.place(DP1)));
+                    return self.refuse_argument(DP1, codes::P2090::pitch_of_helix_dp1_is_0(&given.argument(DP1)));
                 }
                 if radius > mill.radius {
                     self.leaves_open(codes::S8230::radius_of_helix_is_mm_only_larger(&mill.radius));
@@ -353,11 +345,10 @@ impl CycleCall<'_, '_> {
                 Insertion::Helix { radius, pitch }
             }
             _ => {
-                let angle = args.or_zero(RAD1).abs();
+                let angle = given.or_zero(RAD1).abs();
                 if angle == 0.0 || angle >= 90.0 {
-                    let place = args.place(RAD1);
-                    return self
-                        .refuse_cycle(args.span_of(RAD1), codes::P2090::angle_of_insertion_rad1_is_above_0(&place));
+                    let place = given.argument(RAD1);
+                    return self.refuse_argument(RAD1, codes::P2090::angle_of_insertion_rad1_is_above_0(&place));
                 }
                 Insertion::Sway { angle: Deg(angle), stroke: None }
             }
@@ -365,9 +356,9 @@ impl CycleCall<'_, '_> {
     }
 
     /// The same for slots: to and fro over their whole length by STA2.
-    fn slot_insertion(&mut self) -> Outcome<Insertion> {
-        let classic = self.args.list.len() <= CLASSIC_SLOT;
-        Ok(match self.args.digit(VARI, 1) {
+    fn slot_insertion(&self) -> Made<Insertion> {
+        let classic = self.given.count() <= CLASSIC_SLOT;
+        Ok(match self.given.digit(VARI, 1) {
             0 if classic => {
                 self.own_way(codes::P8101::tool_goes_straight_down_at_feed());
                 Insertion::Vertical
@@ -379,12 +370,10 @@ impl CycleCall<'_, '_> {
             1 => Insertion::Vertical,
             2 => return self.refuse_argument(VARI, codes::S9015::helix_in_slot()),
             3 => {
-                let angle = self.args.or_zero(STA2).abs();
+                let angle = self.given.or_zero(STA2).abs();
                 if angle >= 90.0 {
-                    return self.refuse_cycle(
-                        self.args.span_of(STA2),
-                        codes::P2090::angle_sta2_is_below_90(&self.args.place(STA2)),
-                    );
+                    return self
+                        .refuse_argument(STA2, codes::P2090::angle_sta2_is_below_90(&self.given.argument(STA2)));
                 }
                 Insertion::Sway { angle: Deg(angle), stroke: None }
             }
@@ -397,15 +386,15 @@ impl CycleCall<'_, '_> {
     }
 
     /// What was cleared before: its sizes and its depth, unless the codes say that they do not count.
-    fn cleared(&self, keys: [Key; 2]) -> Outcome<Option<Cleared>> {
-        let sizes = keys.map(|key| self.magnitude(key));
-        let depth = self.magnitude(AD);
-        if self.args.digit(GMODE, 4) == 1 {
+    fn cleared(&self, keys: [Name; 2]) -> Made<Option<Cleared>> {
+        let sizes = keys.map(|key| self.given.magnitude(key));
+        let depth = self.given.magnitude(AD);
+        if self.given.digit(GMODE, 4) == 1 {
             return Ok(None);
         }
         if sizes.contains(&0.0) || depth == 0.0 {
-            for key in [AP1, AP2, AD].into_iter().filter(|key| self.args.or_zero(*key) != 0.0) {
-                self.unused(key, &self.args.written(key), "where the other sizes of what was cleared before are 0");
+            for key in [AP1, AP2, AD].into_iter().filter(|key| self.given.or_zero(*key) != 0.0) {
+                self.unused(key, "where the other sizes of what was cleared before are 0");
             }
             return Ok(None);
         }
@@ -413,16 +402,16 @@ impl CycleCall<'_, '_> {
     }
 
     /// Slot 1 lies about its own centre, or along a ray from it.
-    fn slot_is_centred(&self) -> Outcome<bool> {
-        let args = self.args;
-        if args.list.len() <= CLASSIC_SLOT {
+    fn slot_is_centred(&self) -> Made<bool> {
+        let given = self.given;
+        if given.count() <= CLASSIC_SLOT {
             return Ok(false);
         }
-        if args.digit(GMODE, 3) >= 1 {
+        if given.digit(GMODE, 3) >= 1 {
             self.own_way(codes::P8101::slot_lies_about_cpa());
             return Ok(true);
         }
-        let single = args.or_zero(NUM) == 1.0 && args.digit(DMODE, 3) == 1;
+        let single = given.or_zero(NUM) == 1.0 && given.digit(DMODE, 3) == 1;
         if single {
             self.own_way(codes::P8101::single_slot_of_editor_lies_about_cpa());
         }
@@ -430,40 +419,38 @@ impl CycleCall<'_, '_> {
     }
 
     /// The places of slots on a circle.
-    fn places(&self) -> Outcome<Vec<Place>> {
-        let args = self.args;
-        let count = args.number(NUM).unwrap_or(1.0);
+    fn places(&self) -> Made<Vec<Place>> {
+        let given = self.given;
+        let count = given.number(NUM).unwrap_or(1.0);
         let count = match whole(count).filter(|number| count.fract() == 0.0 && (1..=MOST_SLOTS).contains(number)) {
             Some(count) => count,
             None => {
-                return self
-                    .refuse_cycle(args.span_of(NUM), codes::P2090::number_num_is_1(&args.place(NUM), &MOST_SLOTS));
+                return self.refuse_argument(NUM, codes::P2090::number_num_is_1(&given.argument(NUM), &MOST_SLOTS));
             }
         };
-        let step = match args.or_zero(INDA) {
+        let step = match given.or_zero(INDA) {
             0.0 => 360.0 / f64::from(count),
             step => step,
         };
         let at = self.reference_point(CPA, CPO);
-        Ok((0..count).map(|i| Place { at, turn: Deg(args.or_zero(STA1) + f64::from(i) * step) }).collect())
+        Ok((0..count).map(|i| Place { at, turn: Deg(given.or_zero(STA1) + f64::from(i) * step) }).collect())
     }
 
     /// Neighbours, whose centres come within `gap`, do not run into each other.
-    fn slots_are_apart(&self, gap: f64, width: f64) -> Outcome {
+    fn slots_are_apart(&self, gap: f64, width: f64) -> Made {
         if gap >= width - 1e-9 {
             return Ok(());
         }
-        self.refuse_cycle(self.args.span_of(NUM), codes::P2090::neighbours_run_into_each_other(&gap, &width))
+        self.refuse_argument(NUM, codes::P2090::neighbours_run_into_each_other(&gap, &width))
     }
 
-    fn mill_pocket(&mut self, pocket: Pocket) -> Outcome {
+    fn mill_pocket(&self, pocket: Pocket) -> Made<Acts> {
         if let Err(fault) = pocket.check() {
             return self.pocket_fault(&pocket, fault);
         }
         self.insertion_has_room(&pocket);
         self.own_way(codes::P8101::rings_of_level());
-        self.send_cycle(Cycle::Pocket(pocket));
-        Ok(())
+        Ok(vec![Act::Cycle(Cycle::Pocket(pocket))])
     }
 
     /// Says where the way down is another one than asked for.
@@ -488,29 +475,24 @@ impl CycleCall<'_, '_> {
         }
     }
 
-    fn pocket_fault(&self, pocket: &Pocket, fault: PocketFault) -> Outcome {
-        let (key, alarm, help) = match fault {
+    fn pocket_fault<T>(&self, pocket: &Pocket, fault: PocketFault) -> Made<T> {
+        let at = match fault {
             PocketFault::Mill(fault) => return self.mill_fault(&CLASSIC, fault),
             PocketFault::Cutter => {
-                let keys = [WID, PRAD, CDIAM];
-                let key = keys.into_iter().find(|key| self.args.place(*key) > 0).unwrap_or(WID);
-                (key, Some(61105), "take a smaller cutter, or a smaller allowance")
+                let name = [WID, PRAD, CDIAM].into_iter().find(|name| self.given.takes(*name)).unwrap_or(WID);
+                let (written, place) = (self.given.written(name), self.given.argument(name));
+                let diameter = 2.0 * pocket.mill.radius;
+                return self
+                    .refuse_argument(name, codes::P2090::cutter_does_not_fit(&fault, &written, &place, &diameter));
             }
-            PocketFault::Corner => (CRAD, Some(61113), "give at most half of the smaller side"),
-            PocketFault::Length => (LENG, Some(61118), "a slot is longer than it is wide"),
-            PocketFault::Width | PocketFault::TooManyRings => (MIDA, Some(61111), "give a usual width of a cut"),
-            PocketFault::Pitch => (DP1, Some(61019), "give the depth of one turn"),
-            PocketFault::FinishingStep => (MIDF, Some(61019), "give a larger infeed, or 0 for one cut"),
-            PocketFault::Insertion => (VARI, Some(61019), "check the data of the insertion"),
-            PocketFault::Number | PocketFault::Nothing => (VARI, Some(61019), "check the arguments of the cycle"),
+            PocketFault::Corner => (CRAD, 61113, "give at most half of the smaller side"),
+            PocketFault::Length => (LENG, 61118, "a slot is longer than it is wide"),
+            PocketFault::Width | PocketFault::TooManyRings => (MIDA, 61111, "give a usual width of a cut"),
+            PocketFault::Pitch => (DP1, 61019, "give the depth of one turn"),
+            PocketFault::FinishingStep => (MIDF, 61019, "give a larger infeed, or 0 for one cut"),
+            PocketFault::Insertion => (VARI, 61019, "check the data of the insertion"),
+            PocketFault::Number | PocketFault::Nothing => (VARI, 61019, "check the arguments of the cycle"),
         };
-        let (name, place) = (self.args.written(key), self.args.place(key));
-        let message = match fault {
-            PocketFault::Cutter => {
-                format!("{fault}: `{name}` (argument {place}), cutter {} mm", 2.0 * pocket.mill.radius)
-            }
-            _ => format!("{fault}: `{name}` (argument {place})"),
-        };
-        self.cycle_fault(self.args.span_of(key), alarm, &message, help)
+        self.unsound(at, &fault)
     }
 }

@@ -8,20 +8,20 @@ use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
 use crate::ir::cycle::thread_milling::{Side, ThreadMillingFault, Turns, Ways};
 use crate::ir::cycle::{Cycle, Family, ThreadMilling};
 
-use super::super::Outcome;
 use super::super::value::whole;
-use super::arguments::{
-    CPA, CPO, DIATH, FAL, FALD, FFD, FFR, H1, KDIAM, Key, MID, NSP, NT, PA, PO, RFP, RTP, SDIS, TYPTH, VARI,
-};
-use super::call::CycleCall;
+use super::call::{Act, Acts, CycleCall};
 use super::milling::{Around, Names};
+use super::names::{
+    CPA, CPO, DIATH, FAL, FALD, FFD, FFR, H1, KDIAM, MID, NSP, NT, PA, PO, RFP, RTP, SDIS, TYPTH, VARI,
+};
+use crate::sema::cycle::call::Made;
 
 /// Thread milling has one feed, and its infeed is one of the thread's depth.
 const NAMES: Names = Names {
     retract: RTP,
     reference: RFP,
     clearance: SDIS,
-    depth: super::arguments::DP,
+    depth: super::names::DP,
     // Neither has an infeed or an allowance along the tool axis.
     step: FFD,
     floor: FALD,
@@ -29,18 +29,18 @@ const NAMES: Names = Names {
     depth_feed: FFD,
 };
 
-impl CycleCall<'_, '_> {
+impl CycleCall<'_> {
     /// CYCLE70
-    pub(super) fn thread_by_depth(&mut self) -> Outcome {
+    pub(super) fn thread_by_depth(&self) -> Made<Acts> {
         let mill = self.mill(&NAMES)?;
-        let nominal = self.size(DIATH)? / 2.0;
-        let depth = self.size(H1)?;
+        let nominal = self.given.magnitude(DIATH) / 2.0;
+        let depth = self.given.magnitude(H1);
         let side = self.thread_side()?;
         let pitch = self.new_pitch()?;
         let teeth = self.teeth()?;
         let (left_hand, counter_clockwise) = self.turning_of_thread(side)?;
         let rests = self.rests(depth)?;
-        let place = Place { at: self.reference_point(PA, PO), turn: Deg(self.args.or_zero(NSP)) };
+        let place = Place { at: self.reference_point(PA, PO), turn: Deg(self.given.or_zero(NSP)) };
         let core = nominal - depth;
         self.mill_thread(ThreadMilling {
             mill,
@@ -60,7 +60,7 @@ impl CycleCall<'_, '_> {
     }
 
     /// CYCLE90: from the surface down, so that its sense makes the hand of the thread.
-    pub(super) fn thread_by_core(&mut self) -> Outcome {
+    pub(super) fn thread_by_core(&self) -> Made<Acts> {
         let mill = self.mill(&NAMES)?;
         let side = self.thread_side()?;
         let around = if side == Side::Internal { Around::Inside } else { Around::Outside };
@@ -68,7 +68,7 @@ impl CycleCall<'_, '_> {
         // Downwards a right-hand thread turns clockwise, seen along the axis that counts outwards.
         let left_hand = counter_clockwise == (mill.heights.outward() > 0.0);
         let place = Place { at: self.reference_point(CPA, CPO), turn: Deg(0.0) };
-        let (nominal, core) = (self.size(DIATH)? / 2.0, self.size(KDIAM)? / 2.0);
+        let (nominal, core) = (self.given.magnitude(DIATH) / 2.0, self.given.magnitude(KDIAM) / 2.0);
         let pitch = self.new_pitch()?;
         let hand = if left_hand { "left-hand" } else { "right-hand" };
         self.own_way(codes::P8101::from_surface_down_this_sense_makes_thread(&hand));
@@ -89,39 +89,37 @@ impl CycleCall<'_, '_> {
         })
     }
 
-    fn thread_side(&self) -> Outcome<Side> {
-        match self.args.or_zero(TYPTH) {
+    fn thread_side(&self) -> Made<Side> {
+        match self.given.or_zero(TYPTH) {
             0.0 => Ok(Side::Internal),
             1.0 => Ok(Side::External),
             _ => {
-                let (name, place) = (self.args.written(TYPTH), self.args.place(TYPTH));
-                self.refuse_cycle(self.args.span_of(TYPTH), codes::P2090::kind_of_thread_is_0_or_1(&name, &place))
+                let (name, place) = (self.given.written(TYPTH), self.given.argument(TYPTH));
+                self.refuse_argument(TYPTH, codes::P2090::kind_of_thread_is_0_or_1(&name, &place))
             }
         }
     }
 
     /// Teeth of an edge; 0 and 1 are a cutter with one.
-    fn teeth(&self) -> Outcome<u32> {
-        let given = self.args.or_zero(NT);
+    fn teeth(&self) -> Made<u32> {
+        let given = self.given.or_zero(NT);
         match whole(given).and_then(|n| u32::try_from(n).ok()).filter(|n| given.fract() == 0.0 && *n <= 1000) {
             Some(teeth) => Ok(teeth.max(1)),
-            None => {
-                self.refuse_cycle(self.args.span_of(NT), codes::P2090::teeth_of_edge_nt_are_1(&self.args.place(NT)))
-            }
+            None => self.refuse_argument(NT, codes::P2090::teeth_of_edge_nt_are_1(&self.given.argument(NT))),
         }
     }
 
     /// Left hand, and the sense in which the tool goes round, by the digits of `_VARI`.
-    fn turning_of_thread(&mut self, side: Side) -> Outcome<(bool, bool)> {
-        let args = self.args;
-        let coded = args.number(VARI).and_then(whole).unwrap_or(0);
-        let (unit, tens, hundreds) = (args.digit(VARI, 0), args.digit(VARI, 1), args.digit(VARI, 2));
+    fn turning_of_thread(&self, side: Side) -> Made<(bool, bool)> {
+        let given = self.given;
+        let coded = given.whole(VARI);
+        let (unit, tens, hundreds) = (given.digit(VARI, 0), given.digit(VARI, 1), given.digit(VARI, 2));
         if !(1..=2).contains(&unit) || tens > 2 || hundreds > 1 || coded >= 1000 {
             return self.no_such_machining("units 1 roughs, 2 finishes; tens 1 down, 2 up; hundreds 1 left-hand");
         }
-        if (tens, hundreds) != (0, 0) && !self.job.settings.cycles.thread_digits {
-            return self.refuse(
-                args.span_of(VARI),
+        if (tens, hundreds) != (0, 0) && !self.settings.cycles.thread_digits {
+            return self.refuse_as_said(
+                given.place_of(VARI),
                 codes::S9015::cycle70_what_tens()
                     .answer(Answer::key("cycles", "thread_milling_digits").one_of(&["true"])),
             );
@@ -143,54 +141,47 @@ impl CycleCall<'_, '_> {
     }
 
     /// What the passes leave.
-    fn rests(&self, depth: f64) -> Outcome<Vec<f64>> {
-        if self.args.digit(VARI, 0) == 2 {
+    fn rests(&self, depth: f64) -> Made<Vec<f64>> {
+        if self.given.digit(VARI, 0) == 2 {
             return Ok(vec![0.0]);
         }
-        let allowance = self.magnitude(FAL);
+        let allowance = self.given.magnitude(FAL);
         let way = depth - allowance;
         if way <= 0.0 {
-            return self.refuse_cycle(
-                self.args.span_of(FAL),
-                codes::P2090::allowance_fal_is_not_smaller_than_depth(&self.args.place(FAL)),
+            return self.refuse_argument(
+                FAL,
+                codes::P2090::allowance_fal_is_not_smaller_than_depth(&self.given.argument(FAL)),
             );
         }
-        let count = parts(way, self.magnitude(MID));
+        let count = parts(way, self.given.magnitude(MID));
         if count > MOST_LEVELS {
-            return self
-                .refuse_cycle(self.args.span_of(MID), codes::P2090::infeed_mid_is_so_small(&self.args.place(MID)));
+            return self.refuse_argument(MID, codes::P2090::infeed_mid_is_so_small(&self.given.argument(MID)));
         }
         let rest = |k: usize| if k == count { allowance } else { depth - way * k as f64 / count as f64 };
         Ok((1..=count).map(rest).collect())
     }
 
-    fn mill_thread(&mut self, thread: ThreadMilling) -> Outcome {
+    fn mill_thread(&self, thread: ThreadMilling) -> Made<Acts> {
         if let Err(fault) = thread.check() {
             return self.thread_milling_fault(fault);
         }
         self.own_way(codes::P8101::tool_comes_to_thread());
-        self.send_cycle(Cycle::ThreadMilling(thread));
-        Ok(())
+        Ok(vec![Act::Cycle(Cycle::ThreadMilling(thread))])
     }
 
-    fn thread_milling_fault(&self, fault: ThreadMillingFault) -> Outcome {
-        let (key, alarm, help): (Key, _, _) = match fault {
+    fn thread_milling_fault<T>(&self, fault: ThreadMillingFault) -> Made<T> {
+        let at = match fault {
             ThreadMillingFault::Mill(fault) => return self.mill_fault(&NAMES, fault),
             ThreadMillingFault::Cutter | ThreadMillingFault::Way | ThreadMillingFault::Hole(_) => {
                 (DIATH, 61105, "take a smaller cutter")
             }
             ThreadMillingFault::Pitch | ThreadMillingFault::TooMany => {
-                (super::arguments::PIT, 61001, "check the pitch and the infeed")
+                (super::names::PIT, 61001, "check the pitch and the infeed")
             }
             ThreadMillingFault::Depth | ThreadMillingFault::Number => {
                 (DIATH, 61601, "check the diameters of the thread")
             }
         };
-        self.refuse_cycle(
-            self.args.span_of(key),
-            codes::P2090::family_refuses(&fault, &self.args.written(key), &self.args.place(key))
-                .help(help)
-                .alarm(alarm),
-        )
+        self.unsound(at, &fault)
     }
 }

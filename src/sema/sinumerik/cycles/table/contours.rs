@@ -2,7 +2,7 @@
 
 use crate::sema::cycle::row::{Parameter, Rule, Signature, Status, feed, length, number, words};
 
-use super::{Cycle, Source, Unpublished, Work};
+use super::{Cycle, Source, Work};
 
 /// The tracks of these cycles are made inside the control.
 const UNPUBLISHED: Status =
@@ -29,7 +29,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 words("LAB2", "label of the end"),
             ],
         },
-        work: Work::Contour(|run, args| run.contour_call(args)),
+        needs: &[],
+        work: Work::NamesContour,
     },
     Cycle {
         signature: Signature {
@@ -57,6 +58,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE,
             ],
         },
-        work: Work::Unpublished(Unpublished { contour: Source::Milled, turned: false, advice: None }),
+        needs: &[],
+        work: Work::Unpublished(Source::Milled),
     },
 ];

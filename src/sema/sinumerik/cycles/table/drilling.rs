@@ -6,8 +6,8 @@ use crate::sema::cycle::row::{
     ANY_DIGITS, Digit, Digits, Parameter, Rule, Signature, angle, digits, dwell, feed, length, number, speed, words,
 };
 
-use super::super::arguments::{DTB, FFR, RFF, SDIR};
-use super::{BUILT, Cycle, Hole, Work};
+use super::super::names::{DTB, FFR, RFF, SDIR};
+use super::{BUILT, Cycle, Hole, Need, Work};
 
 const STANDARD: &str = "standard cycles V06.02.09; SINUMERIK 840D cycles 11/2002";
 const OLD: &str = "SINUMERIK 840D cycles 11/2002";
@@ -18,7 +18,8 @@ const SDIS: Parameter = length("SDIS", "safety distance above the surface; its s
 const DP: Parameter = length("DP", "depth").default("0, unless DPR is given");
 const DPR: Parameter = length("DPR", "depth below the surface; its sign is left out").default("DP counts");
 const DWELL: Parameter = dwell("DTB", "dwell at the depth; below 0 in turns of the spindle").default("0");
-const DIRECTION: Parameter = number("SDIR", "spindle: 3 M3, 4 M4").needed();
+const DIRECTION: Parameter =
+    number("SDIR", "spindle: 3 M3, 4 M4").needed().rule(Rule::OneOf(3, 4)).or_else(61102, "give 3 or 4");
 const AXN: Parameter = number("_AXN", "drilling axis: 1, 2 or 3, 0 the tool axis").default("0");
 const PITA: Parameter =
     number("_PITA", "unit of the pitch: 0 of the program, 1 mm, 2 turns per inch, 3 inch").default("0");
@@ -29,6 +30,9 @@ const PITM: Parameter =
 const PTAB: Parameter = words("_PTAB", "table of the thread").without_effect("name of the table of the thread");
 const PTABA: Parameter =
     words("_PTABA", "size of the thread").without_effect("name of the thread: the pitch stands beside it");
+/// What helps where a value has the wrong sign.
+const NO_SIGN: &str = "give `_VRT` and `_DIS1` without a sign; 0 for the values of the cycle";
+const HAND: &str = "the sign of the pitch makes the hand of the thread";
 const DMODE: Parameter = digits("_DMODE", &ANY_DIGITS, "units: plane, 0 the active one, 1 G17, 2 G18, 3 G19");
 const WHAT_GMODE: &str = "how the depth counts; tens: 0 of the tip, 1 of the shank";
 const WHAT_AMODE: &str =
@@ -98,6 +102,8 @@ const CHUCK: Digits = Digits {
     doubt: Some((&[3, 6], "1 in the thousands and in the millions of `_AMODE` is read as in CYCLE84")),
 };
 
+const TAPS: Need = Need::MainSpindle("tapping");
+
 pub(super) const ROWS: &[Cycle] = &[
     Cycle {
         signature: Signature {
@@ -117,6 +123,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE,
             ],
         },
+        needs: &[],
         work: Work::Hole(Hole {
             feed: |call| call.cycle_feed(),
             method: |call, _, _| Ok(Method::Drill { dwell: call.dwell_at_depth(DTB)? }),
@@ -151,6 +158,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 number("S_FD", "feed of through-drilling, percent; reported where its digit of `_VARI` is 0"),
             ],
         },
+        needs: &[],
         work: Work::Hole(Hole {
             feed: |call| call.cycle_feed(),
             method: |call, _, _| call.counterbore(),
@@ -180,10 +188,11 @@ pub(super) const ROWS: &[Cycle] = &[
                 number("VARI", "0 breaks the chip, 1 removes it").rule(Rule::OneOf(0, 1)),
                 AXN,
                 length("_MDEP", "least step, where DAM is a factor").default("0"),
-                length("_VRT", "way back to break the chip").unsigned().default("1 mm"),
+                length("_VRT", "way back to break the chip").unsigned().or_else(0, NO_SIGN).default("1 mm"),
                 dwell("_DTD", "dwell at the last depth; below 0 in turns").default("DTB"),
                 length("_DIS1", "distance in front of the last depth, where rapid traverse ends")
                     .unsigned()
+                    .or_else(0, NO_SIGN)
                     .default("0.6 mm to 30 mm deep, then a fiftieth of the depth, at most 7 mm"),
                 digits("_GMODE", &SHANK, WHAT_GMODE),
                 DMODE,
@@ -194,6 +203,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 ),
             ],
         },
+        needs: &[],
         work: Work::Hole(Hole {
             feed: |call| call.cycle_feed(),
             method: |call, levels, _| call.peck(levels),
@@ -218,8 +228,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 MPIT,
                 PIT,
                 angle("POSS", "angle of the spindle before").default("no stop"),
-                speed("SST", "speed on the way in").unsigned().default("S"),
-                speed("SST1", "speed on the way out").unsigned().default("SST"),
+                speed("SST", "speed on the way in").unsigned().or_else(16763, HAND).default("S"),
+                speed("SST1", "speed on the way out").unsigned().or_else(16763, HAND).default("SST"),
                 AXN,
                 PITA,
                 number("_TECHNO", "speed and accuracy: reported, changes no move"),
@@ -238,6 +248,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 ),
             ],
         },
+        needs: &[Need::FixedSpeed, TAPS],
         work: Work::Hole(Hole {
             feed: |call| Ok(call.st.feed.word().unwrap_or(Feed::PerMinute(1.0))),
             method: |call, levels, _| call.rigid_tap(levels),
@@ -274,6 +285,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 digits("_AMODE", &CHUCK, WHAT_AMODE),
             ],
         },
+        needs: &[Need::FixedSpeed, TAPS],
         work: Work::Hole(Hole {
             feed: |call| call.feed_of_chuck(),
             method: |call, _, _| call.tap_with_chuck(),
@@ -294,16 +306,17 @@ pub(super) const ROWS: &[Cycle] = &[
                 DP,
                 DPR,
                 DWELL,
-                feed("FFR", "feed").needed(),
-                feed("RFF", "feed of the return").needed(),
+                feed("FFR", "feed").needed().rule(Rule::Above(61003)),
+                feed("RFF", "feed of the return").needed().rule(Rule::Above(61003)),
                 PLAIN_GMODE,
                 DMODE,
                 AMODE,
             ],
         },
+        needs: &[],
         work: Work::Hole(Hole {
-            feed: |call| call.own_feed(FFR),
-            method: |call, _, _| Ok(Method::Ream { dwell: call.dwell_at_depth(DTB)?, back: call.own_feed(RFF)? }),
+            feed: |call| Ok(call.own_feed(FFR)),
+            method: |call, _, _| Ok(Method::Ream { dwell: call.dwell_at_depth(DTB)?, back: call.own_feed(RFF) }),
             centring: false,
             modal_feed: false,
         }),
@@ -331,6 +344,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE,
             ],
         },
+        needs: &[],
         work: Work::Hole(Hole {
             feed: |call| call.cycle_feed(),
             method: |call, _, _| call.bore(),
@@ -346,6 +360,7 @@ pub(super) const ROWS: &[Cycle] = &[
             source: OLD,
             parameters: &[RTP, RFP, SDIS, DP, DPR, DIRECTION],
         },
+        needs: &[],
         work: Work::Hole(Hole {
             feed: |call| call.cycle_feed(),
             method: |call, _, _| Ok(Method::BoreWithStop { dwell: 0.0, turn: call.spindle_turn(SDIR)? }),
@@ -361,6 +376,7 @@ pub(super) const ROWS: &[Cycle] = &[
             source: OLD,
             parameters: &[RTP, RFP, SDIS, DP, DPR, DWELL, DIRECTION],
         },
+        needs: &[],
         work: Work::Hole(Hole {
             feed: |call| call.cycle_feed(),
             method: |call, _, _| {
@@ -378,6 +394,7 @@ pub(super) const ROWS: &[Cycle] = &[
             source: OLD,
             parameters: &[RTP, RFP, SDIS, DP, DPR, DWELL, PLAIN_GMODE, DMODE, AMODE],
         },
+        needs: &[],
         work: Work::Hole(Hole {
             feed: |call| call.cycle_feed(),
             method: |call, _, feed| Ok(Method::Ream { dwell: call.dwell_at_depth(DTB)?, back: feed }),

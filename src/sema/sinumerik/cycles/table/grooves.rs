@@ -4,7 +4,7 @@ use crate::sema::cycle::row::{
     ANY_DIGITS, Digit, Digits, Parameter, Rule, Signature, angle, count, digits, dwell, feed, length, number, speed,
 };
 
-use super::{BUILT, Cycle, Work};
+use super::{BUILT, Cycle, Need, Work};
 
 /// "Above 0" where 0 is what an empty field becomes.
 const FEED: Rule = Rule::AboveOrEmpty(61003);
@@ -26,6 +26,16 @@ const GROOVE_READING: Digits = Digits {
 };
 const CUT_READING: Digits = Digits { known: &[digit(4, 1)], other: "", doubt: None };
 
+const GROOVE: &[Need] = &[
+    Need::Lathe,
+    Need::TurningPlane,
+    Need::NoNormalOffset,
+    Need::ActivePlane,
+    Need::UnscaledFrame,
+    Need::ShiftFrame,
+    Need::KnownPlace,
+];
+
 pub(super) const ROWS: &[Cycle] = &[
     Cycle {
         signature: Signature {
@@ -39,7 +49,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("_DIAG1", "diameter from which speed and feed are reduced").needed(),
                 length("_DIAG2", "final diameter; below 0 beyond the centre").needed(),
                 length("_RC", "radius or chamfer of the edge, by `_AMODE`").unsigned(),
-                length("_SDIS", "safety distance, above 0").unsigned(),
+                length("_SDIS", "safety distance").needed().rule(Rule::Above(61019)),
                 speed("_SV1", "cutting speed (with `_SV2`) or turns a minute").unsigned().default("the speed in force"),
                 speed("_SV2", "greatest turns a minute of a cutting speed").unsigned().default("`_SV1` is turns a minute"),
                 number("_SDAC", "sense of the spindle: 3 M3, 4 M4").default("the sense in force"),
@@ -53,7 +63,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 digits("_AMODE", &CUT_READING, "ten thousands: `_RC` is 0 a radius, 1 a chamfer"),
             ],
         },
-        work: Work::Moves(|call| call.cut_off()),
+        needs: GROOVE,
+        work: Work::Plan(|call| call.cut_off()),
     },
     Cycle {
         signature: Signature {
@@ -64,8 +75,8 @@ pub(super) const ROWS: &[Cycle] = &[
             parameters: &[
                 length("SPD", "start point, diameter").needed(),
                 length("SPL", "start point along Z").needed(),
-                length("WIDG", "width of the floor, above 0").needed(),
-                length("DIAG", "depth, on the radius, above 0").needed(),
+                length("WIDG", "width of the floor").needed().rule(Rule::Above(61019)),
+                length("DIAG", "depth, on the radius").needed().rule(Rule::Above(61019)),
                 angle("STA1", "inclination of the surface: 0, 180, on faces 90"),
                 angle("ANG1", "angle of the flank at the start point").rule(Rule::Below90),
                 angle("ANG2", "angle of the other flank").rule(Rule::Below90),
@@ -87,7 +98,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 count("_DN", "number of the second edge"),
             ],
         },
-        work: Work::Moves(|call| call.groove_93()),
+        needs: GROOVE,
+        work: Work::Plan(|call| call.groove_93()),
     },
     Cycle {
         signature: Signature {
@@ -98,7 +110,7 @@ pub(super) const ROWS: &[Cycle] = &[
             parameters: &[
                 length("_SPD", "reference point, diameter").needed(),
                 length("_SPL", "reference point along Z").needed(),
-                length("_WIDG", "width of the floor, above 0").needed(),
+                length("_WIDG", "width of the floor").needed().rule(Rule::Above(61019)),
                 length("_WIDG2", "width of the top").unsigned().default("as floor, depth and flanks make it"),
                 length("_DIAG", "depth at the reference point, by `_AMODE`").needed(),
                 length("_DIAG2", "depth on the other side, of inclined grooves only"),
@@ -111,7 +123,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("_RCO2", "other edge").unsigned(),
                 length("_FAL", "allowance on all sides").unsigned(),
                 length("_IDEP1", "infeed").unsigned().default("the whole depth at once"),
-                length("_SDIS", "safety distance, above 0").unsigned(),
+                length("_SDIS", "safety distance").needed().rule(Rule::Above(61019)),
                 digits(
                     "_VARI",
                     &MACHINING,
@@ -135,6 +147,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 number("S_FB", "feed at the floor; refused unless 0"),
             ],
         },
-        work: Work::Moves(|call| call.groove_930()),
+        needs: GROOVE,
+        work: Work::Plan(|call| call.groove_930()),
     },
 ];

@@ -4,7 +4,7 @@ use crate::sema::cycle::row::{
     Digit, Digits, Parameter, Rule, Signature, count, digits, dwell, feed, length, number, words,
 };
 
-use super::{BUILT, Cycle, Work};
+use super::{BUILT, Cycle, Need, Source, Work};
 
 /// "Above 0" where 0 is what an empty field becomes.
 const FEED: Rule = Rule::AboveOrEmpty(61003);
@@ -66,6 +66,8 @@ const CORNER_MODE: Digits = Digits {
     )),
 };
 
+const REMOVAL: &[Need] = &[Need::TurningPlane, Need::NoNormalOffset, Need::UnscaledFrame];
+
 pub(super) const ROWS: &[Cycle] = &[
     Cycle {
         signature: Signature {
@@ -90,7 +92,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 PLANE,
             ],
         },
-        work: Work::Along(|run, args| run.contour_removal_95(args)),
+        needs: REMOVAL,
+        work: Work::Along(Source::Argument, |call, contours| call.classic_removal(contours)),
     },
     Cycle {
         signature: Signature {
@@ -121,7 +124,8 @@ pub(super) const ROWS: &[Cycle] = &[
                     .default("0"),
             ],
         },
-        work: Work::Along(|run, args| run.cycle(args).corner_removal()),
+        needs: REMOVAL,
+        work: Work::Plan(|call| call.corner_removal()),
     },
     Cycle {
         signature: Signature {
@@ -172,6 +176,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 feed("_FS", "feed of finishing, after roughing").rule(FEED).default("that of roughing"),
             ],
         },
-        work: Work::Along(|run, args| run.contour_removal_952(args)),
+        needs: REMOVAL,
+        work: Work::Along(Source::Turned, |call, contours| call.contour_removal(contours)),
     },
 ];

@@ -1,14 +1,14 @@
 //! Faces, spigots, and what is milled along contours.
 
 use crate::sema::cycle::row::{
-    ANY_DIGITS, Digit, Digits, Parameter, Signature, angle, count, digits, feed, length, number, words,
+    ANY_DIGITS, Digit, Digits, Parameter, Rule, Signature, angle, count, digits, feed, length, number, words,
 };
 
 use super::milled::{
     AMODE, CDIR, CHAMFER, DEPTH, DMODE, DP, FAL, FALD, FFD, FFP1, MID, MIDA, PA, PAIR, PERCENT, PO, RFP, RTP, SDIS,
     STA, START_ONLY, UMODE,
 };
-use super::{BUILT, Cycle, Work};
+use super::{BUILT, Cycle, Source, Work};
 
 const OLD: &str = "SINUMERIK 840D cycles 11/2002; 808D milling 07/2018, p. 189";
 const STORED: &str = "SINUMERIK 840D cycles 11/2002; stored calls of SINUMERIK 840D sl";
@@ -58,8 +58,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("_DP", "depth, absolute").default("0"),
                 length("_PA", "corner of the face, first axis").default("0"),
                 length("_PO", "corner of the face, second axis").default("0"),
-                length("_LENG", "side along the first axis, signed").needed(),
-                length("_WID", "side along the second axis, signed").needed(),
+                length("_LENG", "side along the first axis, signed").needed().rule(Rule::Size),
+                length("_WID", "side along the second axis, signed").needed().rule(Rule::Size),
                 angle("_STA", "rotation about the corner, 0 to below 180").default("0"),
                 MID,
                 length("_MIDA", "greatest infeed in the plane; the first path takes exactly this")
@@ -71,7 +71,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("_FDP1", "overrun beyond the side of the last path").default("0"),
             ],
         },
-        work: Work::Moves(|call| call.face()),
+        needs: &[],
+        work: Work::Plan(|call| call.face()),
     },
     Cycle {
         signature: Signature {
@@ -86,8 +87,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 DP,
                 PA,
                 PO,
-                length("_LENG", "end point or length along the first axis, by `_AMODE`").needed(),
-                length("_WID", "end point or length along the second axis, by `_AMODE`").needed(),
+                length("_LENG", "end point or length along the first axis, by `_AMODE`"),
+                length("_WID", "end point or length along the second axis, by `_AMODE`"),
                 MID,
                 MIDA,
                 FALD,
@@ -104,7 +105,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 ),
             ],
         },
-        work: Work::Moves(|call| call.face_by_limits()),
+        needs: &[],
+        work: Work::Plan(|call| call.face_by_limits()),
     },
     Cycle {
         signature: Signature {
@@ -118,8 +120,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 SDIS,
                 DP,
                 DPR,
-                length("_LENG", "length").needed(),
-                length("_WID", "width").needed(),
+                length("_LENG", "length").needed().rule(Rule::Size),
+                length("_WID", "width").needed().rule(Rule::Size),
                 length("_CRAD", "radius of the corners").default("0"),
                 PA,
                 PO,
@@ -140,7 +142,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE_OF_PAIR,
             ],
         },
-        work: Work::Moves(|call| call.rectangular_spigot()),
+        needs: &[],
+        work: Work::Plan(|call| call.rectangular_spigot()),
     },
     Cycle {
         signature: Signature {
@@ -154,7 +157,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 SDIS,
                 DP,
                 DPR,
-                length("_CDIAM", "diameter; in the old form by `[cycles] spigot_size`").needed(),
+                length("_CDIAM", "diameter; in the old form by `[cycles] spigot_size`").needed().rule(Rule::Size),
                 PA,
                 PO,
                 MID,
@@ -172,7 +175,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE_OF_PAIR,
             ],
         },
-        work: Work::Moves(|call| call.circular_spigot()),
+        needs: &[],
+        work: Work::Plan(|call| call.circular_spigot()),
     },
     Cycle {
         signature: Signature {
@@ -186,7 +190,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 SDIS,
                 DP,
                 count("_NUM", "number of edges").needed(),
-                length("_SWL", "width across flats; length of an edge where their number is odd").needed(),
+                length("_SWL", "width across flats; length of an edge where their number is odd").needed().rule(Rule::Size),
                 PA,
                 PO,
                 STA,
@@ -206,7 +210,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE,
             ],
         },
-        work: Work::Moves(|call| call.multi_edge()),
+        needs: &[],
+        work: Work::Plan(|call| call.multi_edge()),
     },
     Cycle {
         signature: Signature {
@@ -246,7 +251,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 digits("_AMODE", &OF_DEPTH, "units: depth 0 absolute, 1 below the surface"),
             ],
         },
-        work: Work::Along(|run, args| run.path_milling(args)),
+        needs: &[],
+        work: Work::Along(Source::Single, |call, contours| call.path_milling(contours)),
     },
     Cycle {
         signature: Signature {
@@ -259,10 +265,10 @@ pub(super) const ROWS: &[Cycle] = &[
                 RFP,
                 SDIS,
                 DP,
-                length("_DIATH", "nominal diameter").needed(),
-                length("_H1", "depth of the thread, on the radius").needed(),
+                length("_DIATH", "nominal diameter").needed().rule(Rule::Size),
+                length("_H1", "depth of the thread, on the radius").needed().rule(Rule::Size),
                 length("_FAL", "allowance that roughing leaves").default("0"),
-                length("_PIT", "pitch, in the unit of `_PITA`").needed(),
+                length("_PIT", "pitch, in the unit of `_PITA`").needed().rule(Rule::Above(61001)),
                 count("_NT", "teeth of an edge of the cutter").default("1"),
                 length("_MID", "greatest infeed of a pass").default("one pass"),
                 feed("_FFR", "feed").default("F"),
@@ -285,7 +291,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 digits("_AMODE", &OF_DEPTH, "units: depth 0 absolute, 1 below the surface"),
             ],
         },
-        work: Work::Moves(|call| call.thread_by_depth()),
+        needs: &[],
+        work: Work::Plan(|call| call.thread_by_depth()),
     },
     Cycle {
         signature: Signature {
@@ -299,9 +306,9 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("SDIS", "safety distance above the surface, and beside an external thread").default("0"),
                 length("DP", "depth").default("DPR counts"),
                 length("DPR", "depth below the surface; its sign is left out").default("DP counts"),
-                length("DIATH", "nominal diameter").needed(),
-                length("KDIAM", "diameter of the core").needed(),
-                length("PIT", "pitch").needed(),
+                length("DIATH", "nominal diameter").needed().rule(Rule::Size),
+                length("KDIAM", "diameter of the core").needed().rule(Rule::Size),
+                length("PIT", "pitch").needed().rule(Rule::Above(61001)),
                 feed("FFR", "feed").default("F"),
                 number("CDIR", "0 climb, 1 conventional, 2 G2, 3 G3").default("0"),
                 number("TYPTH", "0 internal, 1 external").default("0"),
@@ -309,6 +316,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("CPO", "centre, second axis").default("0"),
             ],
         },
-        work: Work::Moves(|call| call.thread_by_core()),
+        needs: &[],
+        work: Work::Plan(|call| call.thread_by_core()),
     },
 ];

@@ -14,34 +14,67 @@ mod undercuts;
 
 use crate::ir::Feed;
 use crate::ir::cycle::drilling::{Levels, Method};
+use crate::sema::cycle::call::Made;
 use crate::sema::cycle::row::{Signature, Status};
 
-use super::super::{Outcome, Run};
-use super::arguments::Arguments;
-use super::call::CycleCall;
+use super::super::called_contours::CalledContour;
+use super::call::{Acts, CycleCall};
 
 pub(in super::super) use named::instead;
 
-/// A cycle: what a call gives, and what is done with it.
+/// A cycle: what a call gives, what it needs of the channel, and what is done with it.
 #[derive(Debug)]
 pub(in super::super) struct Cycle {
     pub signature: Signature,
+    /// Asked in this order, in front of the plan.
+    pub needs: &'static [Need],
     pub work: Work,
 }
+
+/// What a call needs besides its arguments.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) enum Need {
+    /// Turning technology.
+    Lathe,
+    /// G18.
+    TurningPlane,
+    /// MD 20100 names an axis of the plane.
+    DiameterAxis,
+    /// `_DMODE` names no other plane than the active one.
+    ActivePlane,
+    /// OFFN is 0.
+    NoNormalOffset,
+    UnscaledFrame,
+    /// The frame only shifts.
+    ShiftFrame,
+    /// The tool stands in a known place of the turning plane.
+    KnownPlace,
+    /// No constant cutting speed.
+    FixedSpeed,
+    /// The spindle that this counts with is the main one.
+    MainSpindle(&'static str),
+    TurningSpindle,
+    /// MCALL with what a pattern runs.
+    ModalCall,
+    /// Lengths in the plane are no diameters.
+    PlainLengths,
+}
+
+/// Makes what is carried out of a call.
+pub(in super::super) type Plan = fn(&CycleCall<'_>) -> Made<Acts>;
 
 /// What is done with a call.
 #[derive(Debug)]
 pub(in super::super) enum Work {
     /// Drills a hole, also behind MCALL.
     Hole(Hole),
-    /// Makes moves.
-    Moves(fn(&mut CycleCall<'_, '_>) -> Outcome),
-    /// Takes or names contours, all of which are read; a cycle of this name that is a program of the user goes before it.
-    Contour(fn(&mut Run<'_>, &Arguments) -> Outcome),
-    /// Takes contours and makes moves along them.
-    Along(fn(&mut Run<'_>, &Arguments) -> Outcome),
+    Plan(Plan),
+    /// Takes contours, and plans along them.
+    Along(Source, fn(&CycleCall<'_>, &[CalledContour]) -> Made<Acts>),
+    /// Names a contour for what follows; a cycle of this name that is a program of the user goes before it.
+    NamesContour,
     /// Takes contours, and is refused with what was read, because its tracks are not published.
-    Unpublished(Unpublished),
+    Unpublished(Source),
     /// Refused by its name.
     Nothing,
 }
@@ -49,42 +82,25 @@ pub(in super::super) enum Work {
 /// A drilling cycle.
 #[derive(Debug)]
 pub(in super::super) struct Hole {
-    pub feed: fn(&mut CycleCall<'_, '_>) -> Outcome<Feed>,
-    pub method: fn(&mut CycleCall<'_, '_>, &Levels, Feed) -> Outcome<Method>,
+    pub feed: fn(&CycleCall<'_>) -> Made<Feed>,
+    pub method: fn(&CycleCall<'_>, &Levels, Feed) -> Made<Method>,
     /// A depth by the tens of `_GMODE` is that of the diameter of a centring, not that of the shank.
     pub centring: bool,
     /// Behind MCALL it drills at the feed that is modal there.
     pub modal_feed: bool,
 }
 
-/// A cycle that is read and checked only.
-#[derive(Debug)]
-pub(in super::super) struct Unpublished {
-    pub contour: Source,
-    /// A turning cycle: in G18.
-    pub turned: bool,
-    /// What helps beside the general advice.
-    pub advice: Option<fn(&Arguments) -> Option<String>>,
-}
-
 /// Where a cycle has its contour from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in super::super) enum Source {
-    /// It has none.
-    None,
-    /// From its first argument.
+    /// A turned part, from its first argument.
     Argument,
+    /// One to go along, named by it or called in front of it.
+    Single,
     /// From CYCLE62: the turned part, or blank and part.
     Turned,
     /// From CYCLE62: closed contours of pockets, islands and spigots.
     Milled,
-}
-
-impl Work {
-    /// Are its arguments checked by their rules alone?
-    pub fn is_read_only(&self) -> bool {
-        matches!(self, Work::Contour(_) | Work::Unpublished(_))
-    }
 }
 
 impl Cycle {
@@ -94,7 +110,7 @@ impl Cycle {
     }
 
     pub fn is_built(&self) -> bool {
-        matches!(self.work, Work::Hole(_) | Work::Moves(_) | Work::Along(_))
+        matches!(self.work, Work::Hole(_) | Work::Plan(_) | Work::Along(..))
     }
 }
 
@@ -133,13 +149,13 @@ const BUILT: Status = Status::Built;
 mod tests {
     use super::*;
     use crate::sema::cycle::row::Name;
-    use crate::sema::sinumerik::cycles::arguments;
+    use crate::sema::sinumerik::cycles::names;
 
     /// A name of the code that no row has would read as an argument that is never given.
     #[test]
     fn every_name_of_the_code_is_in_a_row() {
-        for key in arguments::ALL {
-            assert!(rows().any(|cycle| cycle.place(*key).is_some()), "{key:?}");
+        for name in names::ALL {
+            assert!(rows().any(|cycle| cycle.signature.place(*name).is_some()), "{name:?}");
         }
     }
 

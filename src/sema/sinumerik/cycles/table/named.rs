@@ -6,7 +6,7 @@ use super::{Cycle, Work};
 
 const fn named(name: &'static str, what: &'static str) -> Cycle {
     let status = Status::Refused { code: "P9010" };
-    Cycle { signature: Signature { name, what, status, source: "", parameters: &[] }, work: Work::Nothing }
+    Cycle { signature: Signature { name, what, status, source: "", parameters: &[] }, needs: &[], work: Work::Nothing }
 }
 
 /// What does the work of a cycle that is refused.

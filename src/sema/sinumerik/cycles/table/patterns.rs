@@ -2,7 +2,7 @@
 
 use crate::sema::cycle::row::{ANY_DIGITS, Parameter, Signature, angle, count, digits, either, length, number};
 
-use super::{BUILT, Cycle, Work};
+use super::{BUILT, Cycle, Need, Work};
 
 const STANDARD: &str = "standard cycles V06.02.09; SINUMERIK 840D cycles 11/2002";
 const STORED: &str = "stored calls of SINUMERIK 840D sl";
@@ -12,6 +12,9 @@ const UMODE: Parameter = number("_UMODE", "").without_effect("reserved");
 const HIDE: Parameter = either("_HIDE", "hidden positions; refused").default("none");
 const NSP: Parameter = number("_NSP", "first position; refused where it is not 0").default("0");
 const DMODE: Parameter = digits("_DMODE", &ANY_DIGITS, "units: plane, 0 the active one, 1 G17, 2 G18, 3 G19");
+
+/// A pattern runs what MCALL gave; its lengths lie in the active plane.
+const PATTERN: &[Need] = &[Need::ModalCall, Need::ActivePlane, Need::PlainLengths];
 
 pub(super) const ROWS: &[Cycle] = &[
     Cycle {
@@ -34,7 +37,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 DMODE,
             ],
         },
-        work: Work::Moves(|call| call.row()),
+        needs: PATTERN,
+        work: Work::Plan(|call| call.row()),
     },
     Cycle {
         signature: Signature {
@@ -56,7 +60,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 DMODE,
             ],
         },
-        work: Work::Moves(|call| call.circle_of_holes()),
+        needs: PATTERN,
+        work: Work::Plan(|call| call.circle_of_holes()),
     },
     Cycle {
         signature: Signature {
@@ -81,7 +86,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 DMODE,
             ],
         },
-        work: Work::Moves(|call| call.grid()),
+        needs: PATTERN,
+        work: Work::Plan(|call| call.grid()),
     },
     Cycle {
         signature: Signature {
@@ -125,7 +131,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 further("S_AB8"),
             ],
         },
-        work: Work::Moves(|call| call.free_positions()),
+        needs: PATTERN,
+        work: Work::Plan(|call| call.free_positions()),
     },
 ];
 

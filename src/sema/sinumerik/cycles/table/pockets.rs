@@ -1,14 +1,14 @@
 //! Pockets, slots and long holes.
 
 use crate::sema::cycle::row::{
-    ANY_DIGITS, Digit, Digits, Parameter, Signature, angle, count, digits, feed, length, number, speed, words,
+    ANY_DIGITS, Digit, Digits, Parameter, Rule, Signature, angle, count, digits, feed, length, number, speed, words,
 };
 
 use super::milled::{
     AMODE, CDIR, CHAMFER, DMODE, DP, FAL, FALD, FFD, FFP1, MID, MIDA, MODE, MODE_FEEDS, MODE_PLANE, PA, PAIR, PO, RFP,
     RTP, SDIS, STA, START_ONLY, UMODE,
 };
-use super::{BUILT, Cycle, Work};
+use super::{BUILT, Cycle, Source, Work};
 
 const STORED: &str = "SINUMERIK 840D cycles 11/2002; stored calls of SINUMERIK 840D sl";
 const OLD: &str = "SINUMERIK 840D cycles 11/2002";
@@ -22,8 +22,8 @@ const VARI: Parameter = digits(
     "units: 1 roughs, 2 finishes, 3 the floor, 4 the wall; tens: 0 down at rapid traverse, 1 at the feed, 2 helix, 3 to and fro",
 )
 .needed();
-const LENG: Parameter = length("_LENG", "length").needed();
-const WID: Parameter = length("_WID", "width").needed();
+const LENG: Parameter = length("_LENG", "length").needed().rule(Rule::Size);
+const WID: Parameter = length("_WID", "width").needed().rule(Rule::Size);
 const CRAD: Parameter = length("_CRAD", "radius of the corners").default("the radius of the cutter");
 const DEPTH_CLEARED: Parameter = length("_AD", "depth that was cleared before").default("0");
 const DP1: Parameter = length("_DP1", "depth of one turn of the helix");
@@ -101,8 +101,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 O_SDIS,
                 O_DP,
                 O_DPR,
-                length("LENG", "length").needed(),
-                length("WID", "width").needed(),
+                length("LENG", "length").needed().rule(Rule::Size),
+                length("WID", "width").needed().rule(Rule::Size),
                 length("CRAD", "radius of the corners").default("the radius of the cutter"),
                 CENTRE_1,
                 CENTRE_2,
@@ -118,7 +118,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 SSF,
             ],
         },
-        work: Work::Moves(|call| call.old_rectangular_pocket()),
+        needs: &[],
+        work: Work::Plan(|call| call.old_rectangular_pocket()),
     },
     Cycle {
         signature: Signature {
@@ -132,7 +133,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 O_SDIS,
                 O_DP,
                 O_DPR,
-                length("PRAD", "radius").needed(),
+                length("PRAD", "radius").needed().rule(Rule::Size),
                 CENTRE_1,
                 CENTRE_2,
                 O_FFD,
@@ -146,7 +147,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 SSF,
             ],
         },
-        work: Work::Moves(|call| call.old_circular_pocket()),
+        needs: &[],
+        work: Work::Plan(|call| call.old_circular_pocket()),
     },
     Cycle {
         signature: Signature {
@@ -190,7 +192,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE,
             ],
         },
-        work: Work::Moves(|call| call.rectangular_pocket()),
+        needs: &[],
+        work: Work::Plan(|call| call.rectangular_pocket()),
     },
     Cycle {
         signature: Signature {
@@ -203,7 +206,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 RFP,
                 SDIS,
                 DP,
-                length("_CDIAM", "diameter; the radius in a call of 19 arguments").needed(),
+                length("_CDIAM", "diameter; the radius in a call of 19 arguments").needed().rule(Rule::Size),
                 PA,
                 PO,
                 MID,
@@ -226,7 +229,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE,
             ],
         },
-        work: Work::Moves(|call| call.circular_pocket()),
+        needs: &[],
+        work: Work::Plan(|call| call.circular_pocket()),
     },
     Cycle {
         signature: Signature {
@@ -241,8 +245,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 O_DP,
                 O_DPR,
                 NUM,
-                length("LENG", "length over the outer edges").needed(),
-                length("WID", "width").needed(),
+                length("LENG", "length over the outer edges").needed().rule(Rule::Size),
+                length("WID", "width").needed().rule(Rule::Size),
                 CPA,
                 CPO,
                 RAD,
@@ -268,7 +272,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE_OF_PAIR,
             ],
         },
-        work: Work::Moves(|call| call.slots()),
+        needs: &[],
+        work: Work::Plan(|call| call.slots()),
     },
     Cycle {
         signature: Signature {
@@ -284,10 +289,10 @@ pub(super) const ROWS: &[Cycle] = &[
                 O_DPR,
                 NUM,
                 angle("AFSL", "angle between the centres of the round ends").needed(),
-                length("WID", "width").needed(),
+                length("WID", "width").needed().rule(Rule::Size),
                 CPA,
                 CPO,
-                length("RAD", "radius of the circle").needed(),
+                length("RAD", "radius of the circle").needed().rule(Rule::Size),
                 STA1,
                 INDA,
                 O_FFD,
@@ -308,7 +313,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE_OF_PAIR,
             ],
         },
-        work: Work::Moves(|call| call.circular_slots()),
+        needs: &[],
+        work: Work::Plan(|call| call.circular_slots()),
     },
     Cycle {
         signature: Signature {
@@ -323,7 +329,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 O_DP,
                 O_DPR,
                 NUM,
-                length("LENG", "length over the outer edges").needed(),
+                length("LENG", "length over the outer edges").needed().rule(Rule::Size),
                 CPA,
                 CPO,
                 RAD,
@@ -339,7 +345,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE_OF_PAIR,
             ],
         },
-        work: Work::Moves(|call| call.long_holes()),
+        needs: &[],
+        work: Work::Plan(|call| call.long_holes()),
     },
     Cycle {
         signature: Signature {
@@ -383,6 +390,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 AMODE,
             ],
         },
-        work: Work::Along(|run, args| run.contour_pocket(args)),
+        needs: &[],
+        work: Work::Along(Source::Milled, |call, contours| call.contour_pocket(contours)),
     },
 ];

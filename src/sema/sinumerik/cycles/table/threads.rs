@@ -2,7 +2,7 @@
 
 use crate::sema::cycle::row::{ANY_DIGITS, Parameter, Rule, Signature, angle, count, digits, length, number, words};
 
-use super::{BUILT, Cycle, Work};
+use super::{BUILT, Cycle, Need, Work};
 
 const TURNING: &str = "SINUMERIK turning 01/2017, p. 205; SINUMERIK 840D cycles 11/2002";
 
@@ -20,6 +20,14 @@ const VARI: &str = "1 external, 2 internal with equal infeed; 3 external, 4 inte
 const NUMT: &str = "number of starts";
 const VRT: &str = "way of the lift-off outside the thread, on the radius";
 
+/// What helps where a value has the wrong sign.
+const SIGN: &str = "give the pitch without a sign; M3 or M4 makes the hand of the thread";
+const LENGTHS: &str = "give the depth, the allowance, run-in and run-out without a sign";
+const KIND: &str = "1 external, 2 internal with equal infeed; 3 external, 4 internal with equal cross-section";
+
+const THREAD: &[Need] =
+    &[Need::TurningPlane, Need::ActivePlane, Need::MainSpindle("the lead of a thread"), Need::TurningSpindle];
+
 pub(super) const ROWS: &[Cycle] = &[
     Cycle {
         signature: Signature {
@@ -28,26 +36,27 @@ pub(super) const ROWS: &[Cycle] = &[
             status: BUILT,
             source: TURNING,
             parameters: &[
-                length("PIT", LEAD).unsigned().default("that of MPIT"),
-                length("MPIT", "pitch as a metric size, M3 to M60").unsigned().default("PIT"),
+                length("PIT", LEAD).unsigned().or_else(61001, SIGN).default("that of MPIT"),
+                length("MPIT", "pitch as a metric size, M3 to M60").unsigned().or_else(61001, SIGN).default("PIT"),
                 length("SPL", "start along Z").needed(),
                 length("FPL", "end along Z").needed(),
                 length("DM1", "diameter at the start").needed(),
                 length("DM2", "diameter at the end").needed(),
-                length("APP", RUN_IN).unsigned().default("0"),
-                length("ROP", RUN_OUT).unsigned().default("0"),
-                length("TDEP", DEPTH).needed(),
-                length("FAL", LAST).unsigned().default("0"),
+                length("APP", RUN_IN).unsigned().or_else(61001, LENGTHS).default("0"),
+                length("ROP", RUN_OUT).unsigned().or_else(61001, LENGTHS).default("0"),
+                length("TDEP", DEPTH).needed().unsigned().or_else(61001, LENGTHS),
+                length("FAL", LAST).unsigned().or_else(61001, LENGTHS).default("0"),
                 angle("IANG", IANG).default("0"),
                 angle("NSP", NSP).default("0"),
                 count("NRC", NRC).needed(),
                 count("NID", NID).default("0"),
-                number("VARI", VARI).rule(Rule::OneOf(1, 4)),
+                number("VARI", VARI).needed().rule(Rule::OneOf(1, 4)).or_else(61002, KIND),
                 count("NUMT", NUMT).default("1"),
                 length("_VRT", VRT).default("1 mm"),
             ],
         },
-        work: Work::Moves(|call| call.single_thread()),
+        needs: THREAD,
+        work: Work::Plan(|call| call.single_thread()),
     },
     Cycle {
         signature: Signature {
@@ -64,18 +73,18 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("DM3", "diameter at the third point").needed(),
                 length("PO4", "last point along Z").needed(),
                 length("DM4", "diameter at the last point").needed(),
-                length("APP", RUN_IN).unsigned().default("0"),
-                length("ROP", RUN_OUT).unsigned().default("0"),
-                length("TDEP", DEPTH).needed(),
-                length("FAL", LAST).unsigned().default("0"),
+                length("APP", RUN_IN).unsigned().or_else(61001, LENGTHS).default("0"),
+                length("ROP", RUN_OUT).unsigned().or_else(61001, LENGTHS).default("0"),
+                length("TDEP", DEPTH).needed().unsigned().or_else(61001, LENGTHS),
+                length("FAL", LAST).unsigned().or_else(61001, LENGTHS).default("0"),
                 angle("IANG", IANG).default("0"),
                 angle("NSP", NSP).default("0"),
                 count("NRC", NRC).needed(),
                 count("NID", NID).default("0"),
-                length("PP1", LEAD).needed(),
-                length("PP2", LEAD).needed(),
-                length("PP3", LEAD).needed(),
-                number("VARI", VARI).rule(Rule::OneOf(1, 4)),
+                length("PP1", LEAD).needed().unsigned().or_else(61001, SIGN),
+                length("PP2", LEAD).needed().unsigned().or_else(61001, SIGN),
+                length("PP3", LEAD).needed().unsigned().or_else(61001, SIGN),
+                number("VARI", VARI).needed().rule(Rule::OneOf(1, 4)).or_else(61002, KIND),
                 count("NUMT", NUMT).default("1"),
                 length("_VRT", VRT).default("1 mm"),
                 length("_MID", "first infeed; refused where it is not 0").default("0"),
@@ -89,7 +98,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 digits("_AMODE", &ANY_DIGITS, "coded reading of positions; 0"),
             ],
         },
-        work: Work::Moves(|call| call.chain_of_threads()),
+        needs: THREAD,
+        work: Work::Plan(|call| call.chain_of_threads()),
     },
     Cycle {
         signature: Signature {
@@ -110,7 +120,9 @@ pub(super) const ROWS: &[Cycle] = &[
                 angle("_NSP", NSP).default("0"),
                 count("_NRC", NRC).default("made of `_MID`"),
                 count("_NID", NID).default("0"),
-                length("_PIT", "pitch, above 0: the spindle makes the hand of the thread").needed(),
+                length("_PIT", "pitch, above 0: the spindle makes the hand of the thread")
+                    .needed()
+                    .rule(Rule::Above(61001)),
                 digits("_VARI", &ANY_DIGITS, "units as VARI of CYCLE97; 1310101 in stored calls"),
                 count("_NUMTH", NUMT).default("1"),
                 length("_SDIS", VRT).default("1 mm"),
@@ -134,7 +146,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 number("_S_XRS", "crowned thread; refused where it is not 0").default("0"),
             ],
         },
-        work: Work::Moves(|call| call.thread_of_editor()),
+        needs: THREAD,
+        work: Work::Plan(|call| call.thread_of_editor()),
     },
 ];
 

@@ -3,7 +3,7 @@
 //! Source: C 7 (docs/sources.md).
 
 /// The cause of an alarm of the standard cycles, and what to do; `None` for alarms of users and machine builders.
-pub(in super::super) fn meaning(alarm: f64) -> Option<(&'static str, &'static str)> {
+pub(super) fn meaning(alarm: f64) -> Option<(&'static str, &'static str)> {
     let known = ALARMS.iter().find(|(number, ..)| f64::from(*number) == alarm);
     known.map(|(_, what, help)| (*what, *help))
 }

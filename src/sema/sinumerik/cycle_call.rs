@@ -1,0 +1,447 @@
+//! Calls of machining cycles: arguments are read and held against their row, the row's plan runs, and what it made is carried out.
+//!
+//! The one place that reports what a plan refuses or remarks, and that changes the channel for it.
+
+use std::rc::Rc;
+
+use crate::diag::{Code, Diagnostic, codes};
+use crate::geo::{Plane, Point2};
+use crate::ir::Pos;
+use crate::ir::contour::{Ctx, Path};
+use crate::ir::cycle::drilling::{Method, Tap};
+use crate::ir::cycle::{Cycle, Drilling};
+use crate::ir::function::{Spindle, Turn};
+use crate::machine::{Axis, AxisSet};
+use crate::parser::sinumerik::ast::{Args, Block, Formula};
+use crate::sema::cycle::call::{Kind, Made, Refusal, Remark};
+use crate::sema::cycle::given::{Given, Value};
+use crate::sema::cycle::row;
+use crate::sema::run::{Site, Where};
+use crate::text::Span;
+
+use super::cycles::{self, Act, Acts, Cycle as Row, CycleCall, SpindleTold, Work};
+use super::g_groups::{GCode, Group};
+use super::offsets::Outer;
+use super::value::{Val, to_text};
+use super::words::CallWord;
+use super::{Channel, Outcome, Reported, Run};
+use crate::ir::Side;
+
+/// A call: the row, and what is given for it.
+#[derive(Debug, Clone)]
+pub(super) struct Called {
+    pub row: &'static Row,
+    pub given: Given,
+}
+
+/// A drilling cycle that runs behind every positioning block.
+#[derive(Debug, Clone)]
+pub(super) struct ModalCycle {
+    hole: Drilling,
+    call: Called,
+    /// Where MCALL stands.
+    here: Site,
+    /// The spindle as the hole was made of it: a dwell in turns, a tap and a feed of its own depend on it.
+    spindle: SpindleState,
+    /// The feed is the one that is modal when the hole is drilled.
+    feed_of_block: bool,
+    /// Plane and unit of the call: the axis and the lengths of the hole were taken under them.
+    under: (Plane, f64),
+    /// Why it cannot be drilled was reported.
+    refused: bool,
+}
+
+/// What holes take from the spindle: speed, sense, whether the speed follows the diameter, whether feeds count per turn; and
+/// the tool and its edge, whose tip a depth may count for.
+type SpindleState = (Option<f64>, Option<Turn>, bool, bool, Option<u32>, Option<u32>);
+
+impl ModalCycle {
+    /// Why it cannot be drilled was reported.
+    pub fn refuse(&mut self) {
+        self.refused = true;
+    }
+}
+
+/// A value of the language as the argument of a parameter.
+fn value_of(value: &Val, kind: row::Kind) -> Value {
+    let text = || {
+        let text = to_text(value).unwrap_or_default();
+        Value::Text(String::from_utf8_lossy(&text).trim().to_ascii_uppercase())
+    };
+    match (value, kind) {
+        (Val::Missing, _) => Value::Missing,
+        (Val::Text(_), row::Kind::Text) | (_, row::Kind::Either) => text(),
+        _ => match value.number() {
+            Some(number) => Value::Number(number),
+            None if matches!(kind, row::Kind::Text) => text(),
+            None => Value::Other,
+        },
+    }
+}
+
+impl Run<'_> {
+    /// Runs a machining cycle; `None` for a name that is none, or that is not built.
+    pub(super) fn machining_cycle(
+        &mut self,
+        name: &str,
+        call: CallWord,
+        block: &Block,
+        text: &[u8],
+    ) -> Option<Outcome> {
+        let row = cycles::find(name)?;
+        if matches!(row.work, Work::Nothing) || self.own_program(name) {
+            return None;
+        }
+        let result = self.called(row, call.args, call.span, block, text).and_then(|called| self.run_cycle(&called));
+        if result.is_err() {
+            self.st.position.lose(AxisSet::ALL);
+            self.lost();
+        }
+        Some(result)
+    }
+
+    fn called(
+        &mut self,
+        row: &'static Row,
+        args: Option<Args>,
+        span: Span,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome<Called> {
+        let name = row.signature.name;
+        self.no_cycle_in_contour(name, span)?;
+        let formulas: Vec<Formula> = args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
+        let parameters = row.signature.parameters;
+        let mut given = Given::new(&row.signature, name, span.into(), self.st.length_unit());
+        let mut too_many = None;
+        for (at, formula) in formulas.into_iter().enumerate() {
+            let value = self.eval(formula, block, text)?;
+            match parameters.get(at) {
+                Some(parameter) => given.push(value_of(&value, parameter.kind), formula.span.into()),
+                None => too_many = too_many.or(Some(formula.span)),
+            }
+        }
+        if let Some(at) = too_many {
+            return self.refuse(at, codes::S2021::takes_arguments(&name, &parameters.len()));
+        }
+        let called = Called { row, given };
+        self.planned(&called, |call| call.fits_its_row())?;
+        Ok(called)
+    }
+
+    fn run_cycle(&mut self, called: &Called) -> Outcome {
+        let (row, place) = (called.row, called.given.place);
+        let moves = !matches!(row.work, Work::NamesContour | Work::Unpublished(_));
+        self.begins_executing();
+        self.no_turning_cycle_here(row.signature.name, place)?;
+        self.pending_must_be_done(place)?;
+        if self.st.side() != Side::None {
+            return self.refuse(place, codes::P2090::radius_compensation().of(&called.given.called));
+        }
+        match self.st.offsets.outer() {
+            Outer::Machine => {
+                return self.in_machine_only_lines(place, "a cycle cannot be printed in machine coordinates");
+            }
+            Outer::Unrelated => return self.unrelated(place, "G500 stands beside"),
+            // A contour that is only named moves nothing.
+            Outer::Basic | Outer::Printed(_) if !moves => {}
+            Outer::Basic | Outer::Printed(_) => self.note_outer(),
+        }
+        self.no_cycle_by_time(place)?;
+        if moves {
+            self.speed_is_known()?;
+            if self.st.codes.per_revolution() {
+                self.master_feeds(place);
+            }
+        }
+        self.meets_needs(called)?;
+        match &row.work {
+            Work::Hole(_) => {
+                let hole = self.hole_of(called)?;
+                self.drill(&hole)
+            }
+            Work::Plan(plan) => {
+                let acts = self.planned(called, plan)?;
+                self.carry_out(acts)
+            }
+            Work::Along(contour, plan) => {
+                let contours = self.contours_of(called, *contour)?;
+                let acts = self.planned(called, |call| plan(call, &contours))?;
+                self.carry_out(acts)
+            }
+            Work::NamesContour => self.contour_call(called),
+            Work::Unpublished(cycle) => self.unpublished_cycle(called, *cycle),
+            Work::Nothing => Ok(()),
+        }
+    }
+
+    /// `MCALL CYCLE81(…)`; `None` for a name that is no cycle.
+    pub(super) fn modal_machining_cycle(
+        &mut self,
+        name: &str,
+        args: Args,
+        block: &Block,
+        text: &[u8],
+    ) -> Option<Outcome> {
+        let row = cycles::find(name)?;
+        let Work::Hole(drilling) = &row.work else { return None };
+        if self.own_program(name) {
+            return None;
+        }
+        Some(self.called(row, Some(args), block.span, block, text).and_then(|call| {
+            self.st.modal_call.end();
+            let hole = self.hole_of(&call)?;
+            let feed_of_block = drilling.modal_feed;
+            let under = (self.st.plane(), self.st.length_unit());
+            let (here, spindle) = (self.here, self.spindle_state());
+            let made = ModalCycle { hole, call, here, spindle, feed_of_block, under, refused: false };
+            self.st.modal_call.set_cycle(Box::new(made));
+            Ok(())
+        }))
+    }
+}
+
+impl Channel<'_> {
+    /// Runs a plan, and says what it has to say.
+    pub(super) fn planned<T>(&mut self, called: &Called, plan: impl FnOnce(&CycleCall<'_>) -> Made<T>) -> Outcome<T> {
+        let call = CycleCall::new(&called.given, &self.st, self.core.job.settings);
+        let made = plan(&call);
+        let takes_feed = call.takes_modal_feed.get();
+        let remarks = call.remarks();
+        if takes_feed {
+            self.feed_kind_is_said();
+        }
+        self.say_remarks(&called.given, remarks, made.is_ok());
+        match made {
+            Ok(made) => Ok(made),
+            Err(Refusal::Known) => Err(Reported),
+            Err(Refusal::Fault(place, fault)) => {
+                if fault.raised.code == codes::P2002 {
+                    self.st.feed.lose();
+                }
+                self.refuse(place, *fault)
+            }
+            Err(Refusal::Elsewhere(loc, fault, what)) => {
+                self.report(fault.at(loc).also(self.loc(called.given.place), what));
+                Err(Reported)
+            }
+        }
+    }
+
+    /// What was remarked; the ways of a call and what it leaves open in one note each, once for all calls of which the same holds.
+    fn say_remarks(&self, given: &Given, remarks: Vec<Remark>, makes_path: bool) {
+        let (mut ways, mut open, mut helps) = (Vec::new(), Vec::new(), Vec::new());
+        for Remark { place, fault, kind } in remarks {
+            match kind {
+                Kind::Each => self.say(place, fault),
+                Kind::Once => self.say_once(place, fault),
+                Kind::OnceHere => {
+                    let found = fault.at(self.loc(place));
+                    if !self.job.diags.knows(&found) {
+                        self.report(found);
+                    }
+                }
+                Kind::Way if !ways.contains(&fault.message) => ways.push(fault.message),
+                Kind::Way => {}
+                Kind::Open => {
+                    open.push(fault.message);
+                    helps.push(fault.help.map(|help| help.text).unwrap_or_default());
+                }
+            }
+        }
+        if makes_path {
+            self.say_together(given, codes::S8230, &open, &helps.join("; "));
+            let help = "docs/cycles.md describes the path; compare with what the machine does";
+            self.say_together(given, codes::P8101, &ways, help);
+        }
+    }
+
+    fn say_together(&self, given: &Given, code: &'static Code, what: &[String], help: &str) {
+        if !what.is_empty() {
+            let message = format!("{}: {}", given.called, what.join("; "));
+            self.report_once(Diagnostic::new(code, self.loc(given.place), message).help(help));
+        }
+    }
+
+    /// What the row asks of the channel, in its order.
+    fn meets_needs(&mut self, called: &Called) -> Outcome {
+        for need in called.row.needs {
+            self.planned(called, |call| call.meets(*need))?;
+            if *need == cycles::Need::KnownPlace {
+                self.turning_position(called.given.place)?;
+            }
+        }
+        self.planned(called, |call| call.digits_are_known())
+    }
+
+    /// The hole of a drilling cycle.
+    fn hole_of(&mut self, called: &Called) -> Outcome<Drilling> {
+        let Work::Hole(drilling) = &called.row.work else { return Err(Reported) };
+        self.meets_needs(called)?;
+        let hole = self.planned(called, |call| call.hole(drilling))?;
+        if matches!(hole.method, Method::Tap(Tap { rigid: true, .. })) {
+            self.st.spindles.forget_angle();
+        }
+        Ok(hole)
+    }
+
+    fn carry_out(&mut self, acts: Acts) -> Outcome {
+        for act in acts {
+            match act {
+                Act::Cycle(cycle) => {
+                    if matches!(&cycle, Cycle::Undercut(undercut) if undercut.compensated) {
+                        self.select_cutter(self.block_span())?;
+                    }
+                    self.send_cycle(&cycle);
+                }
+                Act::From(front, cycle) => {
+                    let end = self.in_plane(front);
+                    self.send(&end, Path::Rapid);
+                    self.send_cycle(&cycle);
+                    // The control may end where it came from.
+                    self.st.position.forget(end.known());
+                }
+                Act::Drill(places) => self.drill_pattern(&places)?,
+                Act::Spindle(told) => self.spindle_was_told(&told),
+            }
+        }
+        Ok(())
+    }
+
+    fn in_plane(&self, point: Point2) -> Pos {
+        let mut end = Pos::UNKNOWN;
+        end.set_in_plane(self.st.plane(), point);
+        end
+    }
+
+    /// Goes to each position and runs the modal cycle there.
+    fn drill_pattern(&mut self, places: &[Point2]) -> Outcome {
+        // Computing them is work, too.
+        self.budget.take(places.len() as u64 / 16);
+        for place in places {
+            self.goes_on()?;
+            let end = self.in_plane(*place);
+            self.send(&end, Path::Rapid);
+            self.drill_modal()?;
+        }
+        Ok(())
+    }
+
+    fn spindle_was_told(&mut self, told: &SpindleTold) {
+        let printed = told.reduced.or(match told.speed {
+            Some(Spindle::Speed(turns)) => Some(turns),
+            _ => None,
+        });
+        if let Some(turns) = printed {
+            self.st.spindles.set_turns(turns, turns);
+            // The feed keeps its kind.
+            match self.st.codes.of(Group::FeedType) {
+                GCode::G96 => self.st.codes.activate(GCode::G97),
+                GCode::G961 => self.st.codes.activate(GCode::G971),
+                _ => {}
+            }
+        }
+        if told.turn.is_some() {
+            self.st.spindles.set_turn(told.turn);
+        }
+    }
+
+    fn spindle_state(&self) -> SpindleState {
+        let (spindles, tool) = (&self.st.spindles, &self.st.tool);
+        let (speed, turn, cutting) = (spindles.speed(), spindles.turn(), spindles.is_cutting());
+        (speed, turn, cutting, self.st.codes.per_revolution(), tool.active(), tool.edge())
+    }
+
+    /// Drills the modal hole where the tool stands. Why it cannot is said once, and the tool goes on to the next place:
+    /// the other places of a pattern are worth no other finding.
+    pub(super) fn drill_modal(&mut self) -> Outcome {
+        let Some(modal) = self.st.modal_call.cycle().filter(|modal| !modal.refused) else { return Ok(()) };
+        let modal = Box::new(modal.clone());
+        if self.drill_here(modal).is_err() {
+            self.st.modal_call.refuse_cycle();
+        }
+        Ok(())
+    }
+
+    fn drill_here(&mut self, modal: Box<ModalCycle>) -> Outcome {
+        self.no_cycle_by_time(Where::Block)?;
+        self.speed_is_known()?;
+        if self.st.codes.per_revolution() {
+            self.master_feeds(Where::Block);
+        }
+        if modal.under != (self.st.plane(), self.st.length_unit()) {
+            return self.refuse(Where::Block, codes::S9015::plane_or_unit_was_changed_since_mcall());
+        }
+        // The feeds of zones are shares of the one that is modal at each place.
+        let zones = cycles::has_zones(&modal.call.given);
+        let feed_of_block = modal.feed_of_block && !zones;
+        let axis = modal.hole.axis;
+        self.planned(&modal.call, |call| call.no_diameters(axis, Where::Block))?;
+        let same = modal.spindle == self.spindle_state() && !zones;
+        let mut hole = if same { modal.hole } else { self.hole_made_anew(modal)? };
+        if feed_of_block && let Some(feed) = self.st.feed.word() {
+            hole.feed = feed;
+        }
+        self.drill(&hole)
+    }
+
+    /// The hole of the modal call under the spindle of now.
+    fn hole_made_anew(&mut self, mut modal: Box<ModalCycle>) -> Outcome<Drilling> {
+        let here = std::mem::replace(&mut self.here, modal.here);
+        let made = self.hole_of(&modal.call);
+        self.here = here;
+        let hole = made?;
+        modal.hole = hole.clone();
+        modal.spindle = self.spindle_state();
+        self.st.modal_call.set_cycle(modal);
+        Ok(hole)
+    }
+
+    fn no_cycle_by_time(&self, place: impl Into<Where>) -> Outcome {
+        if !self.st.is(GCode::G93) {
+            return Ok(());
+        }
+        self.not_by_time(place, "the moves of a cycle have no share of the time that G93 gives the blocks")
+    }
+
+    /// In the plane across the hole, which may be another one than the active one.
+    fn drill(&mut self, hole: &Drilling) -> Outcome {
+        let plane = cycles::plane_across(hole.axis);
+        let active = self.st.ctx.clone();
+        if matches!(hole.method, Method::Bore(_)) && plane != active.plane {
+            self.st.ctx = Rc::new(Ctx { plane, ..(*active).clone() });
+        }
+        self.send_cycle(&Cycle::Drilling(hole.clone()));
+        self.st.ctx = active;
+        Ok(())
+    }
+
+    fn send_cycle(&mut self, cycle: &Cycle) {
+        if self.leaves_touched(AxisSet::of(self.st.roles()[2]), false).is_err() {
+            return;
+        }
+        self.length_acts_along_z();
+        self.cuts_in_between();
+        let end = cycle.leaves(self.st.position.at());
+        self.st.heading = super::tangent::Heading::Later;
+        self.st.threads.end_chain();
+        self.core.send_cycle(cycle, &self.st.ctx);
+        self.st.position.forget(self.st.position.at().known().without(end.known()));
+        self.st.position.move_to(&end);
+        if let Some(after) = cycle.spindle_after() {
+            self.st.spindles.set_turn(match after {
+                Spindle::Start(turn) => Some(turn),
+                _ => None,
+            });
+        }
+    }
+
+    /// The tool stands in a known place of the turning plane.
+    fn turning_position(&mut self, place: Where) -> Outcome {
+        if self.st.position.in_plane(Plane::Zx).is_some() {
+            return Ok(());
+        }
+        let axis = if self.st.position.get(Axis::X).is_none() { Axis::X } else { Axis::Z };
+        self.unknown_axis(axis, place)
+    }
+}

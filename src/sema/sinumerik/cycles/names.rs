@@ -1,0 +1,23 @@
+//! The parameters of the cycles, by name. The lists of the manuals have most names with and without `_` in front; they are one name here.
+
+use crate::sema::cycle::row::Name;
+
+macro_rules! names {
+    ($($name:ident)*) => {
+        $(pub(in super::super) const $name: Name = Name::Word(stringify!($name));)*
+        /// All of them.
+        #[cfg(test)]
+        pub(super) const ALL: &[Name] = &[$($name),*];
+    };
+}
+
+names! {
+    AD AFSL AMODE ANG1 ANG2 AP1 AP2 APP AS1 AS2 AXN BL CDIAM CDIR CON CONR CPA CPO CRAD D DAM DBH DI DIAG DIAG1 DIAG2
+    DIAGM DIATH DIS1 DIS2 DM1 DM2 DM3 DM4 DMODE DN DP DP1 DPR DR DT DTB DTD DTS DXY ENC EP EPD EPL ER EW F FAL FAL1
+    FAL2 FALD FALX FALZ FDEP FDIS FDP FDP1 FDPR FF1 FF2 FF3 FFCP FFD FFP FFP1 FFP2 FFR FORM FPD FPL FR FRF FS FZ GDEP
+    GMODE GST GUD H1 HIDE IANG IDEP IDEP1 IFLANK INDA KDIAM KNAME LAB1 LAB2 LAGE LENG LIM LP1 LP2 MDEP MID MIDA MIDF
+    MPIT NID NPP NR NRC NSP NT NUM NUM1 NUM2 NUMT NUMTH PA PIT PIT1 PITA PITI PO PO1 PO2 PO3 PO4 POSS PP1 PP2 PP3 PRAD
+    PTABA R1 R2 RAD RAD1 RC RCI1 RCI2 RCO1 RCO2 RF1 RF2 RF3 RFF RFP RL ROP RP RPA RPAP RPO RTP SC SDAC SDIR SDIS SDR
+    SPCA SPCO SPD SPL SS2 SSF SST SST1 STA STA1 STA2 SV1 SV2 SWL S_FA S_FB S_FD S_XRS S_ZA S_ZD TDEP TECHNO TR TYPE
+    TYPTH U U1 UX UXY UZ VARI VRT WID WIDG WIDG2 XA XB XD XS YA YS Z0 Z1 ZA ZB ZD ZPD ZPL
+}
