@@ -64,7 +64,7 @@ fn a_cycle_is_described_by_its_name() {
     let sinumerik = dialect::find("sinumerik").expect("a dialect");
     let shown = sinumerik.cycle("cycle97").expect("a cycle").describe();
     assert!(shown.starts_with("CYCLE97(PIT, MPIT, SPL, FPL, DM1, DM2, APP, ROP, TDEP,"), "{shown}");
-    assert!(shown.contains("\nTDEP: depth of the thread, on the radius; length; needed\n"), "{shown}");
+    assert!(shown.contains("\nTDEP: depth of the thread, on the radius; length; needed, without sign\n"), "{shown}");
     let klartext = dialect::find("klartext").expect("a dialect");
     let shown = klartext.cycle("CYCL DEF 200").expect("a cycle").describe();
     assert!(shown.contains("\nQ201: depth below the surface, 0 or less; length; needed\n"), "{shown}");

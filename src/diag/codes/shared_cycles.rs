@@ -124,8 +124,19 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     neither_q257_nor_q256_may_be_below(way, pitches) "neither Q257 = {way} nor Q256 = {pitches} may be below zero";
     no_tool_offset_is_active() "no tool offset is active" alarm 61000 help "program D1 before the cycle";
     no_tool_is_active(change) "no tool is active" alarm 61009 help "select the tool before the cycle: {change}";
-    argument_is_wrong(parameter, place, meaning, what) "`{parameter}` (argument {place}{meaning}) {what}"
+    argument_is_missing(parameter, place, meaning) "`{parameter}` (argument {place}: {meaning}) is missing"
         help "arguments are counted by their commas";
+    argument_takes_no_sign(parameter, place, meaning, value)
+        "`{parameter}` (argument {place}: {meaning}) is {value}, and stands without a sign" alarm 61019
+        help "give it without a sign";
+    argument_is_not_above_zero(parameter, place, meaning, value)
+        "`{parameter}` (argument {place}: {meaning}) is {value}, and has to be above 0" help "give a value above 0";
+    argument_size_is_zero(parameter, place, meaning) "`{parameter}` (argument {place}: {meaning}) is 0" alarm 61118
+        help "give a size above 0";
+    argument_is_not_below_90(parameter, place, meaning, value)
+        "`{parameter}` (argument {place}: {meaning}) is {value}, and has to be from 0 to below 90 degrees" alarm 61019;
+    argument_is_none_of(parameter, place, meaning, value, range)
+        "`{parameter}` (argument {place}: {meaning}) is {value}, and has to be {range}" alarm 61002;
     no_contour_is_named() "no contour is named" alarm 61027 help "name a subprogram, or two labels: \"START:END\"";
     more_than_one_contour_is_called() "more than one contour is called" alarm 61704
         help "call one contour by CYCLE62 in front of each cycle";
@@ -191,8 +202,6 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     sdr_is_0_3_or_4() "SDR is 0, 3 or 4" alarm 61102
         help "3 or 4 is the sense on the way out, 0 the other one than before the cycle";
     spindle_has_no_speed() "the spindle has no speed" alarm 61102 help "program S in front of the cycle";
-    no_spindle_direction_is_given() "no spindle direction is given" alarm 61102 help "give 3 or 4";
-    speed_is_below_0() "a speed is below 0" alarm 16763 help "the sign of the pitch makes the hand of the thread";
     spindle_has_no_speed_so_give_sst() "the spindle has no speed" alarm 61102
         help "give SST (argument 11) or program S";
     vari_is_0_1_or_2() "`_VARI` is 0, 1 or 2" alarm 61002 help "0 taps in one go, 1 breaks the chip, 2 removes it";
@@ -207,9 +216,6 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
         help "give the pitch or the size";
     m_is_no_size_of_this_cycle(diameter) "M{diameter} is no size of this cycle" alarm 61001
         help "give the pitch instead";
-    vari_is_0_or_1() "VARI is 0 or 1" alarm 61002 help "0 breaks the chip, 1 removes it";
-    way_back_is_below_0() "a way back is below 0"
-        help "give `_VRT` and `_DIS1` without a sign; 0 for the values of the cycle";
     degression_factor_is_above_1() "the degression factor is above 1"
         help "DAM above 0 is an amount, below 0 a factor down to -1";
     degression_is_above_0_to_100_percent() "the degression is above 0 to 100 percent"
@@ -217,7 +223,6 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     first_drilling_depth_does_not_lie_between()
         "the first drilling depth does not lie between the surface and the bottom" alarm 61107
         help "give FDEP (argument 6) below the surface, or FDPR (argument 7)";
-    feed_is_not_above_0() "the feed is not above 0" alarm 61003 help "give a feed above 0";
     feed_of_zone_is_below_0() "the feed of a zone is below 0" alarm 61003
         help "give the feed of the zone in percent of F, above 0";
     side_of_face_is_0(name, place) "the side `{name}` (argument {place}) of the face is 0" alarm 61118
@@ -255,7 +260,6 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
         above 0";
     tens_of_vari_are_no_kind(place) "the tens of `_VARI` (argument {place}) are no kind of machining" alarm 61002
         help "1 roughs, 2 finishes, 3 does both";
-    is_not_above_0(name, place) "`{name}` (argument {place}) is not above 0" alarm 61019 help "give a length above 0";
     names_no_side_of_groove(name, place) "`{name}` (argument {place}) names no side of a groove" alarm 61002
         help "1 and 5 outside, 3 and 7 inside, 2 and 4 rear face, 6 and 8 front face; CYCLE930 has it in the \
         hundreds";
@@ -286,10 +290,6 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
         "the retraction plane `{name}` (argument {place}) lies below the surface, and a mill does not come from \
         below" alarm 61101
         help "give a retraction plane above the surface plus the safety distance";
-    is_missing_so_arguments(name, place) "{name} (argument {place}) is missing"
-        help "arguments are counted by their commas";
-    has_to_be_number(name, place) "{name} (argument {place}) has to be a number"
-        help "a number in quotation marks is a text";
     argument_is_code_of_digits(place, coded) "argument {place} is a code of digits, which {coded} is not"
         help "give a whole number from 0 on, or leave it out";
     argument_of_is_out_of_all_range(name) "an argument of {name} is out of all range";
@@ -337,9 +337,6 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
         help "41 left, 42 right of the contour, 40 on it";
     dmode_names_another_plane_than_one() "`_DMODE` names another plane than the one of the contour" alarm 61101
         help "select the plane in front of the cycle: G17, G18 or G19";
-    argument_is_has_no_sign_in_manuals(place, given) "argument {place} is {given}, and has no sign in the manuals" alarm 61019
-        help "some versions of the cycle take its magnitude: write it without the sign, and turn the row by its \
-        angle";
     no_drilling_cycle_is_active() "no drilling cycle is active" alarm 62100 help "call it before: MCALL CYCLE81(…)";
     position_has_one_coordinate() "a position has one coordinate only" help "give both";
     neighbours_run_into_each_other(gap, width)
@@ -355,8 +352,6 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     pitch_of_helix_dp1_is_0(place) "the pitch of the helix `_DP1` (argument {place}) is 0 or missing" alarm 61019
         help "give the depth of one turn";
     there_is_no_such_kind(name, place) "there is no such kind of machining: `{name}` (argument {place})" alarm 61002;
-    size_is_0_or_missing(name, place) "the size `{name}` (argument {place}) is 0 or missing" alarm 61118
-        help "give a size above 0";
     corner_radius_of_mm_is_smaller(args, place, corner, radius)
         "the corner radius `{args}` (argument {place}) of {corner} mm is smaller than the cutter's, {radius} mm" alarm 61113
         help "take a smaller cutter, or give a larger corner radius";
@@ -377,11 +372,6 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     is_no_number_of_passes_or_starts(value) "{value} is no number of passes or starts" help "give a whole number";
     vari_is_1_to_4() "VARI is 1 to 4" alarm 61002
         help "1 external, 2 internal with equal infeed; 3 external, 4 internal with equal cross-section";
-    length_of_thread_is_below_0() "a length of the thread is below 0" alarm 61001
-        help "give the depth, the allowance, run-in and run-out without a sign";
-    pitch_is_below_0_so_give_pitch() "the pitch is below 0" alarm 61001
-        help "give the pitch without a sign; M3 or M4 makes the hand of the thread";
-    pitch_is_not_above_0() "the pitch is not above 0" alarm 61001 help "give the pitch";
     infeed_mid_of_mm_makes_passes(infeed, cuts) "the infeed `_MID` of {infeed} mm makes {cuts:.0} passes" alarm 61001
         help "give a larger infeed";
     infeed_mid_is_below_0() "the infeed `_MID` is below 0" alarm 61001
@@ -404,10 +394,18 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
         help "check the diameter, the end of the face and the clearance";
     allowance_on_all_sides_stands_beside() "an allowance on all sides stands beside one along an axis"
         help "the control takes either `_FAL` or `_FALX` and `_FALZ`: give one of them";
-    size_piti() "the size `_PITI` (argument 18) is missing" alarm 61001;
-    pitch_piti() "the pitch `_PITI` (argument 18) is missing" alarm 61001;
+    size_piti() "the size `_PITI` (argument 18) is missing" alarm 61001 help "`_PITI` counts the sizes of DIN 509: 0 to 9, 0 is 0.6x0.3";
+    size_piti_is_usually(radius, depth, at) "the size `_PITI` (argument 18) is missing" alarm 61001
+        help "{radius}x{depth} is usual for this diameter: `_PITI` {at}";
+    pitch_piti() "the pitch `_PITI` (argument 18) is missing" alarm 61001 help "`_PITI` counts the pitches of DIN 76 from 0.2 on: 0 to 23";
+    pitch_piti_is_usually(pitch, at) "the pitch `_PITI` (argument 18) is missing" alarm 61001
+        help "{pitch} is usual for this diameter: `_PITI` {at}";
     table_has_no_such_size_or_pitch() "the table has no such size or pitch" alarm 61001;
-    diameter_has_no_undercut(diameter) "the diameter {diameter} has no undercut" alarm 61601;
+    diameter_has_no_undercut(diameter) "the diameter {diameter} has no undercut" alarm 61601 help "give a diameter from 3 mm";
+    diameter_has_undercut_of_pitch(diameter, pitch) "the diameter {diameter} has no undercut" alarm 61601
+        help "the pitch {pitch} is usual for this diameter: CYCLE940 takes it";
+    diameter_has_no_thread(diameter) "the diameter {diameter} has no undercut" alarm 61601
+        help "give a diameter from 3 mm, for CYCLE96 a metric size from M3 to M68";
     position_does_not_exist_or_contradicts_form() "the position does not exist or contradicts the form" alarm 61613
         help "forms A and B are external, C and D internal";
     there_is_no_such_form() "there is no such form" alarm 61609

@@ -210,7 +210,7 @@ S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
         help "program OFFN=0 before the cycle, and leave material by the allowances of the cycle";
     digit_at_place_is_not_supported(args, digit, place, name)
         "{args}: the digit {digit} at place {place} from the right of `{name}` is not supported"
-        help "take a variant that docs/cycle-parameters.md describes, or replace the cycle by plain moves";
+        help "use the plain variant of the cycle, or plain moves";
     is_not_supported(args, what) "{args}: {what} is not supported"
         help "use the plain variant of the cycle, or plain moves";
     whether_its_lengths_along_are_diameters_under(name, axis)

@@ -1,5 +1,7 @@
 //! What a call of a cycle gives: every argument once, by the name of its parameter, with its place, held against its row.
 
+use core::fmt;
+
 use crate::sema::run::Where;
 
 use super::row::{Kind, Name, Parameter, Rule, Signature};
@@ -36,7 +38,22 @@ pub enum Breach {
     /// A size that is 0.
     Zero,
     NotBelow90(f64),
-    NoneOf(f64, i32, i32),
+    NoneOf(f64, Range),
+}
+
+/// The whole numbers from one to another: `1 to 4`, `0 or 1`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Range(pub i32, pub i32);
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Range(low, high) = *self;
+        match high - low {
+            0 => write!(f, "{low}"),
+            1 => write!(f, "{low} or {high}"),
+            _ => write!(f, "{low} to {high}"),
+        }
+    }
 }
 
 /// The arguments of a call.
@@ -252,7 +269,7 @@ impl Rule {
             Rule::Below90 => (!(0.0..90.0).contains(&number)).then_some(Breach::NotBelow90(number)),
             Rule::OneOf(low, high) => {
                 let fits = number.fract() == 0.0 && (f64::from(low)..=f64::from(high)).contains(&number);
-                (!fits).then_some(Breach::NoneOf(number, low, high))
+                (!fits).then_some(Breach::NoneOf(number, Range(low, high)))
             }
         }
     }
@@ -292,8 +309,8 @@ mod tests {
             (&[Number(1.0)], None),
             (&[Number(0.0), Number(0.0)], Some((1, Breach::NotAboveZero(0.0, 0)))),
             (&[Number(f64::NAN)], Some((0, Breach::OutOfAllRange))),
-            (&[Number(0.0), Missing, Number(1.5)], Some((2, Breach::NoneOf(1.5, 0, 2)))),
-            (&[Number(0.0), Missing, Number(3.0)], Some((2, Breach::NoneOf(3.0, 0, 2)))),
+            (&[Number(0.0), Missing, Number(1.5)], Some((2, Breach::NoneOf(1.5, Range(0, 2))))),
+            (&[Number(0.0), Missing, Number(3.0)], Some((2, Breach::NoneOf(3.0, Range(0, 2))))),
             (&[Text("A".to_owned())], Some((0, Breach::NoNumber))),
             (&[Number(0.0), Missing, Missing, Number(2.0)], Some((3, Breach::NoText))),
             (&[Number(0.0), Missing, Missing, Text("A".to_owned())], None),

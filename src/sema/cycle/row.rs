@@ -109,6 +109,8 @@ pub struct Digits {
     pub other: &'static str,
     /// Places whose digit 1 is read in a way that is not confirmed, and the way.
     pub doubt: Option<(&'static [u32], &'static str)>,
+    /// Are digits that are not known refused by the row?
+    pub checked: bool,
 }
 
 /// One place of a coded number.
@@ -123,7 +125,7 @@ pub struct Digit {
 }
 
 /// Digits of which none is looked at.
-pub const ANY_DIGITS: Digits = Digits { known: &[], other: "", doubt: None };
+pub const ANY_DIGITS: Digits = Digits { known: &[], other: "", doubt: None, checked: false };
 
 /// What a value has to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

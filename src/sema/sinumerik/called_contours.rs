@@ -163,7 +163,9 @@ impl Run<'_> {
             }
         };
         let refused = match (source, calls.len()) {
-            (Source::Single, 0) => Some(codes::P2090::no_contour_is_named()),
+            (Source::Single, 0) => {
+                return self.refuse(given.place_of(KNAME), codes::P2090::no_contour_is_named().of(&given.called));
+            }
             (Source::Single, 2..) => Some(codes::P2090::more_than_one_contour_is_called()),
             (Source::Turned, 0) => Some(codes::P2090::no_contour_is_called().alarm(61701)),
             (_, 0) => Some(codes::P2090::no_contour_is_called().alarm(61930)),

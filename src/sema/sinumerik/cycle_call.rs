@@ -70,10 +70,10 @@ fn value_of(value: &Val, kind: row::Kind) -> Value {
     };
     match (value, kind) {
         (Val::Missing, _) => Value::Missing,
-        (Val::Text(_), row::Kind::Text) | (_, row::Kind::Either) => text(),
+        (Val::Text(_), row::Kind::Text | row::Kind::Either) => text(),
         _ => match value.number() {
             Some(number) => Value::Number(number),
-            None if matches!(kind, row::Kind::Text) => text(),
+            None if matches!(kind, row::Kind::Text | row::Kind::Either) => text(),
             None => Value::Other,
         },
     }
@@ -125,7 +125,7 @@ impl Run<'_> {
             return self.refuse(at, codes::S2021::takes_arguments(&name, &parameters.len()));
         }
         let called = Called { row, given };
-        self.planned(&called, |call| call.fits_its_row())?;
+        self.asked(&called, |call| call.fits_its_row())?;
         Ok(called)
     }
 
@@ -154,20 +154,18 @@ impl Run<'_> {
                 self.master_feeds(place);
             }
         }
-        self.meets_needs(called)?;
+        if !matches!(row.work, Work::Hole(_)) {
+            self.meets_needs(called)?;
+        }
         match &row.work {
             Work::Hole(_) => {
                 let hole = self.hole_of(called)?;
                 self.drill(&hole)
             }
-            Work::Plan(plan) => {
-                let acts = self.planned(called, plan)?;
-                self.carry_out(acts)
-            }
+            Work::Plan(plan) => self.run_plan(called, plan),
             Work::Along(contour, plan) => {
                 let contours = self.contours_of(called, *contour)?;
-                let acts = self.planned(called, |call| plan(call, &contours))?;
-                self.carry_out(acts)
+                self.run_plan(called, |call| plan(call, &contours))
             }
             Work::NamesContour => self.contour_call(called),
             Work::Unpublished(cycle) => self.unpublished_cycle(called, *cycle),
@@ -202,18 +200,39 @@ impl Run<'_> {
 }
 
 impl Channel<'_> {
-    /// Runs a plan, and says what it has to say.
-    pub(super) fn planned<T>(&mut self, called: &Called, plan: impl FnOnce(&CycleCall<'_>) -> Made<T>) -> Outcome<T> {
+    /// Runs a plan and carries out what it made.
+    fn run_plan(&mut self, called: &Called, plan: impl FnOnce(&CycleCall<'_>) -> Made<Acts>) -> Outcome {
+        let (acts, ways) = self.planned(called, plan)?;
+        if called.row.needs.contains(&cycles::Need::KnownPlace) {
+            self.turning_position(called.given.place)?;
+        }
+        self.carry_out(acts)?;
+        self.say_ways(&called.given, ways);
+        Ok(())
+    }
+
+    /// Asks a plan that makes no path.
+    pub(super) fn asked<T>(&mut self, called: &Called, plan: impl FnOnce(&CycleCall<'_>) -> Made<T>) -> Outcome<T> {
+        self.planned(called, plan).map(|(made, _)| made)
+    }
+
+    /// What a plan makes, and what is to be said of its path. What it remarks of the call is said here.
+    fn planned<T>(
+        &mut self,
+        called: &Called,
+        plan: impl FnOnce(&CycleCall<'_>) -> Made<T>,
+    ) -> Outcome<(T, Vec<Remark>)> {
         let call = CycleCall::new(&called.given, &self.st, self.core.job.settings);
         let made = plan(&call);
         let takes_feed = call.takes_modal_feed.get();
-        let remarks = call.remarks();
+        let (ways, remarks): (Vec<_>, Vec<_>) =
+            call.remarks().into_iter().partition(|remark| matches!(remark.kind, Kind::Way | Kind::Open));
         if takes_feed {
             self.feed_kind_is_said();
         }
-        self.say_remarks(&called.given, remarks, made.is_ok());
+        self.say_remarks(remarks);
         match made {
-            Ok(made) => Ok(made),
+            Ok(made) => Ok((made, ways)),
             Err(Refusal::Known) => Err(Reported),
             Err(Refusal::Fault(place, fault)) => {
                 if fault.raised.code == codes::P2002 {
@@ -228,32 +247,33 @@ impl Channel<'_> {
         }
     }
 
-    /// What was remarked; the ways of a call and what it leaves open in one note each, once for all calls of which the same holds.
-    fn say_remarks(&self, given: &Given, remarks: Vec<Remark>, makes_path: bool) {
-        let (mut ways, mut open, mut helps) = (Vec::new(), Vec::new(), Vec::new());
+    fn say_remarks(&self, remarks: Vec<Remark>) {
         for Remark { place, fault, kind } in remarks {
-            match kind {
-                Kind::Each => self.say(place, fault),
-                Kind::Once => self.say_once(place, fault),
-                Kind::OnceHere => {
-                    let found = fault.at(self.loc(place));
-                    if !self.job.diags.knows(&found) {
-                        self.report(found);
-                    }
-                }
-                Kind::Way if !ways.contains(&fault.message) => ways.push(fault.message),
-                Kind::Way => {}
-                Kind::Open => {
-                    open.push(fault.message);
-                    helps.push(fault.help.map(|help| help.text).unwrap_or_default());
-                }
+            if kind == Kind::Once {
+                self.say_once(place, fault);
+                continue;
+            }
+            let found = fault.at(self.loc(place));
+            if kind == Kind::Each || !self.job.diags.knows(&found) {
+                self.report(found);
             }
         }
-        if makes_path {
-            self.say_together(given, codes::S8230, &open, &helps.join("; "));
-            let help = "docs/cycles.md describes the path; compare with what the machine does";
-            self.say_together(given, codes::P8101, &ways, help);
+    }
+
+    /// The ways of a call and what it leaves open in one note each, once for all calls of which the same holds.
+    fn say_ways(&self, given: &Given, remarks: Vec<Remark>) {
+        let (mut ways, mut open, mut helps) = (Vec::new(), Vec::new(), Vec::new());
+        for Remark { fault, kind, .. } in remarks {
+            if kind == Kind::Open {
+                open.push(fault.message);
+                helps.push(fault.help.map(|help| help.text).unwrap_or_default());
+            } else if !ways.contains(&fault.message) {
+                ways.push(fault.message);
+            }
         }
+        self.say_together(given, codes::S8230, &open, &helps.join("; "));
+        let help = "docs/cycles.md describes the path; compare with what the machine does";
+        self.say_together(given, codes::P8101, &ways, help);
     }
 
     fn say_together(&self, given: &Given, code: &'static Code, what: &[String], help: &str) {
@@ -266,19 +286,16 @@ impl Channel<'_> {
     /// What the row asks of the channel, in its order.
     fn meets_needs(&mut self, called: &Called) -> Outcome {
         for need in called.row.needs {
-            self.planned(called, |call| call.meets(*need))?;
-            if *need == cycles::Need::KnownPlace {
-                self.turning_position(called.given.place)?;
-            }
+            self.asked(called, |call| call.meets(*need))?;
         }
-        self.planned(called, |call| call.digits_are_known())
+        self.asked(called, |call| call.digits_are_known())
     }
 
     /// The hole of a drilling cycle.
     fn hole_of(&mut self, called: &Called) -> Outcome<Drilling> {
         let Work::Hole(drilling) = &called.row.work else { return Err(Reported) };
         self.meets_needs(called)?;
-        let hole = self.planned(called, |call| call.hole(drilling))?;
+        let hole = self.asked(called, |call| call.hole(drilling))?;
         if matches!(hole.method, Method::Tap(Tap { rigid: true, .. })) {
             self.st.spindles.forget_angle();
         }
@@ -376,7 +393,7 @@ impl Channel<'_> {
         let zones = cycles::has_zones(&modal.call.given);
         let feed_of_block = modal.feed_of_block && !zones;
         let axis = modal.hole.axis;
-        self.planned(&modal.call, |call| call.no_diameters(axis, Where::Block))?;
+        self.asked(&modal.call, |call| call.no_diameters(axis, Where::Block))?;
         let same = modal.spindle == self.spindle_state() && !zones;
         let mut hole = if same { modal.hole } else { self.hole_made_anew(modal)? };
         if feed_of_block && let Some(feed) = self.st.feed.word() {

@@ -29,6 +29,11 @@ impl SystemVariables {
         self.get(key).and_then(Val::number)
     }
 
+    /// `$TC_DP…[tool,edge]`
+    pub fn of_edge(&self, parameter: u8, tool: u32, edge: u32) -> Option<f64> {
+        self.number(&format!("$TC_DP{parameter}[{tool},{edge}]"))
+    }
+
     /// The tool that the program gave this name, `$TC_TP2[number]`.
     pub fn tool_named(&self, name: &str) -> Option<u32> {
         let named = |(key, value): (&String, &Val)| match value {

@@ -25,7 +25,7 @@ pub(super) const ROWS: &[Row] = &[cycle(
         SECOND,
         DIAMETER,
         q(ROUGH_DIAMETER, Kind::Length, "diameter that is drilled already").default("0"),
-        Parameter { rule: crate::sema::cycle::row::Rule::Any, ..Q351 }.default("+1"),
+        Parameter { needed: false, ..Q351 }.default("+1"),
         q(OVERLAP, Kind::Number, "width of a cut in radii of the cutter, 0.1 to 1.9999").default("one circle"),
     ],
 )];

@@ -8,7 +8,7 @@ use crate::ir::function::{Spindle, Turn};
 use crate::machine::{Axis, MachineKind};
 use crate::sema::cycle::call::{Call, Kind, Made, Refusal, Says};
 use crate::sema::cycle::given::{Breach, Given};
-use crate::sema::cycle::row::Name;
+use crate::sema::cycle::row::{Name, Rule};
 use crate::sema::run::Where;
 
 use super::super::diameter::Diameter;
@@ -51,25 +51,30 @@ impl Says for State {
         let Some(parameter) = given.signature.parameters.get(at) else {
             return codes::P2090::argument_of_is_out_of_all_range(called);
         };
-        let wrong = |usual: u32, what: &str| {
-            let meaning = if parameter.what.is_empty() { String::new() } else { [": ", parameter.what].concat() };
-            let fault = codes::P2090::argument_is_wrong(&parameter.name, &place, &meaning, &what).of(called);
-            let alarm = if parameter.alarm == 0 { usual } else { parameter.alarm };
-            let fault = if alarm == 0 { fault } else { fault.alarm(alarm) };
-            if parameter.fix.is_empty() { fault } else { fault.help(parameter.fix) }
+        let (name, meaning) = (&parameter.name, &parameter.what);
+        let fault = match breach {
+            Breach::NoNumber => return codes::P2090::argument_of_has_to_be_number(&place, called),
+            Breach::NoText => return codes::P2090::argument_of_has_to_be_text(&place, called),
+            Breach::OutOfAllRange => return codes::P2090::argument_of_is_out_of_all_range(called),
+            Breach::NoDigits(coded) => codes::P2090::argument_is_code_of_digits(&place, &coded),
+            Breach::Missing if parameter.rule == Rule::Size => {
+                codes::P2090::argument_is_missing(name, &place, meaning).alarm(61118).help("give a size above 0")
+            }
+            Breach::Missing => codes::P2090::argument_is_missing(name, &place, meaning),
+            Breach::Negative(value) => codes::P2090::argument_takes_no_sign(name, &place, meaning, &value),
+            Breach::NotAboveZero(value, alarm) => {
+                codes::P2090::argument_is_not_above_zero(name, &place, meaning, &value)
+                    .alarm(Some(alarm).filter(|alarm| *alarm > 0))
+            }
+            Breach::Zero => codes::P2090::argument_size_is_zero(name, &place, meaning),
+            Breach::NotBelow90(value) => codes::P2090::argument_is_not_below_90(name, &place, meaning, &value),
+            Breach::NoneOf(value, range) => codes::P2090::argument_is_none_of(name, &place, meaning, &value, &range),
         };
-        match breach {
-            Breach::Missing => wrong(0, "is missing"),
-            Breach::NoNumber => codes::P2090::argument_of_has_to_be_number(&place, called),
-            Breach::NoText => codes::P2090::argument_of_has_to_be_text(&place, called),
-            Breach::OutOfAllRange => codes::P2090::argument_of_is_out_of_all_range(called),
-            Breach::NoDigits(coded) => codes::P2090::argument_is_code_of_digits(&place, &coded).of(called),
-            Breach::Negative(_) => wrong(61019, "must not be negative"),
-            Breach::NotAboveZero(_, alarm) => wrong(alarm, "must be above 0"),
-            Breach::Zero => wrong(61118, "is 0"),
-            Breach::NotBelow90(_) => wrong(61019, "has to be from 0 to below 90 degrees"),
-            Breach::NoneOf(..) => wrong(61002, "has no such value"),
-        }
+        // What helps against a wrong sign does not help where nothing is given.
+        let own = breach != Breach::Missing || parameter.rule != Rule::Unsigned;
+        let fault = if own && parameter.alarm > 0 { fault.alarm(parameter.alarm) } else { fault };
+        let fault = if own && !parameter.fix.is_empty() { fault.help(parameter.fix) } else { fault };
+        fault.of(called)
     }
 }
 

@@ -115,7 +115,7 @@ impl CycleCall<'_> {
     fn clearance_angle(&self) -> Option<f64> {
         let number = self.st.tool.active()?;
         let edge = self.st.tool.edge_or_first();
-        let written = self.st.system.number(&format!("$TC_DP24[{number},{edge}]"));
+        let written = self.st.system.of_edge(24, number, edge);
         let listed = || self.st.active_tool(self.settings).and_then(|tool| tool.clearance).filter(|_| edge == 1);
         written.or_else(listed).filter(|angle| *angle > 0.0)
     }

@@ -191,6 +191,9 @@ impl CycleCall<'_> {
         let Some(row::Kind::Digits(digits)) = given.signature.parameter(key).map(|parameter| parameter.kind) else {
             return Ok(());
         };
+        if !digits.checked {
+            return Ok(());
+        }
         if let Some((places, way)) = digits.doubt
             && places.iter().any(|place| given.digit(key, *place) == 1)
         {

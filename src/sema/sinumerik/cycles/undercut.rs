@@ -2,6 +2,8 @@
 //!
 //! Source: C 4.1, 5.1 and 5.7 (docs/sources.md).
 
+use core::fmt;
+
 use crate::diag::codes;
 use crate::ir::cycle::undercut::{UndercutCycle, UndercutFault};
 use crate::ir::cycle::{Cycle, Family};
@@ -37,6 +39,15 @@ const OF_FORMS: [(Name, &str); 11] = [
     (FALZ, "ABCDT"),
     (PITI, "ABCDEF"),
 ];
+
+/// A size as standards write it, with a decimal: `1.0x0.2`.
+struct Plain(f64);
+
+impl fmt::Display for Plain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}", self.0)
+    }
+}
 
 /// The form: one letter.
 fn one_letter(given: &Given) -> Option<u8> {
@@ -224,13 +235,13 @@ impl CycleCall<'_> {
                 codes::P2090::position_does_not_exist_or_contradicts_form(),
             ),
             CallFault::Diameter => {
-                let diameter = given.or_zero(corner) * self.given.unit;
-                let help = match proposed_pitch(diameter) {
-                    _ if !new && corner == SPD => "give a diameter from 3 mm".to_owned(),
-                    Some(pitch) => format!("the pitch {pitch} is usual for this diameter: CYCLE940 takes it"),
-                    None => "give a diameter from 3 mm, for CYCLE96 a metric size from M3 to M68".to_owned(),
+                let diameter = given.length(corner);
+                let fault = match proposed_pitch(diameter) {
+                    _ if !new && corner == SPD => codes::P2090::diameter_has_no_undercut(&diameter),
+                    Some(pitch) => codes::P2090::diameter_has_undercut_of_pitch(&diameter, &pitch),
+                    None => codes::P2090::diameter_has_no_thread(&diameter),
                 };
-                self.refuse_argument(corner, codes::P2090::diameter_has_no_undercut(&diameter).help(&help))
+                self.refuse_argument(corner, fault)
             }
             CallFault::Size => {
                 let at = given.place_of(if new { PITI } else { corner });
@@ -244,20 +255,15 @@ impl CycleCall<'_> {
             CallFault::Pitch => {
                 let inside = matches!(one_letter(given), Some(b'C' | b'D'));
                 let surface = if inside { Surface::Internal } else { Surface::External };
-                let help =
-                    match proposed_index(&self.settings.undercut, surface, given.or_zero(corner) * self.given.unit) {
-                        Some((pitch, at)) => format!("{pitch} is usual for this diameter: `_PITI` {at}"),
-                        None => "`_PITI` counts the pitches of DIN 76 from 0.2 on: 0 to 23".to_owned(),
-                    };
-                self.refuse(codes::P2090::pitch_piti().help(&help))
+                self.refuse(match proposed_index(&self.settings.undercut, surface, given.length(corner)) {
+                    Some((pitch, at)) => codes::P2090::pitch_piti_is_usually(&pitch, &at),
+                    None => codes::P2090::pitch_piti(),
+                })
             }
-            CallFault::SizeMissing => {
-                let help = match proposed_size(&self.settings.undercut, given.or_zero(corner) * self.given.unit) {
-                    Some((size, at)) => format!("{size} is usual for this diameter: `_PITI` {at}"),
-                    None => "`_PITI` counts the sizes of DIN 509: 0 to 9, 0 is 0.6x0.3".to_owned(),
-                };
-                self.refuse(codes::P2090::size_piti().help(&help))
-            }
+            CallFault::SizeMissing => self.refuse(match proposed_size(&self.settings.undercut, given.length(corner)) {
+                Some(([radius, depth], at)) => codes::P2090::size_piti_is_usually(&Plain(radius), &Plain(depth), &at),
+                None => codes::P2090::size_piti(),
+            }),
             CallFault::BothAllowances => {
                 self.refuse_argument(FAL, codes::P2090::allowance_on_all_sides_stands_beside())
             }

@@ -29,10 +29,10 @@ pub(super) fn proposed_index(tables: &Undercuts, surface: Surface, diameter: f64
 }
 
 /// The size of DIN 509 that belongs to a diameter as a rule, and its index in the cycle's list.
-pub(super) fn proposed_size(tables: &Undercuts, diameter: f64) -> Option<(String, u32)> {
+pub(super) fn proposed_size(tables: &Undercuts, diameter: f64) -> Option<([f64; 2], u32)> {
     let (_, size) = tables.size_for(diameter, din509::NORMAL)?;
     let at = (0..PITCHES.len() as u32).find(|at| cycle_size(tables, *at).is_some_and(|(known, _)| known == size))?;
-    Some((format!("{:?}x{:?}", size.radius, size.depth), at))
+    Some(([size.radius, size.depth], at))
 }
 
 /// Arguments of CYCLE940; `None` for an empty one. `_PTAB`, `_PTABA` and `_DMODE` say nothing about the path.

@@ -41,28 +41,31 @@ const AMODE: Parameter = digits("_AMODE", &READING, WHAT_AMODE);
 const PLAIN_GMODE: Parameter = digits("_GMODE", &GEOMETRY, "how the depth counts; 0");
 
 /// No digit is known.
-const GEOMETRY: Digits = Digits { known: &[SHANK_UNKNOWN], other: OTHER_GEOMETRY, doubt: None };
+const GEOMETRY: Digits = Digits { known: &[SHANK_UNKNOWN], other: OTHER_GEOMETRY, doubt: None, checked: true };
 const OTHER_GEOMETRY: &str = "this reading of the geometry (`_GMODE`)";
 const SHANK_UNKNOWN: Digit =
     Digit { place: 1, most: 0, unknown: "a depth by the shank of the tool (tens of `_GMODE`)" };
 /// The tens by the shank.
-const SHANK: Digits = Digits { known: &[Digit { most: 1, ..SHANK_UNKNOWN }], other: OTHER_GEOMETRY, doubt: None };
+const SHANK: Digits =
+    Digits { known: &[Digit { most: 1, ..SHANK_UNKNOWN }], other: OTHER_GEOMETRY, doubt: None, checked: true };
 /// The tens by the diameter of the centring.
 const CENTRING: Digits = Digits {
     known: &[Digit { place: 1, most: 1, unknown: "this reading of DP (tens of `_GMODE`)" }],
     other: OTHER_GEOMETRY,
     doubt: None,
+    checked: true,
 };
 /// The units say whether the tool lifts off.
 const LIFT: Digits = Digits {
     known: &[Digit { place: 0, most: 2, unknown: OTHER_GEOMETRY }, SHANK_UNKNOWN],
     other: OTHER_GEOMETRY,
     doubt: None,
+    checked: true,
 };
 
 const DEPTH: Digit = Digit { place: 0, most: 2, unknown: "this reading of the depth (units of `_AMODE`)" };
 const OF_DWELL: Digit = Digit { place: 1, most: 2, unknown: "this unit of the dwell (tens of `_AMODE`)" };
-const READING: Digits = Digits { known: &[DEPTH, OF_DWELL], other: "", doubt: None };
+const READING: Digits = Digits { known: &[DEPTH, OF_DWELL], other: "", doubt: None, checked: true };
 /// All eight digits were seen as 1 in stored calls, and the hundred thousands as 2.
 const PECKING: Digits = Digits {
     known: &[
@@ -77,6 +80,7 @@ const PECKING: Digits = Digits {
     ],
     other: OTHER_PECK,
     doubt: None,
+    checked: true,
 };
 const OTHER_PECK: &str = "this reading of a dwell or a distance (`_AMODE`)";
 
@@ -94,12 +98,14 @@ const TAPPING: Digits = Digits {
     ],
     other: "",
     doubt: None,
+    checked: true,
 };
 /// As in CYCLE84; no stored call is at hand.
 const CHUCK: Digits = Digits {
     known: &[DEPTH, OF_DWELL, Digit { place: 3, most: 1, unknown: "" }, Digit { place: 6, most: 1, unknown: "" }],
     other: "",
     doubt: Some((&[3, 6], "1 in the thousands and in the millions of `_AMODE` is read as in CYCLE84")),
+    checked: true,
 };
 
 const TAPS: Need = Need::MainSpindle("tapping");

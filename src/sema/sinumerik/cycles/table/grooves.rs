@@ -14,17 +14,18 @@ const fn digit(place: u32, most: i32) -> Digit {
 }
 
 const DMODE: Parameter = digits("_DMODE", &ANY_DIGITS, "units: plane, 0 the active one, 2 G18");
-const NO_DIGITS: Digits = Digits { known: &[], other: "", doubt: None };
+const NO_DIGITS: Digits = Digits { known: &[], other: "", doubt: None, checked: true };
 
-const SIDES: Digits = Digits { known: &[digit(0, 8), digit(1, 1)], other: "", doubt: None };
+const SIDES: Digits = Digits { known: &[digit(0, 8), digit(1, 1)], other: "", doubt: None, checked: true };
 const MACHINING: Digits =
-    Digits { known: &[digit(1, 3), digit(2, 8), digit(3, 1), digit(4, 1)], other: "", doubt: None };
+    Digits { known: &[digit(1, 3), digit(2, 8), digit(3, 1), digit(4, 1)], other: "", doubt: None, checked: true };
 const GROOVE_READING: Digits = Digits {
     known: &[digit(1, 1), digit(2, 1), digit(3, 1), digit(4, 1), digit(5, 1), digit(6, 1)],
     other: "",
     doubt: None,
+    checked: true,
 };
-const CUT_READING: Digits = Digits { known: &[digit(4, 1)], other: "", doubt: None };
+const CUT_READING: Digits = Digits { known: &[digit(4, 1)], other: "", doubt: None, checked: true };
 
 const GROOVE: &[Need] = &[
     Need::Lathe,

@@ -16,13 +16,14 @@ const fn either(place: u32, unknown: &'static str) -> Digit {
 }
 
 /// No digit has a known meaning.
-const RESERVED: Digits = Digits { known: &[], other: "", doubt: None };
+const RESERVED: Digits = Digits { known: &[], other: "", doubt: None, checked: true };
 
 /// Which limits of CYCLE952 are given, and whether they are valid.
 const LIMITS: Digits = Digits {
     known: &[either(3, ""), either(4, ""), either(5, ""), either(6, ""), either(7, "")],
     other: "",
     doubt: None,
+    checked: true,
 };
 
 /// How the blank counts; above the thousands stands what calls have stored without meaning.
@@ -30,6 +31,7 @@ const BLANK_MODE: Digits = Digits {
     known: &[either(1, ""), either(2, ""), either(3, ""), either(4, ""), either(5, ""), either(6, "")],
     other: "",
     doubt: None,
+    checked: true,
 };
 
 /// The process of CYCLE952, beside the plane.
@@ -46,6 +48,7 @@ const PROCESS: Digits = Digits {
     ],
     other: "",
     doubt: None,
+    checked: true,
 };
 
 /// 0 absolute or a radius, 1 incremental or a chamfer.
@@ -64,6 +67,7 @@ const CORNER_MODE: Digits = Digits {
         &[0, 1, 2, 3],
         "an incremental X1 or XM is a radius, and increments lead from X0 and Z0 into the material",
     )),
+    checked: true,
 };
 
 const REMOVAL: &[Need] = &[Need::TurningPlane, Need::NoNormalOffset, Need::UnscaledFrame];

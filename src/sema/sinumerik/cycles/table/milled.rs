@@ -34,6 +34,7 @@ pub(super) const MODE: Digits = Digits {
     known: &[MODE_PLANE, MODE_FEEDS, shown(2), shown(3), shown(4), shown(5), shown(6), shown(7), shown(8)],
     other: "",
     doubt: None,
+    checked: true,
 };
 
 /// Depth by the units.
@@ -52,5 +53,5 @@ pub(super) const START_ONLY: Digit =
 
 pub(super) const WHAT_AMODE: &str =
     "units: depth 0 absolute, 1 below the surface; tens: plane infeed 0 mm, 1 percent of the cutter";
-pub(super) const READING: Digits = Digits { known: &[DEPTH, PERCENT, CHAMFER], other: "", doubt: None };
+pub(super) const READING: Digits = Digits { known: &[DEPTH, PERCENT, CHAMFER], other: "", doubt: None, checked: true };
 pub(super) const AMODE: Parameter = digits("_AMODE", &READING, WHAT_AMODE);

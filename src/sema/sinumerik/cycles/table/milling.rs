@@ -30,18 +30,20 @@ const OF_FACE: Digits = Digits {
     known: &[DEPTH, PERCENT, Digit { place: 3, most: 1, unknown: SIZE }, Digit { place: 4, most: 1, unknown: SIZE }],
     other: "",
     doubt: None,
+    checked: true,
 };
 const OF_SPIGOT: Digits = Digits {
     known: &[START_ONLY, Digit { place: 3, most: 1, unknown: "this reference point (thousands of `_GMODE`)" }],
     other: "",
     doubt: None,
+    checked: true,
 };
 const SPIGOT_GMODE: Parameter = digits("_GMODE", &OF_SPIGOT, "thousands: 0 and 1 the reference point is the centre");
-const OF_PAIR: Digits = Digits { known: &[PAIR, CHAMFER], other: "", doubt: None };
+const OF_PAIR: Digits = Digits { known: &[PAIR, CHAMFER], other: "", doubt: None, checked: true };
 const AMODE_OF_PAIR: Parameter = digits("_AMODE", &OF_PAIR, "units: depth 0 by what is given, 1 by DPR, 2 by DP");
 
-const ONLY_START: Digits = Digits { known: &[START_ONLY], other: "", doubt: None };
-const OF_DEPTH: Digits = Digits { known: &[DEPTH, CHAMFER], other: "", doubt: None };
+const ONLY_START: Digits = Digits { known: &[START_ONLY], other: "", doubt: None, checked: true };
+const OF_DEPTH: Digits = Digits { known: &[DEPTH, CHAMFER], other: "", doubt: None, checked: true };
 const APPROACH: &str = "units: 1 straight on, 2 quadrant, 3 semicircle; tens: 0 in the plane of the level, 1 in space";
 
 pub(super) const ROWS: &[Cycle] = &[

@@ -13,6 +13,10 @@ const HIDE: Parameter = either("_HIDE", "hidden positions; refused").default("no
 const NSP: Parameter = number("_NSP", "first position; refused where it is not 0").default("0");
 const DMODE: Parameter = digits("_DMODE", &ANY_DIGITS, "units: plane, 0 the active one, 1 G17, 2 G18, 3 G19");
 
+/// What helps where a distance or a number has a sign.
+const SIGN: &str =
+    "some versions of the cycle take its magnitude: write it without the sign, and turn the row by its angle";
+
 /// A pattern runs what MCALL gave; its lengths lie in the active plane.
 const PATTERN: &[Need] = &[Need::ModalCall, Need::ActivePlane, Need::PlainLengths];
 
@@ -27,9 +31,12 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("SPCA", "reference point along the first axis").default("0"),
                 length("SPCO", "reference point along the second axis").default("0"),
                 angle("STA1", "angle of the row").default("0"),
-                length("FDIS", "distance of the first hole from the reference point").unsigned().default("0"),
-                length("DBH", "distance of the holes").unsigned().default("0"),
-                count("NUM", "number of holes").unsigned(),
+                length("FDIS", "distance of the first hole from the reference point")
+                    .unsigned()
+                    .or_else(61019, SIGN)
+                    .default("0"),
+                length("DBH", "distance of the holes").unsigned().or_else(61019, SIGN).default("0"),
+                count("NUM", "number of holes").unsigned().or_else(61019, SIGN),
                 VARI,
                 UMODE,
                 HIDE,
@@ -49,10 +56,10 @@ pub(super) const ROWS: &[Cycle] = &[
             parameters: &[
                 length("CPA", "centre along the first axis").default("0"),
                 length("CPO", "centre along the second axis").default("0"),
-                length("RAD", "radius of the circle").unsigned(),
+                length("RAD", "radius of the circle").unsigned().or_else(61019, SIGN),
                 angle("STA1", "angle of the first hole").default("0"),
                 angle("INDA", "angle from hole to hole").default("360 degrees by NUM"),
-                count("NUM", "number of holes").unsigned(),
+                count("NUM", "number of holes").unsigned().or_else(61019, SIGN),
                 VARI,
                 UMODE,
                 HIDE,
@@ -73,10 +80,10 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("_SPCA", "reference point along the first axis").default("0"),
                 length("_SPCO", "reference point along the second axis").default("0"),
                 angle("_STA", "angle by which the grid is turned").default("0"),
-                length("_DIS1", "distance of the columns").unsigned().default("0"),
-                length("_DIS2", "distance of the rows").unsigned().default("0"),
-                count("_NUM1", "number of columns").unsigned(),
-                count("_NUM2", "number of rows").unsigned(),
+                length("_DIS1", "distance of the columns").unsigned().or_else(61019, SIGN).default("0"),
+                length("_DIS2", "distance of the rows").unsigned().or_else(61019, SIGN).default("0"),
+                count("_NUM1", "number of columns").unsigned().or_else(61019, SIGN),
+                count("_NUM2", "number of rows").unsigned().or_else(61019, SIGN),
                 digits("_VARI", &ANY_DIGITS, "0 grid, 1 frame"),
                 UMODE,
                 angle("_ANG1", "shear of the rows; refused where it is not 0").default("0"),

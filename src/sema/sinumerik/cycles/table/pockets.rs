@@ -33,17 +33,20 @@ const REFERENCE: Digits = Digits {
     known: &[START_ONLY, Digit { place: 3, most: 5, unknown: "this reference point (thousands of `_GMODE`)" }, BEFORE],
     other: "",
     doubt: None,
+    checked: true,
 };
 const BEFORE: Digit = Digit { place: 4, most: 2, unknown: "this reading of `_AP1` (ten thousands of `_GMODE`)" };
 const CENTRE: Digits = Digits {
     known: &[START_ONLY, Digit { place: 3, most: 1, unknown: "this reference point (thousands of `_GMODE`)" }, BEFORE],
     other: "",
     doubt: None,
+    checked: true,
 };
 const SLOT_CENTRE: Digits = Digits {
     known: &[START_ONLY, Digit { place: 3, most: 1, unknown: "this reference point (thousands of `_GMODE`)" }],
     other: "",
     doubt: None,
+    checked: true,
 };
 /// Plane, feeds, and what CYCLE63 mills: 2 in the hundreds is a spigot.
 const POCKET_MODE: Digits = Digits {
@@ -54,9 +57,10 @@ const POCKET_MODE: Digits = Digits {
     ],
     other: "",
     doubt: None,
+    checked: true,
 };
-const PLAIN: Digits = Digits { known: &[START_ONLY], other: "", doubt: None };
-const OF_PAIR: Digits = Digits { known: &[PAIR, CHAMFER], other: "", doubt: None };
+const PLAIN: Digits = Digits { known: &[START_ONLY], other: "", doubt: None, checked: true };
+const OF_PAIR: Digits = Digits { known: &[PAIR, CHAMFER], other: "", doubt: None, checked: true };
 const AMODE_OF_PAIR: Parameter = digits("_AMODE", &OF_PAIR, "units: depth 0 by what is given, 1 by DPR, 2 by DP");
 
 const O_RTP: Parameter = length("RTP", "retraction plane").needed();
@@ -288,7 +292,9 @@ pub(super) const ROWS: &[Cycle] = &[
                 O_DP,
                 O_DPR,
                 NUM,
-                angle("AFSL", "angle between the centres of the round ends").needed(),
+                angle("AFSL", "angle between the centres of the round ends")
+                    .needed()
+                    .or_else(61118, "give an angle above 0 and below 360 degrees"),
                 length("WID", "width").needed().rule(Rule::Size),
                 CPA,
                 CPO,

@@ -23,7 +23,6 @@ const VRT: &str = "way of the lift-off outside the thread, on the radius";
 /// What helps where a value has the wrong sign.
 const SIGN: &str = "give the pitch without a sign; M3 or M4 makes the hand of the thread";
 const LENGTHS: &str = "give the depth, the allowance, run-in and run-out without a sign";
-const KIND: &str = "1 external, 2 internal with equal infeed; 3 external, 4 internal with equal cross-section";
 
 const THREAD: &[Need] =
     &[Need::TurningPlane, Need::ActivePlane, Need::MainSpindle("the lead of a thread"), Need::TurningSpindle];
@@ -50,7 +49,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 angle("NSP", NSP).default("0"),
                 count("NRC", NRC).needed(),
                 count("NID", NID).default("0"),
-                number("VARI", VARI).needed().rule(Rule::OneOf(1, 4)).or_else(61002, KIND),
+                number("VARI", VARI).needed().rule(Rule::OneOf(1, 4)).or_else(61002, ""),
                 count("NUMT", NUMT).default("1"),
                 length("_VRT", VRT).default("1 mm"),
             ],
@@ -84,7 +83,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("PP1", LEAD).needed().unsigned().or_else(61001, SIGN),
                 length("PP2", LEAD).needed().unsigned().or_else(61001, SIGN),
                 length("PP3", LEAD).needed().unsigned().or_else(61001, SIGN),
-                number("VARI", VARI).needed().rule(Rule::OneOf(1, 4)).or_else(61002, KIND),
+                number("VARI", VARI).needed().rule(Rule::OneOf(1, 4)).or_else(61002, ""),
                 count("NUMT", NUMT).default("1"),
                 length("_VRT", VRT).default("1 mm"),
                 length("_MID", "first infeed; refused where it is not 0").default("0"),

@@ -64,8 +64,8 @@ pub(super) const ROWS: &[Cycle] = &[
                     .needed()
                     .rule(Rule::OneOf(0, 3))
                     .or_else(61613, "0 is external +Z, 1 external -Z, 2 internal +Z, 3 internal -Z"),
-                length("_SDIS", "safety distance, above 0").needed().rule(Rule::Above(0)),
-                feed("_FFP", "feed per revolution, above 0").needed().rule(Rule::Above(0)),
+                length("_SDIS", "safety distance").needed().rule(Rule::Above(61019)),
+                feed("_FFP", "feed per revolution").needed().rule(Rule::Above(61019)),
                 digits("_VARI", &ANY_DIGITS, "A to D, T: units 1 roughs, 2 finishes, 3 does both"),
                 length("_EPD", "E, F: allowance along X; T: depth; read by `_AMODE`"),
                 length("_EPL", "F: allowance along Z; T: width; read by `_AMODE`"),
