@@ -14,7 +14,6 @@ use crate::sema::run::Where;
 use crate::text::Loc;
 use crate::text::blocks::Place;
 
-use super::cycle_call::Called;
 use super::cycles::{KNAME, LAB1, LAB2, NPP, Source, TYPE};
 use super::{Core, Outcome, Reported, Run};
 
@@ -56,8 +55,7 @@ pub(super) struct CalledContour {
 
 impl Run<'_> {
     /// `CYCLE62(name, type, label, label)`
-    pub(super) fn contour_call(&mut self, called: &Called) -> Outcome {
-        let given = &called.given;
+    pub(super) fn contour_call(&mut self, given: &Given) -> Outcome {
         let (name, first, last) = (given.text(KNAME), given.text(LAB1), given.text(LAB2));
         let call = match (given.whole(TYPE), name, first, last) {
             (0, Some(name), None, None) => self.contour_program(given, KNAME, name)?,
@@ -137,10 +135,9 @@ impl Run<'_> {
     }
 
     /// A cycle whose tracks the control keeps to itself.
-    pub(super) fn unpublished_cycle(&mut self, called: &Called, source: Source) -> Outcome {
-        let given = &called.given;
+    pub(super) fn unpublished_cycle(&mut self, given: &Given, source: Source) -> Outcome {
         let what = given.signature.what;
-        let contours = self.contours_of(called, source)?;
+        let contours = self.contours_of(given, source)?;
         let shown = contours.iter().map(|of| shape(&of.call.name, &of.made)).collect::<Vec<_>>().join("; ");
         let fault = if contours.is_empty() {
             codes::S9020::cycle_is_not_supported(&given.called, &what)
@@ -152,8 +149,7 @@ impl Run<'_> {
     }
 
     /// The contours of a cycle, each run and checked.
-    pub(super) fn contours_of(&mut self, called: &Called, source: Source) -> Outcome<Vec<CalledContour>> {
-        let given = &called.given;
+    pub(super) fn contours_of(&mut self, given: &Given, source: Source) -> Outcome<Vec<CalledContour>> {
         let calls = match source {
             Source::Argument => vec![self.named_contour(given)?],
             Source::Single if given.text(KNAME).is_some() => vec![self.named_contour(given)?],

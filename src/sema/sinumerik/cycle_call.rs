@@ -10,57 +10,23 @@ use crate::ir::Pos;
 use crate::ir::contour::{Ctx, Path};
 use crate::ir::cycle::drilling::{Method, Tap};
 use crate::ir::cycle::{Cycle, Drilling};
-use crate::ir::function::{Spindle, Turn};
+use crate::ir::function::Spindle;
 use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Args, Block, Formula};
 use crate::sema::cycle::call::{Kind, Made, Refusal, Remark};
 use crate::sema::cycle::given::{Given, Value};
 use crate::sema::cycle::row;
-use crate::sema::run::{Site, Where};
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::cycles::{self, Act, Acts, Cycle as Row, CycleCall, SpindleTold, Work};
 use super::g_groups::{GCode, Group};
+use super::modal_call::{ModalCycle, SpindleState};
 use super::offsets::Outer;
 use super::value::{Val, to_text};
 use super::words::CallWord;
 use super::{Channel, Outcome, Reported, Run};
 use crate::ir::Side;
-
-/// A call: the row, and what is given for it.
-#[derive(Debug, Clone)]
-pub(super) struct Called {
-    pub row: &'static Row,
-    pub given: Given,
-}
-
-/// A drilling cycle that runs behind every positioning block.
-#[derive(Debug, Clone)]
-pub(super) struct ModalCycle {
-    hole: Drilling,
-    call: Called,
-    /// Where MCALL stands.
-    here: Site,
-    /// The spindle as the hole was made of it: a dwell in turns, a tap and a feed of its own depend on it.
-    spindle: SpindleState,
-    /// The feed is the one that is modal when the hole is drilled.
-    feed_of_block: bool,
-    /// Plane and unit of the call: the axis and the lengths of the hole were taken under them.
-    under: (Plane, f64),
-    /// Why it cannot be drilled was reported.
-    refused: bool,
-}
-
-/// What holes take from the spindle: speed, sense, whether the speed follows the diameter, whether feeds count per turn; and
-/// the tool and its edge, whose tip a depth may count for.
-type SpindleState = (Option<f64>, Option<Turn>, bool, bool, Option<u32>, Option<u32>);
-
-impl ModalCycle {
-    /// Why it cannot be drilled was reported.
-    pub fn refuse(&mut self) {
-        self.refused = true;
-    }
-}
 
 /// A value of the language as the argument of a parameter.
 fn value_of(value: &Val, kind: row::Kind) -> Value {
@@ -92,7 +58,8 @@ impl Run<'_> {
         if matches!(row.work, Work::Nothing) || self.own_program(name) {
             return None;
         }
-        let result = self.called(row, call.args, call.span, block, text).and_then(|called| self.run_cycle(&called));
+        let result =
+            self.given_of(row, call.args, call.span, block, text).and_then(|given| self.run_cycle(row, &given));
         if result.is_err() {
             self.st.position.lose(AxisSet::ALL);
             self.lost();
@@ -100,14 +67,14 @@ impl Run<'_> {
         Some(result)
     }
 
-    fn called(
+    fn given_of(
         &mut self,
         row: &'static Row,
         args: Option<Args>,
         span: Span,
         block: &Block,
         text: &[u8],
-    ) -> Outcome<Called> {
+    ) -> Outcome<Given> {
         let name = row.signature.name;
         self.no_cycle_in_contour(name, span)?;
         let formulas: Vec<Formula> = args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
@@ -124,19 +91,18 @@ impl Run<'_> {
         if let Some(at) = too_many {
             return self.refuse(at, codes::S2021::takes_arguments(&name, &parameters.len()));
         }
-        let called = Called { row, given };
-        self.asked(&called, |call| call.fits_its_row())?;
-        Ok(called)
+        self.asked(&given, |call| call.fits_its_row())?;
+        Ok(given)
     }
 
-    fn run_cycle(&mut self, called: &Called) -> Outcome {
-        let (row, place) = (called.row, called.given.place);
+    fn run_cycle(&mut self, row: &'static Row, given: &Given) -> Outcome {
+        let place = given.place;
         let moves = !matches!(row.work, Work::NamesContour | Work::Unpublished(_));
         self.begins_executing();
         self.no_turning_cycle_here(row.signature.name, place)?;
         self.pending_must_be_done(place)?;
         if self.st.side() != Side::None {
-            return self.refuse(place, codes::P2090::radius_compensation().of(&called.given.called));
+            return self.refuse(place, codes::P2090::radius_compensation().of(&given.called));
         }
         match self.st.offsets.outer() {
             Outer::Machine => {
@@ -155,20 +121,20 @@ impl Run<'_> {
             }
         }
         if !matches!(row.work, Work::Hole(_)) {
-            self.meets_needs(called)?;
+            self.meets_needs(row, given)?;
         }
         match &row.work {
             Work::Hole(_) => {
-                let hole = self.hole_of(called)?;
+                let hole = self.hole_of(row, given)?;
                 self.drill(&hole)
             }
-            Work::Plan(plan) => self.run_plan(called, plan),
+            Work::Plan(plan) => self.run_plan(row, given, plan),
             Work::Along(contour, plan) => {
-                let contours = self.contours_of(called, *contour)?;
-                self.run_plan(called, |call| plan(call, &contours))
+                let contours = self.contours_of(given, *contour)?;
+                self.run_plan(row, given, |call| plan(call, &contours))
             }
-            Work::NamesContour => self.contour_call(called),
-            Work::Unpublished(cycle) => self.unpublished_cycle(called, *cycle),
+            Work::NamesContour => self.contour_call(given),
+            Work::Unpublished(cycle) => self.unpublished_cycle(given, *cycle),
             Work::Nothing => Ok(()),
         }
     }
@@ -186,13 +152,13 @@ impl Run<'_> {
         if self.own_program(name) {
             return None;
         }
-        Some(self.called(row, Some(args), block.span, block, text).and_then(|call| {
+        Some(self.given_of(row, Some(args), block.span, block, text).and_then(|given| {
             self.st.modal_call.end();
-            let hole = self.hole_of(&call)?;
+            let hole = self.hole_of(row, &given)?;
             let feed_of_block = drilling.modal_feed;
             let under = (self.st.plane(), self.st.length_unit());
             let (here, spindle) = (self.here, self.spindle_state());
-            let made = ModalCycle { hole, call, here, spindle, feed_of_block, under, refused: false };
+            let made = ModalCycle { hole, given, here, spindle, feed_of_block, under, refused: false };
             self.st.modal_call.set_cycle(Box::new(made));
             Ok(())
         }))
@@ -201,28 +167,24 @@ impl Run<'_> {
 
 impl Channel<'_> {
     /// Runs a plan and carries out what it made.
-    fn run_plan(&mut self, called: &Called, plan: impl FnOnce(&CycleCall<'_>) -> Made<Acts>) -> Outcome {
-        let (acts, ways) = self.planned(called, plan)?;
-        if called.row.needs.contains(&cycles::Need::KnownPlace) {
-            self.turning_position(called.given.place)?;
+    fn run_plan(&mut self, row: &Row, given: &Given, plan: impl FnOnce(&CycleCall<'_>) -> Made<Acts>) -> Outcome {
+        let (acts, ways) = self.planned(given, plan)?;
+        if row.needs.contains(&cycles::Need::KnownPlace) {
+            self.turning_position(given.place)?;
         }
         self.carry_out(acts)?;
-        self.say_ways(&called.given, ways);
+        self.say_ways(given, ways);
         Ok(())
     }
 
     /// Asks a plan that makes no path.
-    pub(super) fn asked<T>(&mut self, called: &Called, plan: impl FnOnce(&CycleCall<'_>) -> Made<T>) -> Outcome<T> {
-        self.planned(called, plan).map(|(made, _)| made)
+    pub(super) fn asked<T>(&mut self, given: &Given, plan: impl FnOnce(&CycleCall<'_>) -> Made<T>) -> Outcome<T> {
+        self.planned(given, plan).map(|(made, _)| made)
     }
 
     /// What a plan makes, and what is to be said of its path. What it remarks of the call is said here.
-    fn planned<T>(
-        &mut self,
-        called: &Called,
-        plan: impl FnOnce(&CycleCall<'_>) -> Made<T>,
-    ) -> Outcome<(T, Vec<Remark>)> {
-        let call = CycleCall::new(&called.given, &self.st, self.core.job.settings);
+    fn planned<T>(&mut self, given: &Given, plan: impl FnOnce(&CycleCall<'_>) -> Made<T>) -> Outcome<(T, Vec<Remark>)> {
+        let call = CycleCall::new(given, &self.st, self.core.job.settings);
         let made = plan(&call);
         let takes_feed = call.takes_modal_feed.get();
         let (ways, remarks): (Vec<_>, Vec<_>) =
@@ -241,7 +203,7 @@ impl Channel<'_> {
                 self.refuse(place, *fault)
             }
             Err(Refusal::Elsewhere(loc, fault, what)) => {
-                self.report(fault.at(loc).also(self.loc(called.given.place), what));
+                self.report(fault.at(loc).also(self.loc(given.place), what));
                 Err(Reported)
             }
         }
@@ -284,18 +246,18 @@ impl Channel<'_> {
     }
 
     /// What the row asks of the channel, in its order.
-    fn meets_needs(&mut self, called: &Called) -> Outcome {
-        for need in called.row.needs {
-            self.asked(called, |call| call.meets(*need))?;
+    fn meets_needs(&mut self, row: &Row, given: &Given) -> Outcome {
+        for need in row.needs {
+            self.asked(given, |call| call.meets(*need))?;
         }
-        self.asked(called, |call| call.digits_are_known())
+        self.asked(given, |call| call.digits_are_known())
     }
 
     /// The hole of a drilling cycle.
-    fn hole_of(&mut self, called: &Called) -> Outcome<Drilling> {
-        let Work::Hole(drilling) = &called.row.work else { return Err(Reported) };
-        self.meets_needs(called)?;
-        let hole = self.asked(called, |call| call.hole(drilling))?;
+    fn hole_of(&mut self, row: &Row, given: &Given) -> Outcome<Drilling> {
+        let Work::Hole(drilling) = &row.work else { return Err(Reported) };
+        self.meets_needs(row, given)?;
+        let hole = self.asked(given, |call| call.hole(drilling))?;
         if matches!(hole.method, Method::Tap(Tap { rigid: true, .. })) {
             self.st.spindles.forget_angle();
         }
@@ -390,10 +352,10 @@ impl Channel<'_> {
             return self.refuse(Where::Block, codes::S9015::plane_or_unit_was_changed_since_mcall());
         }
         // The feeds of zones are shares of the one that is modal at each place.
-        let zones = cycles::has_zones(&modal.call.given);
+        let zones = cycles::has_zones(&modal.given);
         let feed_of_block = modal.feed_of_block && !zones;
         let axis = modal.hole.axis;
-        self.asked(&modal.call, |call| call.no_diameters(axis, Where::Block))?;
+        self.asked(&modal.given, |call| call.no_diameters(axis, Where::Block))?;
         let same = modal.spindle == self.spindle_state() && !zones;
         let mut hole = if same { modal.hole } else { self.hole_made_anew(modal)? };
         if feed_of_block && let Some(feed) = self.st.feed.word() {
@@ -405,7 +367,8 @@ impl Channel<'_> {
     /// The hole of the modal call under the spindle of now.
     fn hole_made_anew(&mut self, mut modal: Box<ModalCycle>) -> Outcome<Drilling> {
         let here = std::mem::replace(&mut self.here, modal.here);
-        let made = self.hole_of(&modal.call);
+        let made =
+            cycles::find(modal.given.signature.name).map_or(Err(Reported), |row| self.hole_of(row, &modal.given));
         self.here = here;
         let hole = made?;
         modal.hole = hole.clone();

@@ -1,9 +1,41 @@
 //! MCALL: what runs after every block that moves.
 
+use crate::geo::Plane;
+use crate::ir::cycle::Drilling;
+use crate::ir::function::Turn;
+use crate::sema::cycle::given::Given;
+use crate::sema::run::Site;
 use crate::text::Loc;
 
-use super::cycle_call::ModalCycle;
 use super::vars::Argument;
+
+/// A drilling cycle that runs behind every positioning block.
+#[derive(Debug, Clone)]
+pub(super) struct ModalCycle {
+    pub hole: Drilling,
+    pub given: Given,
+    /// Where MCALL stands.
+    pub here: Site,
+    /// The spindle as the hole was made of it: a dwell in turns, a tap and a feed of its own depend on it.
+    pub spindle: SpindleState,
+    /// The feed is the one that is modal when the hole is drilled.
+    pub feed_of_block: bool,
+    /// Plane and unit of the call: the axis and the lengths of the hole were taken under them.
+    pub under: (Plane, f64),
+    /// Why it cannot be drilled was reported.
+    pub refused: bool,
+}
+
+/// What holes take from the spindle: speed, sense, whether the speed follows the diameter, whether feeds count per turn; and
+/// the tool and its edge, whose tip a depth may count for.
+pub(super) type SpindleState = (Option<f64>, Option<Turn>, bool, bool, Option<u32>, Option<u32>);
+
+impl ModalCycle {
+    /// Why it cannot be drilled was reported.
+    pub fn refuse(&mut self) {
+        self.refused = true;
+    }
+}
 
 /// A program that runs behind every positioning block.
 #[derive(Debug, Clone)]

@@ -1,0 +1,116 @@
+//! The rules of the radius compensation that the compiler computes, as the codes in force say them.
+//!
+//! Source: S 2.12, S 2.13 (docs/sources.md); docs/compensation.md.
+
+use crate::diag::{Answer, Fault, codes};
+use crate::geo::{Deg, SAME_DIRECTION, Vec2};
+use crate::ir;
+use crate::ir::compensation::{Alarms, Border, Ends, FeedAt, Inside, Outside, Search};
+use crate::machine::Settings;
+
+use super::compensation::Cutter;
+use super::g_groups::{GCode, Group};
+use super::state::State;
+
+/// The control's own alarms.
+const ALARMS: Alarms = Alarms {
+    no_room: Some(10751),
+    left_out: Some(10763),
+    start_inside: Some(10755),
+    end_inside: Some(10756),
+    plane: Some(10757),
+    no_line: Some(10753),
+};
+/// Flat corners at which controls may not make an arc under G450 (MD 20230): what its default is said to be.
+const FLAT: Deg = Deg(10.0);
+/// Turn up to which G451 prolongs (MD 20210).
+const LIMIT: Deg = Deg(100.0);
+impl State {
+    /// The rules for a path that a cycle makes: it comes to the contour by itself, and damages nothing of it.
+    pub(super) fn rules_of_cycle(
+        &self,
+        radius: f64,
+        settings: &Settings,
+    ) -> Result<(ir::Compensation, Option<Fault>), Box<Fault>> {
+        let (rules, disc) = self.rules(Cutter { radius, nose: Vec2::zeros() }, settings)?;
+        let search = Search { bottlenecks: true, ..rules.search };
+        let (approach, retract) = (Border::Perpendicular, Border::Perpendicular);
+        Ok((ir::Compensation { radius, approach, retract, search, constant: false, ..rules }, disc))
+    }
+
+    /// The rules in force for a cutter, and what is worth saying of a disc.
+    pub(super) fn rules(
+        &self,
+        cutter: Cutter,
+        settings: &Settings,
+    ) -> Result<(ir::Compensation, Option<Fault>), Box<Fault>> {
+        self.plane_is_straight()?;
+        let codes_on = &self.codes;
+        let round = codes_on.of(Group::Corner).index == 1;
+        let border = match codes_on.of(Group::Approach) {
+            GCode::NORM => Border::Perpendicular,
+            GCode::KONT if round => Border::Around,
+            GCode::KONT => Border::AroundOtherwise,
+            code => {
+                return Err(Box::new(codes::P9013::leads_to_contour(&code.word())));
+            }
+        };
+        let keys = &settings.control.sinumerik.compensation;
+        let mut disc = None;
+        if self.path.overshoot() > 0.0 {
+            if !keys.disc_as_circle {
+                return Err(Box::new(
+                    codes::P9013::under_disc_tool_goes_around_corners(&self.path.overshoot())
+                        .answer(Answer::key("control", "disc").one_of(&["\"circle\""])),
+                ));
+            }
+            disc = Some(codes::S8193::disc_is_read_as_disc_0(&self.path.overshoot()));
+        }
+        let outside = if round {
+            let open = keys.flat.is_none().then_some((Deg(0.0), FLAT));
+            Outside { prolonged: Deg(keys.flat.unwrap_or(0.0)), open, by: None }
+        } else {
+            let limit = Deg(keys.limit.unwrap_or(LIMIT.0));
+            Outside { prolonged: limit, open: keys.limit.is_none().then_some((limit, Deg(180.0))), by: None }
+        };
+        let ends = match codes_on.of(Group::CompensationEnds).index {
+            2 => Ends::Circle,
+            3 => Ends::Tangent,
+            _ => Ends::AsTheyAre,
+        };
+        let rules = ir::Compensation {
+            radius: self.path.radius(),
+            nose: cutter.nose,
+            approach: border,
+            retract: border,
+            outside,
+            inside: Inside::Crossing,
+            search: Search { elements: keys.look_ahead, bottlenecks: codes_on.of(Group::Collision) == GCode::CDON },
+            ends,
+            constant: codes_on.is(GCode::CUTCONON),
+            rounded_border: false,
+            feed: match codes_on.of(Group::CurveFeed) {
+                code if code.index == 2 => FeedAt::Centre,
+                _ if !keys.curve_feed => FeedAt::CentreInstead,
+                GCode::CFC => FeedAt::Contour,
+                _ => FeedAt::HollowContour,
+            },
+            is_way: false,
+            own_corner: false,
+            joints_are_documented: true,
+            alarms: ALARMS,
+        };
+        Ok((rules, disc))
+    }
+
+    /// The radius counts in the plane of the tool: a frame may turn and move in it only.
+    fn plane_is_straight(&self) -> Result<(), Box<Fault>> {
+        let (first, second, third) = self.plane().axes();
+        let linear = self.ctx.frame.linear();
+        let tilts = |a: usize| linear[(third, a)].abs() > SAME_DIRECTION || linear[(a, third)].abs() > SAME_DIRECTION;
+        if !self.ctx.frame.is_shift() && (tilts(first) || tilts(second)) {
+            return Err(Box::new(codes::P9013::frame_tilts_working_plane()));
+        }
+        Ok(())
+    }
+}
