@@ -11,10 +11,9 @@ use crate::parser::sinumerik::ast::Search;
 use crate::sema::cycle::given::{Given, Value};
 use crate::sema::cycle::row::{Kind, Name};
 use crate::sema::run::Where;
-use crate::text::Loc;
-use crate::text::blocks::Place;
 
 use super::cycles::{KNAME, LAB1, LAB2, NPP, Source, TYPE};
+use super::named_contour::{CalledContour, ContourCall};
 use super::{Core, Outcome, Reported, Run};
 
 /// Most contours of one machining cycle.
@@ -28,29 +27,6 @@ pub(super) struct Contours {
     list: Vec<ContourCall>,
     /// A machining cycle took them: the next call begins a new list.
     taken: bool,
-}
-
-/// Most elements of a contour, roundings and chamfers counted.
-pub(super) const MOST_ELEMENTS: usize = 1000;
-
-/// Where the blocks of a contour are.
-#[derive(Debug, Clone)]
-pub(super) struct ContourCall {
-    /// The program that holds it.
-    pub unit: usize,
-    /// From this block up to this offset; `None` for the whole program.
-    pub part: Option<(Place, u32)>,
-    /// What the call names, for findings.
-    pub name: String,
-    /// The call.
-    pub loc: Loc,
-}
-
-/// A contour that was run and checked for a cycle.
-#[derive(Debug)]
-pub(super) struct CalledContour {
-    pub call: ContourCall,
-    pub made: Captured,
 }
 
 impl Run<'_> {

@@ -9,9 +9,9 @@ use crate::ir::captured::{Captured, Unfit};
 use crate::sema::run::{Counted, Where, step};
 use crate::text::Span;
 
-use super::called_contours::{ContourCall, MOST_ELEMENTS};
 use super::calls::FrameKind;
 use super::g_groups::{GCode, Group};
+use super::named_contour::{ContourCall, MOST_ELEMENTS};
 use super::state::State;
 use super::vars::Vars;
 use super::vocabulary::Address;

@@ -53,6 +53,7 @@ mod measuring;
 mod measuring_data;
 mod modal_call;
 mod moves;
+mod named_contour;
 mod named_words;
 mod nonmodal;
 mod offsets;

@@ -10,7 +10,7 @@ use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
 use crate::ir::cycle::region::RegionFault;
 use crate::ir::cycle::{Cycle, Family, Region};
 
-use super::super::called_contours::CalledContour;
+use super::super::named_contour::CalledContour;
 use super::call::{Act, Acts, CycleCall};
 use super::milling::{ALONG_CONTOURS, Around};
 use super::names::{DR, DXY, EP, ER, EW, TR, UXY, VARI, XS, YS};

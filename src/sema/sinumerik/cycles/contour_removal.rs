@@ -12,8 +12,8 @@ use crate::ir::cycle::recess::Operation;
 use crate::ir::cycle::roughing::Nose;
 use crate::ir::cycle::turning::Towards;
 
-use super::super::called_contours::CalledContour;
 use super::super::g_groups::GCode;
+use super::super::named_contour::CalledContour;
 use super::call::{Acts, CycleCall};
 use super::layers::{Side, rectangle};
 use super::names::{

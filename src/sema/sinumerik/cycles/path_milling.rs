@@ -11,7 +11,7 @@ use crate::ir::cycle::{Cycle, Family, PathMilling};
 use crate::ir::{Compensation, Side};
 use crate::machine::options::cycles::BackwardSide;
 
-use super::super::called_contours::CalledContour;
+use super::super::named_contour::CalledContour;
 use super::call::{Act, Acts, CycleCall};
 use super::milling::CLASSIC;
 use super::names::{AS1, AS2, FAL, FF3, LP1, LP2, RL, VARI};

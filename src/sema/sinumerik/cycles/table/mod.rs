@@ -17,7 +17,7 @@ use crate::ir::cycle::drilling::{Levels, Method};
 use crate::sema::cycle::call::Made;
 use crate::sema::cycle::row::{Signature, Status};
 
-use super::super::called_contours::CalledContour;
+use super::super::named_contour::CalledContour;
 use super::call::{Acts, CycleCall};
 
 pub(in super::super) use named::instead;
