@@ -254,6 +254,15 @@ word." {
     is_missing_contour_has_no_start(name) "{name} is missing: the contour has no start or no end";
     cycle_has_neither_ns_nor_contour() "the cycle has neither NS nor a contour behind it";
     z_is_missing() "Z is missing: the bottom of the hole";
+    i_is_missing()
+        "I is missing: the greatest infeed"
+        help "program I with the greatest infeed, on the radius";
+    i_is_missing_under_v(kind)
+        "I is missing: under V{kind} the control computes the greatest infeed from the speed and the pitch \
+        F, by a formula that no manual at hand prints"
+        help "program I with the greatest infeed, on the radius";
+    size_of_undercut_is_missing(diameter)
+        "a size of the undercut is missing, and the table has none for the diameter {diameter}";
     spindle_does_not_turn() "the spindle does not turn, so it is open whether the thread is right-handed"
         help "program M3 or M4 before G36";
     is_missing(letter, what) "{letter} is missing: {what}";

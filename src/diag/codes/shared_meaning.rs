@@ -112,9 +112,33 @@ target compensate." {
     radius_of_tool(args, number, what, edge) "{args}: the radius of tool {number} {what}" alarm 61000
         asks "give it in partc.toml: `[tools.{number}] radius = 5.0`, or in the program: \
         `$TC_DP6[{number},{edge}]=5`";
-    g_compensates_nose_radius_of_tool(fun) "G{fun} compensates the nose radius of the tool, which is not known";
-    nose_radius_of_tool_is_not_known()
-        "the nose radius of the tool is not known, and G58 makes an arc around each outer corner";
+    g_compensates_nose_radius_of_tool(fun, number)
+        "G{fun} compensates the nose radius of the tool, which is not known"
+        asks "give it in partc.toml: `[tools.{number}]` with `radius = 0.8` and `orientation = 3`";
+    g_compensates_nose_radius_of_no_tool(fun)
+        "G{fun} compensates the nose radius of the tool, which is not known"
+        help "program T in front of the cycle";
+    arc_needs_nose_radius_of_tool(number)
+        "the nose radius of the tool is not known, and G58 makes an arc around each outer corner"
+        asks "give it in partc.toml: `[tools.{number}]` with `radius = 0.8` and `orientation = 3`";
+    arc_needs_nose_radius_of_no_tool()
+        "the nose radius of the tool is not known, and G58 makes an arc around each outer corner"
+        help "program T in front of the cycle";
+    contour_needs_nose_radius_of_tool(number, what)
+        "the nose radius of tool {number} is not known, and the contour has {what}"
+        asks "give it in partc.toml: `[tools.{number}]` with `radius = 0.8` and `orientation = 3`";
+    contour_needs_nose_radius_of_no_tool(what)
+        "the contour has {what}, and no tool is in the cutting position whose nose could run along it"
+        help "program T in front of the cycle";
+    edge_position_of_tool_has_no_corner(position)
+        "cutting-edge position {position} of the tool is not supported in this cycle: its nose cannot be \
+        compensated"
+        help "add `orientation = 3` (1 to 4: where the edge points to) to the tool in partc.toml, or `radius = \
+        0`";
+    edge_position_of_tool_is_not_known()
+        "the cutting-edge position of the tool is not known, so its nose cannot be compensated"
+        asks "add `orientation = 3` (1 to 4: where the edge points to) to the tool in partc.toml, or `radius = \
+        0`";
     kind_width_or_nose_radius_of_recessing(number)
         "kind, width or nose radius of the recessing tool {number} is not known"
         asks "add `[tools.{number}]` with `kind = \"recess-radial\"` or `\"recess-axial\"`, `width` and `radius` to \

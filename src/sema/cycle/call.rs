@@ -6,6 +6,7 @@ use crate::diag::Fault;
 use crate::machine::Settings;
 use crate::sema::run::Where;
 use crate::sema::{Outcome, Reported};
+use crate::text::Loc;
 
 use super::given::{Breach, Given};
 use super::row::Name;
@@ -37,6 +38,15 @@ pub struct Remark {
     pub once: bool,
 }
 
+/// Something about a block in front of the call, which is named with it.
+#[derive(Debug)]
+pub struct Elsewhere {
+    pub place: Loc,
+    pub fault: Fault,
+    /// What the call is to it: "the cycle".
+    pub call: &'static str,
+}
+
 /// The arguments of a call, what they count under, and what is said of it.
 #[derive(Debug)]
 pub struct Call<'c, S> {
@@ -45,6 +55,7 @@ pub struct Call<'c, S> {
     pub st: &'c S,
     pub settings: &'c Settings,
     remarks: RefCell<Vec<Remark>>,
+    elsewhere: RefCell<Vec<Elsewhere>>,
 }
 
 /// What a control says of arguments that are not what their rows ask for.
@@ -55,7 +66,7 @@ pub trait Says {
 
 impl<'c, S> Call<'c, S> {
     pub fn new(given: &'c Given, st: &'c S, settings: &'c Settings) -> Call<'c, S> {
-        Call { given, st, settings, remarks: RefCell::default() }
+        Call { given, st, settings, remarks: RefCell::default(), elsewhere: RefCell::default() }
     }
 
     /// What was said, in its order.
@@ -100,6 +111,22 @@ impl<'c, S> Call<'c, S> {
     /// Says something once for the whole program.
     pub fn say_once(&self, place: Where, fault: Fault) {
         self.remark(Remark { place, fault: self.of_cycle(fault), once: true });
+    }
+
+    /// Says something about a block in front of the call.
+    pub fn say_elsewhere(&self, found: Elsewhere) {
+        self.elsewhere.borrow_mut().push(found);
+    }
+
+    /// Refuses the call for what stands in a block in front of it.
+    pub fn refuse_elsewhere<T>(&self, found: Elsewhere) -> Made<T> {
+        self.say_elsewhere(found);
+        Err(Refusal::Known)
+    }
+
+    /// What was said about blocks in front of the call, for a dialect that says such things.
+    pub fn elsewhere(&self) -> Vec<Elsewhere> {
+        self.elsewhere.take()
     }
 
     /// Says something whose text does not begin with the cycle.

@@ -136,7 +136,7 @@ impl Run<'_> {
         if num.value.fract() == 0.0 && num.value >= 0.0 && num.value <= f64::from(most) {
             return Ok(num.value as u32);
         }
-        self.refuse(num.span, codes::T1007::is_none_of_0(&(letter as char), &num.value, &most))
+        self.refuse(num.span, codes::T1007::is_none_of(&(letter as char), &num.value, &0, &most))
     }
 
     /// A length in mm that is above zero.

@@ -168,7 +168,7 @@ impl Run<'_> {
         let of_table = |letter: u8, value: fn(&din509::Size) -> f64| match (w.value(letter), listed) {
             (Some(v), _) => Ok(v * mm),
             (None, Some(size)) => Ok(value(&size)),
-            (None, None) => self.fail(codes::P1004, span, undercuts::no_size(diameter)),
+            (None, None) => self.refuse(span, codes::P1004::size_of_undercut_is_missing(&diameter)),
         };
         Ok(match form as i32 {
             4 if form == 4.0 => {

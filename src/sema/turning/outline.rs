@@ -211,7 +211,7 @@ impl Builder {
                 Some((undercut, mark)) => {
                     let next = self.pieces.get(i + 1).map(|next| next.solved);
                     let made = undercuts::build(undercut, &line, next.as_ref())
-                        .map_err(|why| Flaw::new(codes::T3004, mark.loc, why))?;
+                        .map_err(|why| Flaw::new(codes::T3004, mark.loc, why.fault().message))?;
                     Some((made, *mark))
                 }
             };

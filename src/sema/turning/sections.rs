@@ -287,14 +287,6 @@ impl Run<'_> {
         }
     }
 
-    /// A function of the older language that DIN PLUS has not.
-    pub(super) fn not_of_din_plus(&self, word: &str, instead: &str) -> Outcome {
-        if self.sections.family() != Family::DinPlus {
-            return Ok(());
-        }
-        self.refuse(self.block_span(), codes::P9010::of_din_plus_is_not_supported(&word).help(instead))
-    }
-
     /// END, RETURN of a macro, M30.
     pub(super) fn end_of_job(&mut self, rewind: bool) -> Outcome {
         if self.levels.len() > 1 {
