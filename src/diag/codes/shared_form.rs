@@ -117,6 +117,8 @@ guessed. Put the second function into a block of its own." {
     s_stands_twice_in_block() "S stands twice in the block" alarm 12000 help "delete one of the words";
     g_stands_twice_in_block(fun) "G{fun} stands twice in the block";
     two_addresses_of_block_mean_same() "two addresses of the block mean the same";
+    word_stands_twice_in_block(word) "{word} stands twice in the block"
+        help "put the second function into a block of its own";
 }
 
 P1003 Error "word-misplaced" "word has no place in this block" was "K1005 word-not-allowed M1006 mtc-word-not-allowed S2012 siemens-word-misfit T1003 turning-word-not-admitted"

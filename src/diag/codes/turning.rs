@@ -99,7 +99,12 @@ Otherwise it is open which blocks run." {
 
 T1012 Warning "turning-unit-frame" "frames of units do not match"
 "smart.Turn frames the blocks of a unit with UNIT and END_OF_UNIT. The blocks are compiled as they stand, the frame means nothing to the path. \
-A frame that does not match shows that the file was edited: check that no block is lost."
+A frame that does not match shows that the file was edited: check that no block is lost." {
+    unit_begins_inside_another() "a unit begins inside another one"
+        help "the file may have been edited by hand: check that no block is lost";
+    unit_ends_that_did_not_begin() "a unit ends that did not begin"
+        help "the file may have been edited by hand: check that no block is lost";
+}
 
 T1013 Note "turning-unit-missing" "no #UNIT line"
 "The unit of a DIN PLUS program is fixed in its header. Without the line the control takes its own setting; partc takes `[control] unit` of \
@@ -346,16 +351,25 @@ T2070 Error "turning-said-twice" "form or blank is described twice"
 the two can be meant. Remove the other." {
     blank_is_described_already() "the blank is described already, by an earlier G20 or G21"
         help "keep one of the two blocks";
+    corner_has_undercut() "this corner has an undercut already"
+        help "keep one of the two blocks";
+    element_is_thread() "this element is a thread already"
+        help "keep one of the two blocks";
 }
 
 T3001 Error "turning-undetermined" "element is not determined"
 "The end, centre or direction of the element is left open, and the elements beside it do not fix it. B missing means a tangential transition, \
-`B0` a corner; a line by angle is fixed by one coordinate or by the next element."
+`B0` a corner; a line by angle is fixed by one coordinate or by the next element." {
+    element_is_not_determined(why) "the element is not determined: {why}"
+        help "give its end point, its angle or its centre";
+}
 
 T3002 Error "turning-impossible" "geometry does not exist"
 "No line or arc has all the programmed properties: a circle does not reach a line, two lines are parallel, or an angle never reaches the \
 coordinate. Check the numbers of this block and the next one." {
     angles_leave_no_room_between_start() "the angles leave no room between start and end";
+    element_is_not_possible(why) "the element is not determined: {why}"
+        help "check the end points, angles and radii of this and the next block";
 }
 
 T3003 Error "turning-contour" "contour is not complete"
@@ -376,6 +390,8 @@ T3003 Error "turning-contour" "contour is not complete"
     thread_is_cut_along_straight_elements() "a thread is cut along straight elements, one at least";
     contour_of_thread_has_elements(elements, most_parts)
         "the contour of a thread has {elements} elements, more than {most_parts}";
+    contour_has_more_than_elements(most) "the contour has more than {most} elements"
+        help "check this block and the blocks beside it";
 }
 
 T3004 Error "turning-form" "recess or undercut does not fit"
@@ -405,15 +421,50 @@ have to fit on these elements." {
     depth_of_thread_undercut_in_bore()
         "the depth of a thread undercut in a bore counts from the nominal diameter, which FP does not \
         give: program I with (nominal diameter + value of DIN 76 - bore) / 2";
+    undercut_after_chamfer_or_rounding()
+        "the element before the undercut has a chamfer or rounding at the same corner"
+        help "check this block and the blocks beside it";
+    recess_lies_beside_its_element()
+        "the recess does not lie on the element before, or cuts into another recess"
+        help "check this block and the blocks beside it";
+    recess_belongs_to_straight_element() "a recess belongs to a straight element before it"
+        help "check this block and the blocks beside it";
+    recess_needs_line_along_z() "a recess with Z needs a line parallel to Z before it"
+        help "check this block and the blocks beside it";
+    recess_needs_line_along_x() "a recess with X needs a line parallel to X before it"
+        help "check this block and the blocks beside it";
+    middle_of_recess_lies_beside_its_element() "the middle of the recess does not lie on the element"
+        help "check this block and the blocks beside it";
+    flanks_of_recess_meet() "the flanks of the recess meet above its floor"
+        help "check this block and the blocks beside it";
+    recess_has_no_depth_or_width() "the recess has no depth or no width"
+        help "check this block and the blocks beside it";
 }
 
 T3005 Error "turning-contour-corner" "chamfer or rounding of a contour does not fit"
 "The chamfer or rounding at the end of an element is larger than the element or its neighbour, or there is no corner. B is the radius, or with \
-a minus sign the width of the chamfer."
+a minus sign the width of the chamfer." {
+    no_element_follows_corner()
+        "the last element of the contour has a chamfer or rounding, and no element follows it"
+        help "check this block and the blocks beside it";
+    no_corner_for_chamfer_or_rounding() "there is no corner to put the chamfer or rounding in"
+        help "check this block and the blocks beside it";
+    contour_turns_back_at_corner() "the contour turns back on itself at the chamfer or rounding"
+        help "check this block and the blocks beside it";
+    corner_is_larger_than_element() "the chamfer or rounding is larger than a neighbouring element"
+        help "check this block and the blocks beside it";
+    chamfer_between_lines_only() "a chamfer is possible between straight lines only"
+        help "check this block and the blocks beside it";
+    element_beside_corner_has_no_length() "an element beside the chamfer or rounding has no length"
+        help "check this block and the blocks beside it";
+}
 
 T3006 Error "turning-contradiction" "values of an element contradict each other"
 "The block says the same thing twice, and the two do not agree: an angle and an end point, a radius and a centre, or a tangential arc that would \
-have to turn the other way."
+have to turn the other way." {
+    element_contradicts_itself(why) "the element is not determined: {why}"
+        help "leave out one of the values, or correct it";
+}
 
 T3050 Error "turning-form-in-the-air" "recess or undercut lies on the air side of the contour"
 "An undercut relieves an inner corner, and a recess goes into the material. Here the tool works on the other side, where the undercut would be \
@@ -425,11 +476,26 @@ correct the sign of the depth or the diameter of the floor." {
     undercut_stands_at_convex_edge()
         "the undercut stands at a convex edge: on the side of the tool it would be a bead left standing"
         help "an undercut belongs into an inner corner: move it there, or remove it";
+    forms_lie_on_different_sides(name, first, line)
+        "this {name} and the {first} in line {line} lie on different sides of the contour: one of them \
+        stands in the air"
+        help "check this block and the blocks beside it";
 }
 
 T3051 Error "turning-contour-arc" "arc of a contour is not closed"
 "The arc is given by its end and by its centre, and the distances of both ends from the centre differ by more than the controls accept \
-(0.02 mm, `[control] arc_tolerance`). Check start, end, I and K; on the 4110 I counts on the diameter, on later controls on the radius."
+(0.02 mm, `[control] arc_tolerance`). Check start, end, I and K; on the 4110 I counts on the diameter, on later controls on the radius." {
+    arc_is_nearly_full_circle(apart)
+        "the arc is nearly a full circle that does not close, and {apart:.4} mm between the distances of its ends from \
+        the centre leave open where it lies"
+        help "check this block and the blocks beside it";
+    arc_touches_its_centre() "the arc starts or ends in its centre"
+        help "check this block and the blocks beside it";
+    ends_of_arc_lie_on_two_circles(start, end, apart, allowed)
+        "the start lies {start:.4} mm from the centre, the end {end:.4} mm: {apart:.4} mm difference, \
+        {allowed} allowed"
+        help "check this block and the blocks beside it";
+}
 
 T8001 Warning "turning-thread-left" "side of H of a thread is partc's reading"
 "H1 shifts the cuts of a thread to the left, H2 to the right; to which end of the axis the left one lies is shown in a picture only. The last cut is not \

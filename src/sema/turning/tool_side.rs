@@ -14,13 +14,8 @@ impl Outline {
         match forms.find(|form| form.left != first.left) {
             None => Ok(()),
             Some(other) => {
-                let message = format!(
-                    "this {} and the {} in line {} lie on different sides of the contour: one of them stands in the air",
-                    other.name(),
-                    first.name(),
-                    first.loc.line
-                );
-                Err(Flaw::new(codes::T3050, other.loc, message))
+                let fault = codes::T3050::forms_lie_on_different_sides(&other.name(), &first.name(), &first.loc.line);
+                Err(Flaw { loc: other.loc, fault })
             }
         }
     }
