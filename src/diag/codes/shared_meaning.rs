@@ -316,6 +316,15 @@ as the integer part of a negative number. The block is not executed." {
     value_is_infinite() "the value is infinite" alarm 14051;
     formula_has_no_value(word, why) "{word}: {why}";
     axname_names_no_axis_of_this_machine(name) "AXNAME: `{name}` names no axis of this machine" alarm 14097;
+    function_has_no_value(name, x) "{name} of {x}";
+    root_of_difference_of_squares(a, b) "square root of {a}² - {b}²";
+    value_is_divided_by_zero(a) "{a} is divided by zero";
+    value_is_divided_by_zero_that(a, said) "{a} is divided by zero: {said}";
+    result_is_too_large() "the result is too large";
+    function_does_not_exist(name, x) "{name}({x}) does not exist";
+    formula_divides_by_zero() "the formula divides by zero";
+    formula_divides_by_zero_that(said) "the formula divides by zero: {said}";
+    result_of_formula_is_too_large() "the result of the formula is too large";
 }
 
 P2023 Error "value-of-machine" "value is known on the machine only" was "K2304 parameter-from-machine S2028 siemens-machine-value T2010 turning-machine-variable"
