@@ -35,7 +35,7 @@ books! {
     gcode = "gcode":
         heads lines modes path_control percents rigid_taps speeds tap_reasons;
     heidenhain_turning = "heidenhain-turning":
-        angles arcs calls compensation contours corners drilling exact_stop finishing flow modal moves noses oversizes program recess
+        angles arcs calls compensation contours corners cycle_words drilling exact_stop finishing flow modal moves noses oversizes program recess
         recess_turning roughing shifts threads tools undercut variables;
     heidenhain_turning_finishing = "heidenhain-turning/finishing":
         ends;

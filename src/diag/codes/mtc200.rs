@@ -59,11 +59,22 @@ points, and no other arc of the program decides between them. The two circles ar
 
 M2006 Error "mtc-centre-contradiction" "arcs read their centres in different ways"
 "Another arc of the program shows that I, J and K are coordinates, this one fits only as distances from the start, or the other way round. One of \
-them is wrong: check end point, centre and the position in front of the arc."
+them is wrong: check end point, centre and the position in front of the arc." {
+    centre_fits_as_coordinates() "the centre fits only as coordinates, another arc only as distances"
+        help "check end point, centre and the position in front of both arcs";
+    centre_fits_as_distances()
+        "the centre fits only as distances from the start, another arc only as coordinates"
+        help "check end point, centre and the position in front of both arcs";
+}
 
 M2007 Warning "mtc-centre-unusual" "centre does not count as G90 or G91 say"
 "Under G90 I, J and K are coordinates of the centre, under G91 distances from the start. The arcs of this program fit the other reading only, and that is compiled. \
-Set `[control] centres` to say so and silence this warning."
+Set `[control] centres` to say so and silence this warning." {
+    centres_are_coordinates() "under G91 the centres of this program are coordinates"
+        asks "set `[control] centres = \"absolute\"` if that is meant";
+    centres_are_distances() "under G90 the centres of this program are distances from the start"
+        asks "set `[control] centres = \"relative\"` if that is meant";
+}
 
 M2009 Warning "mtc-centre-zero" "missing centre word of a full circle counts as zero"
 "A full circle passes through its start whatever its centre is, so nothing shows whether a missing I, J or K was forgotten. The control \
@@ -163,7 +174,10 @@ M2204 Error "mtc-branch-without-result" "branch before any calculation"
 
 M2205 Error "mtc-result-near-zero" "result is too close to zero to branch on"
 "The result is not zero, but so small that it comes from the rounding of decimals. Whether the control's arithmetic gives exactly zero here cannot be known. \
-Count with whole numbers, or compare with a margin."
+Count with whole numbers, or compare with a margin." {
+    last_result_is_nearly_zero(result) "the last result is {result}, nearly zero"
+        help "count with whole numbers, or compare with a margin";
+}
 
 M2207 Error "mtc-no-rts" "subroutine has no RTS"
 "The file ends inside a subroutine. Where the control goes on is not defined. Add RTS at its end." {
@@ -178,7 +192,14 @@ End the program with RET, or move the label." {
 }
 
 M2304 Error "mtc-function-doubtful" "result depends on the control's rounding"
-"INT, MOD and DIV of a negative or broken number can round down or towards zero, and the manual does not say which. Make the value positive and whole, or compute it another way."
+"INT, MOD and DIV of a negative or broken number can round down or towards zero, and the manual does not say which. Make the value positive and whole, or compute it another way." {
+    result_of_function_depends_on_rounding(name, x)
+        "the result of {name}({x}) depends on how the control rounds"
+        help "make the value positive: -INT(-@050)";
+    result_of_two_depends_on_rounding(a, name, b)
+        "the result of {a} {name} {b} depends on how the control rounds"
+        help "use whole numbers of zero or more";
+}
 
 M2401 Error "mtc-whole-number" "word needs a whole number"
 "G, M, T, D, E and the number of a program are whole numbers, zero or more. Check the word or its variable." {
@@ -225,7 +246,11 @@ for the tip, so the tool stays that much higher. Program G48 before, or have suc
 
 M8005 Warning "mtc-m-functions" "M functions are taken in their standard meaning"
 "M0 to M9, M13, M14, M19 and M30 are taken as the standard has them. The machine builder may have given them another meaning. If they are as they should be, add \
-`[control] confirmed = [\"m-functions\"]`; of those that differ, M7 to M9 may be listed in `[control] machine_words`, and a program with another one cannot be compiled."
+`[control] confirmed = [\"m-functions\"]`; of those that differ, M7 to M9 may be listed in `[control] machine_words`, and a program with another one cannot be compiled." {
+    m_functions_are_standard(number, key)
+        "M{number} and the other M functions are taken in their standard meaning"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
+}
 
 M8006 Warning "mtc-border-axes" "one axis only in the way to a compensated contour"
 "The first move under G41 or G42, and the move of G40, name both main axes of the plane, says the manual (page 5-34), and not what happens where one is missing. The axis that \
@@ -237,7 +262,16 @@ is missing is taken to stay where it was programmed. Program both." {
 
 M8007 Warning "mtc-correction" "correction or edge counts in the tool length"
 "D chooses a correction, E an edge of the tool. Both count in the tool length while G48 is active (17VRS, pages 5-10 and 5-41), and a program that has no G47 is taken to \
-run with it. The output has no word for them, so the target goes wrong by the correction, or by the difference between the edges. D0 and E1 change nothing."
+run with it. The output has no word for them, so the target goes wrong by the correction, or by the difference between the edges. D0 and E1 change nothing." {
+    correction_counts_in_length()
+        "the correction D counts in the tool length, and the output has no word for it: the tool goes \
+        wrong by the correction"
+        help "put the correction into the tool data of the target, and leave D out";
+    edge_has_lengths_of_its_own()
+        "the edge E has lengths of its own, and the output has no word for it: the target takes those of \
+        the first edge, and goes wrong by the difference"
+        help "give the edge a tool number of its own";
+}
 
 M9050 Error "mtc-spindle-nose-refused" "move of the spindle nose is refused"
 "Without tool length compensation positions along the tool axis are those of the spindle nose, and `[control] spindle_nose = \"refuse\"` refuses them. Program G48 in front \
@@ -263,6 +297,12 @@ with a note, or printed as an M function. Beside axes and other words that no G 
     e_behind_number_looks_like_exponent()
         "E behind a number looks like an exponent, which the control does not know"
         help "write the number in full: 1000 for 1E3; put a blank in front of E if the word E is meant";
+    is_no_word_beside_words(shown) "`{shown}` is no word of the control that is known"
+        help "the words beside {shown} may be its arguments, and no G function of this block takes them: write \
+        {shown} alone in its block, or leave it out with all that belongs to it";
+    is_no_word_that_is_known(shown) "`{shown}` is no word of the control that is known"
+        asks "if it does not move the tool or change the path, add `[control] machine_words = [\"{shown}\"]` to \
+        partc.toml";
 }
 
 M9003 Error "mtc-flow-unsupported" "jump or process command cannot be resolved"

@@ -133,6 +133,9 @@ HEIDENHAIN turning: The cycle is known, its parameters are checked, but partc do
         help "write the number of the tool itself";
     gett_asks_for_sister(name) "GETT asks for a sister of \"{name}\", which only the control knows"
         help "write the number of the tool itself";
-    of_din_plus_is_not_supported(word) "{word} of DIN PLUS is not supported";
+    g85_of_din_plus_is_not_supported() "G85 of DIN PLUS is not supported"
+        help "describe the undercut with G25 in the contour";
+    g86_of_din_plus_is_not_supported() "G86 of DIN PLUS is not supported"
+        help "describe the recess in the contour and program G869";
 }
 }

@@ -84,6 +84,8 @@ and its value stand together (`X50`, `Xi-5`, `X#5`, `X{#5+2}`); a coordinate tha
     this_does_not_name_contour() "this does not name the contour" help "write the name as ID\"…\", or nothing";
     there_is_no_function(letter, value) "there is no function {letter}{value}";
     function_has_number() "a function has a number";
+    value_is_missing_in_formula() "a value is missing";
+    formula_is_empty() "the formula is empty";
 }
 
 P1002 Error "word-twice" "same word twice in one block" was "K1004 M1004 mtc-word-twice S2007 siemens-address-twice T1002 turning-word-twice"
@@ -117,6 +119,8 @@ guessed. Put the second function into a block of its own." {
     s_stands_twice_in_block() "S stands twice in the block" alarm 12000 help "delete one of the words";
     g_stands_twice_in_block(fun) "G{fun} stands twice in the block";
     two_addresses_of_block_mean_same() "two addresses of the block mean the same";
+    word_stands_twice_in_block(word) "{word} stands twice in the block"
+        help "put the second function into a block of its own";
 }
 
 P1003 Error "word-misplaced" "word has no place in this block" was "K1005 word-not-allowed M1006 mtc-word-not-allowed S2012 siemens-word-misfit T1003 turning-word-not-admitted"
@@ -223,6 +227,16 @@ refuse it or ignore it; partc never drops a word. Remove it, or put it where it 
     e_is_feed_of_chamfer_or_rounding() "E is the feed of a chamfer or rounding, and the block has none"
         help "program B with the radius or the width, or leave out E";
     ic_belongs_to_v0() "IC belongs to V0 and V1";
+    is_no_centre_word_of_plane(letter) "{letter} is no centre word of the working plane";
+    r_belongs_to_arc() "R is the radius of an arc, and this block is none";
+    i_j_k_belong_to_arc_or_thread() "I, J and K belong to an arc or a thread, and this block is neither";
+    arc_has_centre_or_radius() "an arc has a centre or a radius, not both";
+    thread_moves_linear_main_axes() "a thread moves linear main axes only";
+    block_ends_program_and_goes_on() "the block ends the program and goes on elsewhere";
+    axis_words_beside_g92() "axis words have no meaning beside G92";
+    i_j_k_have_no_meaning() "I, J and K have no meaning in this block";
+    r_has_no_meaning() "R has no meaning in this block";
+    p_has_no_meaning() "P has no meaning in this block";
 }
 
 P1004 Error "word-missing" "block lacks a word" was "K1006 M1007 mtc-word-missing T1005 turning-word-missing"
@@ -254,6 +268,15 @@ word." {
     is_missing_contour_has_no_start(name) "{name} is missing: the contour has no start or no end";
     cycle_has_neither_ns_nor_contour() "the cycle has neither NS nor a contour behind it";
     z_is_missing() "Z is missing: the bottom of the hole";
+    i_is_missing()
+        "I is missing: the greatest infeed"
+        help "program I with the greatest infeed, on the radius";
+    i_is_missing_under_v(kind)
+        "I is missing: under V{kind} the control computes the greatest infeed from the speed and the pitch \
+        F, by a formula that no manual at hand prints"
+        help "program I with the greatest infeed, on the radius";
+    size_of_undercut_is_missing(diameter)
+        "a size of the undercut is missing, and the table has none for the diameter {diameter}";
     spindle_does_not_turn() "the spindle does not turn, so it is open whether the thread is right-handed"
         help "program M3 or M4 before G36";
     is_missing(letter, what) "{letter} is missing: {what}";
@@ -285,6 +308,12 @@ word." {
         "the spindle does not turn when G{number} begins, so the thread has no pitch"
         help "program M3 or M4 before G{number}";
     undercut_needs_absolute_x() "an undercut needs absolute X and Z of its corner";
+    g92_needs_its_s() "G92 needs its S: `G92 S2000`";
+    offset_names_no_axis() "the offset names no axis";
+    g74_names_no_axis() "G74 names no axis: `G74 X0 Z0`";
+    needs_its_s_in_same_block(name, form) "{name} needs its S in the same block: `{form}`";
+    g04_needs_its_time() "G04 needs its time: `G04 F2.5`";
+    jmp_and_jsr_name_program() "JMP and JSR name a program: `JSR P5`";
 }
 
 P1005 Error "functions-conflict" "functions of one block contradict each other" was "K1014 m-functions-conflict M1010 mtc-m-conflict T1006 turning-functions-clash"

@@ -120,9 +120,33 @@ target compensate." {
     radius_of_tool(args, number, what, edge) "{args}: the radius of tool {number} {what}" alarm 61000
         asks "give it in partc.toml: `[tools.{number}] radius = 5.0`, or in the program: \
         `$TC_DP6[{number},{edge}]=5`";
-    g_compensates_nose_radius_of_tool(fun) "G{fun} compensates the nose radius of the tool, which is not known";
-    nose_radius_of_tool_is_not_known()
-        "the nose radius of the tool is not known, and G58 makes an arc around each outer corner";
+    g_compensates_nose_radius_of_tool(fun, number)
+        "G{fun} compensates the nose radius of the tool, which is not known"
+        asks "give it in partc.toml: `[tools.{number}]` with `radius = 0.8` and `orientation = 3`";
+    g_compensates_nose_radius_of_no_tool(fun)
+        "G{fun} compensates the nose radius of the tool, which is not known"
+        help "program T in front of the cycle";
+    arc_needs_nose_radius_of_tool(number)
+        "the nose radius of the tool is not known, and G58 makes an arc around each outer corner"
+        asks "give it in partc.toml: `[tools.{number}]` with `radius = 0.8` and `orientation = 3`";
+    arc_needs_nose_radius_of_no_tool()
+        "the nose radius of the tool is not known, and G58 makes an arc around each outer corner"
+        help "program T in front of the cycle";
+    contour_needs_nose_radius_of_tool(number, what)
+        "the nose radius of tool {number} is not known, and the contour has {what}"
+        asks "give it in partc.toml: `[tools.{number}]` with `radius = 0.8` and `orientation = 3`";
+    contour_needs_nose_radius_of_no_tool(what)
+        "the contour has {what}, and no tool is in the cutting position whose nose could run along it"
+        help "program T in front of the cycle";
+    edge_position_of_tool_has_no_corner(position)
+        "cutting-edge position {position} of the tool is not supported in this cycle: its nose cannot be \
+        compensated"
+        help "add `orientation = 3` (1 to 4: where the edge points to) to the tool in partc.toml, or `radius = \
+        0`";
+    edge_position_of_tool_is_not_known()
+        "the cutting-edge position of the tool is not known, so its nose cannot be compensated"
+        asks "add `orientation = 3` (1 to 4: where the edge points to) to the tool in partc.toml, or `radius = \
+        0`";
     kind_width_or_nose_radius_of_recessing(number)
         "kind, width or nose radius of the recessing tool {number} is not known"
         asks "add `[tools.{number}]` with `kind = \"recess-radial\"` or `\"recess-axial\"`, `width` and `radius` to \
@@ -300,6 +324,15 @@ as the integer part of a negative number. The block is not executed." {
     value_is_infinite() "the value is infinite" alarm 14051;
     formula_has_no_value(word, why) "{word}: {why}";
     axname_names_no_axis_of_this_machine(name) "AXNAME: `{name}` names no axis of this machine" alarm 14097;
+    function_has_no_value(name, x) "{name} of {x}";
+    root_of_difference_of_squares(a, b) "square root of {a}² - {b}²";
+    value_is_divided_by_zero(a) "{a} is divided by zero";
+    value_is_divided_by_zero_that(a, said) "{a} is divided by zero: {said}";
+    result_is_too_large() "the result is too large";
+    function_does_not_exist(name, x) "{name}({x}) does not exist";
+    formula_divides_by_zero() "the formula divides by zero";
+    formula_divides_by_zero_that(said) "the formula divides by zero: {said}";
+    result_of_formula_is_too_large() "the result of the formula is too large";
 }
 
 P2023 Error "value-of-machine" "value is known on the machine only" was "K2304 parameter-from-machine S2028 siemens-machine-value T2010 turning-machine-variable"

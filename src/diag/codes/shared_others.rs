@@ -35,7 +35,9 @@ partc.toml or from `$TC_DP` of the program. With `[output] compensation = \"cont
         "{before} blocks in front of this one do not move in the plane: the control takes the compensated contour as \
         finished after {most_without_move}"
         help "put them in front of G41 and G42, or behind G40";
-    cutting_edge_position_of_tool_is_not(tool) "the cutting-edge position of tool {tool} is not known";
+    cutting_edge_position_of_tool_is_not(tool) "the cutting-edge position of tool {tool} is not known"
+        asks "add it to `[tools]` in partc.toml, or set `[output] compensation = \"control\"` to print G41 and \
+        G42";
     radius_of_edge_e_in_force()
         "the radius of the edge E in force only the machine knows: `[tools]` describes the first edge";
     what_correction_d_in_force_adds()
@@ -77,6 +79,12 @@ partc.toml or from `$TC_DP` of the program. With `[output] compensation = \"cont
         "the data of T{number} D{edge} were written after its selection, and no D stands after them: whether they \
         count already is not documented"
         help "program D{edge} after the assignment";
+    radius_of_tool_is_below_zero_for_path(tool) "the radius of tool {tool} is below zero"
+        asks "add it to `[tools]` in partc.toml, or set `[output] compensation = \"control\"` to print G41 and \
+        G42";
+    radius_of_tool_is_not_known_for_path(tool) "the radius of tool {tool} is not known"
+        asks "add it to `[tools]` in partc.toml, or set `[output] compensation = \"control\"` to print G41 and \
+        G42";
 }
 
 P3001 Error "end-off-circle" "end point does not lie on the circle" was "M2010 mtc-circle-end S3007 siemens-end-off-circle"
@@ -197,6 +205,36 @@ partc takes it as the message says; compare with what the machine does." {
         help "compare with what the machine does";
     falx_counts_on_radius_this_is_not() "`_FALX` counts on the radius; this is not confirmed"
         help "compare with what the machine does";
+    third_axis_moves_evenly(key) "the third axis of an arc moves evenly with it, as a helix"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
+    r_is_true_radius(key) "R is the true radius: above zero of the arc up to 180°, below zero of the other"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
+    lead_of_taper_counts_along_longer(key) "the lead of a taper counts along the axis of the longer travel"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
+    g16_switches_diameters_on(key) "G16 switches diameter programming on, and G15 off"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
+    g50_replaces_everything(key) "G50 replaces everything that G51 and G52 added before"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
+    g43_is_in_force_at_start(key)
+        "G43 is taken to be in force at the start: arcs lead around outside corners"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
+    f_of_g04_counts_in_seconds(key) "the F of G04 counts in seconds"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
+    g90_and_g94_are_in_force(key)
+        "G90 and G94 are taken to be in force at the start, and the program does not say so before this"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
+    bra_goes_on_at_its_label(key) "BRA goes on at its label"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
+    branches_look_at_last_assignment(key) "BEQ, BNE, BPL and BMI look at the result of the last assignment"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
+    bsr_calls_its_label(key) "BSR calls what stands at its label, up to RTS"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
+    jsr_calls_program(key) "JSR calls a program, up to RTS"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
+    hlt_waits_for_operator(key) "HLT waits for the operator"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
+    angles_count_in_degrees(key) "angles in formulas count in degrees"
+        asks "if the control does so, add `[control] confirmed = [\"{key}\"]`";
 }
 
 P9011 Error "function-unsupported" "function is not supported" was "K9011 M9001 mtc-g-unsupported S9001 siemens-unsupported T9001 turning-function"
@@ -257,6 +295,12 @@ in silence: the program is refused." {
         help "describe the thread with G34 and the undercut with G25";
     attribute_g_of_contour_elements_is_not(fun) "the attribute G{fun} of contour elements is not supported"
         help "remove it, and put feeds and oversizes into the cycle";
+    is_no_function_beside_words(shown) "{shown} is no function of the control that is known"
+        help "the words beside {shown} may be its arguments, and no G function of this block takes them: write \
+        {shown} alone in its block, or leave it out with all that belongs to it";
+    is_no_function_that_is_known(shown) "{shown} is no function of the control that is known"
+        asks "if it does not move the tool or change the path, add `[control] machine_words = [\"{shown}\"]` to \
+        partc.toml";
 }
 
 P9012 Error "iso-block" "block of an ISO dialect" was "K9009 S9003 siemens-iso"

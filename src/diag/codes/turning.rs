@@ -18,10 +18,9 @@ and the sign." {
     lies_between_0(name) "{name} lies between 0 and 90 degrees";
     ns_ne_are_block_numbers() "NS and NE are block numbers, and NE does not stand alone";
     ns_and_ne_are_block_numbers() "NS and NE are block numbers";
-    is_not_negative(letter) "{letter} is not negative";
     hole_does_not_lie_in_front() "the hole does not lie in front of the tool, towards -Z";
     has_to_be_above_zero(what) "{what} has to be above zero";
-    is_none_of_0(letter, num, most) "{letter}{num} is none of 0 to {most}";
+    is_none_of(letter, num, range) "{letter}{num} is none of {range}";
     q_is_neither_0_nor_1(num) "Q{num} is neither 0 nor 1";
     r_is_no_radius(num) "R{num} is no radius";
     shift_is_no_number() "the shift is no number";
@@ -37,8 +36,6 @@ and the sign." {
     e_is_no_share_of_feed(num) "E{num} is no share of the feed"
         help "on this control E is a factor above 0 and up to 1";
     e_has_to_be_above_zero() "E has to be above zero";
-    turning_depth_compensation_is_not_negative() "the turning depth compensation is not negative";
-    oversize_is_not_negative() "an oversize is not negative";
     greatest_infeed_is_not_zero() "the greatest infeed is not zero";
     cuts_of_g81_would_lie_beyond_turning(y) "the cuts of G81 would lie beyond the turning centre, down to X{y}"
         help "program X0 or more; an inside contour is roughed from X0 or more outwards";
@@ -47,7 +44,6 @@ and the sign." {
         "the recess is not deeper than the slope of 1.3 mm by which its flanks are entered"
         help "position the tool higher above the recess";
     recess_has_no_depth_below_tool() "the recess has no depth below the tool";
-    run_out_is_not_negative() "the run-out is not negative";
     negative_depth_is_that_of_external_thread()
         "a negative depth is that of an external thread, and the tool stands inside of it"
         help "position the tool outside of the thread, or program P without the sign";
@@ -55,9 +51,7 @@ and the sign." {
     speed_limit_is_above_zero() "a speed limit is above zero";
     thread_with_its_run(end) "the thread with its run-in and run-out leads beyond the turning centre, to X{end}"
         help "check R, B and P";
-    is_not_negative_3(what) "the {what} is not negative";
     does_not_lie_between_0(num) "A{num} does not lie between 0 and 60 degrees";
-    ic_is_number_of_cuts() "IC is a number of cuts";
     thread_at_x_with_depth_of_mm(least, depth, root)
         "the thread at X{least} with a depth of {depth} mm reaches the turning centre: its root lies at X{root}"
         help "check the diameter and the depth, which counts as a radius";
@@ -66,6 +60,12 @@ and the sign." {
     no_undercut_of_din_76_is_mm(width) "no undercut of DIN 76 is {width} mm wide"
         help "take the width of the table, or write the undercut with G1 and G2 blocks";
     number_is_too_large_for_any_control() "the number is too large for any control";
+    is_below_zero(name, value, what)
+        "{name}{value} is below 0: {what}";
+    is_not_above_zero(name, value, what)
+        "{name}{value} is not above 0: {what}";
+    is_no_value(name, what)
+        "{name} has no value that it takes: {what}";
 }
 
 T1008 Error "turning-place" "block stands in the wrong part of the program"
@@ -99,7 +99,12 @@ Otherwise it is open which blocks run." {
 
 T1012 Warning "turning-unit-frame" "frames of units do not match"
 "smart.Turn frames the blocks of a unit with UNIT and END_OF_UNIT. The blocks are compiled as they stand, the frame means nothing to the path. \
-A frame that does not match shows that the file was edited: check that no block is lost."
+A frame that does not match shows that the file was edited: check that no block is lost." {
+    unit_begins_inside_another() "a unit begins inside another one"
+        help "the file may have been edited by hand: check that no block is lost";
+    unit_ends_that_did_not_begin() "a unit ends that did not begin"
+        help "the file may have been edited by hand: check that no block is lost";
+}
 
 T1013 Note "turning-unit-missing" "no #UNIT line"
 "The unit of a DIN PLUS program is fixed in its header. Without the line the control takes its own setting; partc takes `[control] unit` of \
@@ -207,6 +212,9 @@ change when a program is renumbered: check the references." {
         help "name the first element that is cut: the G1, G2 or G3 block behind the start point";
     block_number_stands_in_two_contours(ns) "the block number {ns} stands in two contours"
         help "number the blocks of the geometry sections so that each number stands once";
+    no_element_of_named_contour(name, number)
+        "no element of the contour `{name}` has the block number {number}"
+        help "NS and NE name blocks of the contour that ID names";
 }
 
 T2020 Error "turning-case-fall-through" "branch of SWITCH without BREAK"
@@ -273,6 +281,14 @@ part will be, or it is not clear whether the cycle works outside or inside. Noth
         help "check where the tool stands before G85, and `orientation` of the tool in partc.toml";
     tool_does_not_stand_in_front() "the tool does not stand in front of the undercut and clear of it"
         help "position it in front of where the undercut begins, and beyond its end at the shoulder";
+    side_of_contour_is_not_clear()
+        "it is not clear on which side of the contour the tool works"
+        help "position the tool clear of the contour, on the side from which it is turned; for a bore give I of \
+        G20, or `radius` and `orientation` of the tool in partc.toml";
+    tool_stands_below_contour()
+        "the tool stands below the contour, and no bore is known"
+        help "position the tool clear of the contour, on the side from which it is turned; for a bore give I of \
+        G20, or `radius` and `orientation` of the tool in partc.toml";
 }
 
 T2026 Note "turning-left-standing" "falling parts of the contour are left standing"
@@ -280,22 +296,34 @@ T2026 Note "turning-left-standing" "falling parts of the contour are left standi
 end as if the contour went on level. G810, G819, G820 and G829 cut these parts with a feed above 0 in E; else rough them with a cycle of their own." {
     g_leaves_parts_of_contour_standing(number)
         "G{number} leaves the parts of the contour standing that fall behind higher ones";
+    e_cuts_parts_that_g_leaves(number)
+        "G{number} leaves the parts of the contour standing that fall behind higher ones"
+        help "E with a feed above 0 cuts them";
 }
 
 T2027 Note "turning-nose-unknown" "nose radius of the tool is not known"
 "Contour cycles compensate the radius of the nose. The program does not hold it. This contour lies along the axes, where the programmed point of the tool is \
 exact, so it is printed; in inner corners the nose leaves its radius standing. A face that ends at X0 keeps a pip of that radius at the centre: the nose touches the face beside the programmed point. With a slope or an arc the cycle is refused (P2004). Add `radius` and `orientation` \
 of the tool to `[tools]` in partc.toml." {
-    nose_radius_of_tool_is_not_known()
-        "the nose radius of the tool is not known: its programmed point follows the contour, which lies along the \
-        axes";
+    nose_leaves_inner_corners()
+        "the nose radius of the tool is not known: its programmed point follows the contour, which lies \
+        along the axes"
+        help "add `radius` and `orientation` of the tool to partc.toml: the nose leaves its radius in inner \
+        corners";
+    nose_leaves_inner_corners_and_pip()
+        "the nose radius of the tool is not known: its programmed point follows the contour, which lies \
+        along the axes"
+        help "add `radius` and `orientation` of the tool to partc.toml: the nose leaves its radius in inner \
+        corners, and a pip of that radius at the centre of the face, unless the face goes past the centre \
+        by it";
 }
 
 T2028 Warning "turning-descending-feed" "feed on descending elements is partc's choice"
 "Where E is missing the control lowers the feed on descending elements by up to a half, depending on their angle. partc takes half the feed on \
 all of them. Program E to set it." {
     descending_elements_are_cut_at_half_feed()
-        "descending elements are cut at half the feed: E is missing, and the control lowers it by up to that";
+        "descending elements are cut at half the feed: E is missing, and the control lowers it by up to that"
+        help "program E with the feed for descending elements";
 }
 
 T2029 Note "turning-strokes-only" "recess is cut in strokes only"
@@ -314,7 +342,8 @@ T2031 Note "turning-flank-unknown" "clearance of the flank is not checked"
 "Roughing goes down the falling parts of the contour, where the flank of the tool has to clear them. Its angle is not known: add `clearance` of the tool to \
 `[tools]` in partc.toml to have it checked." {
     g_cuts_falling_parts(number)
-        "G{number} cuts falling parts: whether the flank of the tool clears them is not checked";
+        "G{number} cuts falling parts: whether the flank of the tool clears them is not checked"
+        asks "give the clearance angle of the tool in partc.toml: `[tools.N] clearance = 30`";
 }
 
 T2070 Error "turning-said-twice" "form or blank is described twice"
@@ -322,16 +351,25 @@ T2070 Error "turning-said-twice" "form or blank is described twice"
 the two can be meant. Remove the other." {
     blank_is_described_already() "the blank is described already, by an earlier G20 or G21"
         help "keep one of the two blocks";
+    corner_has_undercut() "this corner has an undercut already"
+        help "keep one of the two blocks";
+    element_is_thread() "this element is a thread already"
+        help "keep one of the two blocks";
 }
 
 T3001 Error "turning-undetermined" "element is not determined"
 "The end, centre or direction of the element is left open, and the elements beside it do not fix it. B missing means a tangential transition, \
-`B0` a corner; a line by angle is fixed by one coordinate or by the next element."
+`B0` a corner; a line by angle is fixed by one coordinate or by the next element." {
+    element_is_not_determined(why) "the element is not determined: {why}"
+        help "give its end point, its angle or its centre";
+}
 
 T3002 Error "turning-impossible" "geometry does not exist"
 "No line or arc has all the programmed properties: a circle does not reach a line, two lines are parallel, or an angle never reaches the \
 coordinate. Check the numbers of this block and the next one." {
     angles_leave_no_room_between_start() "the angles leave no room between start and end";
+    element_is_not_possible(why) "the element is not determined: {why}"
+        help "check the end points, angles and radii of this and the next block";
 }
 
 T3003 Error "turning-contour" "contour is not complete"
@@ -352,6 +390,8 @@ T3003 Error "turning-contour" "contour is not complete"
     thread_is_cut_along_straight_elements() "a thread is cut along straight elements, one at least";
     contour_of_thread_has_elements(elements, most_parts)
         "the contour of a thread has {elements} elements, more than {most_parts}";
+    contour_has_more_than_elements(most) "the contour has more than {most} elements"
+        help "check this block and the blocks beside it";
 }
 
 T3004 Error "turning-form" "recess or undercut does not fit"
@@ -359,45 +399,148 @@ T3004 Error "turning-form" "recess or undercut does not fit"
 have to fit on these elements." {
     u_needs_line_parallel_to_z_before() "U needs a line parallel to Z before the recess";
     stands_behind_element_of_contour(what) "{what} stands behind an element of the contour";
+    no_element_follows_undercut()
+        "no element follows the undercut";
+    undercut_stands_between_two_lines()
+        "an undercut stands between two lines";
+    undercut_stands_between_line_along_z_and_one_along_x()
+        "an undercut stands between a line parallel to Z and one parallel to X";
+    undercut_has_no_room()
+        "the undercut is wider than the element before it, or higher than the shoulder";
+    slope_of_undercut()
+        "the slope of an undercut lies between 0 and 90 degrees";
+    radius_does_not_fit_into_undercut()
+        "the radius does not fit into the undercut";
+    undercut_is_too_narrow()
+        "the undercut is too narrow for its radius";
+    sizes_of_undercut_do_not_fit()
+        "the sizes of the undercut do not fit together";
+    size_of_thread_undercut_is_missing()
+        "a size of the thread undercut is missing: give I, K and R, or a pitch FP that is in the table of \
+        DIN 76";
+    depth_of_thread_undercut_in_bore()
+        "the depth of a thread undercut in a bore counts from the nominal diameter, which FP does not \
+        give: program I with (nominal diameter + value of DIN 76 - bore) / 2";
+    undercut_after_chamfer_or_rounding()
+        "the element before the undercut has a chamfer or rounding at the same corner"
+        help "check this block and the blocks beside it";
+    recess_lies_beside_its_element()
+        "the recess does not lie on the element before, or cuts into another recess"
+        help "check this block and the blocks beside it";
+    recess_belongs_to_straight_element() "a recess belongs to a straight element before it"
+        help "check this block and the blocks beside it";
+    recess_needs_line_along_z() "a recess with Z needs a line parallel to Z before it"
+        help "check this block and the blocks beside it";
+    recess_needs_line_along_x() "a recess with X needs a line parallel to X before it"
+        help "check this block and the blocks beside it";
+    middle_of_recess_lies_beside_its_element() "the middle of the recess does not lie on the element"
+        help "check this block and the blocks beside it";
+    flanks_of_recess_meet() "the flanks of the recess meet above its floor"
+        help "check this block and the blocks beside it";
+    recess_has_no_depth_or_width() "the recess has no depth or no width"
+        help "check this block and the blocks beside it";
 }
 
 T3005 Error "turning-contour-corner" "chamfer or rounding of a contour does not fit"
 "The chamfer or rounding at the end of an element is larger than the element or its neighbour, or there is no corner. B is the radius, or with \
-a minus sign the width of the chamfer."
+a minus sign the width of the chamfer." {
+    no_element_follows_corner()
+        "the last element of the contour has a chamfer or rounding, and no element follows it"
+        help "check this block and the blocks beside it";
+    no_corner_for_chamfer_or_rounding() "there is no corner to put the chamfer or rounding in"
+        help "check this block and the blocks beside it";
+    contour_turns_back_at_corner() "the contour turns back on itself at the chamfer or rounding"
+        help "check this block and the blocks beside it";
+    corner_is_larger_than_element() "the chamfer or rounding is larger than a neighbouring element"
+        help "check this block and the blocks beside it";
+    chamfer_between_lines_only() "a chamfer is possible between straight lines only"
+        help "check this block and the blocks beside it";
+    element_beside_corner_has_no_length() "an element beside the chamfer or rounding has no length"
+        help "check this block and the blocks beside it";
+}
 
 T3006 Error "turning-contradiction" "values of an element contradict each other"
 "The block says the same thing twice, and the two do not agree: an angle and an end point, a radius and a centre, or a tangential arc that would \
-have to turn the other way."
+have to turn the other way." {
+    element_contradicts_itself(why) "the element is not determined: {why}"
+        help "leave out one of the values, or correct it";
+}
 
 T3050 Error "turning-form-in-the-air" "recess or undercut lies on the air side of the contour"
 "An undercut relieves an inner corner, and a recess goes into the material. Here the tool works on the other side, where the undercut would be \
 a bead and the recess a ring that no cut makes, and the part would not come out as it is drawn. Move the undercut into an inner corner, or \
-correct the sign of the depth or the diameter of the floor."
+correct the sign of the depth or the diameter of the floor." {
+    recess_rises_out_of_material()
+        "the recess rises out of the material: on the side of the tool it would be a ring left standing"
+        help "check the sign of I or K, and the floor, of this recess";
+    undercut_stands_at_convex_edge()
+        "the undercut stands at a convex edge: on the side of the tool it would be a bead left standing"
+        help "an undercut belongs into an inner corner: move it there, or remove it";
+    forms_lie_on_different_sides(name, first, line)
+        "this {name} and the {first} in line {line} lie on different sides of the contour: one of them \
+        stands in the air"
+        help "check this block and the blocks beside it";
+}
 
 T3051 Error "turning-contour-arc" "arc of a contour is not closed"
 "The arc is given by its end and by its centre, and the distances of both ends from the centre differ by more than the controls accept \
-(0.02 mm, `[control] arc_tolerance`). Check start, end, I and K; on the 4110 I counts on the diameter, on later controls on the radius."
+(0.02 mm, `[control] arc_tolerance`). Check start, end, I and K; on the 4110 I counts on the diameter, on later controls on the radius." {
+    arc_is_nearly_full_circle(apart)
+        "the arc is nearly a full circle that does not close, and {apart:.4} mm between the distances of its ends from \
+        the centre leave open where it lies"
+        help "check this block and the blocks beside it";
+    arc_touches_its_centre() "the arc starts or ends in its centre"
+        help "check this block and the blocks beside it";
+    ends_of_arc_lie_on_two_circles(start, end, apart, allowed)
+        "the start lies {start:.4} mm from the centre, the end {end:.4} mm: {apart:.4} mm difference, \
+        {allowed} allowed"
+        help "check this block and the blocks beside it";
+}
 
 T8001 Warning "turning-thread-left" "side of H of a thread is partc's reading"
 "H1 shifts the cuts of a thread to the left, H2 to the right; to which end of the axis the left one lies is shown in a picture only. The last cut is not \
-shifted, so the finished thread is the same either way, the load on the flanks is not."
+shifted, so the finished thread is the same either way, the load on the flanks is not." {
+    left_is_ahead_of_cut()
+        "the side to which H shifts the cuts of a thread is taken as: left is ahead of a cut towards -Z"
+        asks "set `[control] thread_left = \"minus\"` to confirm it, or \"plus\"";
+}
 
 T8002 Warning "turning-thread-face" "face of a transverse thread is partc's reading"
 "G31 cuts threads in the front face and in the rear face with the same words. The edge position of the tool tells which one is meant; no manual at \
-hand says that the control decides by it."
+hand says that the control decides by it." {
+    face_is_taken_from_edge()
+        "the face of this transverse thread is taken from the edge position of the tool"
+        asks "set `[control] thread_face = \"front\"` or \"rear\" to say it";
+}
 
 T8003 Warning "turning-simple-thread" "words of G32 are partc's reading"
-"No manual at hand lists the words of G32. They are read as docs/turning.md says. Program G31 where its words are known."
+"No manual at hand lists the words of G32. They are read as docs/turning.md says. Program G31 where its words are known." {
+    words_of_g32_are_read()
+        "the words of G32 are read as docs/turning.md says: no manual at hand lists them"
+        asks "set `[control] simple_thread = \"documented\"` to confirm it, or \"refuse\"";
+}
 
 T8004 Warning "turning-infeed" "infeed of G81 is partc's reading"
-"Whether I of G81 counts on the radius or on the diameter no manual at hand says. The number of cuts depends on it, the finished contour does not."
+"Whether I of G81 counts on the radius or on the diameter no manual at hand says. The number of cuts depends on it, the finished contour does not." {
+    infeed_is_taken_as_radius()
+        "the infeed I of G81 is taken as a depth of cut, on the radius"
+        asks "set `[control] infeed = \"radius\"` to confirm it, or \"diameter\"";
+}
 
 T8005 Warning "turning-line-angle" "sense of an angle is partc's reading"
 "The manuals show the angle A of a line in pictures, and their texts disagree whether it counts from -Z or from +Z. A contour printed in one of them \
-is an ordinary shoulder only where it counts from -Z."
+is an ordinary shoulder only where it counts from -Z." {
+    angle_counts_from_minus_z()
+        "the angle of a line is taken to count from -Z: the diameter grows where the line runs towards -Z"
+        asks "set `[control] line_angle = \"minus-z\"` to confirm it, or \"plus-z\"";
+}
 
 T8006 Warning "turning-arc-q" "solution of an arc is partc's reading"
-"Where two arcs have the programmed values, Q chooses one. In earlier manuals Q0 is the far one, from software 7.1 on the near one."
+"Where two arcs have the programmed values, Q chooses one. In earlier manuals Q0 is the far one, from software 7.1 on the near one." {
+    q0_is_near_solution()
+        "Q0 of an arc is taken to mean the near one of two solutions, as from software 7.1 on"
+        asks "set `[control] turning_arc_q = \"near\"` to confirm it, or \"far\" for earlier controls";
+}
 
 T8007 Warning "turning-undercut-limit" "size of an undercut is partc's reading"
 "The table of G85 has rows below and above 18 and 80 mm and none for these diameters themselves; of forms E and F over 3 to 10 mm manuals \
@@ -405,58 +548,112 @@ and DIN 509 have different radii. Give the sizes of the drawing with I, K and R,
 or say which row holds." {
     size_of_this_undercut_is_x(r, t, source, otherwise)
         "the size of this undercut is {r} x {t} ({source}); {otherwise}";
+    table_has_no_row_for_diameter()
+        "the table of G85 has no row for exactly this diameter: the one of smaller diameters is taken"
+        asks "set `[control] undercut_limit = \"lower\"` to confirm it, or \"upper\"";
 }
 
 T8008 Warning "turning-undercut-side" "side of an undercut is partc's reading"
 "G85 has no word for outside and inside. A tool above the cylinder cuts outside, one below inside; where it stands on the cylinder, its edge position \
-tells: 3, 4 and 8 outside, 1, 2 and 6 inside. No manual at hand says that the control decides by it."
+tells: 3, 4 and 8 outside, 1, 2 and 6 inside. No manual at hand says that the control decides by it." {
+    side_is_taken_from_edge()
+        "the tool stands on the cylinder: whether the undercut lies outside or inside is taken from its \
+        edge position"
+        help "position the tool clear of the cylinder to say it";
+}
 
 T8009 Warning "turning-contour-words" "contour in the words of G80 is partc's reading"
 "The words of G80 that describe a contour are shown in pictures only. They are read as docs/turning.md says: AC and WC lean the walls about \
-their rims, so that the recess opens."
+their rims, so that the recess opens." {
+    words_of_g80_are_read()
+        "the words of G80 are read as docs/turning.md says: AC and WC lean the walls about their rims"
+        asks "set `[control] contour_words = \"documented\"` to confirm it, or \"refuse\"";
+}
 
 T8010 Warning "turning-recess-blank" "blank oversize of G869 is partc's reading"
 "RI says how far the blank stands above the rim of a recess. Whether it counts on the diameter, as the oversize I does, no manual at hand says. \
-A tool that expects too little material would plunge too deep at once: compare the first plunge with the drawing."
+A tool that expects too little material would plunge too deep at once: compare the first plunge with the drawing." {
+    ri_counts_on_diameter()
+        "RI of G869 is taken to count on the diameter"
+        asks "set `[control] recess_blank = \"diameter\"` to confirm it, or \"radius\"";
+}
 
 T8011 Warning "turning-depth-compensation" "sense of R or RB of G869 is partc's reading"
 "The compensation counteracts the bending of the tool while it turns the floor. It is taken to lift the tool, which never cuts too deep; no \
-manual at hand gives the sign."
+manual at hand gives the sign." {
+    compensation_lifts_tool()
+        "the turning depth compensation of G869 is taken to lift the tool off the floor"
+        asks "set `[control] turning_depth = \"away\"` to confirm it, or \"towards\"";
+}
 
 T8012 Warning "turning-offset-one-way" "offset width of one-way turning is partc's reading"
 "B pulls the ends of turned cuts in where the tool changes from turning to plunging. One way (U1) there is no such change inside the material, \
-so B has no effect; no manual at hand says so."
+so B has no effect; no manual at hand says so." {
+    offset_width_has_no_effect()
+        "the offset width B has no effect under U1: one way there is no change from turning to plunging"
+        asks "set `[control] offset_one_way = \"none\"` to confirm it, or \"end\"";
+}
 
 T8013 Warning "turning-recess-depth" "incremental I of G22 is partc's reading"
 "I of G22 is a diameter, so its increment is taken as a difference of diameters. No manual at hand says so: with the other reading the recess is twice \
-as deep."
+as deep." {
+    incremental_i_counts_on_diameter()
+        "an incremental I of G22 is taken to count on the diameter"
+        asks "set `[control] recess_depth = \"diameter\"` to confirm it, or \"radius\"";
+}
 
 T8014 Warning "turning-recess-width" "width of G23 is partc's reading"
-"Where the flanks of a recess lean, K is its width at the surface or at its floor; this is shown in a picture only."
+"Where the flanks of a recess lean, K is its width at the surface or at its floor; this is shown in a picture only." {
+    k_is_width_of_opening()
+        "K of G23 is taken as the width of the opening, where the flanks lean"
+        asks "set `[control] recess_width = \"opening\"` to confirm it, or \"floor\"";
+}
 
 T8015 Warning "turning-recess-oversize" "oversize of G86 is partc's reading"
-"The oversize of G86 is left until the finishing cut. Whether on the walls as well as on the floor no manual at hand says; on both never cuts too much."
+"The oversize of G86 is left until the finishing cut. Whether on the walls as well as on the floor no manual at hand says; on both never cuts too much." {
+    oversize_is_left_on_floor_and_walls()
+        "the oversize of G86 is left on the floor and on the walls until the finishing cut"
+        asks "set `[control] recess_oversize = \"all\"` to confirm it, or \"floor\"";
+}
 
 T8016 Warning "turning-blank-contour" "contour of the blank is not used"
 "The section BLANK draws the blank as a contour. The cycles of partc know bars, tubes and castings (G20, G21); of another blank they take that it reaches \
-to where the tool stands when the cycle begins."
+to where the tool stands when the cycle begins." {
+    blank_is_drawn_as_contour()
+        "the blank is drawn as a contour, which is not used: cycles take the blank to reach to the tool"
+        help "position the tool outside of the blank before each cycle, or describe the blank by G20 or G21";
+}
 
 T8017 Note "turning-word-idle" "word changes nothing here"
 "The word is known and does not change the path: the end of an element is given, so Q has nothing to choose; the run-in and run-out of G33 lie inside \
 of the programmed thread. It is named because no word is left out in silence." {
     changes_nothing_here(word, why) "{word} changes nothing here: {why}" help "nothing is to be done, or remove it";
     changes_nothing_here_i_or_k(name)
-        "{name} changes nothing here: I or K of the cycle takes its place, for both axes";
+        "{name} changes nothing here: I or K of the cycle takes its place, for both axes"
+        help "program both I and K in the cycle, or neither";
     from_here_on_changes_nothing(old, new) "from here on {old} changes nothing: {new} takes its place";
+    only_height_of_blank_counts(name)
+        "{name} changes nothing here: only the height of the blank along the infeed counts"
+        help "nothing is to be done, or remove it";
 }
 
 T8018 Warning "turning-finishing-side" "side of G41 and G42 behind G89 is partc's reading"
 "The page of G89 prints G41 as right and G42 as left of the contour, the general page of the same manual the other way round. partc compensates the \
-nose on the side on which the tool works: told by its edge position, else by where it stands."
+nose on the side on which the tool works: told by its edge position, else by where it stands." {
+    side_is_taken_from_tool()
+        "two pages of the manual give G41 and G42 behind G89 opposite sides: the side is taken from the \
+        tool"
+        help "check the side of the tool: where it stands, or `orientation` in partc.toml";
+}
 
 T8019 Warning "turning-nose-path" "path beside a contour is partc's reading"
 "The manuals at hand say when G41 and G42 begin to act, and not where the tool stands then. partc leads it straight to the point at a right angle beside the start of \
-the contour, around outside corners on an arc of the nose radius, and from the point beside its end straight on, as other controls do."
+the contour, around outside corners on an arc of the nose radius, and from the point beside its end straight on, as other controls do." {
+    ends_of_compensation_are_partcs()
+        "how G41 and G42 begin, end and go around outside corners no manual at hand says: at a right angle \
+        beside the contour, and on an arc about the corner"
+        help "look at the first and the last way beside the contour";
+}
 
 T9002 Error "turning-keyword" "keyword or section is not supported"
 "The word begins something that partc does not compile. Write the blocks out, or remove what is not needed." {
@@ -554,6 +751,30 @@ T9007 Error "turning-unconfirmed" "meaning is not confirmed by a manual"
         help "leave the word out, and write the contour as it is to be cut";
     wear_oversize_of_undercut_e_or_f() "the wear oversize of an undercut E or F is not supported"
         help "leave I out, and correct the wear at the tool";
+    how_q_chooses_approach_no_manual()
+        "how Q chooses the approach no manual at hand says"
+        help "leave the word out, and name the elements to be finished with NS and NE";
+    u_names_element_in_words_of_g80()
+        "U names an element in the words of G80, which is not supported"
+        help "leave the word out, and name the elements to be finished with NS and NE";
+    what_b_of_g890_means_no_manual()
+        "what B of G890 means no manual at hand says"
+        help "leave the word out, and name the elements to be finished with NS and NE";
+    cutting_limit_is_not_supported()
+        "a cutting limit is not supported: to which side it holds is shown in a picture only"
+        help "leave the word out, and name the elements to be finished with NS and NE";
+    oversize_does_not_fit_cycle()
+        "this oversize does not fit the cycle behind it"
+        help "program I and K in the cycle, or G50 before it";
+    oversize_does_not_fit_contour()
+        "this oversize does not fit the contour behind it"
+        help "program I and K in the cycle, or G50 before it";
+    equidistant_or_negative_oversize()
+        "an equidistant or negative oversize is not supported here"
+        help "program I and K in the cycle, or G50 before it";
+    g57_does_not_belong_to_g89()
+        "G57 does not belong to G89"
+        help "program I and K in the cycle, or G50 before it";
 }
 
 }

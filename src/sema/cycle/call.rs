@@ -4,21 +4,19 @@ use std::cell::{Cell, RefCell};
 
 use crate::diag::Fault;
 use crate::machine::Settings;
-use crate::sema::Reported;
 use crate::sema::run::Where;
+use crate::sema::{Outcome, Reported};
 use crate::text::Loc;
 
 use super::given::{Breach, Given};
-use super::row::Name;
+use super::row::{Name, Parameter};
 
 /// Why a call makes no path.
 #[derive(Debug)]
 pub enum Refusal {
     /// What is wrong, and where.
     Fault(Where, Box<Fault>),
-    /// The same at a place outside the call, and what the call is there.
-    Elsewhere(Loc, Box<Fault>, &'static str),
-    /// It only suffers from what was reported before.
+    /// It only suffers from what was reported before, or from what the call says of a block elsewhere.
     Known,
 }
 
@@ -54,6 +52,15 @@ pub enum Kind {
     Open,
 }
 
+/// Something about a block outside the call, which is named with it.
+#[derive(Debug)]
+pub struct Elsewhere {
+    pub place: Loc,
+    pub fault: Fault,
+    /// What the call is to it: "the cycle".
+    pub call: &'static str,
+}
+
 /// The arguments of a call, what they count under, and what is said of it.
 #[derive(Debug)]
 pub struct Call<'c, S> {
@@ -62,6 +69,7 @@ pub struct Call<'c, S> {
     pub st: &'c S,
     pub settings: &'c Settings,
     remarks: RefCell<Vec<Remark>>,
+    elsewhere: RefCell<Vec<Elsewhere>>,
     /// The plan takes the feed that is modal.
     pub takes_modal_feed: Cell<bool>,
 }
@@ -74,12 +82,18 @@ pub trait Says {
 
 impl<'c, S> Call<'c, S> {
     pub fn new(given: &'c Given, st: &'c S, settings: &'c Settings) -> Call<'c, S> {
-        Call { given, st, settings, remarks: RefCell::default(), takes_modal_feed: Cell::default() }
+        let (remarks, elsewhere) = (RefCell::default(), RefCell::default());
+        Call { given, st, settings, remarks, elsewhere, takes_modal_feed: Cell::default() }
     }
 
     /// What was said, in its order.
     pub fn remarks(self) -> Vec<Remark> {
         self.remarks.into_inner()
+    }
+
+    /// What was said of blocks outside the call.
+    pub fn elsewhere(&self) -> Vec<Elsewhere> {
+        self.elsewhere.take()
     }
 
     /// A fault of the cycle, which its text begins with.
@@ -107,9 +121,34 @@ impl<'c, S> Call<'c, S> {
         Err(Refusal::Fault(place, Box::new(fault)))
     }
 
-    /// Says something of an argument: that it is read in a way that is not confirmed.
+    /// Refuses the call for what stands in a block outside it.
+    pub fn refuse_elsewhere<T>(&self, found: Elsewhere) -> Made<T> {
+        self.say_elsewhere(found);
+        Err(Refusal::Known)
+    }
+
+    /// Says something of the call.
+    pub fn say(&self, fault: Fault) {
+        self.say_at(self.given.place, fault);
+    }
+
+    /// Says something of an argument: that it is read in a way that is not confirmed, or not used.
     pub fn say_of(&self, name: Name, fault: Fault) {
-        self.note(self.given.place_of(name), self.of_cycle(fault), Kind::Each);
+        self.say_at(self.given.place_of(name), fault);
+    }
+
+    pub fn say_at(&self, place: Where, fault: Fault) {
+        self.note(place, self.of_cycle(fault), Kind::Each);
+    }
+
+    /// Says something once for the whole program.
+    pub fn say_once(&self, place: Where, fault: Fault) {
+        self.note(place, self.of_cycle(fault), Kind::Once);
+    }
+
+    /// Says something about a block outside the call.
+    pub fn say_elsewhere(&self, found: Elsewhere) {
+        self.elsewhere.borrow_mut().push(found);
     }
 
     /// A reading of the manuals or a path of our own.
@@ -124,7 +163,11 @@ impl<'c, S> Call<'c, S> {
 
     /// Says something whose text does not begin with the cycle, or names it itself.
     pub fn note(&self, place: Where, fault: Fault, kind: Kind) {
-        self.remarks.borrow_mut().push(Remark { place, fault, kind });
+        self.remark(Remark { place, fault, kind });
+    }
+
+    pub fn remark(&self, remark: Remark) {
+        self.remarks.borrow_mut().push(remark);
     }
 }
 
@@ -134,17 +177,25 @@ impl<S: Says> Call<'_, S> {
         self.no_breach(self.given.breach())
     }
 
-    /// Every argument against the kind of its row.
-    pub fn is_of_its_kind(&self) -> Made {
-        self.no_breach(self.given.breach_of_kind())
+    /// The arguments that count for this call against the row.
+    pub fn fits_where(&self, counts: impl Fn(&Parameter) -> bool) -> Made {
+        self.no_breach(self.given.breach_where(counts))
     }
 
     fn no_breach(&self, found: Option<(usize, Breach)>) -> Made {
         match found {
             None => Ok(()),
-            Some((at, breach)) => {
-                Err(Refusal::Fault(self.given.place_at(at), Box::new(self.st.breach(self.given, at, breach))))
-            }
+            Some((at, breach)) => self.refuse_as_said(self.given.place_at(at), self.st.breach(self.given, at, breach)),
         }
     }
+}
+
+/// Hands what a plan made to the one place that reports: `refuse` says why there is nothing.
+pub fn reported<T>(made: Made<T>, refuse: impl FnOnce(Where, Fault)) -> Outcome<T> {
+    made.map_err(|refusal| {
+        if let Refusal::Fault(place, fault) = refusal {
+            refuse(place, *fault);
+        }
+        Reported
+    })
 }

@@ -120,16 +120,15 @@ impl Given {
 
     /// The first argument that is not what its row says, by its place from 0.
     pub fn breach(&self) -> Option<(usize, Breach)> {
-        let at = |at: usize| self.values.get(at).map_or(&Value::Missing, |(value, _)| value);
-        let all = self.signature.parameters.iter().enumerate();
-        let mut found = all.filter_map(|(place, parameter)| Some((place, parameter.breach(at(place))?)));
-        found.next()
+        self.breach_where(|_| true)
     }
 
-    /// The same where only the kinds of the values count.
-    pub fn breach_of_kind(&self) -> Option<(usize, Breach)> {
-        let mut all = self.signature.parameters.iter().zip(&self.values).enumerate();
-        all.find_map(|(place, (parameter, (value, _)))| Some((place, parameter.breach_of_kind(value)?)))
+    /// The same, among the parameters that count for this call.
+    pub fn breach_where(&self, counts: impl Fn(&Parameter) -> bool) -> Option<(usize, Breach)> {
+        let at = |at: usize| self.values.get(at).map_or(&Value::Missing, |(value, _)| value);
+        let all = self.signature.parameters.iter().enumerate().filter(|(_, parameter)| counts(parameter));
+        let mut found = all.filter_map(|(place, parameter)| Some((place, parameter.breach(at(place))?)));
+        found.next()
     }
 
     /// Does the cycle have this parameter?

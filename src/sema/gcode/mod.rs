@@ -11,7 +11,7 @@ mod survey;
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Diagnostic, Fault, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Arc, ArcShape, Coords, Ctx, CtxRef, Move, Path, Sink, Thread};
 use crate::ir::function::{PathControl, Spindle, Turn};
@@ -362,10 +362,7 @@ impl Run<'_> {
             && self.reader.modes().constant_cut == Some(false)
             && !acts.iter().any(|act| matches!(act, Act::Speed(Speed { spindle: 0, .. })))
         {
-            return Err(self.refused(
-                "G97 stands after G96 without S: the last S was a cutting speed, and as turns a minute its number is another speed",
-                "write the turns a minute with it: `G97 S1000`",
-            ));
+            return Err(self.refused(codes::R2001::g97_stands_without_s()));
         }
         self.modes(before)?;
         let changes = acts.contains(&Act::Change);
@@ -413,22 +410,18 @@ impl Run<'_> {
             self.stand_after_change();
         }
         if !self.job.settings.output.prints_tool_length() {
-            let message = format!("G43 H{number} adds a tool length, and the output has none");
             let with_length = Answer::key("output", "tool_length").one_of(&["\"G43\""]);
-            return Err(self.refused(&message, with_length.help("set `[output] tool_length = \"G43\"`")));
+            return Err(self.refused(codes::R2001::output_has_no_tool_length(&number).answer(with_length)));
         }
         if self.tool != Some(number) {
-            let message = format!("G43 H{number} adds the length of another tool than the one in the spindle");
-            return Err(
-                self.refused(&message, "the output has G43 behind each tool change, with the number of the tool")
-            );
+            return Err(self.refused(codes::R2001::g43_adds_length_of_another_tool(&number)));
         }
         Ok(())
     }
 
     #[cold]
-    fn refused(&self, message: &str, help: impl Into<Help>) -> Refused {
-        Refused::Words(Box::new(Diagnostic::new(codes::R2001, self.here.origin.loc, message).help(help)))
+    fn refused(&self, fault: Fault) -> Refused {
+        Refused::Words(Box::new(fault.at(self.here.origin.loc)))
     }
 
     /// Behind a tap the spindle turns on as before; said, unless the next act says what it does.
@@ -542,12 +535,8 @@ impl Run<'_> {
             && !with_length
             && self.tool.is_some_and(|t| t != 0)
         {
-            let message = "the tool moves without its length, and the output adds it (G43) at the tool change";
-            return Err(self.refused(
-                message,
-                Answer::key("output", "tool_length")
-                    .help("set `[output] tool_length = \"off\"`, or write G43 before the move"),
-            ));
+            let fault = codes::R2001::tool_moves_without_its_length().answer(Answer::key("output", "tool_length"));
+            return Err(self.refused(fault));
         }
         let mut end = Pos::UNKNOWN;
         for axis in (0..AXES).filter(|axis| mv.axes & (1 << axis) != 0) {

@@ -5,7 +5,7 @@
 //! arc whose start and end lie on one circle in one reading only decides; where both readings fit, the whole program
 //! is looked through once for arcs that speak against G90 or G91. Source: M 5.2 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, distance};
 use crate::machine::Axis;
 use crate::machine::options::mtc200::Centres;
@@ -44,8 +44,8 @@ impl Run<'_> {
         let [first, second] = plane_axes(plane);
         let third = 3 - first - second;
         if w.centre[third].is_some() {
-            let message = format!("{} is no centre word of the working plane", ["I", "J", "K"][third]);
-            return self.not_here(w.centre_span, message);
+            let letter = ["I", "J", "K"][third];
+            return self.refuse(w.centre_span, codes::P1003::is_no_centre_word_of_plane(&letter));
         }
         let mut word = |i: usize| match w.centre[i] {
             Some(value) => self.length(Axis::ALL[i], value, w.centre_span),
@@ -158,17 +158,11 @@ impl Run<'_> {
             }
             Some((settled, _)) if settled == reading => Ok(()),
             Some((_, first)) => {
-                let text = match reading {
-                    Reading::Coordinates => "the centre fits only as coordinates, another arc only as distances",
-                    Reading::Distances => {
-                        "the centre fits only as distances from the start, another arc only as coordinates"
-                    }
+                let fault = match reading {
+                    Reading::Coordinates => codes::M2006::centre_fits_as_coordinates(),
+                    Reading::Distances => codes::M2006::centre_fits_as_distances(),
                 };
-                self.report(
-                    Diagnostic::new(codes::M2006, here, text)
-                        .also(first, "the other arc")
-                        .help("check end point, centre and the position in front of both arcs"),
-                );
+                self.report(fault.at(here).also(first, "the other arc"));
                 Err(Reported)
             }
         }
@@ -178,13 +172,11 @@ impl Run<'_> {
         if reading == dimension {
             return;
         }
-        let (text, value) = match reading {
-            Reading::Coordinates => ("under G91 the centres of this program are coordinates", "absolute"),
-            Reading::Distances => ("under G90 the centres of this program are distances from the start", "relative"),
+        let asking = match reading {
+            Reading::Coordinates => codes::M2007::centres_are_coordinates(),
+            Reading::Distances => codes::M2007::centres_are_distances(),
         };
-        self.report(Diagnostic::new(codes::M2007, loc, text).help(
-            Answer::key("control", "centres").help(format!("set `[control] centres = \"{value}\"` if that is meant")),
-        ));
+        self.report(asking.answer(Answer::key("control", "centres")).at(loc));
     }
 
     fn off_circle(&mut self, misses: &[(Reading, f64)], span: Span) -> Outcome<Point2> {

@@ -2,7 +2,7 @@
 //!
 //! Source: M 3 (docs/sources.md). Values are plain numbers; unit and diameter come with the word that uses them.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::lexer::formula::{Function, Operator};
 use crate::machine::options::mtc200::Reading;
 use crate::parser::mtc200::ast::{Block, Formula, Op, Target, Value, Word};
@@ -37,7 +37,7 @@ impl Formulas for Run<'_> {
             Op::Unary(f) => {
                 use Function::{Acos, Asin, Atan, Cos, Sin, Tan};
                 if matches!(f, Sin | Cos | Tan | Asin | Acos | Atan) {
-                    self.reading(Reading::Degrees, at.span, "angles in formulas count in degrees");
+                    self.reading(Reading::Degrees, at.span, codes::P8106::angles_count_in_degrees);
                 }
                 machine.unary(f)?
             }
@@ -54,33 +54,26 @@ impl Formulas for Run<'_> {
     }
 
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
-        let (code, message, help) = match fault {
-            Fault::Open(f, x) => (
-                codes::M2304,
-                format!("the result of {}({x}) depends on how the control rounds", name(f)),
-                "make the value positive: -INT(-@050)",
-            ),
+        let found = match fault {
+            Fault::Open(f, x) => codes::M2304::result_of_function_depends_on_rounding(&name(f), &x),
             Fault::OpenBetween(f, a, b) => {
                 let name = if f == Operator::Modulo { "MOD" } else { "DIV" };
-                let message = format!("the result of {a} {name} {b} depends on how the control rounds");
-                (codes::M2304, message, "use whole numbers of zero or more")
+                codes::M2304::result_of_two_depends_on_rounding(&a, &name, &b)
             }
-            Fault::Domain(f, x) => (codes::P2022, format!("{}({x}) does not exist", name(f)), ""),
-            Fault::Zero(_) => (codes::P2022, "the formula divides by zero".to_owned(), ""),
+            Fault::Domain(f, x) => codes::P2022::function_does_not_exist(&name(f), &x),
+            Fault::Zero(_) => codes::P2022::formula_divides_by_zero(),
             Fault::ZeroBy(_, by) => {
-                let said = by.said(&self.job, self.here.origin.loc);
-                (codes::P2022, format!("the formula divides by zero: {said}"), "")
+                codes::P2022::formula_divides_by_zero_that(&by.said(&self.job, self.here.origin.loc))
             }
-            Fault::Missing => (codes::P1001, "the formula is empty".to_owned(), ""),
+            Fault::Missing => codes::P1001::formula_is_empty(),
             Fault::TooLarge
             | Fault::TooLargeInt
             | Fault::Outside(..)
             | Fault::Misfit(_)
             | Fault::Mismatch(..)
-            | Fault::Said(_) => (codes::P2022, "the result of the formula is too large".to_owned(), ""),
+            | Fault::Said(_) => codes::P2022::result_of_formula_is_too_large(),
         };
-        let found = Diagnostic::new(code, self.loc(at.span), message);
-        self.report(if help.is_empty() { found } else { found.help(help) });
+        self.say(at.span, found);
         Reported
     }
 }

@@ -110,7 +110,7 @@ impl Run<'_> {
         let program = match (word.flow, w.program) {
             (Flow::JumpProgram | Flow::CallProgram, Some(at)) => Some(self.whole(at, "P")?),
             (Flow::JumpProgram | Flow::CallProgram, None) => {
-                return self.missing(word.span, "JMP and JSR name a program: `JSR P5`");
+                return self.refuse(word.span, codes::P1004::jmp_and_jsr_name_program());
             }
             _ => None,
         };
@@ -158,9 +158,7 @@ impl Run<'_> {
         };
         if result != 0.0 && result.abs() < NEAR_ZERO {
             self.stop_run();
-            let message = format!("the last result is {result:.1e}, nearly zero");
-            let help = "count with whole numbers, or compare with a margin";
-            return self.fail_help(codes::M2205, span, message, help);
+            return self.refuse(span, codes::M2205::last_result_is_nearly_zero(&format_args!("{result:.1e}")));
         }
         Ok(match condition {
             Condition::Always => true,

@@ -3,7 +3,7 @@
 //! The programmed path is that of the tool tip while G48 is in force, and that of the spindle nose under G47. The
 //! output is a path of the tip, so neither has a word in it. Source: M 8.0 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::Pos;
 use crate::machine::Axis;
 use crate::text::{Loc, Span};
@@ -62,16 +62,12 @@ impl Run<'_> {
         if !self.noted.insert(format!("length of {letter}")) {
             return;
         }
-        let (message, help) = if letter == 'D' {
-            let message = "the correction D counts in the tool length, and the output has no word for it: the tool goes \
-                           wrong by the correction";
-            (message, "put the correction into the tool data of the target, and leave D out")
+        let fault = if letter == 'D' {
+            codes::M8007::correction_counts_in_length()
         } else {
-            let message = "the edge E has lengths of its own, and the output has no word for it: the target takes those \
-                           of the first edge, and goes wrong by the difference";
-            (message, "give the edge a tool number of its own")
+            codes::M8007::edge_has_lengths_of_its_own()
         };
-        self.report(Diagnostic::new(codes::M8007, self.loc(span), message).help(help));
+        self.say(span, fault);
     }
 
     /// A move to `end`: is it one of the spindle nose?

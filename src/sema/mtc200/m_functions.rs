@@ -255,7 +255,7 @@ impl Run<'_> {
                 self.compute_compensation(tool, span)?;
                 let says = w.g.iter().flatten().any(|(g, _)| matches!(g, G::Chamfers(_)));
                 if !(says || self.st.transition.said) {
-                    let what = "G43 is taken to be in force at the start: arcs lead around outside corners";
+                    let what = codes::P8106::g43_is_in_force_at_start;
                     self.reading(Reading::Transition, span, what);
                 }
             }
@@ -298,18 +298,15 @@ impl Run<'_> {
     fn compute_compensation(&mut self, tool: u32, span: Span) -> Outcome {
         self.job.calls_tool_in(if self.st.inch { Unit::Inch } else { Unit::Mm }, self.loc(span));
         let known = self.job.settings.tools.by_number(tool, 0);
-        let help =
-            "add it to `[tools]` in partc.toml, or set `[output] compensation = \"control\"` to print G41 and G42";
-        let lacks = |field| {
-            Answer::tool(tool, field).help(help).and(Answer::key("output", "compensation").one_of(&["\"control\""]))
-        };
+        let answers =
+            |field| [Answer::tool(tool, field), Answer::key("output", "compensation").one_of(&["\"control\""])];
         let radius = known.and_then(|tool| tool.radius.map(|radius| radius + tool.deltas[1]));
         let Some(radius) = radius.filter(|radius| *radius >= 0.0) else {
-            let message = match radius {
-                Some(_) => format!("the radius of tool {tool} is below zero"),
-                None => format!("the radius of tool {tool} is not known"),
+            let asking = match radius {
+                Some(_) => codes::P9013::radius_of_tool_is_below_zero_for_path(&tool),
+                None => codes::P9013::radius_of_tool_is_not_known_for_path(&tool),
             };
-            return self.fail_help(codes::P9013, span, message, lacks("radius"));
+            return self.refuse(span, asking.answers(answers("radius")));
         };
         let turns = self.job.settings.machine.kind == MachineKind::Lathe && self.st.plane == Plane::Zx;
         let edge = match known.and_then(|tool| tool.orientation).and_then(edge_direction) {
@@ -317,7 +314,7 @@ impl Run<'_> {
             None if turns && radius > 0.0 => {
                 return self.refuse(
                     span,
-                    codes::P9013::cutting_edge_position_of_tool_is_not(&tool).help(lacks("orientation")),
+                    codes::P9013::cutting_edge_position_of_tool_is_not(&tool).answers(answers("orientation")),
                 );
             }
             _ => Vec2::zeros(),
@@ -354,7 +351,7 @@ impl Run<'_> {
         let limit_only = w.g[Group::Once as usize].is_some_and(|(g, _)| g == G::SpeedLimit);
         if changes && (w.speed.is_none() || limit_only) {
             let (name, form) = if on { ("G96", "G96 S180") } else { ("G97", "G97 S1200") };
-            return self.missing(span, format!("{name} needs its S in the same block: `{form}`"));
+            return self.refuse(span, codes::P1004::needs_its_s_in_same_block(&name, &form));
         }
         Ok(())
     }
@@ -398,11 +395,11 @@ impl Run<'_> {
 
     /// G04.
     pub(super) fn dwell(&mut self, w: &Words, span: Span) -> Outcome {
-        let Some(at) = w.feed else { return self.missing(span, "G04 needs its time: `G04 F2.5`") };
+        let Some(at) = w.feed else { return self.refuse(span, codes::P1004::g04_needs_its_time()) };
         if !(0.0..=MOST_DWELL).contains(&at.value) {
             return self.refuse(at.span, codes::M2705::dwell_time(&at.value));
         }
-        self.reading(Reading::Dwell, at.span, "the F of G04 counts in seconds");
+        self.reading(Reading::Dwell, at.span, codes::P8106::f_of_g04_counts_in_seconds);
         let unit = if self.job.settings.control.mtc200.dwell_ms { 1e-3 } else { 1.0 };
         self.function(Function::Dwell(at.value * unit));
         Ok(())

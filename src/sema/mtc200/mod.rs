@@ -246,7 +246,7 @@ impl Run<'_> {
         let once = w.g[Group::Once as usize].map(|(g, _)| g);
         let ends = w.m().iter().any(|(number, _)| matches!(number, 2 | 30));
         if let (true, Some(flow)) = (ends, w.flow) {
-            return self.not_here(flow.span, "the block ends the program and goes on elsewhere");
+            return self.refuse(flow.span, codes::P1003::block_ends_program_and_goes_on());
         }
         if once == Some(G::Dwell) {
             return self.dwell_block(w);
@@ -262,7 +262,7 @@ impl Run<'_> {
         if let Some(at) = w.speed {
             self.speed_word(at, once == Some(G::SpeedLimit))?;
         } else if once == Some(G::SpeedLimit) {
-            return self.missing(w.g_spans[Group::Once as usize], "G92 needs its S: `G92 S2000`");
+            return self.refuse(w.g_spans[Group::Once as usize], codes::P1004::g92_needs_its_s());
         }
         let arcs = self.st.motion.code().is_some_and(Motion::is_arc);
         let moves = once.is_none() && (!w.axes.known().is_empty() || w.has_centre() || (arcs && w.radius.is_some()));
@@ -278,7 +278,7 @@ impl Run<'_> {
                 self.home(w, span)?;
             }
             Some(_) if !w.axes.known().is_empty() => {
-                return self.not_here(w.axes_span, "axis words have no meaning beside G92");
+                return self.refuse(w.axes_span, codes::P1003::axis_words_beside_g92());
             }
             Some(_) => self.only_axes(w)?,
             None if moves => self.motion(w)?,
@@ -302,14 +302,14 @@ impl Run<'_> {
     /// Beside a function that takes axis words nothing else can use I, J, K or R.
     fn only_axes(&mut self, w: &Words) -> Outcome {
         if w.has_centre() {
-            return self.not_here(w.centre_span, "I, J and K have no meaning in this block");
+            return self.refuse(w.centre_span, codes::P1003::i_j_k_have_no_meaning());
         }
         self.stray_words(w)
     }
 
     fn stray_words(&mut self, w: &Words) -> Outcome {
         match w.radius {
-            Some(at) => self.not_here(at.span, "R has no meaning in this block"),
+            Some(at) => self.refuse(at.span, codes::P1003::r_has_no_meaning()),
             None => Ok(()),
         }
     }
@@ -326,7 +326,7 @@ impl Run<'_> {
             }
             return self.refuse(at.span, codes::M9002::start_angle_of_thread_has_no_word());
         }
-        self.not_here(at.span, "P has no meaning in this block")
+        self.refuse(at.span, codes::P1003::p_has_no_meaning())
     }
 
     /// G04 stands alone with its F.
@@ -371,7 +371,7 @@ impl Run<'_> {
             }
             G::Diameter(on) => {
                 self.st.diameter = on;
-                self.reading(Reading::DiameterCodes, span, "G16 switches diameter programming on, and G15 off");
+                self.reading(Reading::DiameterCodes, span, codes::P8106::g16_switches_diameters_on);
             }
             G::Inch(on) => self.st.inch = on,
             G::Smooth if self.st.exact_stop => {

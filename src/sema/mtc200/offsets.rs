@@ -120,7 +120,7 @@ impl Run<'_> {
     /// G50, G51, G52.
     pub(super) fn programmed_offset(&mut self, g: G, w: &Words, span: Span) -> Outcome {
         if w.axes.known().is_empty() {
-            return self.missing(span, "the offset names no axis");
+            return self.refuse(span, codes::P1004::offset_names_no_axis());
         }
         if self.st.compensation.is_on() {
             return self.refuse(span, codes::P1003::zero_offset_changes_under_path_compensation());
@@ -137,7 +137,7 @@ impl Run<'_> {
         match g {
             G::ShiftTo => {
                 if self.st.offsets.added {
-                    self.reading(Reading::G50, span, "G50 replaces everything that G51 and G52 added before");
+                    self.reading(Reading::G50, span, codes::P8106::g50_replaces_everything);
                 }
                 if let Some(axis) = Axis::ALL.into_iter().find(|a| shift[a.index()] != 0.0 && !named.contains(*a)) {
                     let letter = axis.letter();
@@ -193,7 +193,7 @@ impl Run<'_> {
     /// G74: the named axes go to their home position.
     pub(super) fn home(&mut self, w: &Words, span: Span) -> Outcome {
         if w.axes.known().is_empty() {
-            return self.missing(span, "G74 names no axis: `G74 X0 Z0`");
+            return self.refuse(span, codes::P1004::g74_names_no_axis());
         }
         if self.st.compensation.is_on() || self.st.corners.is_open() {
             return self.refuse(span, codes::P1003::g74_inside_compensated_contour_or_corner());

@@ -73,10 +73,10 @@ impl Run<'_> {
     #[inline]
     fn no_arc_words(&mut self, motion: Motion, w: &Words) -> Outcome {
         if let Some(at) = w.radius {
-            return self.not_here(at.span, "R is the radius of an arc, and this block is none");
+            return self.refuse(at.span, codes::P1003::r_belongs_to_arc());
         }
         if w.has_centre() && motion != Motion::Thread {
-            return self.not_here(w.centre_span, "I, J and K belong to an arc or a thread, and this block is neither");
+            return self.refuse(w.centre_span, codes::P1003::i_j_k_belong_to_arc_or_thread());
         }
         Ok(())
     }
@@ -337,7 +337,7 @@ impl Run<'_> {
         }
         if end.known().contains(third) {
             self.position_of(third, span)?;
-            self.reading(Reading::Helix, span, "the third axis of an arc moves evenly with it, as a helix");
+            self.reading(Reading::Helix, span, codes::P8106::third_axis_moves_evenly);
         }
         let to = Point2::new(end.get(first).unwrap_or(start.x), end.get(second).unwrap_or(start.y));
         let ccw = motion == Motion::CounterClockwise;
@@ -364,16 +364,12 @@ impl Run<'_> {
 
     fn arc_radius(&mut self, at: At, w: &Words) -> Outcome<f64> {
         if w.has_centre() {
-            return self.not_here(at.span, "an arc has a centre or a radius, not both");
+            return self.refuse(at.span, codes::P1003::arc_has_centre_or_radius());
         }
         if at.value == 0.0 {
             return self.refuse(at.span, codes::P3002::radius_of_arc_is_0());
         }
-        self.reading(
-            Reading::ArcRadius,
-            at.span,
-            "R is the true radius: above zero of the arc up to 180°, below zero of the other",
-        );
+        self.reading(Reading::ArcRadius, at.span, codes::P8106::r_is_true_radius);
         Ok(at.value * self.st.unit())
     }
 
@@ -400,7 +396,7 @@ impl Run<'_> {
         }
         let end = self.target(w)?;
         if !end.known().without(AxisSet::MAIN).is_empty() {
-            return self.not_here(span, "a thread moves linear main axes only");
+            return self.refuse(span, codes::P1003::thread_moves_linear_main_axes());
         }
         let mut travel = [0.0; 3];
         for (axis, to) in end.iter() {
@@ -412,11 +408,7 @@ impl Run<'_> {
             return self.refuse(w.centre_span, codes::M2015::is_not_lead_of_longer_travel(&letter));
         }
         if travel.iter().filter(|way| **way > SAME_POINT).count() > 1 {
-            self.reading(
-                Reading::ThreadTaper,
-                w.centre_span,
-                "the lead of a taper counts along the axis of the longer travel",
-            );
+            self.reading(Reading::ThreadTaper, w.centre_span, codes::P8106::lead_of_taper_counts_along_longer);
         }
         self.st.corners.cannot_follow();
         self.send(end, Path::Thread(Thread { lead, along: Some(along) }));

@@ -1,6 +1,6 @@
 //! Words that only the machine builder knows.
 
-use crate::diag::{Answer, Code, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::parser::mtc200::problem::{self, is_system_function};
 use crate::text::Span;
 
@@ -41,20 +41,15 @@ impl Run<'_> {
             self.report(codes::M9002::is_not_supported(&shown, &what).at(self.loc(*span)).help(help));
             return;
         }
-        let (code, message) = word.unknown(&shown);
-        let found = Diagnostic::new(code, self.loc(*span), message);
         // Reported once at the word: the rest of the block still says where the axes go.
-        self.report(if loose {
-            found.help(format!(
-                "the words beside {shown} may be its arguments, and no G function of this block takes them: write {shown} alone \
-                 in its block, or leave it out with all that belongs to it"
-            ))
-        } else {
-            let help = Answer::item("control", "machine_words", format!("\"{shown}\""));
-            found.help(help.help(format!(
-                "if it does not move the tool or change the path, add `[control] machine_words = [\"{shown}\"]` to partc.toml"
-            )))
-        });
+        let answer = || Answer::item("control", "machine_words", format!("\"{shown}\""));
+        let fault = match (word.is_g, loose) {
+            (true, true) => codes::P9011::is_no_function_beside_words(&shown),
+            (true, false) => codes::P9011::is_no_function_that_is_known(&shown).answer(answer()),
+            (false, true) => codes::M9002::is_no_word_beside_words(&shown),
+            (false, false) => codes::M9002::is_no_word_that_is_known(&shown).answer(answer()),
+        };
+        self.say(*span, fault);
     }
 
     /// Is the word declared in `[control] machine_words`? Then it is noted, or printed as an M function.
@@ -74,16 +69,6 @@ impl Run<'_> {
             None => {}
         }
         true
-    }
-}
-
-impl Strange {
-    fn unknown(&self, shown: &str) -> (&'static Code, String) {
-        if self.is_g {
-            (codes::P9011, format!("{shown} is no function of the control that is known"))
-        } else {
-            (codes::M9002, format!("`{shown}` is no word of the control that is known"))
-        }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::parser::symbols::Symbol;
 use crate::text::{Span, decode::readable};
 
 use super::g_functions::{self, G, GROUPS};
-use super::{Outcome, Reported, Run};
+use super::{Outcome, Run};
 
 /// Most M functions and words of the machine of a block.
 const MOST_M: usize = 8;
@@ -384,16 +384,6 @@ impl Run<'_> {
 
     pub(super) fn put_back(&mut self, w: Box<Words>) {
         self.words = Some(w);
-    }
-
-    /// Reports a word that has no place in the block.
-    pub(super) fn not_here<T>(&self, span: Span, message: impl Into<String>) -> Outcome<T> {
-        self.fail(codes::P1003, span, message)
-    }
-
-    #[cold]
-    pub(super) fn missing<T>(&self, span: Span, message: impl Into<String>) -> Result<T, Reported> {
-        self.fail(codes::P1004, span, message)
     }
 }
 

@@ -13,7 +13,7 @@ use crate::ir::cycle::{Cycle, Drilling};
 use crate::ir::function::Spindle;
 use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Args, Block, Formula};
-use crate::sema::cycle::call::{Kind, Made, Refusal, Remark};
+use crate::sema::cycle::call::{Elsewhere, Kind, Made, Refusal, Remark};
 use crate::sema::cycle::given::{Given, Value};
 use crate::sema::cycle::row;
 use crate::sema::run::Where;
@@ -187,12 +187,16 @@ impl Channel<'_> {
         let call = CycleCall::new(given, &self.st, self.core.job.settings);
         let made = plan(&call);
         let takes_feed = call.takes_modal_feed.get();
+        let elsewhere = call.elsewhere();
         let (ways, remarks): (Vec<_>, Vec<_>) =
             call.remarks().into_iter().partition(|remark| matches!(remark.kind, Kind::Way | Kind::Open));
         if takes_feed {
             self.feed_kind_is_said();
         }
         self.say_remarks(remarks);
+        for Elsewhere { place, fault, call } in elsewhere {
+            self.report(fault.at(place).also(self.loc(given.place), call));
+        }
         match made {
             Ok(made) => Ok((made, ways)),
             Err(Refusal::Known) => Err(Reported),
@@ -201,10 +205,6 @@ impl Channel<'_> {
                     self.st.feed.lose();
                 }
                 self.refuse(place, *fault)
-            }
-            Err(Refusal::Elsewhere(loc, fault, what)) => {
-                self.report(fault.at(loc).also(self.loc(given.place), what));
-                Err(Reported)
             }
         }
     }

@@ -10,7 +10,7 @@ use crate::parser::turning::ast::Block;
 use crate::sema::common::feed::FeedKind;
 use crate::text::decode::readable;
 
-use super::cycle_table::Cycle;
+use super::cycles::Row;
 use super::g_functions::{Function, Kind, find};
 use super::other_axes::belongs;
 use super::program_parts::ProgramPart;
@@ -171,7 +171,7 @@ impl Run<'_> {
                 return self.refuse(num.span, codes::P1003::takes_number(&name));
             }
         }
-        let named = plan.motion.is_some_and(|(function, _)| function.cycle.is_some_and(Cycle::takes_name));
+        let named = plan.motion.is_some_and(|(function, _)| function.cycle.is_some_and(Row::takes_name));
         match w.texts().iter().find(|(addr, _)| !(named && addr.to_string() == "ID")) {
             Some((addr, span)) => self.refuse(*span, codes::P1003::no_function_of_block_takes_text(&addr)),
             None => Ok(()),

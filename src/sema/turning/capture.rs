@@ -7,7 +7,8 @@ use crate::parser::turning::ast::Block;
 use crate::sema::run::Site;
 use crate::text::{Loc, Span};
 
-use super::cycle_table::{Behind, Cycle};
+use super::cycle_call::Behind;
+use super::cycles::Row;
 use super::geometry::note_adjusted;
 use super::outline::{Builder, Outline};
 use super::program_parts::Family;
@@ -17,7 +18,7 @@ use super::{Outcome, Reported, Run};
 /// A cycle whose contour is being read.
 #[derive(Debug)]
 pub(super) struct Capture {
-    cycle: &'static Cycle,
+    cycle: &'static Row,
     words: Words,
     /// The block of the cycle.
     here: Site,
@@ -41,10 +42,10 @@ impl Capture {
 
 impl Run<'_> {
     /// A cycle with its words; some wait for their contour.
-    pub(super) fn begin_cycle(&mut self, cycle: &'static Cycle, w: &Words) -> Outcome {
+    pub(super) fn begin_cycle(&mut self, cycle: &'static Row, w: &Words) -> Outcome {
         self.settle_chain()?;
         if !cycle.waits(w, self.named.is_some()) {
-            return (cycle.run)(self, w, Behind { outline: None, side: None });
+            return self.run_cycle(cycle, w, Behind { outline: None, side: None });
         }
         if let Some(m) = w.m().iter().find(|m| !matches!(m.number, 3 | 4 | 8)) {
             return self.refuse(m.span, codes::P1005::m_stands_in_block_of_cycle_whose(&m.number));
@@ -174,7 +175,7 @@ impl Run<'_> {
     fn captured_cycle(&mut self, capture: &Capture, outline: &Outline) -> Outcome {
         let here = std::mem::replace(&mut self.here, capture.here);
         let behind = Behind { outline: Some(outline), side: capture.side };
-        let result = (capture.cycle.run)(self, &capture.words, behind);
+        let result = self.run_cycle(capture.cycle, &capture.words, behind);
         self.here = here;
         result
     }

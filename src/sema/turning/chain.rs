@@ -3,6 +3,7 @@
 //! Points are (Z, X) with X as a radius. A line stands at `A` to the negative Z axis: it leaves its start along
 //! (-cos A, sin A) or the other way. Source: T 5 and 6.2, "Solving unknowns" (docs/sources.md).
 
+use crate::diag::codes;
 use crate::geo::open::{RADIUS_DIFFERS, Rules, Solution, Solutions, Start, TOO_MUCH};
 use crate::geo::{SAME_POINT, distance};
 
@@ -23,11 +24,20 @@ pub(super) const RULES: Rules = Rules {
 };
 
 /// The fault in the words of these programs.
-pub(super) fn in_words(fault: Fault) -> Fault {
+fn in_words(fault: Fault) -> Fault {
     match fault {
         RADIUS_DIFFERS => Fault::Contradiction("R is not the distance of the centre from the start"),
         TOO_MUCH => Fault::Contradiction("R and I or K cannot stand together"),
         other => other,
+    }
+}
+
+/// What is said of an element that is not determined.
+pub(super) fn not_determined(fault: Fault) -> crate::diag::Fault {
+    match in_words(fault) {
+        Fault::Open(why) => codes::T3001::element_is_not_determined(&why),
+        Fault::Impossible(why) => codes::T3002::element_is_not_possible(&why),
+        Fault::Contradiction(why) => codes::T3006::element_contradicts_itself(&why),
     }
 }
 

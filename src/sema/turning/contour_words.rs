@@ -33,7 +33,10 @@ impl Run<'_> {
         let swapped = match number {
             810 => false,
             820 => true,
-            869 => !self.recess_tool()?.1,
+            869 => match self.st.recess_tool(self.job.settings) {
+                Ok((_, radial)) => !radial,
+                Err(fault) => return self.refuse(self.block_span(), fault),
+            },
             _ => {
                 return self.refuse(num.span, codes::T9007::contour_in_words_of_g80_is_not(&addr, &number));
             }

@@ -3,6 +3,7 @@
 use crate::diag::codes;
 use crate::geo::Deg;
 use crate::machine::{ArcChoice, Axis};
+use crate::sema::cycle::given::Range;
 use crate::text::Span;
 
 use super::chain::{AGREES, Angles, Center, Coord, Data};
@@ -136,7 +137,7 @@ impl Run<'_> {
         if num.value.fract() == 0.0 && num.value >= 0.0 && num.value <= f64::from(most) {
             return Ok(num.value as u32);
         }
-        self.refuse(num.span, codes::T1007::is_none_of_0(&(letter as char), &num.value, &most))
+        self.refuse(num.span, codes::T1007::is_none_of(&(letter as char), &num.value, &Range(0, most as i32)))
     }
 
     /// A length in mm that is above zero.

@@ -1,6 +1,6 @@
 //! Variables and formulas: reading, computing, assigning.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::lexer::formula::Function;
 use crate::lexer::turning::{VarKind, VarRef};
 use crate::parser::turning::ast::{Block, Formula, Op};
@@ -42,23 +42,22 @@ impl Formulas for Run<'_> {
     }
 
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
-        let (code, message) = match fault {
-            Fault::Domain(f, x) | Fault::Open(f, x) => (codes::P2022, format!("{} of {x}", noun(f))),
-            Fault::Outside(_, a, b) => (codes::P2022, format!("square root of {a}² - {b}²")),
-            Fault::Zero(a) => (codes::P2022, format!("{a} is divided by zero")),
+        let found = match fault {
+            Fault::Domain(f, x) | Fault::Open(f, x) => codes::P2022::function_has_no_value(&noun(f), &x),
+            Fault::Outside(_, a, b) => codes::P2022::root_of_difference_of_squares(&a, &b),
+            Fault::Zero(a) => codes::P2022::value_is_divided_by_zero(&a),
             Fault::ZeroBy(a, by) => {
-                let said = by.said(&self.job, self.here.origin.loc);
-                (codes::P2022, format!("{a} is divided by zero: {said}"))
+                codes::P2022::value_is_divided_by_zero_that(&a, &by.said(&self.job, self.here.origin.loc))
             }
-            Fault::Missing => (codes::P1001, "a value is missing".to_owned()),
+            Fault::Missing => codes::P1001::value_is_missing_in_formula(),
             Fault::TooLarge
             | Fault::TooLargeInt
             | Fault::OpenBetween(..)
             | Fault::Misfit(_)
             | Fault::Mismatch(..)
-            | Fault::Said(_) => (codes::P2022, "the result is too large".to_owned()),
+            | Fault::Said(_) => codes::P2022::result_is_too_large(),
         };
-        self.report(Diagnostic::new(code, self.loc(at.span), message));
+        self.say(at.span, found);
         Reported
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! Source: T 6.3 (docs/sources.md).
 
+use crate::diag::{Fault, codes};
 use crate::geo::{Element, Point2, SAME_DIRECTION, Vec2, direction, left};
 
 use super::chain::Solved;
@@ -40,14 +41,14 @@ pub(super) struct Made {
 }
 
 /// Puts the recess on the element.
-pub(super) fn build(recess: &Recess, line: &Solved) -> Result<Made, &'static str> {
+pub(super) fn build(recess: &Recess, line: &Solved) -> Result<Made, Fault> {
     let Some(u) = direction(line.to - line.from, 0.0).filter(|_| line.arc.is_none()) else {
-        return Err("a recess belongs to a straight element before it");
+        return Err(codes::T3004::recess_belongs_to_straight_element());
     };
     match *recess {
         Recess::Cylinder { first, second, floor, top, base } => {
             if u.y.abs() > PARALLEL {
-                return Err("a recess with Z needs a line parallel to Z before it");
+                return Err(codes::T3004::recess_needs_line_along_z());
             }
             let r = line.from.y;
             let (a, b) = in_order(first, second, u.x);
@@ -56,7 +57,7 @@ pub(super) fn build(recess: &Recess, line: &Solved) -> Result<Made, &'static str
         }
         Recess::Face { first, second, floor, top, base } => {
             if u.x.abs() > PARALLEL {
-                return Err("a recess with X needs a line parallel to X before it");
+                return Err(codes::T3004::recess_needs_line_along_x());
             }
             let z = line.from.x;
             let (a, b) = in_order(first, second, u.y);
@@ -64,13 +65,13 @@ pub(super) fn build(recess: &Recess, line: &Solved) -> Result<Made, &'static str
             made([p(a, z), p(a, floor), p(b, floor), p(b, z)], top, top, base)
         }
         Recess::Centered { at, width, lean, depth, near, far, base } => {
-            let middle = middle(at, line.from, u).ok_or("the middle of the recess does not lie on the element")?;
+            let middle = middle(at, line.from, u).ok_or_else(codes::T3004::middle_of_recess_lies_beside_its_element)?;
             // A positive depth lies right of the element, seen in its direction.
             let down = -left(u) * depth;
             let half: Vec2 = u * (width / 2.0);
             let foot: Vec2 = u * (width / 2.0 - lean * depth.abs());
             if foot.dot(&u) <= PARALLEL {
-                return Err("the flanks of the recess meet above its floor");
+                return Err(codes::T3004::flanks_of_recess_meet());
             }
             made([middle - half, middle - foot + down, middle + foot + down, middle + half], near, far, base)
         }
@@ -90,10 +91,10 @@ fn middle(at: Along, from: Point2, u: Vec2) -> Option<Point2> {
     Some(from + u * t)
 }
 
-fn made(corners: [Point2; 4], near: Transition, far: Transition, base: f64) -> Result<Made, &'static str> {
+fn made(corners: [Point2; 4], near: Transition, far: Transition, base: f64) -> Result<Made, Fault> {
     let [a, b, c, d] = corners;
     if crate::geo::distance(a, b) <= PARALLEL || crate::geo::distance(b, c) <= PARALLEL {
-        return Err("the recess has no depth or no width");
+        return Err(codes::T3004::recess_has_no_depth_or_width());
     }
     let round = if base > 0.0 { Transition::Rounding(base) } else { Transition::Sharp };
     let line = |from, to| Element::Line { from, to };

@@ -1,6 +1,6 @@
 //! The G functions: what they are called, which words they take, and those that are refused by name.
 
-use super::cycle_table::{self, Cycle};
+use super::cycles::{self, Row};
 use super::words::{Letters, letters};
 
 /// What a G function does.
@@ -51,7 +51,7 @@ pub(super) struct Function {
     pub letters: Letters,
     /// Longer addresses it takes.
     pub longs: &'static [&'static str],
-    pub cycle: Option<&'static Cycle>,
+    pub cycle: Option<&'static Row>,
 }
 
 const fn row(number: u16, kind: Kind, name: &'static str, words: &str, longs: &'static [&'static str]) -> Function {
@@ -59,7 +59,7 @@ const fn row(number: u16, kind: Kind, name: &'static str, words: &str, longs: &'
 }
 
 const fn cycle(number: u16) -> Function {
-    let row = cycle_table::of(number);
+    let row = cycles::of(number);
     Function {
         number,
         kind: Kind::Cycle,

@@ -5,7 +5,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::Point2;
 use crate::ir::{self, Function, Remark};
 use crate::machine::Axis;
@@ -109,8 +109,7 @@ impl Run<'_> {
     }
 
     pub(super) fn flaw(&self, flaw: &Flaw) {
-        let found = Diagnostic::new(flaw.code, flaw.loc, flaw.message.clone());
-        self.report(found.help("check this block and the blocks beside it"));
+        self.report(flaw.fault.clone().at(flaw.loc));
     }
 
     /// A block of a geometry section.

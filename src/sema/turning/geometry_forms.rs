@@ -2,7 +2,7 @@
 //!
 //! Source: T 6.3 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, Fault, codes};
 use crate::geo::Deg;
 use crate::geo::undercut::{Edge, Shape};
 use crate::machine::{Axis, RecessDepth, RecessWidth};
@@ -145,7 +145,7 @@ impl Run<'_> {
         let diameter = 2.0 * piece.solved.to.y;
         let undercut = self.undercut_of(w, form.value, diameter)?;
         if let Some((_, first)) = &piece.undercut {
-            return self.said_twice("this corner has an undercut already", first.loc);
+            return self.said_twice(codes::T2070::corner_has_undercut(), first.loc);
         }
         piece.undercut = Some((undercut, mark));
         piece.codes.1 = code_of_undercut(form.value);
@@ -168,7 +168,7 @@ impl Run<'_> {
         let of_table = |letter: u8, value: fn(&din509::Size) -> f64| match (w.value(letter), listed) {
             (Some(v), _) => Ok(v * mm),
             (None, Some(size)) => Ok(value(&size)),
-            (None, None) => self.fail(codes::P1004, span, undercuts::no_size(diameter)),
+            (None, None) => self.refuse(span, codes::P1004::size_of_undercut_is_missing(&diameter)),
         };
         Ok(match form as i32 {
             4 if form == 4.0 => {
@@ -267,16 +267,16 @@ impl Run<'_> {
     fn put_thread(&self, thread: ThreadData, builder: &mut Builder) -> Outcome {
         let piece = self.reference(builder, "a thread")?;
         if piece.thread.is_some() {
-            return self.said_twice("this element is a thread already", piece.mark.loc);
+            return self.said_twice(codes::T2070::element_is_thread(), piece.mark.loc);
         }
         piece.thread = Some(thread);
         Ok(())
     }
 
     /// Only one of the two can be meant.
-    fn said_twice(&self, message: &str, first: crate::text::Loc) -> Outcome {
-        let found = Diagnostic::new(codes::T2070, self.here.origin.loc, message);
-        self.report(found.also(first, "the element or form that it was said for").help("keep one of the two blocks"));
+    fn said_twice(&self, fault: Fault, first: crate::text::Loc) -> Outcome {
+        let found = fault.at(self.here.origin.loc);
+        self.report(found.also(first, "the element or form that it was said for"));
         Err(Reported)
     }
 }

@@ -3,13 +3,13 @@
 //!
 //! Points are (Z, X) with X as a radius, in mm.
 
-use crate::diag::{Code, codes};
+use crate::diag::{Fault, codes};
 use crate::geo::corner::{self, NoCut};
 use crate::geo::open::{Rules, Solution, Solutions, Start};
 use crate::geo::{Element, Point2, SAME_POINT, arc, distance};
 use crate::text::Loc;
 
-use super::chain::{Chain, Choice, Data, Fault, RULES, Solved, by_distance, in_words};
+use super::chain::{self, Chain, Choice, Data, RULES, Solved, by_distance, not_determined};
 use super::element_data::Transition;
 use super::forms::{self, Recess};
 use super::sides::Form;
@@ -26,6 +26,9 @@ const UNNOTED: f64 = 0.0005;
 /// How much an element may fall short of a cut, in mm.
 const SHORT: f64 = 1e-6;
 
+/// What to do about an element or undercut of a contour.
+const CHECK: &str = "check this block and the blocks beside it";
+
 /// What is known of a contour block besides its geometry.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Mark {
@@ -41,7 +44,7 @@ pub(super) struct Mark {
 impl Choice for Mark {
     const RULES: Rules = RULES;
 
-    fn choose(&self, start: &Start, _: Option<&Mark>, among: &Solutions) -> Result<Solution, Fault> {
+    fn choose(&self, start: &Start, _: Option<&Mark>, among: &Solutions) -> Result<Solution, chain::Fault> {
         by_distance(start, self.far, among)
     }
 }
@@ -71,15 +74,8 @@ pub(super) struct BuiltElement {
 /// A problem with a contour, and where it is.
 #[derive(Debug, Clone)]
 pub(super) struct Flaw {
-    pub code: &'static Code,
     pub loc: Loc,
-    pub message: String,
-}
-
-impl Flaw {
-    pub fn new(code: &'static Code, loc: Loc, message: impl Into<String>) -> Flaw {
-        Flaw { code, loc, message: message.into() }
-    }
+    pub fault: Fault,
 }
 
 /// A contour under construction.
@@ -112,7 +108,7 @@ impl Builder {
     /// Adds an element.
     pub fn push(&mut self, data: Data, mark: Mark) -> Result<(), Flaw> {
         if self.pieces.len() >= MOST {
-            return Err(Flaw::new(codes::T3003, mark.loc, format!("the contour has more than {MOST} elements")));
+            return Err(Flaw { loc: mark.loc, fault: codes::T3003::contour_has_more_than_elements(&MOST) });
         }
         self.chain.push(data, mark);
         self.drain(false)
@@ -148,12 +144,7 @@ impl Builder {
                 Ok(None) => return Ok(()),
                 Err((fault, mark)) => {
                     self.chain.clear();
-                    let (code, why) = match in_words(fault) {
-                        Fault::Open(why) => (codes::T3001, why),
-                        Fault::Impossible(why) => (codes::T3002, why),
-                        Fault::Contradiction(why) => (codes::T3006, why),
-                    };
-                    return Err(Flaw::new(code, mark.loc, format!("the element is not determined: {why}")));
+                    return Err(Flaw { loc: mark.loc, fault: not_determined(fault).help(CHECK) });
                 }
             }
         }
@@ -166,24 +157,19 @@ impl Builder {
             return Ok(solved);
         };
         let (start, end) = (distance(solved.from, center), distance(solved.to, center));
-        let refuse = |why: String| Err(Flaw::new(codes::T3051, mark.loc, why));
+        let refuse = |fault| Err(Flaw { loc: mark.loc, fault });
         if start <= SAME_POINT || end <= SAME_POINT {
-            return refuse("the arc starts or ends in its centre".to_owned());
+            return refuse(codes::T3051::arc_touches_its_centre());
         }
         let tolerance = mark.arc_tolerance;
         if (end - start).abs() > tolerance + 1e-9 {
-            return refuse(format!(
-                "the start lies {start:.4} mm from the centre, the end {end:.4} mm: {:.4} mm difference, {tolerance} allowed",
-                (end - start).abs()
-            ));
+            let apart = (end - start).abs();
+            return refuse(codes::T3051::ends_of_arc_lie_on_two_circles(&start, &end, &apart, &tolerance));
         }
         let moved = arc::centered_between(solved.from, solved.to, center);
         let shift = distance(moved, center);
         if shift > MOST_TURN * start {
-            return refuse(format!(
-                "the arc is nearly a full circle that does not close, and {:.4} mm between the distances of its ends from the                  centre leave open where it lies",
-                (end - start).abs()
-            ));
+            return refuse(codes::T3051::arc_is_nearly_full_circle(&(end - start).abs()));
         }
         if shift > self.adjusted.map_or(UNNOTED, |(most, _)| most) {
             self.adjusted = Some((shift, mark.loc));
@@ -211,15 +197,15 @@ impl Builder {
                 Some((undercut, mark)) => {
                     let next = self.pieces.get(i + 1).map(|next| next.solved);
                     let made = undercuts::build(undercut, &line, next.as_ref())
-                        .map_err(|why| Flaw::new(codes::T3004, mark.loc, why))?;
+                        .map_err(|why| Flaw { loc: mark.loc, fault: why.fault().help(CHECK) })?;
                     Some((made, *mark))
                 }
             };
             let mut transition = piece.mark.transition;
             if let Some((made, mark)) = &undercut {
                 if matches!(transition, Transition::Rounding(_) | Transition::Chamfer(_)) {
-                    let message = "the element before the undercut has a chamfer or rounding at the same corner";
-                    return Err(Flaw::new(codes::T3004, mark.loc, message));
+                    let fault = codes::T3004::undercut_after_chamfer_or_rounding();
+                    return Err(Flaw { loc: mark.loc, fault });
                 }
                 line.to = made.leaves;
                 transition = made.edge;
@@ -255,7 +241,7 @@ fn element_with_recesses(
     let mut recesses: Vec<_> = Vec::new();
     let codes = piece.codes.0.iter().copied();
     for ((recess, mark), _) in piece.recesses.iter().zip(codes).filter(|(_, code)| !is_left_out(*code, left_out)) {
-        let made = forms::build(recess, &line).map_err(|why| Flaw::new(codes::T3004, mark.loc, why))?;
+        let made = forms::build(recess, &line).map_err(|fault| Flaw { loc: mark.loc, fault })?;
         recesses.push((made, *mark));
     }
     let way = |p: Point2| line.element().way_to(p);
@@ -263,8 +249,8 @@ fn element_with_recesses(
     let mut from = line.from;
     for (made, mark) in recesses {
         if way(made.from) < way(from) - SHORT || way(made.to) > line.element().length() + SHORT {
-            let message = "the recess does not lie on the element before, or cuts into another recess";
-            return Err(Flaw::new(codes::T3004, mark.loc, message));
+            let fault = codes::T3004::recess_lies_beside_its_element();
+            return Err(Flaw { loc: mark.loc, fault });
         }
         let element = Element::Line { from, to: made.from };
         out.push(OutlinePart {
@@ -407,14 +393,14 @@ fn cut_corners(parts: Vec<OutlinePart>) -> Result<Outline, Flaw> {
             Transition::Rounding(r) | Transition::Chamfer(r) => r,
         };
         let Some(next) = parts.peek() else {
-            let message = "the last element of the contour has a chamfer or rounding, and no element follows it";
-            return Err(Flaw::new(codes::T3005, part.mark.loc, message));
+            let fault = codes::T3005::no_element_follows_corner();
+            return Err(Flaw { loc: part.mark.loc, fault });
         };
         let result = match part.transition {
             Transition::Rounding(_) => corner::rounding(&element, &next.element, size, SHORT),
             _ => corner::chamfer(&element, &next.element, size, SHORT),
         };
-        let made = result.map_err(|why| Flaw::new(codes::T3005, part.mark.loc, no_cut(why)))?;
+        let made = result.map_err(|why| Flaw { loc: part.mark.loc, fault: no_cut(why) })?;
         let before = element.ending_at(made.leave);
         if before.length() > SAME_POINT {
             edges.push(edge(before, false));
@@ -436,12 +422,12 @@ fn between_cuts(made: &corner::Cut) -> Element {
     }
 }
 
-fn no_cut(why: NoCut) -> &'static str {
+fn no_cut(why: NoCut) -> Fault {
     match why {
-        NoCut::Straight => "there is no corner to put the chamfer or rounding in",
-        NoCut::Reversal => "the contour turns back on itself at the chamfer or rounding",
-        NoCut::TooLarge => "the chamfer or rounding is larger than a neighbouring element",
-        NoCut::Arc => "a chamfer is possible between straight lines only",
-        NoCut::Degenerate => "an element beside the chamfer or rounding has no length",
+        NoCut::Straight => codes::T3005::no_corner_for_chamfer_or_rounding(),
+        NoCut::Reversal => codes::T3005::contour_turns_back_at_corner(),
+        NoCut::TooLarge => codes::T3005::corner_is_larger_than_element(),
+        NoCut::Arc => codes::T3005::chamfer_between_lines_only(),
+        NoCut::Degenerate => codes::T3005::element_beside_corner_has_no_length(),
     }
 }

@@ -15,7 +15,7 @@ use crate::sema::common::position::Missing;
 use crate::sema::run::place::{Lack, Unknown};
 use crate::text::Span;
 
-use super::chain::{AGREES, Choice, Coord, Data, Fault, RULES, Solved, by_distance, in_words};
+use super::chain::{AGREES, Choice, Coord, Data, Fault, RULES, Solved, by_distance, not_determined};
 use super::element_data::{Follows, Transition};
 use super::program_parts::Family;
 use super::words::Words;
@@ -354,12 +354,5 @@ impl Run<'_> {
 
 /// The finding for an element that cannot be completed.
 pub(super) fn fault_of(fault: Fault, origin: &Origin) -> Diagnostic {
-    let (code, why, help) = match in_words(fault) {
-        Fault::Open(why) => (codes::T3001, why, "give its end point, its angle or its centre"),
-        Fault::Impossible(why) => {
-            (codes::T3002, why, "check the end points, angles and radii of this and the next block")
-        }
-        Fault::Contradiction(why) => (codes::T3006, why, "leave out one of the values, or correct it"),
-    };
-    Diagnostic::new(code, origin.loc, format!("the element is not determined: {why}")).help(help).called(origin.call)
+    not_determined(fault).at(origin.loc).called(origin.call)
 }

@@ -3,7 +3,9 @@
 //! Each question has an option of `[control]`; whoever sets it has decided, and hears nothing. Source: reference
 //! section 16.
 
-use crate::diag::{Answer, Code, Diagnostic, Help, codes};
+use crate::diag::fault::Asking;
+use crate::diag::{Answer, Fault, codes};
+use crate::machine::Settings;
 use crate::text::Span;
 
 use super::Run;
@@ -33,108 +35,34 @@ pub(super) enum Question {
 }
 
 impl Question {
-    /// Its code, the reading in use, and what settles it: in words, with the key of `[control]` where there is one.
-    fn text(self) -> (&'static Code, &'static str, Help) {
+    /// The reading in use, and what settles it: a key of `[control]` where there is one.
+    pub fn fault(self) -> Fault {
+        let settled = |asking: Asking, key| asking.answer(Answer::key("control", key));
         match self {
-            Question::ThreadLeft => (
-                codes::T8001,
-                "the side to which H shifts the cuts of a thread is taken as: left is ahead of a cut towards -Z",
-                settled("thread_left", "set `[control] thread_left = \"minus\"` to confirm it, or \"plus\""),
-            ),
-            Question::ThreadFace => (
-                codes::T8002,
-                "the face of this transverse thread is taken from the edge position of the tool",
-                settled("thread_face", "set `[control] thread_face = \"front\"` or \"rear\" to say it"),
-            ),
-            Question::SimpleThread => (
-                codes::T8003,
-                "the words of G32 are read as docs/turning.md says: no manual at hand lists them",
-                settled("simple_thread", "set `[control] simple_thread = \"documented\"` to confirm it, or \"refuse\""),
-            ),
-            Question::Infeed => (
-                codes::T8004,
-                "the infeed I of G81 is taken as a depth of cut, on the radius",
-                settled("infeed", "set `[control] infeed = \"radius\"` to confirm it, or \"diameter\""),
-            ),
-            Question::LineAngle => (
-                codes::T8005,
-                "the angle of a line is taken to count from -Z: the diameter grows where the line runs towards -Z",
-                settled("line_angle", "set `[control] line_angle = \"minus-z\"` to confirm it, or \"plus-z\""),
-            ),
-            Question::ArcChoice => (
-                codes::T8006,
-                "Q0 of an arc is taken to mean the near one of two solutions, as from software 7.1 on",
-                settled(
-                    "turning_arc_q",
-                    "set `[control] turning_arc_q = \"near\"` to confirm it, or \"far\" for earlier controls",
-                ),
-            ),
-            Question::UndercutLimit => (
-                codes::T8007,
-                "the table of G85 has no row for exactly this diameter: the one of smaller diameters is taken",
-                settled("undercut_limit", "set `[control] undercut_limit = \"lower\"` to confirm it, or \"upper\""),
-            ),
-            Question::UndercutSide => (
-                codes::T8008,
-                "the tool stands on the cylinder: whether the undercut lies outside or inside is taken from its edge position",
-                "position the tool clear of the cylinder to say it".into(),
-            ),
-            Question::ContourWords => (
-                codes::T8009,
-                "the words of G80 are read as docs/turning.md says: AC and WC lean the walls about their rims",
-                settled("contour_words", "set `[control] contour_words = \"documented\"` to confirm it, or \"refuse\""),
-            ),
-            Question::RecessBlank => (
-                codes::T8010,
-                "RI of G869 is taken to count on the diameter",
-                settled("recess_blank", "set `[control] recess_blank = \"diameter\"` to confirm it, or \"radius\""),
-            ),
-            Question::TurningDepth => (
-                codes::T8011,
-                "the turning depth compensation of G869 is taken to lift the tool off the floor",
-                settled("turning_depth", "set `[control] turning_depth = \"away\"` to confirm it, or \"towards\""),
-            ),
-            Question::OffsetOneWay => (
-                codes::T8012,
-                "the offset width B has no effect under U1: one way there is no change from turning to plunging",
-                settled("offset_one_way", "set `[control] offset_one_way = \"none\"` to confirm it, or \"end\""),
-            ),
-            Question::RecessDepth => (
-                codes::T8013,
-                "an incremental I of G22 is taken to count on the diameter",
-                settled("recess_depth", "set `[control] recess_depth = \"diameter\"` to confirm it, or \"radius\""),
-            ),
-            Question::RecessWidth => (
-                codes::T8014,
-                "K of G23 is taken as the width of the opening, where the flanks lean",
-                settled("recess_width", "set `[control] recess_width = \"opening\"` to confirm it, or \"floor\""),
-            ),
-            Question::RecessOversize => (
-                codes::T8015,
-                "the oversize of G86 is left on the floor and on the walls until the finishing cut",
-                settled("recess_oversize", "set `[control] recess_oversize = \"all\"` to confirm it, or \"floor\""),
-            ),
-            Question::BlankContour => (
-                codes::T8016,
-                "the blank is drawn as a contour, which is not used: cycles take the blank to reach to the tool",
-                "position the tool outside of the blank before each cycle, or describe the blank by G20 or G21".into(),
-            ),
-            Question::NosePath => (
-                codes::T8019,
-                "how G41 and G42 begin, end and go around outside corners no manual at hand says: at a right angle beside the contour, and on an arc about the corner",
-                "look at the first and the last way beside the contour".into(),
-            ),
-            Question::FinishingSide => (
-                codes::T8018,
-                "two pages of the manual give G41 and G42 behind G89 opposite sides: the side is taken from the tool",
-                "check the side of the tool: where it stands, or `orientation` in partc.toml".into(),
-            ),
+            Question::ThreadLeft => settled(codes::T8001::left_is_ahead_of_cut(), "thread_left"),
+            Question::ThreadFace => settled(codes::T8002::face_is_taken_from_edge(), "thread_face"),
+            Question::SimpleThread => settled(codes::T8003::words_of_g32_are_read(), "simple_thread"),
+            Question::Infeed => settled(codes::T8004::infeed_is_taken_as_radius(), "infeed"),
+            Question::LineAngle => settled(codes::T8005::angle_counts_from_minus_z(), "line_angle"),
+            Question::ArcChoice => settled(codes::T8006::q0_is_near_solution(), "turning_arc_q"),
+            Question::UndercutLimit => settled(codes::T8007::table_has_no_row_for_diameter(), "undercut_limit"),
+            Question::UndercutSide => codes::T8008::side_is_taken_from_edge(),
+            Question::ContourWords => settled(codes::T8009::words_of_g80_are_read(), "contour_words"),
+            Question::RecessBlank => settled(codes::T8010::ri_counts_on_diameter(), "recess_blank"),
+            Question::TurningDepth => settled(codes::T8011::compensation_lifts_tool(), "turning_depth"),
+            Question::OffsetOneWay => settled(codes::T8012::offset_width_has_no_effect(), "offset_one_way"),
+            Question::RecessDepth => settled(codes::T8013::incremental_i_counts_on_diameter(), "recess_depth"),
+            Question::RecessWidth => settled(codes::T8014::k_is_width_of_opening(), "recess_width"),
+            Question::RecessOversize => settled(codes::T8015::oversize_is_left_on_floor_and_walls(), "recess_oversize"),
+            Question::BlankContour => codes::T8016::blank_is_drawn_as_contour(),
+            Question::NosePath => codes::T8019::ends_of_compensation_are_partcs(),
+            Question::FinishingSide => codes::T8018::side_is_taken_from_tool(),
         }
     }
 
     /// Did the configuration decide it?
-    fn is_settled(self, run: &Run<'_>) -> bool {
-        let set = &run.job.settings.control.turning;
+    pub fn is_settled(self, settings: &Settings) -> bool {
+        let set = &settings.control.turning;
         match self {
             Question::ThreadLeft => set.left_is_plus.is_some(),
             Question::ThreadFace => set.rear_face.is_some(),
@@ -155,11 +83,6 @@ impl Question {
     }
 }
 
-/// A key of `[control]` confirms the reading, or takes the other one.
-fn settled(key: &'static str, help: &'static str) -> Help {
-    Answer::key("control", key).help(help)
-}
-
 impl Run<'_> {
     /// A word of the block that changes nothing here: worth a note, as no word goes in silence.
     pub(super) fn without_effect(&self, w: &Words, letters: &[u8], why: &str) {
@@ -176,12 +99,8 @@ impl Run<'_> {
 
     /// The block depends on `question`: the first one of the program says so.
     pub(super) fn depends_on(&self, question: Question, span: Span) {
-        if question.is_settled(self) {
-            return;
+        if !question.is_settled(self.job.settings) {
+            self.say_once(span, question.fault());
         }
-        let (code, message, help) = question.text();
-        self.job
-            .diags
-            .push_once(Diagnostic::new(code, self.loc(span), message).help(help).called(self.here.origin.call));
     }
 }

@@ -1,6 +1,6 @@
 //! Sections of a program, header lines, units; which control a program was written for.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::Function;
 use crate::machine::{Settings, Unit};
 use crate::parser::turning::ast::{Block, Section, Stmt, Value};
@@ -246,11 +246,11 @@ impl Run<'_> {
     pub(super) fn unit(&mut self, opens: bool) -> Outcome {
         self.settle_chain()?;
         if self.sections.unit_open == opens {
-            let message = if opens { "a unit begins inside another one" } else { "a unit ends that did not begin" };
-            self.report(
-                Diagnostic::new(codes::T1012, self.here.origin.loc, message)
-                    .help("the file may have been edited by hand: check that no block is lost"),
-            );
+            self.say_here(if opens {
+                codes::T1012::unit_begins_inside_another()
+            } else {
+                codes::T1012::unit_ends_that_did_not_begin()
+            });
         }
         self.sections.unit_open = opens;
         Ok(())
@@ -285,14 +285,6 @@ impl Run<'_> {
             LevelKind::Main => self.end_of_job(false),
             _ => self.return_from_subprogram(),
         }
-    }
-
-    /// A function of the older language that DIN PLUS has not.
-    pub(super) fn not_of_din_plus(&self, word: &str, instead: &str) -> Outcome {
-        if self.sections.family() != Family::DinPlus {
-            return Ok(());
-        }
-        self.refuse(self.block_span(), codes::P9010::of_din_plus_is_not_supported(&word).help(instead))
     }
 
     /// END, RETURN of a macro, M30.

@@ -220,6 +220,14 @@ impl Run<'_> {
         }));
     }
 
+    /// A thread is cut with a turning spindle.
+    pub(super) fn spindle_turns(&self, number: u16) -> Outcome {
+        if self.st.spindle.turn().is_some() {
+            return Ok(());
+        }
+        self.refuse(self.block_span(), codes::P1004::spindle_does_not_turn_when_g_begins(&number))
+    }
+
     // Compensation of the nose radius.
 
     pub(super) fn compensation(&mut self, side: Side, fun: Fun) -> Outcome {
@@ -237,7 +245,7 @@ impl Run<'_> {
 
     /// The compiler itself computes the path of the nose centre.
     fn compute_compensation(&mut self, fun: Fun) -> Outcome {
-        let known = self.known_tool();
+        let known = self.st.known_tool(self.job.settings);
         let radius = known.and_then(|tool| tool.radius.map(|radius| radius + tool.deltas[1]));
         let edge = known.and_then(|tool| tool.orientation).and_then(edge_direction);
         let (radius, edge) = match (radius, edge) {

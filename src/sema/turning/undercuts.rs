@@ -2,6 +2,7 @@
 //!
 //! Source: T 6.3 (docs/sources.md). All lengths in mm; depths are radius values.
 
+use crate::diag::codes;
 use crate::geo::undercut::{Allowance, Corner, Fault, Placed, Reference, Shape, place};
 use crate::geo::{Deg, Element, Point2, SAME_DIRECTION, Vec2, direction, distance};
 use crate::ir::undercut::{internal_depth, thread_length};
@@ -12,11 +13,43 @@ use crate::standard::{SAME, din76};
 use super::chain::Solved;
 use super::element_data::Transition;
 
+/// Why there is no undercut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Why {
+    SizeMissing,
+    BoreDepth,
+    NoElement,
+    NoLines,
+    NotAlongAxes,
+    Room,
+    Slope,
+    Radius,
+    Narrow,
+    Sizes,
+}
+
+impl Why {
+    pub fn fault(self) -> crate::diag::Fault {
+        match self {
+            Why::SizeMissing => codes::T3004::size_of_thread_undercut_is_missing(),
+            Why::BoreDepth => codes::T3004::depth_of_thread_undercut_in_bore(),
+            Why::NoElement => codes::T3004::no_element_follows_undercut(),
+            Why::NoLines => codes::T3004::undercut_stands_between_two_lines(),
+            Why::NotAlongAxes => codes::T3004::undercut_stands_between_line_along_z_and_one_along_x(),
+            Why::Room => codes::T3004::undercut_has_no_room(),
+            Why::Slope => codes::T3004::slope_of_undercut(),
+            Why::Radius => codes::T3004::radius_does_not_fit_into_undercut(),
+            Why::Narrow => codes::T3004::undercut_is_too_narrow(),
+            Why::Sizes => codes::T3004::sizes_of_undercut_do_not_fit(),
+        }
+    }
+}
+
 /// An undercut with all its sizes, or why they are missing. Which of the two is cut follows from the corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Undercut {
-    pub outside: Result<Shape, &'static str>,
-    pub inside: Result<Shape, &'static str>,
+    pub outside: Result<Shape, Why>,
+    pub inside: Result<Shape, Why>,
     /// Outer edge of a groove (form U), which is cut as any other corner of the contour is.
     pub edge: Option<Transition>,
 }
@@ -54,11 +87,6 @@ pub(super) fn square(depth: f64, width: f64, radius: f64, slope: f64) -> Shape {
     Shape::Square { length: width, depth, entry: Deg(slope), entry_radius: radius, corner_radius: radius }
 }
 
-/// What to say where no size belongs to a diameter.
-pub(super) fn no_size(diameter: f64) -> String {
-    format!("a size of the undercut is missing, and the table has none for the diameter {diameter}")
-}
-
 /// Radius of the DIN 76 undercut of this width.
 pub(super) fn radius_of_width(tables: &Undercuts, width: f64, inside: bool) -> Option<f64> {
     let longest = |row: &din76::Row| if inside { row.c.g2 } else { row.a.g2 };
@@ -71,40 +99,36 @@ impl Thread {
     }
 
     /// The manuals print the greatest length, and the depth inside from the nominal diameter, which the contour does not hold.
-    fn shape(&self, tables: &Undercuts, inside: bool) -> Result<Shape, &'static str> {
-        let missing =
-            "a size of the thread undercut is missing: give I, K and R, or a pitch FP that is in the table of DIN 76";
-        let bore = "the depth of a thread undercut in a bore counts from the nominal diameter, which FP does not give: program I \
-                    with (nominal diameter + value of DIN 76 - bore) / 2";
+    fn shape(&self, tables: &Undercuts, inside: bool) -> Result<Shape, Why> {
         let row = self.pitch.and_then(|pitch| tables.thread(pitch));
-        let radius = self.radius.or(row.map(|row| row.radius)).ok_or(missing);
+        let radius = self.radius.or(row.map(|row| row.radius)).ok_or(Why::SizeMissing);
         let table = row.and_then(|row| match (inside, tables.internal_depth) {
             (false, _) => Some(row.external / 2.0),
             (true, rule) => rule.map(|rule| internal_depth(rule, row)),
         });
-        let depth = self.depth.or(table).ok_or(if row.is_some() { bore } else { missing });
+        let depth = self.depth.or(table).ok_or(if row.is_some() { Why::BoreDepth } else { Why::SizeMissing });
         let depth = depth?;
         let of_row = |row: &din76::Row| {
             let rule = tables.thread_length.unwrap_or(ThreadLength::Longest);
             thread_length(rule, if inside { row.c } else { row.a }, depth, Deg(self.slope))
         };
-        let width = self.width.or(row.map(of_row)).ok_or(missing)?;
+        let width = self.width.or(row.map(of_row)).ok_or(Why::SizeMissing)?;
         Ok(square(depth, width, radius?, self.slope))
     }
 }
 
 /// Puts the undercut between the reference element, parallel to Z, and the shoulder, parallel to X, in either order.
-pub(super) fn build(undercut: &Undercut, before: &Solved, after: Option<&Solved>) -> Result<Made, &'static str> {
-    let Some(after) = after else { return Err("no element follows the undercut") };
+pub(super) fn build(undercut: &Undercut, before: &Solved, after: Option<&Solved>) -> Result<Made, Why> {
+    let Some(after) = after else { return Err(Why::NoElement) };
     let straight = |line: &Solved| direction(line.to - line.from, 0.0).filter(|_| line.arc.is_none());
     let (Some(u), Some(w)) = (straight(before), straight(after)) else {
-        return Err("an undercut stands between two lines");
+        return Err(Why::NoLines);
     };
     // The manuals name no angle by which the lines may lean.
     let up = match (along_z(u) && along_x(w), along_x(u) && along_z(w)) {
         (true, _) => w,
         (_, true) => -u,
-        _ => return Err("an undercut stands between a line parallel to Z and one parallel to X"),
+        _ => return Err(Why::NotAlongAxes),
     };
     let shape = if up.y > 0.0 { undercut.outside } else { undercut.inside }?;
     slope_fits(&shape)?;
@@ -114,13 +138,13 @@ pub(super) fn build(undercut: &Undercut, before: &Solved, after: Option<&Solved>
     // Neither longer than the lines, nor further below the corner than the shoulder is high.
     let room = |p: Point2, end: Point2| distance(p, corner.at) <= distance(corner.at, end) + 1e-6;
     if !room(placed.leave, corner.from) || !room(placed.join, corner.to) {
-        return Err(ROOM);
+        return Err(Why::Room);
     }
     made(placed, undercut.edge, corner.at)
 }
 
 /// The slope, and the rounding between it and the floor, which is never made smaller.
-fn slope_fits(shape: &Shape) -> Result<(), &'static str> {
+fn slope_fits(shape: &Shape) -> Result<(), Why> {
     let (Shape::Square { length, depth, entry, entry_radius, .. }
     | Shape::Recessed { length, depth, entry, entry_radius, .. }) = *shape
     else {
@@ -128,31 +152,26 @@ fn slope_fits(shape: &Shape) -> Result<(), &'static str> {
     };
     let (sin, cos) = entry.sin_cos();
     if !(sin > 0.0 && cos > 0.0) {
-        return Err(SLOPE);
+        return Err(Why::Slope);
     }
     // tan(W/2) = sin W / (1 + cos W)
     let rises = entry_radius * sin / (1.0 + cos) * sin;
-    if rises > depth + 1e-9 || length <= depth * cos / sin { Err(RADIUS) } else { Ok(()) }
+    if rises > depth + 1e-9 || length <= depth * cos / sin { Err(Why::Radius) } else { Ok(()) }
 }
 
-const ROOM: &str = "the undercut is wider than the element before it, or higher than the shoulder";
-const SLOPE: &str = "the slope of an undercut lies between 0 and 90 degrees";
-const RADIUS: &str = "the radius does not fit into the undercut";
-const SIZES: &str = "the sizes of the undercut do not fit together";
-
-fn refusal(shape: &Shape, fault: Fault) -> &'static str {
+fn refusal(shape: &Shape, fault: Fault) -> Why {
     match (fault, shape) {
-        (Fault::Degenerate | Fault::NotSquare { .. }, _) => "an undercut stands between two lines",
-        (Fault::ReferenceTooShort { .. } | Fault::OtherTooShort { .. }, _) => ROOM,
-        (Fault::Angle, Shape::Square { .. }) => SLOPE,
-        (Fault::TooNarrow, Shape::Square { .. }) => "the undercut is too narrow for its radius",
-        (Fault::TooNarrow, Shape::Groove { .. }) => RADIUS,
-        (Fault::Angle | Fault::TooNarrow | Fault::Dimension, _) => SIZES,
+        (Fault::Degenerate | Fault::NotSquare { .. }, _) => Why::NoLines,
+        (Fault::ReferenceTooShort { .. } | Fault::OtherTooShort { .. }, _) => Why::Room,
+        (Fault::Angle, Shape::Square { .. }) => Why::Slope,
+        (Fault::TooNarrow, Shape::Square { .. }) => Why::Narrow,
+        (Fault::TooNarrow, Shape::Groove { .. }) => Why::Radius,
+        (Fault::Angle | Fault::TooNarrow | Fault::Dimension, _) => Why::Sizes,
     }
 }
 
 /// A groove ends on the shoulder at the level of the cylinder: what of the face lies below it belongs to the groove.
-fn made(placed: Placed, edge: Option<Transition>, corner: Point2) -> Result<Made, &'static str> {
+fn made(placed: Placed, edge: Option<Transition>, corner: Point2) -> Result<Made, Why> {
     let Placed { leave, join, elements, orientation, .. } = placed;
     let sharp = |element: Element| (element, Transition::Sharp);
     let mut made = Made {
@@ -166,7 +185,7 @@ fn made(placed: Placed, edge: Option<Transition>, corner: Point2) -> Result<Made
     if matches!(edge, Transition::Rounding(_) | Transition::Chamfer(_))
         && !matches!(wall, Some((Element::Line { .. }, _)))
     {
-        return Err(RADIUS);
+        return Err(Why::Radius);
     }
     if orientation.first_leads {
         made.edge = edge;
@@ -265,14 +284,14 @@ mod tests {
     fn refusals() {
         let (before, after) = shoulder(20.0);
         let fails = |shape: Shape| build(&shape.into(), &before, Some(&after)).expect_err("refused");
-        assert_eq!(fails(square(0.3, 2.5, 0.6, 90.0)), SLOPE);
-        assert_eq!(fails(square(0.3, 2.5, 0.6, 0.0)), SLOPE);
-        assert_eq!(fails(square(0.3, 2.5, 10.0, 15.0)), RADIUS);
-        assert_eq!(fails(square(0.3, 1.3, 0.6, 15.0)), "the undercut is too narrow for its radius");
-        assert_eq!(fails(square(-0.3, 2.5, 0.6, 15.0)), RADIUS);
+        assert_eq!(fails(square(0.3, 2.5, 0.6, 90.0)), Why::Slope);
+        assert_eq!(fails(square(0.3, 2.5, 0.6, 0.0)), Why::Slope);
+        assert_eq!(fails(square(0.3, 2.5, 10.0, 15.0)), Why::Radius);
+        assert_eq!(fails(square(0.3, 1.3, 0.6, 15.0)), Why::Narrow);
+        assert_eq!(fails(square(-0.3, 2.5, 0.6, 15.0)), Why::Radius);
         let groove = Shape::Groove { width: 2.0, depth: 0.5, edge: Edge::Sharp, radius: 1.0 };
-        assert_eq!(fails(groove), RADIUS);
-        assert!(fails(square(0.3, 35.0, 0.6, 15.0)).starts_with("the undercut is wider"));
+        assert_eq!(fails(groove), Why::Radius);
+        assert_eq!(fails(square(0.3, 35.0, 0.6, 15.0)), Why::Room);
     }
 
     /// A groove ends at the corner, the face goes on from there.

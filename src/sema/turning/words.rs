@@ -212,11 +212,8 @@ impl Run<'_> {
 
     #[cold]
     fn twice(&self, word: &Word, first: Span) -> Outcome {
-        let message = format!("{} stands twice in the block", word.address.addr);
-        let found = crate::diag::Diagnostic::new(codes::P1002, self.loc(word.span), message);
-        self.report(
-            found.also(self.loc(first), "the first one").help("put the second function into a block of its own"),
-        );
+        let found = codes::P1002::word_stands_twice_in_block(&word.address.addr).at(self.loc(word.span));
+        self.report(found.also(self.loc(first), "the first one"));
         Err(super::Reported)
     }
 }

@@ -14,7 +14,7 @@ use super::super::named_contour::CalledContour;
 use super::call::{Act, Acts, CycleCall};
 use super::milling::{ALONG_CONTOURS, Around};
 use super::names::{DR, DXY, EP, ER, EW, TR, UXY, VARI, XS, YS};
-use crate::sema::cycle::call::{Made, Refusal};
+use crate::sema::cycle::call::{Elsewhere, Made};
 
 impl CycleCall<'_> {
     /// CYCLE63
@@ -144,7 +144,8 @@ impl CycleCall<'_> {
             }
             let Some(CalledContour { call, .. }) = contours.get(at + 1) else { continue };
             let fault = codes::S2091::island_does_not_lie_inside_pocket(&call.name);
-            return Err(Refusal::Elsewhere(call.loc, Box::new(fault), "the pocket is milled here"));
+            let place = call.loc;
+            return self.refuse_elsewhere(Elsewhere { place, fault, call: "the pocket is milled here" });
         }
         Ok(())
     }

@@ -1,8 +1,6 @@
-//! Cycles: from their words to the arguments that `lower::cycles` makes moves of.
+//! The contour that a cycle names, or that follows it.
 
 use crate::diag::codes;
-use crate::ir::cycle::Cycle;
-use crate::machine::AxisSet;
 
 use super::geometry::Described;
 use super::outline::{Edge, MOST_EDGES, Outline, Section};
@@ -10,16 +8,6 @@ use super::words::{Num, Words};
 use super::{Outcome, Reported, Run};
 
 impl Run<'_> {
-    /// Sends a cycle; the tool stands where the cycle leaves it.
-    pub(super) fn send_cycle(&mut self, cycle: &Cycle) {
-        self.core.send_cycle(cycle, &self.st.ctx);
-        let end = cycle.leaves(self.st.position.at());
-        self.st.position.cycle_leaves(&end, AxisSet::MAIN);
-        self.st.last = None;
-        self.st.moved = true;
-        self.cycle_cuts(cycle);
-    }
-
     /// The contour of a cycle: the blocks behind it, or those of a geometry section that NS and NE name.
     pub(super) fn contour_of(&self, w: &Words, outline: Option<&Outline>, left_out: u32) -> Outcome<Section> {
         let section = match outline {
@@ -34,15 +22,11 @@ impl Run<'_> {
 
     /// The same; V leaves out the chamfer or rounding at the first or last element, D recesses and undercuts.
     pub(super) fn contour_with_ends(&self, w: &Words, outline: Option<&Outline>) -> Outcome<Section> {
-        let (begin, end) = match self.choice(w, b'V', 0, 4)? {
+        let (begin, end) = match w.value(b'V').unwrap_or(0.0) as i32 {
             0 => (true, true),
             1 => (true, false),
             2 => (false, true),
-            3 => (false, false),
-            _ => {
-                return self
-                    .refuse(w.span(b'V', self.block_span()), codes::T9007::v4_only_chamfer_or_rounding_of_element());
-            }
+            _ => (false, false),
         };
         let left_out = self.left_out(w)?;
         let mut section = self.contour_of(w, outline, left_out)?;
@@ -130,14 +114,13 @@ impl Run<'_> {
             (Some(Some(ns)), Some(Some(ne))) => outline.between(ns, Some(ne)),
             _ => return self.refuse(span, codes::T1007::ns_ne_are_block_numbers()),
         };
-        let missing = |number| format!("no element of the contour `{name}` has the block number {number}");
         section.or_else(|number| {
             if self.geometry.starts.contains(&number)
                 && let Some(first) = w.long("NS")
             {
                 return self.no_element(first, number);
             }
-            self.fail_help(codes::T2019, span, missing(number), "NS and NE name blocks of the contour that ID names")
+            self.refuse(span, codes::T2019::no_element_of_named_contour(&name, &number))
         })
     }
 }

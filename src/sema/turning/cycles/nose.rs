@@ -3,14 +3,17 @@
 //! Along the axes the programmed point of a tool that points to the material is exact. On slopes and arcs the nose touches
 //! elsewhere: there its radius has to be known.
 
-use crate::diag::{Answer, Help, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::{Element, Vec2};
 use crate::ir::cycle::layers::{Layers, Relief};
 use crate::ir::cycle::roughing::Nose;
-use crate::machine::Tool;
 use crate::sema::common::compensation::edge_direction;
+use crate::sema::cycle::call::{Elsewhere, Kind, Made};
+use crate::sema::run::Where;
 
-use super::{Outcome, Run};
+use super::super::outline::Section;
+use super::super::sides::FormKind;
+use super::CycleCall;
 
 /// How far the ends of a line along an axis may lie apart across it, mm: what four decimals lose.
 const ON_AXIS: f64 = 1e-4;
@@ -24,35 +27,39 @@ enum Need {
     Wall,
 }
 
+impl Need {
+    fn name(self) -> &'static str {
+        match self {
+            Need::Slope => "a slope",
+            Need::Arc => "an arc",
+            Need::Wall => "a wall that its point does not touch",
+        }
+    }
+}
+
 /// A part of the contour that is cut: the element, and the direction from it to the tool where it lies along an axis.
 type Piece = (Element, Vec2);
 
-impl Run<'_> {
+impl CycleCall<'_> {
     /// The nose of the tool in the cutting position; `None` where it has no radius, or nothing is known of it.
     ///
     /// # Errors
     /// P2004 for a radius without the position of the edge.
-    pub(super) fn nose_of_tool(&self) -> Outcome<Option<Nose>> {
+    pub(super) fn nose_of_tool(&self) -> Made<Option<Nose>> {
         let known = self.known_tool();
         let Some(radius) = known.and_then(|tool| tool.radius) else { return Ok(None) };
         let tip = match self.tip_of_tool() {
             Some(tip) => tip,
             None if radius == 0.0 => return Ok(None),
             None => {
-                let given = known.and_then(|tool| tool.orientation);
-                let message = match given {
-                    Some(position) => format!(
-                        "cutting-edge position {position} of the tool is not supported in this cycle: its nose cannot be compensated"
-                    ),
-                    None => "the cutting-edge position of the tool is not known, so its nose cannot be compensated"
-                        .to_owned(),
-                };
-                let help = "add `orientation = 3` (1 to 4: where the edge points to) to the tool in partc.toml, or `radius = 0`";
-                let help = match &self.st.tool {
-                    Some(tool) if given.is_none() => Answer::tool(tool.number, "orientation").help(help),
-                    _ => help.into(),
-                };
-                return self.fail_help(codes::P2004, self.block_span(), message, help);
+                return self.refuse(match known.and_then(|tool| tool.orientation) {
+                    Some(position) => codes::P2004::edge_position_of_tool_has_no_corner(&position),
+                    None => {
+                        let active = self.st.modal.tool.as_ref();
+                        let answer = active.map(|tool| Answer::tool(tool.number, "orientation"));
+                        codes::P2004::edge_position_of_tool_is_not_known().answers(answer)
+                    }
+                });
             }
         };
         Ok(Some(Nose { radius, tip }))
@@ -63,16 +70,8 @@ impl Run<'_> {
         edge_direction(self.known_tool()?.orientation?).filter(|tip| tip.x != 0.0 && tip.y != 0.0)
     }
 
-    /// What partc.toml says of the tool in the cutting position.
-    pub(super) fn known_tool(&self) -> Option<&Tool> {
-        let active = self.st.tool.as_ref()?;
-        let tools = &self.job.settings.tools;
-        let by_name = || active.name.as_deref().and_then(|name| tools.by_name(name)).map(|(_, tool)| tool);
-        tools.by_number(active.number, active.edge).or_else(by_name)
-    }
-
     /// A nose of unknown radius does not matter along what finishing cuts. `left_out`: the direction of elements that are left out.
-    pub(super) fn nose_matters_not(&self, contour: &[Element], left: bool, left_out: Option<Vec2>) -> Outcome {
+    pub(super) fn nose_matters_not(&self, contour: &[Element], left: bool, left_out: Option<Vec2>) -> Made {
         let aside = |way: Vec2| if left { crate::geo::left(way) } else { -crate::geo::left(way) };
         let cut = contour.iter().filter(|e| left_out.is_none_or(|into| (e.to() - e.from()).dot(&into) <= ON_AXIS));
         let pieces: Vec<Piece> = cut.map(|e| (*e, aside(e.to() - e.from()))).collect();
@@ -80,60 +79,64 @@ impl Run<'_> {
     }
 
     /// The same for what roughing cuts, and for the cut along the contour behind it.
-    pub(super) fn nose_matters_not_in(&self, layers: &Layers) -> Outcome {
+    pub(super) fn nose_matters_not_in(&self, layers: &Layers) -> Made {
         self.point_is_enough(&pieces_of(layers))
     }
 
     /// # Errors
     /// P2004 where the nose radius is not known and the pieces need it; along the axes note T2027.
-    fn point_is_enough(&self, pieces: &[Piece]) -> Outcome {
+    fn point_is_enough(&self, pieces: &[Piece]) -> Made {
         let known = self.known_tool();
         if known.and_then(|tool| tool.radius).is_some() {
             return Ok(());
         }
         let tip = known.and_then(|tool| tool.orientation).and_then(edge_direction);
         let Some(need) = need(pieces, tip) else {
-            let found = codes::T2027::nose_radius_of_tool_is_not_known().at(self.here.origin.loc);
-            let left = if reach_centre(pieces) {
-                "the nose leaves its radius in inner corners, and a pip of that radius at the centre of the face, unless the face goes past the centre by it"
+            let fault = if reach_centre(pieces) {
+                codes::T2027::nose_leaves_inner_corners_and_pip()
             } else {
-                "the nose leaves its radius in inner corners"
+                codes::T2027::nose_leaves_inner_corners()
             };
-            self.job
-                .diags
-                .push_once(found.help(format!("add `radius` and `orientation` of the tool to partc.toml: {left}")));
+            self.note(Where::Block, fault, Kind::Once);
             return Ok(());
         };
-        let what = match need {
-            Need::Slope => "a slope",
-            Need::Arc => "an arc",
-            Need::Wall => "a wall that its point does not touch",
-        };
-        let message = match &self.st.tool {
-            None => {
-                format!("the contour has {what}, and no tool is in the cutting position whose nose could run along it")
-            }
-            Some(tool) => format!("the nose radius of tool {} is not known, and the contour has {what}", tool.number),
-        };
-        self.fail_help(codes::P2004, self.block_span(), message, self.asks_for_nose())
+        let what = need.name();
+        self.refuse(match self.st.modal.tool.as_ref() {
+            Some(tool) => codes::P2004::contour_needs_nose_radius_of_tool(&tool.number, &what)
+                .answers(self.answers_of_nose(tool.number)),
+            None => codes::P2004::contour_needs_nose_radius_of_no_tool(&what),
+        })
     }
 
     /// What is cut has an arc: around a corner at the distance of G58.
-    pub(super) fn arc_needs_nose(&self) -> Outcome {
+    pub(super) fn arc_needs_nose(&self) -> Made {
         if self.known_tool().and_then(|tool| tool.radius).is_some() {
             return Ok(());
         }
-        self.refuse(self.block_span(), codes::P2004::nose_radius_of_tool_is_not_known().help(self.asks_for_nose()))
+        self.refuse(match self.st.modal.tool.as_ref() {
+            Some(tool) => {
+                codes::P2004::arc_needs_nose_radius_of_tool(&tool.number).answers(self.answers_of_nose(tool.number))
+            }
+            None => codes::P2004::arc_needs_nose_radius_of_no_tool(),
+        })
     }
 
     /// What says the nose of the tool in the cutting position.
-    pub(super) fn asks_for_nose(&self) -> Help {
-        let Some(tool) = &self.st.tool else { return "program T in front of the cycle".into() };
-        let number = tool.number;
-        let radius = Answer::tool(number, "radius")
-            .help(format!("give it in partc.toml: `[tools.{number}]` with `radius = 0.8` and `orientation = 3`"));
+    pub(super) fn answers_of_nose(&self, number: u32) -> impl Iterator<Item = Answer> {
         let known = self.known_tool().and_then(|tool| tool.orientation);
-        if known.is_none() { radius.and(Answer::tool(number, "orientation")) } else { radius }
+        let missing = known.is_none().then(|| Answer::tool(number, "orientation"));
+        [Answer::tool(number, "radius")].into_iter().chain(missing)
+    }
+
+    /// The recesses and undercuts of the contour lie on the side of the tool.
+    pub(super) fn check_forms(&self, section: &Section, tool_left: bool) -> Made {
+        let wrong = section.edges.iter().filter_map(|edge| edge.form).find(|form| form.left != tool_left);
+        let Some(form) = wrong else { return Ok(()) };
+        let fault = match form.kind {
+            FormKind::Recess => codes::T3050::recess_rises_out_of_material(),
+            FormKind::Undercut => codes::T3050::undercut_stands_at_convex_edge(),
+        };
+        self.refuse_elsewhere(Elsewhere { place: form.loc, fault, call: "the cycle that cuts it" })
     }
 }
 

@@ -9,12 +9,15 @@ use crate::ir::cycle::Cycle;
 use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way};
 use crate::ir::cycle::roughing::Nose;
 use crate::ir::cycle::turning::Towards;
+use crate::sema::cycle::call::{Elsewhere, Made};
+use crate::sema::cycle::row::{Rule, length, number};
 
-use super::geometry::Blank;
-use super::outline::Outline;
-use super::technology::Oversize;
-use super::words::Words;
-use super::{Outcome, Run};
+use super::super::geometry::Blank;
+use super::super::technology::Oversize;
+use super::{
+    Contour, CycleCall, DESCENDING, ENDS, ID, LEFT_OUT, LIMIT_X, LIMIT_Z, NE, NS, Need, Planned, Row, Unbuilt, one,
+    word,
+};
 
 /// Turns of the spindle that an arc takes at least, unless O1 is programmed.
 const TURNS_ON_AN_ARC: f64 = 4.0;
@@ -22,6 +25,41 @@ const TURNS_ON_AN_ARC: f64 = 4.0;
 const DESCENDING_SHARE: f64 = 0.5;
 /// How little a point may lie off the line through the ends of the contour to be on it, mm.
 const ON_LINE: f64 = 1e-6;
+
+pub(super) const ROWS: &[Row] = &[Row::new(
+    890,
+    "G890",
+    "finishing",
+    "MANUALplus 620, G890; CNC PILOT 640, p. 336",
+    &[
+        NS,
+        NE,
+        ID,
+        DESCENDING.unsigned(),
+        ENDS,
+        number("Q", "way of the approach; refused where it is not 0").rule(Rule::OneOf(0, 4)).default("0"),
+        number("H", "way of the retraction").rule(Rule::OneOf(0, 8)).default("3"),
+        LIMIT_X,
+        LIMIT_Z,
+        LEFT_OUT,
+        length("I", "end point, diameter"),
+        length("K", "end point along Z"),
+        number("O", "feed on small arcs 0 reduced, 1 as it is").rule(Rule::OneOf(0, 1)).default("0"),
+        number("U", "element in the words of G80; refused where it is not 0").default("0"),
+        number("B", "refused where it is not 0").default("0"),
+    ],
+    |call| call.finishing(),
+)
+.contour(Contour::Referenced)
+.unbuilt(&[
+    Unbuilt::all(word::X, |_| codes::T9007::cutting_limit_is_not_supported()),
+    Unbuilt::all(word::Z, |_| codes::T9007::cutting_limit_is_not_supported()),
+    Unbuilt::not_zero(word::Q, |_| codes::T9007::how_q_chooses_approach_no_manual()),
+    Unbuilt::not_zero(word::U, |_| codes::T9007::u_names_element_in_words_of_g80()),
+    Unbuilt::not_zero(word::B, |_| codes::T9007::what_b_of_g890_means_no_manual()),
+    Unbuilt::one(word::V, 4.0, |_| codes::T9007::v4_only_chamfer_or_rounding_of_element()),
+])
+.requires(&[Need::Feed])];
 
 /// Does the contour turn away from the tool anywhere? At a distance the path goes around such a corner on an arc.
 fn has_outer_corner(contour: &[Element], tool_is_left: bool) -> bool {
@@ -38,30 +76,29 @@ pub(super) struct Stance {
     pub away: Vec2,
 }
 
-impl Run<'_> {
-    pub(super) fn finishing(&mut self, w: &Words, outline: Option<&Outline>) -> Outcome {
-        let at = self.stand()?;
-        self.refuse_finishing_words(w)?;
-        let section = self.contour_with_ends(w, outline)?;
+impl CycleCall<'_> {
+    fn finishing(&self) -> Planned {
+        let section = self.contour()?;
         let contour = section.elements();
         let nose = self.nose_of_tool()?;
-        let stance = self.stance(&contour, at, nose)?;
-        self.check_forms(&section, stance.left)?;
-        let left_out = w.get(b'E').filter(|num| num.value == 0.0).map(|_| stance.into.unit());
+        let stance = self.stance(&contour, nose)?;
+        self.check_forms(section, stance.left)?;
+        let plunging = self.given.length_if(word::E);
+        let left_out = plunging.filter(|feed| *feed == 0.0).map(|_| stance.into.unit());
         self.nose_matters_not(&contour, stance.left, left_out)?;
-        let feed = self.cutting_feed()?;
-        let descending = match w.get(b'E') {
+        let feed = self.feed()?;
+        let descending = match plunging {
             None => {
                 if descends(&contour, stance.into) {
-                    self.note_descending();
+                    self.say(codes::T2028::descending_elements_are_cut_at_half_feed());
                 }
                 Descending::Cut { feed: reduced(feed) }
             }
-            Some(num) if num.value == 0.0 => Descending::Left,
-            Some(num) => Descending::Cut { feed: feed.with_value(self.above_zero(num, "the plunging feed")?) },
+            Some(0.0) => Descending::Left,
+            Some(own) => Descending::Cut { feed: feed.with_value(own) },
         };
-        let speed = self.st.spindle.turns();
-        let arcs = match self.choice(w, b'O', 0, 1)? {
+        let speed = self.st.modal.spindle.turns();
+        let arcs = match self.given.whole(word::O) {
             0 => ArcFeed::Turns { turns: TURNS_ON_AN_ARC, speed },
             _ => ArcFeed::Same,
         };
@@ -69,61 +106,39 @@ impl Run<'_> {
         if oversize != 0.0 && has_outer_corner(&contour, stance.left) {
             self.arc_needs_nose()?;
         }
-        let finishing = Finishing {
+        one(Cycle::Finishing(Finishing {
             contour,
             around_left: stance.left != section.backwards,
-            around: section.whole,
+            around: section.whole.clone(),
             into: stance.into,
             left: stance.left,
             nose: nose.unwrap_or_default(),
             oversize,
             shift,
             away: stance.away,
-            clearance: self.cycle_clearance(),
-            blank: self.uncut_bar(),
+            clearance: self.clearance(),
+            blank: self.st.modal.uncut_bar(self.st.blank),
             feed,
             descending,
             arcs,
-            end: self.finishing_end(w)?,
-        };
-        self.send_cycle(&Cycle::Finishing(finishing));
-        self.st.oversize = None;
-        Ok(())
+            end: self.finishing_end()?,
+        }))
     }
 
-    /// Words whose effect on the path no text at hand describes.
-    fn refuse_finishing_words(&self, w: &Words) -> Outcome {
-        let why = |letter: u8| match letter {
-            b'Q' => "how Q chooses the approach no manual at hand says",
-            b'U' => "U names an element in the words of G80, which is not supported",
-            b'B' => "what B of G890 means no manual at hand says",
-            _ => "a cutting limit is not supported: to which side it holds is shown in a picture only",
+    fn finishing_end(&self) -> Made<FinishingEnd> {
+        let kind = self.given.number(word::H).map_or(3, |kind| kind as i32);
+        if (3..=7).contains(&kind)
+            && let Some(name) = [word::I, word::K].into_iter().find(|name| self.given.has(*name))
+        {
+            return self.refuse_argument(name, codes::P1003::i_k_are_end_position(&kind));
+        }
+        let needed = |name, what: &str| match self.given.length_if(name) {
+            Some(length) => Ok(length),
+            None => self.refuse_argument(word::H, codes::P1004::is_missing(&name, &what)),
         };
-        for letter in [b'X', b'Z', b'Q', b'U', b'B'] {
-            let limit = matches!(letter, b'X' | b'Z');
-            if let Some(num) = w.get(letter).filter(|num| limit || num.value != 0.0) {
-                return self.fail_help(
-                    codes::T9007,
-                    num.span,
-                    why(letter),
-                    "leave the word out, and name the elements to be finished with NS and NE",
-                );
-            }
-        }
-        Ok(())
-    }
-
-    fn finishing_end(&self, w: &Words) -> Outcome<FinishingEnd> {
-        let kind = self.choice(w, b'H', 3, 8)?;
-        if let (3..=7, Some(num)) = (kind, w.get(b'I').or(w.get(b'K'))) {
-            return self.refuse(num.span, codes::P1003::i_k_are_end_position(&kind));
-        }
-        let point = || -> Outcome<Point2> {
-            let i =
-                self.needed(w, b'I', "the X of the end position, as a diameter", w.span(b'H', self.block_span()))?;
-            let k = self.needed(w, b'K', "the Z of the end position", w.span(b'H', self.block_span()))?;
-            let mm = self.st.mm();
-            Ok(Point2::new(k.value * mm, i.value * mm / 2.0))
+        let point = || -> Made<Point2> {
+            let x = needed(word::I, "the X of the end position, as a diameter")?;
+            Ok(Point2::new(needed(word::K, "the Z of the end position")?, x / 2.0))
         };
         let to = |way: Way| point().map(|to| FinishingEnd::Point { to, way });
         match kind {
@@ -140,8 +155,8 @@ impl Run<'_> {
     }
 
     /// G57 moves the contour away from the part, G58 is measured at right angles to it.
-    fn finishing_oversize(&self, contour: &[Element], stance: &Stance) -> Outcome<(f64, Vec2)> {
-        match self.st.oversize {
+    fn finishing_oversize(&self, contour: &[Element], stance: &Stance) -> Made<(f64, Vec2)> {
+        match self.st.modal.oversize {
             None => Ok((0.0, Vec2::zeros())),
             Some((Oversize::Equidistant(p), _)) => Ok((p, Vec2::zeros())),
             Some((Oversize::Paraxial { x, z }, _))
@@ -149,31 +164,34 @@ impl Run<'_> {
             {
                 Ok((0.0, Vec2::new(z * stance.away.x, x / 2.0 * stance.away.y)))
             }
-            Some((_, loc)) => self.oversize_refused(loc, "this oversize does not fit the contour behind it"),
+            Some((_, place)) => {
+                let fault = codes::T9007::oversize_does_not_fit_contour();
+                self.refuse_elsewhere(Elsewhere { place, fault, call: "the cycle" })
+            }
         }
     }
 
     /// On which side of the contour the tool works: told by its edge, else by where it stands.
-    pub(super) fn stance(&self, contour: &[Element], at: Point2, nose: Option<Nose>) -> Outcome<Stance> {
+    pub(super) fn stance(&self, contour: &[Element], nose: Option<Nose>) -> Made<Stance> {
         let (Some(first), Some(last)) = (contour.first(), contour.last()) else {
-            return self.refuse(self.block_span(), codes::T3003::contour_has_no_element());
+            return self.refuse(codes::T3003::contour_has_no_element());
         };
         let chord = last.to() - first.from();
         let aside = left(chord);
         let side = match nose {
             Some(nose) => -nose.tip.dot(&aside),
-            None => cross(chord, at - first.from()),
+            None => cross(chord, self.st.at - first.from()),
         };
         if side.abs() <= ON_LINE * aside.norm().max(1.0) {
-            return self.side_unclear("it is not clear on which side of the contour the tool works");
+            return self.refuse(codes::T2025::side_of_contour_is_not_clear());
         }
         let is_left = side > 0.0;
         let free = if is_left { aside } else { -aside };
         let outside = if chord.x.abs() <= ON_LINE { nose.is_none_or(|nose| nose.tip.y < 0.0) } else { free.y > 0.0 };
-        let bored = matches!(self.geometry.blank, Some(Blank::Bar { bore, .. }) if bore > 0.0)
-            || matches!(self.geometry.blank, Some(Blank::Casting { bore: true, .. }));
+        let bored = matches!(self.st.blank, Some(Blank::Bar { bore, .. }) if bore > 0.0)
+            || matches!(self.st.blank, Some(Blank::Casting { bore: true, .. }));
         if !outside && !bored && nose.is_none() {
-            return self.side_unclear("the tool stands below the contour, and no bore is known");
+            return self.refuse(codes::T2025::tool_stands_below_contour());
         }
         let out = if outside { 1.0 } else { -1.0 };
         // A contour that only goes inwards, more than it goes along, is faced.
@@ -191,21 +209,6 @@ impl Run<'_> {
             None => Vec2::new(-chord.x.signum(), out),
         };
         Ok(Stance { left: is_left, into, away })
-    }
-
-    fn side_unclear<T>(&self, message: &str) -> Outcome<T> {
-        self.fail_help(
-            codes::T2025,
-            self.block_span(),
-            message,
-            "position the tool clear of the contour, on the side from which it is turned; for a bore give I of G20, or \
-             `radius` and `orientation` of the tool in partc.toml",
-        )
-    }
-
-    pub(super) fn note_descending(&self) {
-        let found = codes::T2028::descending_elements_are_cut_at_half_feed().at(self.here.origin.loc);
-        self.report(found.help("program E with the feed for descending elements"));
     }
 }
 

@@ -6,13 +6,11 @@ use crate::diag::{Answer, codes};
 use crate::geo::{Element, Point2};
 use crate::ir::cycle::thread::{MOST_PARTS, ThreadPart};
 use crate::ir::cycle::turning::Towards;
-use crate::machine::Axis;
+use crate::sema::cycle::call::Made;
 
-use super::chain::{AGREES, Coord};
-use super::outline::Outline;
-use super::readings::Question;
-use super::words::Words;
-use super::{Outcome, Run};
+use super::super::chain::{AGREES, Coord};
+use super::super::readings::Question;
+use super::{CycleCall, word};
 
 /// What a drawing loses at 45 degrees, mm.
 const LEANS: f64 = 1e-3;
@@ -25,77 +23,61 @@ pub(super) struct ThreadLine {
     pub transverse: bool,
 }
 
-impl Run<'_> {
+impl CycleCall<'_> {
     /// Start and parts of the thread: from the tool to X and Z, or along a contour.
-    pub(super) fn thread_line(
-        &mut self,
-        w: &Words,
-        outline: Option<&Outline>,
-        at: Point2,
-        lead: f64,
-    ) -> Outcome<ThreadLine> {
-        let span = self.block_span();
-        let (x, z) = (w.get(b'X'), w.get(b'Z'));
-        let across = self.choice(w, b'J', 0, 1)?;
-        let across = w.has(b'J').then_some(across == 1);
-        let rise = w.value(b'R').unwrap_or(0.0) * self.st.mm();
-        if x.is_none() && z.is_none() {
-            let line = self.thread_contour(w, outline, lead, across)?;
+    pub(super) fn thread_line(&self, lead: f64) -> Made<ThreadLine> {
+        let (given, at) = (self.given, self.st.at);
+        let across = given.number(word::J).map(|across| across == 1.0);
+        let rise = given.length(word::R);
+        if !given.has(word::X) && !given.has(word::Z) {
+            let line = self.thread_contour(lead, across)?;
             let end = line.parts.last().map_or(line.start, |part| part.end);
-            if w.has(b'R') && (end.y - line.start.y - rise).abs() > AGREES {
-                return self
-                    .refuse(w.span(b'R', span), codes::P1005::r_is_not_difference_of_radii(&(end.y - line.start.y)));
+            if given.has(word::R) && (end.y - line.start.y - rise).abs() > AGREES {
+                let fault = codes::P1005::r_is_not_difference_of_radii(&(end.y - line.start.y));
+                return self.refuse_argument(word::R, fault);
             }
             return Ok(line);
         }
-        if outline.is_some() || w.long("NS").is_some() || self.named.is_some() {
-            return self.refuse(span, codes::P1005::thread_has_end_point());
+        if given.has(word::NS) || given.has(word::ID) {
+            return self.refuse(codes::P1005::thread_has_end_point());
         }
-        let (Some(_), Some(_)) = (x, z) else {
-            return self.refuse(span, codes::P1004::thread_needs_both_x());
-        };
+        if !given.has(word::X) || !given.has(word::Z) {
+            return self.refuse(codes::P1004::thread_needs_both_x());
+        }
         let ordinate = |coord: Coord, from: f64| match coord {
             Coord::At(v) => Some(v),
             Coord::By(d) => Some(from + d),
             Coord::Stay | Coord::Open => None,
         };
-        let (x, z) = (self.coord(x, Axis::X), self.coord(z, Axis::Z));
-        let (Some(x), Some(z)) = (ordinate(x, at.y), ordinate(z, at.x)) else {
-            return self.refuse(span, codes::P1004::end_of_thread_cannot_be_left_open());
+        let (Some(x), Some(z)) = (ordinate(self.st.x, at.y), ordinate(self.st.z, at.x)) else {
+            return self.refuse(codes::P1004::end_of_thread_cannot_be_left_open());
         };
         let end = Point2::new(z, x);
         // Steeper than 45 degrees to Z it runs across a face, and the tool stands clear of that.
         let transverse = across.unwrap_or(rise.abs() > (z - at.x).abs() + LEANS);
         if transverse && rise == 0.0 {
-            return self.refuse(span, codes::P1004::thread_across_face_has_no_r());
+            return self.refuse(codes::P1004::thread_across_face_has_no_r());
         }
         let start = Point2::new(if transverse { z } else { at.x }, x - rise);
         Ok(ThreadLine { start, parts: vec![ThreadPart { end, lead }], transverse })
     }
 
-    fn thread_contour(
-        &mut self,
-        w: &Words,
-        outline: Option<&Outline>,
-        lead: f64,
-        across: Option<bool>,
-    ) -> Outcome<ThreadLine> {
-        let edges = self.contour_of(w, outline, 0)?.edges;
+    fn thread_contour(&self, lead: f64, across: Option<bool>) -> Made<ThreadLine> {
+        let edges = &self.contour()?.edges;
         // The thread lies on the basic elements; chamfers and undercuts are not cut.
         let elements: Vec<Element> =
             edges.iter().filter(|edge| !edge.corner && edge.form.is_none()).map(|edge| edge.element).collect();
-        let span = self.block_span();
         if elements.len() > MOST_PARTS {
-            return self.refuse(span, codes::T3003::contour_of_thread_has_elements(&elements.len(), &MOST_PARTS));
+            return self.refuse(codes::T3003::contour_of_thread_has_elements(&elements.len(), &MOST_PARTS));
         }
         let (Some(first), true) = (elements.first(), elements.iter().all(|e| matches!(e, Element::Line { .. }))) else {
-            return self.refuse(span, codes::T3003::thread_is_cut_along_straight_elements());
+            return self.refuse(codes::T3003::thread_is_cut_along_straight_elements());
         };
         let way = first.to() - first.from();
         let transverse = across.unwrap_or(way.y.abs() > way.x.abs() + LEANS);
         let gap = elements.windows(2).any(|pair| crate::geo::distance(pair[0].to(), pair[1].from()) > 1e-6);
         if gap {
-            return self.refuse(span, codes::T3003::chamfer_rounding_or_undercut_interrupts_thread());
+            return self.refuse(codes::T3003::chamfer_rounding_or_undercut_interrupts_thread());
         }
         let start = first.from();
         let parts = elements.iter().map(|element| ThreadPart { end: element.to(), lead }).collect();
@@ -103,9 +85,8 @@ impl Run<'_> {
     }
 
     /// The face that a transverse thread is cut in: the configuration says it, else the edge of the tool points to it.
-    pub(super) fn thread_face(&self, w: &Words) -> Outcome<Towards> {
-        let span = w.span(b'U', self.block_span());
-        let told = match self.job.settings.control.turning.rear_face {
+    pub(super) fn thread_face(&self) -> Made<Towards> {
+        let told = match self.settings.control.turning.rear_face {
             Some(rear) => Some(rear),
             None => match self.known_tool().and_then(|tool| tool.orientation) {
                 Some(2 | 3 | 7) => Some(false),
@@ -115,18 +96,15 @@ impl Run<'_> {
         };
         match told {
             Some(rear) => {
-                self.depends_on(Question::ThreadFace, span);
+                self.depends_on(Question::ThreadFace, self.given.place_of(word::U));
                 Ok(if rear { Towards::PlusZ } else { Towards::MinusZ })
             }
-            None => self.refuse(
-                self.block_span(),
-                codes::P2004::thread_runs_across_face().answer(Answer::key("control", "thread_face")),
-            ),
+            None => self.refuse(codes::P2004::thread_runs_across_face().answer(Answer::key("control", "thread_face"))),
         }
     }
 
     /// A thread across a face stays on its side of the turning centre, with its run-in and run-out.
-    pub(super) fn off_centre(&self, start: Point2, parts: &[ThreadPart], run_in: f64, run_out: f64) -> Outcome {
+    pub(super) fn off_centre(&self, start: Point2, parts: &[ThreadPart], run_in: f64, run_out: f64) -> Made {
         let Some(last) = parts.last() else { return Ok(()) };
         let inwards = last.end.y < start.y;
         let (begin, end) =
@@ -134,6 +112,6 @@ impl Run<'_> {
         if begin.min(end) >= 0.0 {
             return Ok(());
         }
-        self.refuse(self.block_span(), codes::T1007::thread_with_its_run(&(2.0 * begin.min(end))))
+        self.refuse(codes::T1007::thread_with_its_run(&(2.0 * begin.min(end))))
     }
 }

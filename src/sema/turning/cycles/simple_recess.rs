@@ -9,10 +9,27 @@ use crate::ir::cycle::Cycle;
 use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessFeeds, RecessTurning};
 use crate::ir::cycle::turning::Towards;
 use crate::machine::RecessSide;
+use crate::sema::cycle::call::Made;
+use crate::sema::cycle::row::{dwell, length};
 
-use super::readings::Question;
-use super::words::{Num, Words};
-use super::{Outcome, Run};
+use super::super::readings::Question;
+use super::{CORNER_X, CORNER_Z, CycleCall, Need, Planned, Row, Step, word};
+
+pub(super) const ROWS: &[Row] = &[Row::new(
+    86,
+    "G86",
+    "simple recess",
+    "4110P, p. 68",
+    &[
+        CORNER_X.needed(),
+        CORNER_Z.needed(),
+        length("I", "radial: oversize; axial: width").unsigned(),
+        length("K", "radial: width; axial: oversize").unsigned(),
+        dwell("E", "dwell at the floor").unsigned().default("one turn"),
+    ],
+    |call| call.simple_recess(),
+)
+.requires(&[Need::NotDinPlus(codes::P9010::g86_of_din_plus_is_not_supported), Need::Feed])];
 
 /// Where the slope into a flank begins, beside the flank, in mm.
 const SLOPE: f64 = 1.3;
@@ -57,17 +74,15 @@ impl Slot {
     }
 }
 
-impl Run<'_> {
-    pub(super) fn simple_recess(&mut self, w: &Words) -> Outcome {
-        let at = self.stand()?;
-        let span = self.block_span();
-        self.not_of_din_plus("G86", "describe the recess in the contour and program G869")?;
-        let (tool, radial) = self.recess_tool()?;
-        let corner = self.corner_of(w, at)?;
-        let (width, oversize) = if radial { (b'K', b'I') } else { (b'I', b'K') };
+impl CycleCall<'_> {
+    fn simple_recess(&self) -> Planned {
+        let at = self.st.at;
+        let (tool, radial) = self.no_fault(self.st.modal.recess_tool(self.settings))?;
+        let corner = self.corner()?;
+        let (width, oversize) = if radial { (word::K, word::I) } else { (word::I, word::K) };
         let (place, floor, start) = if radial { (corner.x, corner.y, at.y) } else { (corner.y, corner.x, at.x) };
         if (floor - start).abs() <= 1e-6 {
-            return self.refuse(span, codes::T1007::recess_has_no_depth_below_tool());
+            return self.refuse(codes::T1007::recess_has_no_depth_below_tool());
         }
         let into = match (radial, floor < start) {
             (true, true) => Towards::MinusX,
@@ -75,29 +90,25 @@ impl Run<'_> {
             (false, true) => Towards::MinusZ,
             (false, false) => Towards::PlusZ,
         };
-        let mm = self.st.mm();
-        let oversize = match w.get(oversize) {
-            Some(num) if num.value < 0.0 => return self.refuse(num.span, codes::T1007::oversize_is_not_negative()),
-            num => num.map_or(0.0, |num| num.value * mm),
-        };
+        let oversize = self.given.length(oversize);
         // In a recess as wide as the tool the walls keep nothing.
-        let wide = w.has(width);
+        let wide = self.given.has(width);
         if oversize > 0.0 && wide {
-            self.depends_on(Question::RecessOversize, span);
+            self.depends_on(Question::RecessOversize, self.given.place);
         }
-        let on_walls = wide && self.job.settings.control.turning.oversize_on_floor != Some(true);
+        let on_walls = wide && self.settings.control.turning.oversize_on_floor != Some(true);
         let aside = if on_walls { oversize } else { 0.0 };
-        let flanks = match w.get(width) {
+        let flanks = match self.given.length_if(width) {
             // One stroke: the tool stands with its programmed corner at the corner of the recess.
             None => (place + tool.edge, place + tool.edge + tool.width),
-            Some(num) => self.recess_flanks(num, place, radial, tool.width)?,
+            Some(wide) => self.recess_flanks(wide, place, radial, tool.width)?,
         };
         let slot = Slot { flanks, floor, start, into };
         if (floor - start).abs() <= SLOPE {
-            return self.refuse(span, codes::T1007::recess_is_not_deeper_than_slope());
+            return self.refuse(codes::T1007::recess_is_not_deeper_than_slope());
         }
-        let dwell = self.recess_dwell(w, slot.floor)?;
-        let feed = self.cutting_feed()?;
+        let dwell = self.recess_dwell(slot.floor)?;
+        let feed = self.feed()?;
         let pass = |operation, contour, dwell| RecessTurning {
             contour,
             into,
@@ -113,47 +124,47 @@ impl Run<'_> {
             feeds: RecessFeeds { plunge: feed, turn: feed, finish: feed },
             end: RecessEnd::Lift,
         };
-        self.send_cycle(&Cycle::RecessTurning(pass(Operation::Rough, slot.upright(), 0.0)));
-        self.send_cycle(&Cycle::RecessTurning(pass(Operation::Finish, slot.sloped(), dwell)));
-        Ok(())
+        let rough = pass(Operation::Rough, slot.upright(), 0.0);
+        let finish = pass(Operation::Finish, slot.sloped(), dwell);
+        Ok([rough, finish].map(|pass| Step::Cycle(Box::new(Cycle::RecessTurning(pass)))).into())
     }
 
     /// Places of the flanks of a recess that is wider than the tool.
-    fn recess_flanks(&self, width: Num, place: f64, radial: bool, tool: f64) -> Outcome<(f64, f64)> {
+    fn recess_flanks(&self, wide: f64, place: f64, radial: bool, tool: f64) -> Made<(f64, f64)> {
         if !radial {
-            return self.refuse(width.span, codes::T9007::whether_width_of_axial_recess_counts());
+            return self.refuse_argument(word::I, codes::T9007::whether_width_of_axial_recess_counts());
         }
-        let wide = self.above_zero(width, "the width of the recess")?;
+        if wide <= 0.0 {
+            return self.refuse_argument(word::K, codes::T1007::has_to_be_above_zero(&"the width of the recess"));
+        }
         if wide < tool - 1e-9 {
-            return self.refuse(width.span, codes::T1007::recess_is_narrower_than_tool());
+            return self.refuse_argument(word::K, codes::T1007::recess_is_narrower_than_tool());
         }
-        match self.job.settings.control.turning.recess_side {
+        match self.settings.control.turning.recess_side {
             Some(RecessSide::Plus) => Ok((place, place + wide)),
             Some(RecessSide::Minus) => Ok((place - wide, place)),
-            None => self.refuse(
-                width.span,
-                codes::T9007::on_which_side_of_its_corner_wide().answer(Answer::key("control", "recess_side")),
-            ),
+            None => {
+                let fault = codes::T9007::on_which_side_of_its_corner_wide();
+                self.refuse_argument(word::K, fault.answer(Answer::key("control", "recess_side")))
+            }
         }
     }
 
     /// E in seconds; one turn of the spindle where it is missing.
-    fn recess_dwell(&self, w: &Words, floor: f64) -> Outcome<f64> {
-        if let Some(num) = w.get(b'E') {
-            if num.value < 0.0 {
-                return self.refuse(num.span, codes::T1007::dwell_time_is_not_negative());
-            }
-            return Ok(num.value);
+    fn recess_dwell(&self, floor: f64) -> Made<f64> {
+        if let Some(seconds) = self.given.number(word::E) {
+            return Ok(seconds);
         }
-        let speed =
-            self.st.spindle.speed().filter(|speed| *speed > 0.0).map(|speed| match self.st.spindle.is_cutting() {
+        let speed = self.st.modal.spindle.speed().filter(|speed| *speed > 0.0).map(|speed| {
+            match self.st.modal.spindle.is_cutting() {
                 // Metres per minute at the floor of a radial recess; further out the spindle is slower.
                 true => speed * 1000.0 / (core::f64::consts::TAU * floor.abs().max(1e-3)),
                 _ => speed,
-            });
-        match speed.map(|turns| self.st.spindle.limited(turns)) {
+            }
+        });
+        match speed.map(|turns| self.st.modal.spindle.limited(turns)) {
             Some(speed) => Ok(60.0 / speed),
-            None => self.refuse(self.block_span(), codes::P1004::e_is_missing()),
+            None => self.refuse(codes::P1004::e_is_missing()),
         }
     }
 }
