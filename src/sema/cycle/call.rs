@@ -8,7 +8,7 @@ use crate::sema::run::Where;
 use crate::sema::{Outcome, Reported};
 
 use super::given::{Breach, Given};
-use super::row::Name;
+use super::row::{Name, Parameter};
 
 /// Why a call makes no path.
 #[derive(Debug)]
@@ -112,6 +112,11 @@ impl<S: Says> Call<'_, S> {
     /// Every argument against its row.
     pub fn fits_its_row(&self) -> Made {
         self.no_breach(self.given.breach())
+    }
+
+    /// The arguments that count for this call against the row.
+    pub fn fits_where(&self, counts: impl Fn(&Parameter) -> bool) -> Made {
+        self.no_breach(self.given.breach_where(counts))
     }
 
     /// Every argument against the kind of its row.

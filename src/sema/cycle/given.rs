@@ -101,8 +101,13 @@ impl Given {
 
     /// The first argument that is not what its row says, by its place from 0.
     pub fn breach(&self) -> Option<(usize, Breach)> {
+        self.breach_where(|_| true)
+    }
+
+    /// The same, among the parameters that count for this call.
+    pub fn breach_where(&self, counts: impl Fn(&Parameter) -> bool) -> Option<(usize, Breach)> {
         let at = |at: usize| self.values.get(at).map_or(&Value::Missing, |(value, _)| value);
-        let all = self.signature.parameters.iter().enumerate();
+        let all = self.signature.parameters.iter().enumerate().filter(|(_, parameter)| counts(parameter));
         let mut found = all.filter_map(|(place, parameter)| Some((place, parameter.breach(at(place))?)));
         found.next()
     }
