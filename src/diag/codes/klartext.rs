@@ -438,12 +438,16 @@ no cycle. A pocket is closed, and no contour crosses itself." {
 
 K2952 Error "contour-missing" "the cycle lacks its contour or its data"
 "Cycles 21 to 25 mill the contours that cycle 14 names, and cycles 21 to 24 take depth, allowances, heights and overlap of cycle 20. Program both in front of the call." {
-    cycle(cycle, what) "cycle {cycle}: {what}";
+    no_contour_is_named() "no contour is named in front of it"
+        help "write CYCL DEF 14.0 and 14.1 CONTOUR LABEL 1";
+    there_is_no_contour_data() "there is no contour data in front of it"
+        help "write CYCL DEF 20 with Q1 to Q9";
 }
 
 K2954 Warning "further-contours" "cycle 25 mills the first contour only"
 "Cycle 25 takes the first label of cycle 14; the contours of the other labels are not milled by it." {
-    cycle_25_mills_first_contour_of_cycle() "cycle 25 mills the first contour of cycle 14, and not the others";
+    cycle_25_mills_first_contour_of_cycle() "cycle 25 mills the first contour of cycle 14, and not the others"
+        help "name the contour alone, and call the cycle once for each contour";
 }
 
 K2955 Error "contours-together" "the contours of cycle 14 make no certain area together"

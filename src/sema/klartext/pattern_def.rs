@@ -10,9 +10,11 @@ use crate::ir::contour::Path;
 use crate::ir::{Feed, Pos};
 use crate::lexer::klartext::{QKind, QRef};
 use crate::parser::klartext::ast::Block;
+use crate::sema::cycle::given::Given;
 use crate::text::{Loc, Span, number::decimal};
 
-use super::cycles::call::{By, Call, Retract};
+use super::cycles::call::{By, Calling, Retract};
+use super::cycles::holes::OLD_CLEARANCE;
 use super::cycles::{DefinedCycle, SURFACE};
 use super::patterns::{FIRST_PLACED, PLACES_A_STEP};
 use super::words::Admits;
@@ -329,7 +331,9 @@ impl Run<'_> {
                     .also(places.loc, "it is selected here"),
             );
         }
-        let own = if old { 0.0 } else { self.cycle_length(&cycle, SURFACE)? };
+        self.same_unit(&cycle)?;
+        let given = self.given_of(&cycle)?;
+        let own = given.length(SURFACE);
         if own != 0.0 && places.list.iter().any(|place| place.surface != 0.0) {
             self.report(
                 codes::K2411::places_have_surface_z_of_their_own()
@@ -344,12 +348,12 @@ impl Run<'_> {
         let feed = self.pattern_feed(w, "CYCL CALL PAT")?;
         let height = self.position_of(self.st.axis(), self.block_span(), "CYCL CALL PAT")?;
         if old {
-            self.old_cycle_starts(&cycle, places, height)?;
-            return self.run_old_pattern(w, &cycle, places, feed);
+            self.old_cycle_starts(&cycle, &given, (places, height))?;
+            return self.run_old_pattern(w, (&cycle, &given), places, feed);
         }
         for (i, place) in places.list.iter().enumerate() {
             self.goes_on()?;
-            let clear = self.heights(&cycle, place.surface)?;
+            let clear = self.heights(&cycle, &given, place.surface);
             let axis = self.st.axis();
             let free = place.clearance.map_or(clear.second, |height| height.max(clear.second));
             if self.st.position.get(axis).is_none_or(|at| at < free) {
@@ -364,15 +368,16 @@ impl Run<'_> {
             // The higher one of the clearances here and at the next place.
             let next = places.list.get(i + 1).and_then(|next| next.clearance);
             let height = [place.clearance, next].into_iter().flatten().fold(height, f64::max);
-            self.run_cycle(&cycle, Call { shift: place.surface, retract: Retract::To(height), by: By::Pattern })?;
+            let calling = Calling { shift: place.surface, retract: Retract::To(height), by: By::Pattern };
+            self.run_given(&cycle, &given, calling)?;
         }
         self.m_at_end(w)
     }
 
     /// The old cycles start where the tool stands, at their set-up clearance. Whether they come to it above the Z of a
     /// place is open, so the tool has to stand there.
-    fn old_cycle_starts(&mut self, cycle: &DefinedCycle, places: &Places, height: f64) -> Outcome {
-        let clearance = cycle.part(1).unwrap_or(0.0).abs() * cycle.mm;
+    fn old_cycle_starts(&self, cycle: &DefinedCycle, given: &Given, (places, height): (&Places, f64)) -> Outcome {
+        let clearance = given.magnitude(OLD_CLEARANCE);
         let wrong = places.list.iter().find_map(|place| {
             let start = place.surface + clearance;
             let lifts = place.clearance.filter(|high| *high > height + SAME_HEIGHT);
@@ -402,7 +407,7 @@ impl Run<'_> {
     fn run_old_pattern(
         &mut self,
         w: &super::words::Words,
-        cycle: &DefinedCycle,
+        (cycle, given): (&DefinedCycle, &Given),
         places: &Places,
         feed: Option<Feed>,
     ) -> Outcome {
@@ -412,7 +417,7 @@ impl Run<'_> {
             end.set_in_plane(self.st.plane(), place.at);
             self.st.polar.forget_last();
             self.send(&end, Path::straight(feed));
-            self.run_cycle(cycle, Call { shift: 0.0, retract: Retract::Far, by: By::Pattern })?;
+            self.run_given(cycle, given, Calling { by: By::Pattern, ..Calling::HERE })?;
         }
         self.m_at_end(w)
     }
