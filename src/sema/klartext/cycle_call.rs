@@ -62,8 +62,15 @@ impl Run<'_> {
     pub(super) fn run_cycle(&mut self, cycle: &DefinedCycle, calling: Calling) -> Outcome {
         self.same_unit(cycle)?;
         let contours = self.requirements(cycle, calling)?;
-        let given = self.given_of(cycle)?;
+        let given = self.checked(cycle)?;
         self.run_planned(cycle, &given, calling, contours)
+    }
+
+    /// What the parameters hold now, which is what the row asks for.
+    pub(super) fn checked(&mut self, cycle: &DefinedCycle) -> Outcome<Given> {
+        let given = self.given_of(cycle)?;
+        self.planned(cycle, &given, Calling::HERE, None, |call| call.fits())?;
+        Ok(given)
     }
 
     /// The same at one of many places, with arguments that were read before.
@@ -200,7 +207,7 @@ impl Run<'_> {
             at_definition: Vec::new().into(),
         };
         let call = CycleCall::new(given, &seen, self.job.settings);
-        let made = call.fits().and_then(|()| plan(&call));
+        let made = plan(&call);
         for fault in seen.at_definition.take() {
             self.report(fault.at(cycle.loc));
         }

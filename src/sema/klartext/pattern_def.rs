@@ -332,7 +332,7 @@ impl Run<'_> {
             );
         }
         self.same_unit(&cycle)?;
-        let given = self.given_of(&cycle)?;
+        let given = self.checked(&cycle)?;
         let own = given.length(SURFACE);
         if own != 0.0 && places.list.iter().any(|place| place.surface != 0.0) {
             self.report(

@@ -41,7 +41,7 @@ impl Run<'_> {
         if cycle.number < FIRST_PLACED && !old {
             return self.refuse_cycle(pattern, codes::P9010::pattern_of_cycle_is_not_supported(&cycle.number));
         }
-        let of_pattern = self.given_of(pattern)?;
+        let of_pattern = self.checked(pattern)?;
         if of_pattern.or_zero(ON_ARCS) != 0.0 {
             return self.refuse_cycle(pattern, codes::P9010::going_from_place_to_place_on_arcs());
         }
@@ -51,7 +51,7 @@ impl Run<'_> {
         self.warn_of_repeated_places(&by, places.iter().copied(), pattern.loc);
         let heights = self.heights(pattern, &of_pattern, 0.0);
         self.same_unit(&cycle)?;
-        let given = self.given_of(&cycle)?;
+        let given = self.checked(&cycle)?;
         self.surfaces_agree(pattern, (&cycle, &given), &heights)?;
         if old {
             self.clearances_agree(pattern, (&cycle, &given), &heights)?;
@@ -188,7 +188,7 @@ impl Run<'_> {
         let feed = self.pattern_feed(&w, "CYCL CALL POS")?;
         let shift = w.axes.get(axis).unwrap_or(0.0);
         self.same_unit(cycle)?;
-        let given = self.given_of(cycle)?;
+        let given = self.checked(cycle)?;
         let heights = self.heights(cycle, &given, shift);
         let Some(at) = self.st.position.get(axis) else {
             self.position_of(axis, w.axes_span, "CYCL CALL POS")?;
