@@ -320,7 +320,7 @@ impl Run<'_> {
         }
         if self.job.settings.output.comments
             && let Some(comment) = block.comment
-            && !matches!(block.stmt, Stmt::Cycle { .. })
+            && !matches!(block.stmt, Stmt::Cycle { .. } | Stmt::PatternDef)
         {
             self.comment(comment.of(text));
         }
@@ -384,7 +384,7 @@ impl Run<'_> {
             Stmt::Cycle { number, part } => self.cycle_block(number, part, block, text),
             Stmt::CycleCall(kind) => self.cycle_call(kind, block, text),
             Stmt::Transform(kind) => self.transform_block(kind, block, text),
-            Stmt::PatternDef(rest) => self.pattern_def(rest, text),
+            Stmt::PatternDef => self.pattern_def(block),
             Stmt::PlaneReset(_) => self.plane_block(block, text),
             Stmt::Approach => self.approach_block(block, text),
             Stmt::Fk(head) => self.fk_block(head, block, text),
@@ -422,6 +422,7 @@ impl Run<'_> {
         self.lost();
         self.lose_target(block.span.of(text));
         self.refused_definition(block.span.of(text));
+        self.refused_pattern(block.span.of(text));
     }
 
     /// The first words of the block as written, which name its function.
