@@ -368,6 +368,39 @@ K2411 Error "pattern-data" "pattern cannot be read"
 `ROW1 (X+12 Y+20 D+9 NUM4 ROT+15 Z+0)`. Where the places have a surface Z of their own, Q203 of the cycle has to be 0." {
     places_have_surface_z_of_their_own() "the places have a surface Z of their own, and Q203 of the cycle is not 0"
         help "set Q203 to 0, or leave Z out of the pattern";
+    does_not_belong_here(word)
+        "`{word}` does not belong here: POS1, ROW1, PAT1, FRAME1, CIRC1 or PITCHCIRC1 have their data in brackets"
+        help "write `PATTERN DEF POS1 (X+12 Y+20 Z+0) POS2 (X+30 Y+20 Z+0)`";
+    ends_too_early()
+        "the data of the last pattern have no closing bracket"
+        help "write `PATTERN DEF POS1 (X+12 Y+20 Z+0) POS2 (X+30 Y+20 Z+0)`";
+    names_no_place()
+        "PATTERN DEF names no place"
+        help "write `PATTERN DEF POS1 (X+12 Y+20 Z+0) POS2 (X+30 Y+20 Z+0)`";
+    has_too_many_places()
+        "the pattern has more than 99999 places"
+        help "write `PATTERN DEF POS1 (X+12 Y+20 Z+0) POS2 (X+30 Y+20 Z+0)`";
+    word_stands_twice(word)
+        "`{word}` stands twice in the brackets"
+        help "write `PATTERN DEF POS1 (X+12 Y+20 Z+0) POS2 (X+30 Y+20 Z+0)`";
+    needs_its_place(pattern, first, second)
+        "{pattern} needs {first} and {second} as absolute values"
+        help "write `PATTERN DEF POS1 (X+12 Y+20 Z+0) POS2 (X+30 Y+20 Z+0)`";
+    has_no_such_word(pattern, word)
+        "`{word}` has no place in {pattern}"
+        help "write `PATTERN DEF POS1 (X+12 Y+20 Z+0) POS2 (X+30 Y+20 Z+0)`";
+    has_step_and_end(pattern)
+        "{pattern} has STEP and END, and each says where the last place lies"
+        help "write `PATTERN DEF POS1 (X+12 Y+20 Z+0) POS2 (X+30 Y+20 Z+0)`";
+    diameter_is_below_zero(pattern)
+        "the diameter D of {pattern} is below zero"
+        help "write `PATTERN DEF POS1 (X+12 Y+20 Z+0) POS2 (X+30 Y+20 Z+0)`";
+    lacks_word(pattern, word)
+        "{pattern} lacks {word}"
+        help "write `PATTERN DEF POS1 (X+12 Y+20 Z+0) POS2 (X+30 Y+20 Z+0)`";
+    has_no_number_of_places(pattern)
+        "{pattern} has no usable number of places"
+        help "write `PATTERN DEF POS1 (X+12 Y+20 Z+0) POS2 (X+30 Y+20 Z+0)`";
 }
 
 K2412 Note "cycle-never-called" "cycle that is not supported is defined and never called"
@@ -438,12 +471,16 @@ no cycle. A pocket is closed, and no contour crosses itself." {
 
 K2952 Error "contour-missing" "the cycle lacks its contour or its data"
 "Cycles 21 to 25 mill the contours that cycle 14 names, and cycles 21 to 24 take depth, allowances, heights and overlap of cycle 20. Program both in front of the call." {
-    cycle(cycle, what) "cycle {cycle}: {what}";
+    no_contour_is_named() "no contour is named in front of it"
+        help "write CYCL DEF 14.0 and 14.1 CONTOUR LABEL 1";
+    there_is_no_contour_data() "there is no contour data in front of it"
+        help "write CYCL DEF 20 with Q1 to Q9";
 }
 
 K2954 Warning "further-contours" "cycle 25 mills the first contour only"
 "Cycle 25 takes the first label of cycle 14; the contours of the other labels are not milled by it." {
-    cycle_25_mills_first_contour_of_cycle() "cycle 25 mills the first contour of cycle 14, and not the others";
+    cycle_25_mills_first_contour_of_cycle() "cycle 25 mills the first contour of cycle 14, and not the others"
+        help "name the contour alone, and call the cycle once for each contour";
 }
 
 K2955 Error "contours-together" "the contours of cycle 14 make no certain area together"

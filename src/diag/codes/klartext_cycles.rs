@@ -5,8 +5,14 @@ super::codes! { KLARTEXT_CYCLES:
 K2941 Error "tip-angle-missing" "angle at the tip of the drill is not known"
 "A depth that counts from a diameter (cycle 240 with Q343 or Q342), or from the full diameter of the drill (Q395), follows from the angle at \
 its tip. Give `tip_angle` in `[tools.N]`, or the column T-ANGLE of the tool table; 180 degrees have no tip." {
-    cycle_needs_angle_at_tip_of_tool(cycle, what, called)
-        "cycle {cycle}: {what} needs the angle at the tip of tool {called} (T-ANGLE)"
+    depth_of_full_diameter(called)
+        "a depth of the full diameter (Q395 = 1) needs the angle at the tip of tool {called} (T-ANGLE)"
+        asks "give `[tools.{called}] tip_angle`, or T-ANGLE in the tool table: 118 for a common drill";
+    centring_by_diameter(called)
+        "centring by the diameter (Q343 = 1) needs the angle at the tip of tool {called} (T-ANGLE)"
+        asks "give `[tools.{called}] tip_angle`, or T-ANGLE in the tool table: 118 for a common drill";
+    hole_is_drilled_already(called)
+        "a hole that is drilled already (Q342) needs the angle at the tip of tool {called} (T-ANGLE)"
         asks "give `[tools.{called}] tip_angle`, or T-ANGLE in the tool table: 118 for a common drill";
 }
 
@@ -14,14 +20,17 @@ K2942 Error "tool-radius-too-small" "tool is too small for the cycle"
 "Cycle 208 makes a hole of at most twice the diameter of the tool, unless Q342 says that it is drilled already; the control refuses a larger one. Cycle 265 \
 mills a thread from the solid, and a small tool would leave a core in its middle. Cycles 210 and 211 want a third of the width of the slot at least; 213 and 215 \
 go round once, which takes off the diameter of the tool. Take a larger tool, or drill first." {
-    cycle_tool_radius_too_small(cycle, what) "cycle {cycle}: tool radius too small: {what}"
+    tool_is_below_third_of_width(size, width)
+        "tool radius too small: the tool of {size} mm is below a third of the width Q219 = {width} mm"
         help "take a larger tool, or check the sizes of the definition";
-    cycle_208(size, radius)
-        "cycle 208: tool radius too small: the hole has {size} mm (Q335), more than twice the tool of {radius} mm"
+    more_stands_than_one_circuit_takes(stock, takes)
+        "tool radius too small: {stock} mm stand on the wall, and one circuit of the tool takes {takes} mm"
+        help "take a larger tool, or check the sizes of the definition";
+    hole_is_over_two_diameters(size, radius)
+        "tool radius too small: the hole has {size} mm (Q335), more than twice the tool of {radius} mm"
         help "take a larger tool, or give the diameter that is drilled already by Q342";
-    cycle_265(nominal, radius)
-        "cycle 265: tool radius too small: in a thread of {nominal} mm (Q335) a tool of {radius} mm leaves a core in \
-        the middle"
+    tool_leaves_core(nominal, radius)
+        "tool radius too small: in a thread of {nominal} mm (Q335) a tool of {radius} mm leaves a core in the middle"
         help "take a larger tool, or drill the core and mill the thread with cycle 262";
 }
 
@@ -97,18 +106,18 @@ shape exactly and moves at rapid traverse where nothing stands. Compare it with 
 K8142 Warning "stroke-of-q202" "Q202 of a slot has two readings"
 "Cycles 210 and 211 go to and fro along the slot and fall by Q202, and the manual does not say whether each stroke falls by it, or a stroke to and one fro \
 together. partc lets each stroke fall by Q202. `[cycles] q202 = \"stroke\"` says so, `\"pair\"` halves the fall of a stroke; the finished slot is the same." {
-    cycle_each_stroke_falls_by_q202(cycle)
-        "cycle {cycle}: each stroke falls by Q202; a stroke to and one fro may be meant";
+    each_stroke_falls_by_q202() "each stroke falls by Q202; a stroke to and one fro may be meant"
+        asks "say which by `[cycles] q202 = \"stroke\"` or `\"pair\"`";
 }
 
 K9040 Error "cycle-needs-a-choice" "cycle needs a choice in the configuration"
 "Manuals at hand do not settle what the control does here, and a wrong guess would spoil the part. The message names the key in `[cycles]` of partc.toml that \
 settles it; docs/cycles.md says what each value does." {
-    cycle_208(size)
-        "cycle 208: the hole of {size} mm is milled in several circles (Q342, Q370), whose order is not documented"
+    order_of_circles_is_open(size)
+        "the hole of {size} mm is milled in several circles (Q342, Q370), whose order is not documented"
         asks "`[cycles] cycle_208_rings = true` mills them from inside out, as docs/cycles.md says";
-    cycle_267()
-        "cycle 267: no manual at hand says what the radius of the tool touches, the nominal diameter or the core"
+    what_tool_touches_is_open()
+        "no manual at hand says what the radius of the tool touches, the nominal diameter or the core"
         asks "`[cycles] thread_267 = \"core\"` where the radius of the tool is that of its tip, `\"nominal\"` where \
         the tip reaches the core when that radius reaches the nominal diameter";
 }

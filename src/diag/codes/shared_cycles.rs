@@ -26,7 +26,18 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     infeed_q10_is_0() "the infeed Q10 is 0";
     depth_q1_is_positive(deep) "the depth Q1 = {deep} is positive";
     tool_axis_cannot_mill(axis) "the tool axis {axis} cannot mill";
-    is_below_zero(q, value) "{q} = {value} is below zero";
+    is_below_zero(q, value) "{q} = {value} is below zero"
+        help "check the values of the definition";
+    is_not_one_of(q, value, low, high) "{q} = {value} is not a whole number from {low} to {high}"
+        help "check the values of the definition";
+    value_is_out_of_range(q, value) "{q} = {value} is out of range"
+        help "check the values of the definition";
+    makes_no_path(fault) "{fault}";
+    deepened_start_lies_below_depth() "a deepened start lies below the depth of the cycle";
+    open_hole_q342_lies_below_depth() "Q342 lies below the depth of the cycle";
+    q14_and_cutter_reach_q3_unroughed(left, radius, allowance)
+        "Q14 = {left} and the radius {radius} of the cutter together are not below Q3 = {allowance} and the radius of \
+        the cutter that roughed (0, because no cycle 22 roughed this contour here, with this Q3, before)";
     it_set_to_is_now(q, set, now)
         "it set {q} to {set}, and {q} is {now} now: which of the two counts is open; define the cycle anew";
     tool_goes_on_contour_itself()
@@ -38,7 +49,6 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     kind_of_milling_q15(other)
         "the kind of milling Q15 = {other}, and the tool goes on the contour itself: there is no up-cut";
     q3_tool_goes_on_contour_itself(allowance) "Q3 = {allowance}, and the tool goes on the contour itself";
-    q3_is_below_zero(allowance) "Q3 = {allowance} is below zero";
     clearance_height_q7_does_not_lie_above(height, surface)
         "the clearance height Q7 = {height} does not lie above the surface Q5 = {surface}";
     tolerance(t) "a tolerance of {t}" help "a tolerance is above zero; `CYCL DEF 32.1` without T ends it";
@@ -46,15 +56,10 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
         help "cycle 13 takes 0 to 360 degrees";
     dwell_of_s_is_out_of_range(seconds) "a dwell of {seconds} s is out of range"
         help "a dwell takes 0 to 3600 seconds";
-    part_has_no_value(cycle, part) "part {cycle}.{part} has no value";
     depth_is_0() "the depth is 0";
     depth_is_positive() "the depth is positive";
-    disengaging_direction_q214_is_not_0(other) "the disengaging direction Q214 = {other} is not 0 to 4";
-    number_of_chip_breaks_q213_is_no(times) "the number of chip breaks Q213 = {times} is no whole number";
-    plunging_depth_q202_is_not_above_zero(step) "the plunging depth Q202 = {step} is not above zero";
     depth_q201_is_positive(deep) "the depth Q201 = {deep} is positive";
     tool_axis_cannot_drill(axis) "the tool axis {axis} cannot drill";
-    number_of_cuts_q240_is_not_2(cuts, most_cuts) "the number of cuts Q240 = {cuts} is not 2 to {most_cuts}";
     blank_q227_does_not_lie_above_face(top, bottom)
         "the blank Q227 = {top} does not lie above the face Q386 = {bottom}";
     stud_that_is_there() "the stud that is there (Q222) is smaller than the finished one (Q223)";
@@ -67,19 +72,14 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     transformations_together_are_too_large_or_too()
         "the transformations together are too large or too small to compute with"
         help "check the scaling factors and shifts in force";
-    sense_q426_is_not_3_4(other) "the sense Q426 = {other} is not 3, 4 or 5";
-    lies_below_depth_of_cycle(what) "{what} lies below the depth of the cycle";
     deepened_start_q379_is_not_above_depth(deepened) "the deepened start Q379 = {deepened} is not above the depth";
-    is_below_0(q, value) "{q} = {value} is below 0";
     diameter_q344_is_larger_than_tool(diameter, radius)
         "the diameter Q344 = {diameter} is larger than the tool of {radius} mm";
-    q395_is_not_0_or_1(other) "Q395 = {other} is not 0 or 1";
-    q343_is_not_0_or_1(other) "Q343 = {other} is not 0 or 1";
     feed_of_is_not_above_zero(value) "a feed of {value} is not above zero";
     feed_is_not_above_zero(q, value) "the feed {q} = {value} is not above zero";
     dwell_of_s_is_out(seconds) "a dwell of {seconds} s is out of range";
-    is_missing(q) "{q} is missing";
-    set_up_clearance_q200(clearance) "the set-up clearance Q200 is {clearance}";
+    is_missing(q) "{q} is missing"
+        help "check the values of the definition";
     overlap_factor_q370_is_not_0_1(factor) "the overlap factor Q370 = {factor} is not 0.1 to 1.9999";
     kind_of_milling_q351_is_not_1(other) "the kind of milling Q351 = {other} is not +1 or -1";
     floor_would_be_finished_in_one_cut(shown, shown2)
@@ -87,27 +87,21 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     allowance_on_wall_is_mm(shown, shown2, shown3)
         "the allowance on the wall is {shown} mm, and one finishing cut with the tool of {shown2} mm takes off \
         {shown3} mm here: stock would stay between the two";
-    is_not_one_of_0(q, value, most) "{q} = {value} is not one of 0 to {most}";
-    is_not_above_zero_2(q, value) "{q} = {value} is not above zero";
+    is_not_above_zero_2(q, value) "{q} = {value} is not above zero"
+        help "check the values of the definition";
     radius_of_tool_with_its_oversizes(radius) "the radius of the tool with its oversizes is {radius} mm";
     its_two_sides_do_not_lie_along() "its two sides do not lie along the two axes of the working plane";
     infeed_in_depth_is_0() "the infeed in depth is 0";
-    radius_of_pocket_is_not_above_zero(radius) "the radius {radius} of the pocket is not above zero";
-    radius_of_corners_is_below_zero(corner) "the radius {corner} of the corners is below zero";
     side_of_mm_is_not_above_zero(side) "a side of {side} mm is not above zero";
     length_mm_of_slot_is_not_above(along, length, across, width)
         "the length {along} = {length} mm of the slot is not above its width {across} = {width} mm";
-    is_no_number_of_places(q, n) "{q} = {n} is no number of places";
     pattern_has_more_than_99999_places() "the pattern has more than 99999 places";
     start_angle_q245() "start angle Q245 and stop angle Q246 are the same, and no step Q247 is given";
-    pitch_circle_diameter_q244_is_negative() "the pitch circle diameter Q244 is negative";
     set_up_clearance_1_of_cycle(cycle, own, clearance)
         "the set-up clearance {cycle}.1 of the cycle is {own} mm, and Q200 of the pattern {clearance} mm";
     q203_of_pattern(surface, cycle, own)
         "Q203 of the pattern is {surface}, and cycle {cycle} has its height Q227 = {own} in place of it: which of \
         the two counts is open; write the same height";
-    q301_is_not_0_or_1(other) "Q301 = {other} is not 0 or 1";
-    number_of_slots_q377_is_not_1(count, most_slots) "the number of slots Q377 = {count} is not 1 to {most_slots}";
     opening_angle_q248_is_not_above_0(sweep) "the opening angle Q248 = {sweep} is not above 0 and below 360";
     slot_length_q218_mm_is_not_above(length, width)
         "the slot length Q218 = {length} mm is not above its width Q219 = {width} mm";
@@ -116,12 +110,9 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     blank_q424() "the blank (Q424, Q425) is smaller than the stud (Q218, Q219)";
     depth_q356_is_less_than_depth() "the depth Q356 is less than the depth of the thread Q201";
     depth_is_positive_2(q, depth) "the depth {q} = {depth} is positive";
-    threads_of_step_q355_are_no_whole(other) "the threads of a step Q355 = {other} are no whole number";
     pitch_q239_is_0() "the pitch Q239 is 0";
-    q360_is_not_0_or_1(other) "Q360 = {other} is not 0 or 1";
     depth_of_hole_q356_is_0() "the depth of the hole Q356 is 0";
     factor_q403_is_not_0_0001(factor) "the factor Q403 = {factor} is not 0.0001 to 10";
-    neither_q257_nor_q256_may_be_below(way, pitches) "neither Q257 = {way} nor Q256 = {pitches} may be below zero";
     no_tool_offset_is_active() "no tool offset is active" alarm 61000 help "program D1 before the cycle";
     no_tool_is_active(change) "no tool is active" alarm 61009 help "select the tool before the cycle: {change}";
     argument_is_missing(parameter, place, meaning) "`{parameter}` (argument {place}: {meaning}) is missing"

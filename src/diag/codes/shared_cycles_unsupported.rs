@@ -55,12 +55,26 @@ HEIDENHAIN turning: The cycle is known, its parameters are checked, but partc do
         help "use the plain variant of the cycle, or program its moves as blocks";
     leaves_speed_that_is_not_known(name, what) "{name} leaves a speed that is not known, as `[programs]` says"
         help "say the speed that the {what} leaves: `\"{name}\" = {{ ignore = true, speed = 1000 }}`";
-    cycle_is_not_supported(cycle, what) "cycle {cycle}: {what} is not supported";
+    pattern_of_slots_about_one_centre()
+        "a pattern of slots whose centre is Q216 and Q217 (Q367=0), so that every place would be the same slot, is not \
+        supported"
+        help "write Q367=+2, so that the places are those of the middles of the slots";
+    going_sideways_at_rapid() "going sideways through the material at rapid traverse (Q253=FMAX) is not supported"
+        help "write Q253 as a number, or take a tool that is nearly as wide as the core of the thread";
+    lower_feed_at_full_engagement() "a lower feed at full engagement (Q401) is not supported"
+        help "write Q401=+100, and Q12 as the feed that the tool bears at full engagement";
+    old_slot_with_another_tool(width, tool)
+        "a slot of {width} mm with a tool of {tool} mm (where the slot lies beside the tool is not documented) is not \
+        supported"
+        help "take a tool as wide as the slot, or program cycle 253 with its place";
     fauto_with_tool_call_that_counts_f(q) "{q}=FAUTO with a TOOL CALL that counts F in another way is not supported"
         help "use the plain variant of the cycle, or program its moves as blocks";
-    cycle_as_value_of_is_not_supported(cycle, word, q, help_)
-        "cycle {cycle}: {word} as the value of {q} is not supported"
-        help "{help_}: `{q}=+750`";
+    word_as_value(word, q) "{word} as the value of {q} is not supported" help "write a number: `{q}=+750`";
+    fu_without_number(q) "FU as the value of {q} is not supported"
+        help "write the number of FU behind it, or the feed a minute: mm per revolution times the speed: `{q}=+750`";
+    fz_without_number(q) "FZ as the value of {q} is not supported"
+        help "write the number of FZ behind it, or the feed a minute: mm per tooth times the teeth and the speed: \
+        `{q}=+750`";
     feed_of_cutting_edge_is_not_supported(other) "a feed of the cutting edge (Q439={other}) is not supported"
         help "use the plain variant of the cycle, or program its moves as blocks";
     running_it_at_places_of_pattern_def()

@@ -8,12 +8,13 @@ mod words;
 use logos::{Lexer, Logos};
 
 use self::words::{
-    all_lines, axis, axis_letter, cycle, fn_number, fn_tail, m_number, name_q, plain_number, q_ref, tail, value_word,
+    all_lines, axis, axis_letter, cycle, fn_number, fn_tail, m_number, name_q, pattern_kind, plain_number, q_ref, tail,
+    value_word,
 };
 use crate::text::Span;
 
 pub use self::tokens::Tokens;
-pub use self::words::{AxisWord, CycleNumber, FkHead, FnTail, NameQ, QKind, QRef, Value, ValueWord};
+pub use self::words::{AxisWord, CycleNumber, FkHead, FnTail, NameQ, PatternKind, QKind, QRef, Value, ValueWord};
 
 type Lex<'s> = Lexer<'s, Tok>;
 
@@ -70,8 +71,11 @@ pub enum Tok {
     Plane(Span),
     #[regex(r"(?i)TCH[ \t]+PROBE", all_lines)]
     TchProbe(Span),
-    #[regex(r"(?i)PATTERN[ \t]+DEF", all_lines)]
-    PatternDef(Span),
+    #[regex(r"(?i)PATTERN[ \t]+DEF")]
+    PatternDef,
+    /// `POS1 (`, a pattern of PATTERN DEF.
+    #[regex(r"(?i)(POS|ROW|PAT|FRAME|CIRC|PITCHCIRC)[0-9]+[ \t\r\n~]*\(", pattern_kind, priority = 60)]
+    PatternKind(PatternKind),
     #[regex(r"(?i)SEL[ \t]+PATTERN", tail)]
     Pattern(Span),
     #[regex(r"(?i)SEL[ \t]+TABLE", tail)]

@@ -134,6 +134,38 @@ pub(super) fn tail(lex: &mut Lex<'_>) -> Span {
     Span::at(start + lead as u32, trimmed.len() as u32)
 }
 
+/// The patterns of PATTERN DEF.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PatternKind {
+    Pos,
+    Row,
+    Pat,
+    Frame,
+    Circ,
+    PitchCirc,
+}
+
+impl PatternKind {
+    /// As a program writes it.
+    pub fn name(self) -> &'static str {
+        match self {
+            PatternKind::Pos => "POS",
+            PatternKind::Row => "ROW",
+            PatternKind::Pat => "PAT",
+            PatternKind::Frame => "FRAME",
+            PatternKind::Circ => "CIRC",
+            PatternKind::PitchCirc => "PITCHCIRC",
+        }
+    }
+}
+
+pub(super) fn pattern_kind(lex: &mut Lex<'_>) -> Option<PatternKind> {
+    use PatternKind::{Circ, Frame, Pat, PitchCirc, Pos, Row};
+    let letters = lex.slice().iter().take_while(|b| b.is_ascii_alphabetic()).count();
+    let name = &lex.slice()[..letters];
+    [Pos, Row, Pat, Frame, Circ, PitchCirc].into_iter().find(|kind| name.eq_ignore_ascii_case(kind.name().as_bytes()))
+}
+
 /// Takes the rest of the block with all its lines.
 pub(super) fn all_lines(lex: &mut Lex<'_>) -> Span {
     let (start, len) = (lex.span().end as u32, lex.remainder().len());

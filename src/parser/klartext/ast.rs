@@ -1,6 +1,6 @@
 //! A Klartext block as data. No borrows: names are spans into the text of the block.
 
-use crate::lexer::klartext::{QKind, QRef, Value};
+use crate::lexer::klartext::{PatternKind, QKind, QRef, Value};
 use crate::machine::{Axis, Unit};
 use crate::text::Span;
 
@@ -106,8 +106,8 @@ pub enum Stmt {
     CycleCall(CallKind),
     Transform(Transform),
     PlaneReset(Span),
-    /// The places, over all lines of the block.
-    PatternDef(Span),
+    /// Its words are the patterns, each followed by its data.
+    PatternDef,
     /// Recognized and refused; the span is the rest of the block.
     Refused(Refused, Span),
 }
@@ -269,6 +269,10 @@ pub struct Word {
 /// What a word is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Addr {
+    /// A pattern of PATTERN DEF with its data: `POS1 (X+12 Y+20)`.
+    Pattern(PatternKind),
+    /// D, NUM, ROT and the like in its data.
+    PatternWord(PatternWord),
     Axis {
         axis: Axis,
         incremental: bool,
@@ -342,5 +346,51 @@ impl Addr {
 impl QRef {
     pub fn is_text(self) -> bool {
         self.kind == QKind::Qs
+    }
+}
+
+/// What the data of a pattern say besides its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PatternWord {
+    D,
+    Dx,
+    Dy,
+    Num,
+    NumX,
+    NumY,
+    Rot,
+    RotX,
+    RotY,
+    Start,
+    Step,
+    End,
+}
+
+impl PatternWord {
+    const ALL: [PatternWord; 12] = {
+        use PatternWord::{D, Dx, Dy, End, Num, NumX, NumY, Rot, RotX, RotY, Start, Step};
+        [D, Dx, Dy, Num, NumX, NumY, Rot, RotX, RotY, Start, Step, End]
+    };
+
+    /// As a program writes it.
+    pub fn name(self) -> &'static str {
+        match self {
+            PatternWord::D => "D",
+            PatternWord::Dx => "DX",
+            PatternWord::Dy => "DY",
+            PatternWord::Num => "NUM",
+            PatternWord::NumX => "NUMX",
+            PatternWord::NumY => "NUMY",
+            PatternWord::Rot => "ROT",
+            PatternWord::RotX => "ROTX",
+            PatternWord::RotY => "ROTY",
+            PatternWord::Start => "START",
+            PatternWord::Step => "STEP",
+            PatternWord::End => "END",
+        }
+    }
+
+    pub fn named(name: &[u8]) -> Option<PatternWord> {
+        PatternWord::ALL.into_iter().find(|word| name.eq_ignore_ascii_case(word.name().as_bytes()))
     }
 }

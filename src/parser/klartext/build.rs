@@ -6,7 +6,7 @@ use crate::lexer::klartext::{AxisWord, CycleNumber, NameQ, QRef, Tok, Value};
 use crate::machine::{Axis, Unit};
 use crate::text::Span;
 
-use super::ast::{Addr, Block, Function, LabelRef, Op, Operator, Repeat, Stmt, Test, TextFn, Word};
+use super::ast::{Addr, Block, Function, LabelRef, Op, Operator, PatternWord, Repeat, Stmt, Test, TextFn, Word};
 
 /// A block that fits the grammar but means nothing: where, and what is wrong.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -66,6 +66,22 @@ impl<'a> Build<'a> {
     pub fn name_q(&mut self, word: NameQ, start: u32, end: u32) {
         self.word(Addr::Name, Value::None, start, start + word.name);
         self.word(Addr::Value, Value::Param { negative: false, q: word.q }, start + word.name, end);
+    }
+
+    /// A pattern is over: its word reaches from its name to the bracket.
+    pub fn pattern_ends(&mut self, end: u32) {
+        let head = self.block.words.iter_mut().rev().find(|word| matches!(word.addr, Addr::Pattern(_)));
+        if let Some(head) = head {
+            head.span.end = end;
+        }
+    }
+
+    pub fn pattern_word(&mut self, name: Span, value: Value, end: u32) -> Refused<()> {
+        let Some(word) = PatternWord::named(name.of(self.text)) else {
+            return refuse(name, "a pattern has no such word");
+        };
+        self.word(Addr::PatternWord(word), value, name.start, end);
+        Ok(())
     }
 
     pub fn op(&mut self, op: Op) {

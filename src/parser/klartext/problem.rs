@@ -58,6 +58,9 @@ pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u
         let shown = readable(span.of(text)).into_owned();
         return codes::P9011::is_parameter_by_name(&shown).among(span);
     }
+    if matches!(Tokens::new(text, from as usize).next(), Some((_, Tok::PatternDef, _))) {
+        return no_pattern(&error, text, from);
+    }
     match error {
         ParseError::User { error } => Problem::new(codes::P1001, error.span, error.message).form(text, from),
         ParseError::UnrecognizedToken { token: (start, tok, end), .. }
@@ -68,6 +71,24 @@ pub fn of_parse_error(error: ParseError<u32, Tok, Refusal>, text: &[u8], from: u
             codes::P1001::block_ends_too_early().among(span).form(text, from)
         }
     }
+}
+
+/// What does not belong into a PATTERN DEF.
+fn no_pattern(error: &ParseError<u32, Tok, Refusal>, text: &[u8], from: u32) -> Problem {
+    let span = match error {
+        ParseError::User { error } => error.span,
+        ParseError::UnrecognizedToken { token: (start, _, end), .. }
+        | ParseError::ExtraToken { token: (start, _, end) } => Span { start: *start, end: *end },
+        ParseError::InvalidToken { location } => Span::at(*location, 1),
+        ParseError::UnrecognizedEof { location, .. } => {
+            return codes::K2411::ends_too_early().among(Span { start: from, end: (*location).max(from) });
+        }
+    };
+    let span = whole_character(span, text);
+    if let Some(problem) = misprinted(text, span) {
+        return problem;
+    }
+    codes::K2411::does_not_belong_here(&readable(span.of(text))).among(span)
 }
 
 /// The first parameter by name, `{Depth}`, outside of texts and comments.

@@ -11,7 +11,7 @@ use crate::parser::klartext::ast::{Block, Stmt};
 use crate::sema::run::step;
 use crate::text::{Loc, Span};
 
-use super::contour_data::Known;
+use super::known::Known;
 use super::labels::Label;
 use super::words::{Comp, FeedWord, Words};
 use super::{Outcome, Reported, Run};

@@ -10,9 +10,8 @@ use crate::geo::{Element, Point2, corner, grid};
 use crate::ir::Side;
 use crate::ir::captured::Captured;
 
-use super::contour_cycles::Pocket;
 use super::cycles::DefinedCycle;
-use super::cycles::contours::CORNERS;
+use super::cycles::data::NamedContours;
 use super::labels::Label;
 use super::{Outcome, Reported, Run};
 
@@ -45,25 +44,29 @@ impl Closed<'_> {
 }
 
 impl Run<'_> {
-    /// Pockets and islands; inside corners are rounded so that the path `away` from them keeps the radius Q8.
-    pub(super) fn contour_area(&mut self, cycle: &DefinedCycle, pocket: &Pocket, away: f64) -> Outcome<Area> {
-        let corners = if pocket.data.cycle.gives_q(CORNERS) { self.kept_unsigned(&pocket.data, CORNERS)? } else { 0.0 };
-        let mut closed = Vec::with_capacity(pocket.named.labels.len());
-        for label in &pocket.named.labels {
+    /// Pockets and islands; inside corners are rounded so that the path `away` from them keeps the radius Q8 = `corners`.
+    pub(super) fn contour_area(
+        &mut self,
+        cycle: &DefinedCycle,
+        contours: &NamedContours,
+        (corners, away): (f64, f64),
+    ) -> Outcome<Area> {
+        let mut closed = Vec::with_capacity(contours.labels.len());
+        for label in &contours.labels {
             let contour = self.capture(label, cycle.loc)?;
             self.check_contour(label, &contour)?;
             closed.push(self.closed_contour(label, &contour)?);
         }
-        let area = self.taken_together(cycle, pocket, &closed)?;
+        let area = self.taken_together(cycle, contours, &closed)?;
         if corners == 0.0 {
             return Ok(area);
         }
         with_rounded_corners(&area, grid::on_grid(corners + away)).or_else(|()| {
             let help = "set Q8 to 0, or take a smaller cutter";
             let what = format!("an inside corner has no room for the radius Q8 = {corners} of the path");
-            match &pocket.named.labels[..] {
+            match &contours.labels[..] {
                 [label] => self.contour_fault(label, &what, help),
-                _ => self.no_area(cycle, pocket, &what, help),
+                _ => self.no_area(cycle, contours, &what, help),
             }
         })
     }
@@ -112,35 +115,40 @@ impl Run<'_> {
     }
 
     /// Reported for the first of the cycles that take these contours.
-    fn no_area<T>(&mut self, cycle: &DefinedCycle, pocket: &Pocket, what: &str, help: &str) -> Outcome<T> {
-        let why = (pocket.named.loc, what.to_owned());
+    fn no_area<T>(&mut self, cycle: &DefinedCycle, contours: &NamedContours, what: &str, help: &str) -> Outcome<T> {
+        let why = (contours.loc, what.to_owned());
         if self.contours.no_area.as_ref() == Some(&why) {
             return Err(Reported);
         }
         self.contours.no_area = Some(why);
         let found = codes::K2955::cycle(&cycle.number, &what).at(self.here.origin.loc);
-        self.report(found.also(pocket.named.loc, "the contours are named here").help(help));
+        self.report(found.also(contours.loc, "the contours are named here").help(help));
         Err(Reported)
     }
 
     /// All pockets, less all islands.
-    fn taken_together(&mut self, cycle: &DefinedCycle, pocket: &Pocket, closed: &[Closed<'_>]) -> Outcome<Area> {
+    fn taken_together(
+        &mut self,
+        cycle: &DefinedCycle,
+        contours: &NamedContours,
+        closed: &[Closed<'_>],
+    ) -> Outcome<Area> {
         for (at, second) in closed.iter().enumerate() {
             for first in &closed[..at] {
                 if let Err((what, help)) = belongs_to(first, second) {
-                    return self.no_area(cycle, pocket, &what, help);
+                    return self.no_area(cycle, contours, &what, help);
                 }
             }
         }
         let (pockets, islands): (Vec<&Closed<'_>>, Vec<&Closed<'_>>) = closed.iter().partition(|one| one.is_pocket);
         if pockets.is_empty() {
             let what = "all of its contours are islands: RL or RR leads the tool outside of them";
-            return self.no_area(cycle, pocket, what, "name the pocket around them, or swap RL and RR");
+            return self.no_area(cycle, contours, what, "name the pocket around them, or swap RL and RR");
         }
         if let Some(alone) = islands.iter().find(|island| !pockets.iter().any(|pocket| pocket.holds(island.start()))) {
             let what = format!("the island {} does not begin in a pocket", alone.label);
             let help = "begin it inside a pocket, or leave it out of cycle 14; if it is a pocket, swap RL and RR";
-            return self.no_area(cycle, pocket, &what, help);
+            return self.no_area(cycle, contours, &what, help);
         }
         let elements = |list: &[&Closed<'_>]| list.iter().map(|one| one.elements.clone()).collect::<Vec<_>>();
         let area = overlay(&elements(&pockets), &elements(&islands)).or_else(|Touching(first, second)| {
@@ -149,21 +157,21 @@ impl Run<'_> {
                 (Some(first), Some(second)) => touch(first, second),
                 _ => "contours touch".to_owned(),
             };
-            self.no_area(cycle, pocket, &what, APART)
+            self.no_area(cycle, contours, &what, APART)
         })?;
         if area.outlines.is_empty() {
-            return self.no_area(cycle, pocket, "the islands take up all of the pockets", "check RL and RR");
+            return self.no_area(cycle, contours, "the islands take up all of the pockets", "check RL and RR");
         }
         let as_named = |chain: &Vec<Element>| closed.iter().any(|one| one.elements == *chain);
         if !area.outlines.iter().chain(&area.islands).all(as_named) {
-            self.say_that_they_cross(pocket);
+            self.say_that_they_cross(contours);
         }
         Ok(area)
     }
 
     #[cold]
-    fn say_that_they_cross(&mut self, pocket: &Pocket) {
-        let found = codes::K8110::contours_of_cycle_14_cross().at(pocket.named.loc);
+    fn say_that_they_cross(&mut self, contours: &NamedContours) {
+        let found = codes::K8110::contours_of_cycle_14_cross().at(contours.loc);
         self.job.diags.push_once(found);
     }
 }

@@ -5,81 +5,18 @@
 use std::rc::Rc;
 
 use crate::diag::codes;
-use crate::geo::overlay::Area;
-use crate::ir::Frame;
 use crate::parser::klartext::ast::Block;
-use crate::text::Loc;
 
 use super::cycle_definition::Open;
-use super::cycles::{DefinedCycle, Q};
+use super::cycles::call::Calling;
+use super::cycles::data::{Kept, NamedContours, Values};
+use super::cycles::{DefinedCycle, Setting};
+use super::known::Known;
 use super::labels::Label;
-use super::{Outcome, Run};
+use super::{Outcome, Reported, Run};
 
 /// Most contours that cycle 14 names.
 const MOST_CONTOURS: usize = 14;
-
-/// What cycles 14, 20 and 270 say for the cycles behind them.
-#[derive(Debug, Default)]
-pub(super) struct Contours {
-    pub named: Known<NamedContours>,
-    pub pocket: Known<Values>,
-    pub train: Known<Values>,
-    pub roughed: Known<Roughed>,
-    /// Why the contours that a cycle 14 here names make no area, which was reported.
-    pub no_area: Option<(Loc, String)>,
-}
-
-#[derive(Debug, Default)]
-pub(super) enum Known<T> {
-    #[default]
-    Nothing,
-    /// Its definition was refused, which was reported.
-    Lost,
-    Given(Rc<T>),
-}
-
-/// Cycle 14.
-#[derive(Debug)]
-pub(super) struct NamedContours {
-    pub labels: Vec<Label>,
-    /// Index of the program whose labels they are.
-    pub program: usize,
-    pub loc: Loc,
-}
-
-/// A definition with the values that it set.
-#[derive(Debug)]
-pub(super) struct Values {
-    pub cycle: DefinedCycle,
-    set: Vec<(u32, f64)>,
-}
-
-/// The last run of cycle 22.
-#[derive(Debug)]
-pub(super) struct Roughed {
-    pub named: Rc<NamedContours>,
-    /// As it was called.
-    pub tool: Option<String>,
-    pub radius: f64,
-    /// What its calls and its table add to its own radius.
-    pub oversize: f64,
-    pub allowance: f64,
-    /// What was cleared, and the system in which it was.
-    pub area: Area,
-    pub frame: Frame,
-    pub pocket: Rc<Values>,
-}
-
-impl Contours {
-    /// The definition of this cycle was refused.
-    pub fn lose(&mut self, number: u32) {
-        match number {
-            14 => self.named = Known::Lost,
-            20 => self.pocket = Known::Lost,
-            _ => self.train = Known::Lost,
-        }
-    }
-}
 
 /// Does a number behind it name a parameter, not a label?
 fn is_parameter(name: &str) -> bool {
@@ -122,7 +59,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    pub(super) fn contour_geometry(&mut self, open: &Open) -> Outcome {
+    fn contour_geometry(&mut self, open: &Open) -> Outcome {
         if open.contours.is_empty() || open.contours.len() > MOST_CONTOURS {
             return self.refuse(
                 self.block_span(),
@@ -134,43 +71,45 @@ impl Run<'_> {
         Ok(())
     }
 
-    pub(super) fn contour_data(&mut self, open: &Open) -> Outcome {
-        self.contours.pocket = Known::Given(self.values_of(open)?);
-        Ok(())
-    }
-
-    pub(super) fn contour_train_data(&mut self, open: &Open) -> Outcome {
-        self.contours.train = Known::Given(self.values_of(open)?);
+    pub(super) fn keep_setting(&mut self, setting: Setting, open: &Open) -> Outcome {
+        match setting {
+            Setting::Contours => self.contour_geometry(open)?,
+            Setting::Pocket => self.contours.pocket = Known::Given(self.values_of(open)?),
+            Setting::Train => self.contours.train = Known::Given(self.values_of(open)?),
+        }
         Ok(())
     }
 
     fn values_of(&mut self, open: &Open) -> Outcome<Rc<Values>> {
         let mm = self.level().frame.unit.mm();
         let cycle = DefinedCycle::new(open, self.here.origin.loc, mm);
-        self.all_are_set(&cycle, &format!("cycle {}", open.number))?;
+        self.all_are_set(&cycle)?;
         Ok(Rc::new(Values { cycle, set: open.parameters.clone() }))
     }
 
     // What they say where a cycle runs.
 
-    /// A parameter of cycle 20 or 270, which has to be what it was.
-    pub(super) fn kept(&mut self, data: &Values, q: Q) -> Outcome<f64> {
-        self.same_unit(&data.cycle)?;
-        let now = self.cycle_number(&data.cycle, q)?;
-        let set = data.set.iter().rev().find(|(number, _)| *number == q.0).map(|(_, value)| *value);
-        match set {
-            Some(set) if set != now => self.refuse_value(&data.cycle, codes::P2090::it_set_to_is_now(&q, &set, &now)),
-            _ => Ok(now),
+    /// The contours that the cycle takes.
+    pub(super) fn named_contours(&mut self, cycle: &DefinedCycle, calling: Calling) -> Outcome<Rc<NamedContours>> {
+        if calling.placed() {
+            return self.refuse_cycle(cycle, codes::P9010::contour_at_places_of_pattern());
+        }
+        let program = self.level().program;
+        match &self.contours.named {
+            Known::Lost => Err(Reported),
+            Known::Nothing => self.refuse_cycle(cycle, codes::K2952::no_contour_is_named()),
+            Known::Given(named) if named.program == program => Ok(Rc::clone(named)),
+            Known::Given(_) => self.refuse_cycle(cycle, codes::P9010::contour_whose_label_stands_in_another_program()),
         }
     }
 
-    pub(super) fn kept_length(&mut self, data: &Values, q: Q) -> Outcome<f64> {
-        Ok(self.kept(data, q)? * self.level().frame.unit.mm())
-    }
-
-    pub(super) fn kept_unsigned(&mut self, data: &Values, q: Q) -> Outcome<f64> {
-        let value = self.kept_length(data, q)?;
-        if value >= 0.0 { Ok(value) } else { self.refuse_value(&data.cycle, codes::P2090::is_below_zero(&q, &value)) }
+    /// The data of cycle 20.
+    pub(super) fn pocket_data(&mut self, cycle: &DefinedCycle) -> Outcome<Kept> {
+        let values = self.contours.pocket.clone();
+        match self.kept(&values)? {
+            Some(data) => Ok(data),
+            None => self.refuse_cycle(cycle, codes::K2952::there_is_no_contour_data()),
+        }
     }
 }
 

@@ -14,12 +14,12 @@ use crate::machine::{AxisSet, Generation};
 use crate::parser::klartext::ast::{Addr, Block, CallKind, Stmt};
 use crate::text::{FileId, Loc, Span};
 
-use super::contour_data::Known;
 use super::cycle_definition::{DottedValue, Open, What};
 use super::cycles::DefinedCycle;
-use super::cycles::call::{By, Call, Retract};
+use super::cycles::call::Calling;
 use super::cycles::contours::ROUGH_OUT;
 use super::cycles::{Nature, find};
+use super::known::Known;
 use super::m_table::{When, entry};
 use super::words::{Admits, MWord};
 use super::{Outcome, Reported, Run};
@@ -230,7 +230,7 @@ impl Run<'_> {
             Nature::Tilt => self.tilt(open),
             Nature::Tolerance => self.path_tolerance(open),
             Nature::Preset => self.preset(open),
-            Nature::Setting(setting) => setting(self, open),
+            Nature::Setting(setting) => self.keep_setting(setting, open),
             Nature::Data => {
                 self.cycles.defines_unsupported(open.number, self.here.origin.loc, false);
                 Ok(())
@@ -397,9 +397,9 @@ impl Run<'_> {
             }
             Some(Defined::Machining { cycle, .. }) if cycle.row().nature.runs() => {
                 let cycle = Rc::clone(cycle);
-                let result = self.run_cycle(&cycle, Call { shift: 0.0, retract: Retract::Far, by: By::Block });
+                let result = self.run_cycle(&cycle, Calling::HERE);
                 if result.is_err() {
-                    let drills = cycle.row().nature.drilling().is_some();
+                    let drills = cycle.row().drills();
                     if cycle.number == ROUGH_OUT {
                         self.contours.roughed = Known::Lost;
                     }

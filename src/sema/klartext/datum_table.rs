@@ -11,6 +11,7 @@ use crate::sema::run::{Wanted, open_program};
 use crate::text::{Loc, Within};
 
 use super::cycle_definition::{AxisValue, Open};
+use super::cycles::machining::shown;
 use super::point_table::whole_file;
 use super::{Outcome, Reported, Run};
 
@@ -75,10 +76,8 @@ impl Run<'_> {
             return self.no_datum(what.to_owned(), "convert the table, and put its unit behind BEGIN");
         }
         let axes = self.axes_of_row(row)?;
-        let shown: Vec<String> = axes
-            .iter()
-            .filter_map(|axis| Some(format!("{}{}", axis.axis.letter(), super::pockets::rounded(axis.value?))))
-            .collect();
+        let shown: Vec<String> =
+            axes.iter().filter_map(|axis| Some(format!("{}{}", axis.axis.letter(), shown(axis.value?)))).collect();
         self.report(codes::K2513::row_of_datum_table_shifts(&number, &shown.join(" ")).at(self.here.origin.loc));
         self.shift(&axes)
     }

@@ -86,6 +86,19 @@ impl FeedState {
         self.modal.is_per_revolution()
     }
 
+    /// A feed word as it counts now.
+    pub fn counted(&self, value: f64, inch: bool) -> Feed {
+        if self.is_per_revolution() {
+            return Feed::PerRevolution(value);
+        }
+        Feed::PerMinute(if inch { value * INCH_FEED } else { value })
+    }
+
+    /// Was it meant per minute, and counts per revolution?
+    pub fn is_large(&self, value: f64) -> bool {
+        self.is_per_revolution() && value > MOST_PER_REVOLUTION
+    }
+
     #[inline]
     pub fn plunge_share(&self) -> Option<f64> {
         self.plunge_share
@@ -228,7 +241,7 @@ impl Run<'_> {
 
     /// M136 makes a feed that was meant per minute count per revolution.
     pub(super) fn large_per_revolution(&self, loc: Loc, feed: f64) {
-        if self.st.feed.is_per_revolution() && feed > MOST_PER_REVOLUTION {
+        if self.st.feed.is_large(feed) {
             self.report(codes::K2013::under_m136_this_feed_is_mm_per(&feed).at(loc));
         }
     }
@@ -242,10 +255,8 @@ impl Run<'_> {
 
     /// A feed word in the unit and mode in force.
     pub(super) fn feed_of(&mut self, value: f64) -> Feed {
-        if self.st.feed.is_per_revolution() {
-            return Feed::PerRevolution(value);
-        }
-        Feed::PerMinute(if self.level().frame.unit == Unit::Inch { value * INCH_FEED } else { value })
+        let inch = self.level().frame.unit == Unit::Inch;
+        self.st.feed.counted(value, inch)
     }
 
     /// Feed of a move that cuts; `None` for rapid traverse.

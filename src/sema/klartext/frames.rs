@@ -11,8 +11,8 @@ use crate::parser::klartext::ast::{Addr, Block, Transform};
 use crate::sema::run::{OffsetName, Where};
 use crate::text::{Loc, Span};
 
-use super::contour_data::Known;
 use super::cycle_definition::{AxisValue, Open};
+use super::known::Known;
 use super::transformation::Transformation;
 use super::{Outcome, Reported, Run};
 

@@ -8,49 +8,42 @@ mod active_tool;
 mod approach;
 mod arcs;
 mod blank;
-mod bore_milling;
 mod builders_cycle;
 mod capture;
 mod change;
 mod compensation;
 mod contour;
 mod contour_area;
-mod contour_cycles;
 mod contour_data;
 mod contour_train;
 mod cycle;
+mod cycle_call;
 mod cycle_definition;
+mod cycle_effects;
 mod cycle_words;
 mod cycles;
 mod datum_table;
-mod drilling;
 mod eval;
-mod faces;
 mod feed;
-mod finishing;
 mod fk;
 mod flow;
 mod frames;
 mod global_def;
 mod help;
-mod holes;
+mod known;
 mod labels;
 mod lane;
 mod left_out;
 mod m_functions;
 mod m_table;
-mod machining;
 mod meanings;
-mod milling;
 mod numbered_functions;
-mod old_pockets;
 mod path;
 mod pattern_def;
 mod patterns;
 mod place;
 mod plane;
 mod plane_normal;
-mod pockets;
 mod point_table;
 mod polar;
 mod probing;
@@ -58,14 +51,10 @@ mod probing_datum;
 mod program_pattern;
 mod refused;
 mod rotary;
-mod ruled;
-mod slots;
 mod state;
-mod studs;
 mod survey;
 mod system;
 mod text_functions;
-mod thread_milling;
 mod tool;
 mod transformation;
 mod unexecuted;
@@ -106,7 +95,7 @@ pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
         vars: Vars::default(),
         proposed: RefCell::default(),
         cycles: Cycles::default(),
-        contours: contour_data::Contours::default(),
+        contours: cycles::data::Contours::default(),
         capture: None,
         defined: tool::Defined::default(),
         approach: None,
@@ -232,7 +221,7 @@ struct Run<'a> {
     proposed: RefCell<Proposed>,
     cycles: Cycles,
     /// What cycles 14, 20 and 270 say.
-    contours: contour_data::Contours,
+    contours: cycles::data::Contours,
     /// A contour whose subprogram runs.
     capture: Option<Box<capture::Capture>>,
     /// Tools of TOOL DEF.
@@ -331,7 +320,7 @@ impl Run<'_> {
         }
         if self.job.settings.output.comments
             && let Some(comment) = block.comment
-            && !matches!(block.stmt, Stmt::Cycle { .. })
+            && !matches!(block.stmt, Stmt::Cycle { .. } | Stmt::PatternDef)
         {
             self.comment(comment.of(text));
         }
@@ -395,7 +384,7 @@ impl Run<'_> {
             Stmt::Cycle { number, part } => self.cycle_block(number, part, block, text),
             Stmt::CycleCall(kind) => self.cycle_call(kind, block, text),
             Stmt::Transform(kind) => self.transform_block(kind, block, text),
-            Stmt::PatternDef(rest) => self.pattern_def(rest, text),
+            Stmt::PatternDef => self.pattern_def(block),
             Stmt::PlaneReset(_) => self.plane_block(block, text),
             Stmt::Approach => self.approach_block(block, text),
             Stmt::Fk(head) => self.fk_block(head, block, text),
@@ -433,6 +422,7 @@ impl Run<'_> {
         self.lost();
         self.lose_target(block.span.of(text));
         self.refused_definition(block.span.of(text));
+        self.refused_pattern(block.span.of(text));
     }
 
     /// The first words of the block as written, which name its function.
@@ -474,7 +464,7 @@ impl Run<'_> {
         }
         if !mv.end.known().without(AxisSet::MAIN).is_empty() {
             // Another side of the part may lie under the tool.
-            self.contours.roughed = contour_data::Known::Nothing;
+            self.contours.roughed = known::Known::Nothing;
         }
         if self.moves_beside(mv.end.known(), matches!(mv.path, Path::Rapid)) {
             return;

@@ -8,11 +8,14 @@ use crate::diag::{Diagnostic, codes};
 use crate::geo::{Deg, Point2, Vec2};
 use crate::ir::contour::Path;
 use crate::ir::{Feed, Pos};
-use crate::lexer::klartext::{QKind, QRef};
-use crate::parser::klartext::ast::Block;
-use crate::text::{Loc, Span, number::decimal};
+use crate::lexer::klartext::PatternKind;
+use crate::machine::Axis;
+use crate::parser::klartext::ast::{Addr, Block, PatternWord, Word};
+use crate::sema::cycle::given::Given;
+use crate::text::{Loc, Span};
 
-use super::cycles::call::{By, Call, Retract};
+use super::cycles::call::{By, Calling, Retract};
+use super::cycles::holes::OLD_CLEARANCE;
 use super::cycles::{DefinedCycle, SURFACE};
 use super::patterns::{FIRST_PLACED, PLACES_A_STEP};
 use super::words::Admits;
@@ -52,240 +55,160 @@ impl Places {
     }
 }
 
-/// `X+12`, `NUM4`: the name and where its value stands.
-type Words = Vec<(String, f64)>;
-
-/// A reading position in the text of the definition.
-struct Scan<'t> {
-    text: &'t [u8],
-    at: usize,
+/// What a pattern says.
+#[derive(Debug)]
+struct Data<'b> {
+    kind: PatternKind,
+    span: Span,
+    /// Its words with their values.
+    list: Vec<(&'b Word, f64)>,
 }
 
-impl Scan<'_> {
-    /// Skips blanks, line ends, continuation marks and comments.
-    fn blanks(&mut self) {
-        while let Some(&byte) = self.text.get(self.at) {
-            match byte {
-                b';' => self.at += self.text[self.at..].iter().take_while(|b| **b != b'\n').count(),
-                b'~' => self.at += 1,
-                byte if byte.is_ascii_whitespace() || byte == 0 => self.at += 1,
-                _ => break,
-            }
+impl Data<'_> {
+    fn of(&self, word: PatternWord) -> Option<f64> {
+        self.list.iter().find(|(found, _)| found.addr == Addr::PatternWord(word)).map(|(_, value)| *value)
+    }
+
+    fn or_zero(&self, word: PatternWord) -> f64 {
+        self.of(word).unwrap_or(0.0)
+    }
+
+    /// A coordinate, absolute.
+    fn along(&self, axis: usize) -> Option<f64> {
+        let addr = Addr::Axis { axis: Axis::ALL[axis], incremental: false };
+        self.list.iter().find(|(found, _)| found.addr == addr).map(|(_, value)| *value)
+    }
+
+    /// The words that it needs, besides its place, and those that it may have.
+    fn takes(&self) -> (&'static [PatternWord], &'static [PatternWord]) {
+        use PatternWord::{D, Dx, Dy, End, Num, NumX, NumY, Rot, RotX, RotY, Start, Step};
+        match self.kind {
+            PatternKind::Pos => (&[], &[]),
+            PatternKind::Row => (&[D, Num], &[Rot]),
+            PatternKind::Pat | PatternKind::Frame => (&[Dx, Dy, NumX, NumY], &[Rot, RotX, RotY]),
+            PatternKind::Circ => (&[D, Start, Num], &[]),
+            PatternKind::PitchCirc if self.of(End).is_some() => (&[D, Start, Num], &[Step, End]),
+            PatternKind::PitchCirc => (&[D, Start, Num, Step], &[]),
         }
     }
 
-    fn take(&mut self, byte: u8) -> bool {
-        self.blanks();
-        let found = self.text.get(self.at) == Some(&byte);
-        self.at += usize::from(found);
-        found
-    }
-
-    fn letters(&mut self) -> String {
-        self.blanks();
-        let from = self.at;
-        self.at += self.text[from..].iter().take_while(|b| b.is_ascii_alphabetic()).count();
-        String::from_utf8_lossy(&self.text[from..self.at]).to_ascii_uppercase()
-    }
-
-    fn digits(&mut self) -> Option<u32> {
-        let from = self.at;
-        self.at += self.text[from..].iter().take_while(|b| b.is_ascii_digit()).count();
-        std::str::from_utf8(&self.text[from..self.at]).ok()?.parse().ok()
+    /// From the place of the pattern to its places.
+    fn offsets(&self, mm: f64) -> Vec<Vec2> {
+        use PatternWord::{D, Dx, Dy, End, Num, NumX, NumY, Rot, RotX, RotY, Start, Step};
+        let (size, start, count) = (self.or_zero(D) * mm, self.or_zero(Start), self.or_zero(Num));
+        match self.kind {
+            PatternKind::Pos => vec![Vec2::zeros()],
+            PatternKind::Row => {
+                let along = Deg(self.or_zero(Rot)).unit();
+                numbers(count).map(|k| along * (k * size)).collect()
+            }
+            PatternKind::Circ => numbers(count).map(|k| Deg(start + k * 360.0 / count).unit() * (size / 2.0)).collect(),
+            PatternKind::PitchCirc => {
+                let step = match self.of(End) {
+                    Some(end) if count > 1.0 => (end - start) / (count - 1.0),
+                    Some(_) => 0.0,
+                    None => self.or_zero(Step),
+                };
+                numbers(count).map(|k| Deg(start + k * step).unit() * (size / 2.0)).collect()
+            }
+            PatternKind::Pat | PatternKind::Frame => {
+                let turn = self.or_zero(Rot);
+                let along = Deg(turn + self.or_zero(RotX)).unit() * (self.or_zero(Dx) * mm);
+                let beside = Deg(turn + 90.0 + self.or_zero(RotY)).unit() * (self.or_zero(Dy) * mm);
+                grid(self.or_zero(NumX), self.or_zero(NumY), self.kind == PatternKind::Frame)
+                    .map(|(i, j)| along * i + beside * j)
+                    .collect()
+            }
+        }
     }
 }
 
 impl Run<'_> {
-    pub(super) fn pattern_def(&mut self, rest: Span, text: &[u8]) -> Outcome {
+    /// A block that cannot be read was to define a pattern: what runs over it suffers only from that.
+    pub(super) fn refused_pattern(&mut self, text: &[u8]) {
+        let begins = text.trim_ascii_start().get(..7).is_some_and(|head| head.eq_ignore_ascii_case(b"PATTERN"));
+        if begins {
+            (self.places, self.places_lost) = (None, true);
+        }
+    }
+
+    pub(super) fn pattern_def(&mut self, block: &Block) -> Outcome {
         self.places = None;
-        let result = self.read_pattern(rest, text);
+        let result = self.read_patterns(block);
         self.places_lost = result.is_err();
         result
     }
 
-    fn read_pattern(&mut self, rest: Span, text: &[u8]) -> Outcome {
+    fn read_patterns(&mut self, block: &Block) -> Outcome {
         let loc = self.here.origin.loc;
-        let mut scan = Scan { text, at: rest.start as usize };
         let mut list = Vec::new();
-        loop {
-            scan.blanks();
-            if scan.at >= text.len() {
-                break;
-            }
-            let from = scan.at;
-            let name = scan.letters();
-            let numbered = scan.digits().is_some();
-            if !numbered || !scan.take(b'(') {
-                return self.no_pattern(
-                    from,
-                    scan.at,
-                    "POS1, ROW1, PAT1, FRAME1, CIRC1 or PITCHCIRC1 with its data in brackets belongs here",
-                );
-            }
-            let words = self.pattern_words(&mut scan)?;
-            let span = Span { start: from as u32, end: scan.at as u32 };
-            self.add_places(&name, &words, span, &mut list)?;
+        let is_head = |word: &Word| matches!(word.addr, Addr::Pattern(_));
+        for part in block.words.chunk_by(|_, next| !is_head(next)) {
+            let Some((&Word { addr: Addr::Pattern(kind), span, .. }, words)) = part.split_first() else { continue };
+            let data = Data { kind, span, list: self.pattern_data(words)? };
+            self.add_places(&data, &mut list)?;
             if list.len() > MOST {
-                return self.no_pattern(from, scan.at, "the pattern has more than 99999 places");
+                return self.refuse(span, codes::K2411::has_too_many_places());
             }
         }
         if list.is_empty() {
-            return self.no_pattern(rest.start as usize, rest.start as usize, "PATTERN DEF names no place");
+            return self.refuse(self.block_span(), codes::K2411::names_no_place());
         }
         self.places = Some(Places { list, loc });
         Ok(())
     }
 
-    fn no_pattern<T>(&self, from: usize, to: usize, what: &str) -> Outcome<T> {
-        let span = if from < to { Span { start: from as u32, end: to as u32 } } else { self.block_span() };
-        self.fail_help(codes::K2411, span, what, "write `PATTERN DEF POS1 (X+12 Y+20 Z+0) POS2 (X+30 Y+20 Z+0)`")
-    }
-
-    /// The words up to the closing bracket.
-    fn pattern_words(&mut self, scan: &mut Scan<'_>) -> Outcome<Words> {
-        let mut words = Words::new();
-        while !scan.take(b')') {
-            let from = scan.at;
-            let name = scan.letters();
-            // `XQ1`: the Q belongs to the value.
-            let name = match name.strip_suffix('Q') {
-                Some(front) if !front.is_empty() => {
-                    scan.at -= 1;
-                    front.to_owned()
-                }
-                _ => name,
-            };
-            let value = self.pattern_value(scan)?;
-            let Some(value) = value.filter(|_| !name.is_empty()) else {
-                return self.no_pattern(
-                    from,
-                    scan.at.max(from + 1).min(scan.text.len()),
-                    "a word of the pattern cannot be read",
-                );
-            };
-            if words.iter().any(|(other, _)| *other == name) {
-                return self.no_pattern(from, scan.at, "a word stands twice in the brackets");
+    fn pattern_data<'b>(&mut self, words: &'b [Word]) -> Outcome<Vec<(&'b Word, f64)>> {
+        let mut list: Vec<(&Word, f64)> = Vec::with_capacity(words.len());
+        for word in words {
+            let value = self.number(word.value, word.span)?;
+            if list.iter().any(|(other, _)| other.addr == word.addr) {
+                return self.refuse(word.span, codes::K2411::word_stands_twice(&self.word_text(word.span)));
             }
-            words.push((name, value));
+            list.push((word, value));
         }
-        Ok(words)
+        Ok(list)
     }
 
-    /// A number or a parameter, with a sign.
-    fn pattern_value(&mut self, scan: &mut Scan<'_>) -> Outcome<Option<f64>> {
-        let negative = scan.take(b'-');
-        if !negative {
-            scan.take(b'+');
-        }
-        scan.blanks();
-        let sign = if negative { -1.0 } else { 1.0 };
-        if scan.text.get(scan.at).is_some_and(|b| b.eq_ignore_ascii_case(&b'Q')) {
-            scan.at += 1;
-            let kind = match scan.text.get(scan.at).map(u8::to_ascii_uppercase) {
-                Some(b'L') => QKind::Ql,
-                Some(b'R') => QKind::Qr,
-                _ => QKind::Q,
-            };
-            scan.at += usize::from(kind != QKind::Q);
-            let Some(number) = scan.digits() else { return Ok(None) };
-            let value = self.parameter(QRef { kind, number }, self.block_span())?;
-            return Ok(Some(sign * value));
-        }
-        let rest = scan.text.get(scan.at..).unwrap_or_default();
-        let Some((value, len)) = decimal(rest, true) else { return Ok(None) };
-        scan.at += len;
-        Ok(Some(sign * value))
-    }
-
-    /// The places of one element.
-    fn add_places(&mut self, name: &str, words: &Words, span: Span, list: &mut Vec<Place>) -> Outcome {
+    /// The places of one pattern.
+    fn add_places(&mut self, data: &Data<'_>, list: &mut Vec<Place>) -> Outcome {
         let mm = self.level().frame.unit.mm();
         let (first, second, third) = self.st.plane().axes();
-        let letter = |axis: usize| crate::machine::Axis::ALL[axis].letter().to_string();
-        let (u, v, w) = (letter(first), letter(second), letter(third));
-        let of = |name: &str| words.iter().find(|(found, _)| found == name).map(|(_, value)| *value);
-        let (Some(x), Some(y)) = (of(&u), of(&v)) else {
-            return self.no_pattern(
-                span.start as usize,
-                span.end as usize,
-                &format!("{name} needs {u} and {v} as absolute values"),
-            );
+        let (name, span) = (data.kind.name(), data.span);
+        let (Some(x), Some(y)) = (data.along(first), data.along(second)) else {
+            let [u, v] = [first, second].map(|axis| Axis::ALL[axis].letter());
+            return self.refuse(span, codes::K2411::needs_its_place(&name, &u, &v));
         };
-        let known: &[&str] = match name {
-            "POS" => &[],
-            "ROW" => &["D", "NUM", "ROT"],
-            "PAT" | "FRAME" => &["DX", "DY", "NUMX", "NUMY", "ROT", "ROTX", "ROTY"],
-            "CIRC" => &["D", "START", "NUM"],
-            "PITCHCIRC" => &["D", "START", "STEP", "END", "NUM"],
-            _ => return self.no_pattern(span.start as usize, span.end as usize, &format!("{name} is no pattern")),
-        };
-        for (word, _) in words {
-            if ![&u, &v, &w].contains(&word) && !known.contains(&word.as_str()) {
-                let what = format!("`{word}` has no place in {name}");
-                return self.no_pattern(span.start as usize, span.end as usize, &what);
+        let (needed, also) = data.takes();
+        for (word, _) in &data.list {
+            let fits = match word.addr {
+                Addr::Axis { axis, incremental } => {
+                    !incremental && [first, second, third].iter().any(|known| Axis::ALL[*known] == axis)
+                }
+                Addr::PatternWord(word) => needed.contains(&word) || also.contains(&word),
+                _ => false,
+            };
+            if !fits {
+                return self.refuse(word.span, codes::K2411::has_no_such_word(&name, &self.word_text(word.span)));
             }
         }
-        if of("STEP").is_some() && of("END").is_some() {
-            let what = format!("{name} has STEP and END, and each says where the last place lies");
-            return self.no_pattern(span.start as usize, span.end as usize, &what);
+        if data.of(PatternWord::Step).is_some() && data.of(PatternWord::End).is_some() {
+            return self.refuse(span, codes::K2411::has_step_and_end(&name));
         }
-        if matches!(name, "CIRC" | "PITCHCIRC") && of("D").is_some_and(|size| size < 0.0) {
-            let what = format!("the diameter D of {name} is below zero");
-            return self.no_pattern(span.start as usize, span.end as usize, &what);
+        if matches!(data.kind, PatternKind::Circ | PatternKind::PitchCirc) && data.or_zero(PatternWord::D) < 0.0 {
+            return self.refuse(span, codes::K2411::diameter_is_below_zero(&name));
         }
-        let surface = of(&w).unwrap_or(0.0) * mm;
-        let at = Point2::new(x * mm, y * mm);
-        let mut missing = None;
-        let mut need = |name: &'static str| match of(name) {
-            Some(value) => value,
-            None => {
-                missing.get_or_insert(name);
-                0.0
-            }
-        };
-        let offsets: Vec<Vec2> = match name {
-            "POS" => vec![Vec2::zeros()],
-            "ROW" => {
-                let (step, count) = (need("D") * mm, need("NUM"));
-                let along = Deg(of("ROT").unwrap_or(0.0)).unit();
-                numbers(count).map(|k| along * (k * step)).collect()
-            }
-            "CIRC" => {
-                let (radius, start, count) = (need("D") * mm / 2.0, need("START"), need("NUM"));
-                numbers(count).map(|k| Deg(start + k * 360.0 / count).unit() * radius).collect()
-            }
-            "PITCHCIRC" => {
-                let (radius, start, count) = (need("D") * mm / 2.0, need("START"), need("NUM"));
-                let step = match (of("STEP"), of("END")) {
-                    (Some(step), None) => step,
-                    (None, Some(end)) if count > 1.0 => (end - start) / (count - 1.0),
-                    (None, Some(_)) => 0.0,
-                    _ => need("STEP"),
-                };
-                numbers(count).map(|k| Deg(start + k * step).unit() * radius).collect()
-            }
-            _ => {
-                let (dx, dy) = (need("DX") * mm, need("DY") * mm);
-                let (columns, lines) = (need("NUMX"), need("NUMY"));
-                let (turn, turn_x, turn_y) =
-                    (of("ROT").unwrap_or(0.0), of("ROTX").unwrap_or(0.0), of("ROTY").unwrap_or(0.0));
-                let (along, beside) = (Deg(turn + turn_x).unit() * dx, Deg(turn + 90.0 + turn_y).unit() * dy);
-                grid(columns, lines, name == "FRAME").map(|(i, j)| along * i + beside * j).collect()
-            }
-        };
-        if let Some(missing) = missing {
-            return self.no_pattern(span.start as usize, span.end as usize, &format!("{name} lacks {missing}"));
+        if let Some(missing) = needed.iter().find(|word| data.of(**word).is_none()) {
+            return self.refuse(span, codes::K2411::lacks_word(&name, &missing.name()));
         }
+        let offsets = data.offsets(mm);
         if offsets.is_empty() {
-            return self.no_pattern(
-                span.start as usize,
-                span.end as usize,
-                &format!("{name} has no usable number of places"),
-            );
+            return self.refuse(span, codes::K2411::has_no_number_of_places(&name));
         }
-        if matches!(name, "PAT" | "FRAME") {
+        if matches!(data.kind, PatternKind::Pat | PatternKind::Frame) {
             self.job.diags.push_once(codes::K2410::places_of_are_visited_line_by_line(&name).at(self.loc(span)));
         }
+        let (at, surface) = (Point2::new(x * mm, y * mm), data.along(third).unwrap_or(0.0) * mm);
         self.warn_of_repeated_places(name, offsets.iter().map(|offset| at + *offset), self.loc(span));
         list.extend(offsets.into_iter().map(|offset| Place { at: at + offset, surface, clearance: None }));
         Ok(())
@@ -329,7 +252,9 @@ impl Run<'_> {
                     .also(places.loc, "it is selected here"),
             );
         }
-        let own = if old { 0.0 } else { self.cycle_length(&cycle, SURFACE)? };
+        self.same_unit(&cycle)?;
+        let given = self.checked(&cycle)?;
+        let own = given.length(SURFACE);
         if own != 0.0 && places.list.iter().any(|place| place.surface != 0.0) {
             self.report(
                 codes::K2411::places_have_surface_z_of_their_own()
@@ -344,12 +269,12 @@ impl Run<'_> {
         let feed = self.pattern_feed(w, "CYCL CALL PAT")?;
         let height = self.position_of(self.st.axis(), self.block_span(), "CYCL CALL PAT")?;
         if old {
-            self.old_cycle_starts(&cycle, places, height)?;
-            return self.run_old_pattern(w, &cycle, places, feed);
+            self.old_cycle_starts(&cycle, &given, (places, height))?;
+            return self.run_old_pattern(w, (&cycle, &given), places, feed);
         }
         for (i, place) in places.list.iter().enumerate() {
             self.goes_on()?;
-            let clear = self.heights(&cycle, place.surface)?;
+            let clear = self.heights(&cycle, &given, place.surface);
             let axis = self.st.axis();
             let free = place.clearance.map_or(clear.second, |height| height.max(clear.second));
             if self.st.position.get(axis).is_none_or(|at| at < free) {
@@ -364,15 +289,16 @@ impl Run<'_> {
             // The higher one of the clearances here and at the next place.
             let next = places.list.get(i + 1).and_then(|next| next.clearance);
             let height = [place.clearance, next].into_iter().flatten().fold(height, f64::max);
-            self.run_cycle(&cycle, Call { shift: place.surface, retract: Retract::To(height), by: By::Pattern })?;
+            let calling = Calling { shift: place.surface, retract: Retract::To(height), by: By::Pattern };
+            self.run_given(&cycle, &given, calling)?;
         }
         self.m_at_end(w)
     }
 
     /// The old cycles start where the tool stands, at their set-up clearance. Whether they come to it above the Z of a
     /// place is open, so the tool has to stand there.
-    fn old_cycle_starts(&mut self, cycle: &DefinedCycle, places: &Places, height: f64) -> Outcome {
-        let clearance = cycle.part(1).unwrap_or(0.0).abs() * cycle.mm;
+    fn old_cycle_starts(&self, cycle: &DefinedCycle, given: &Given, (places, height): (&Places, f64)) -> Outcome {
+        let clearance = given.magnitude(OLD_CLEARANCE);
         let wrong = places.list.iter().find_map(|place| {
             let start = place.surface + clearance;
             let lifts = place.clearance.filter(|high| *high > height + SAME_HEIGHT);
@@ -402,7 +328,7 @@ impl Run<'_> {
     fn run_old_pattern(
         &mut self,
         w: &super::words::Words,
-        cycle: &DefinedCycle,
+        (cycle, given): (&DefinedCycle, &Given),
         places: &Places,
         feed: Option<Feed>,
     ) -> Outcome {
@@ -412,7 +338,7 @@ impl Run<'_> {
             end.set_in_plane(self.st.plane(), place.at);
             self.st.polar.forget_last();
             self.send(&end, Path::straight(feed));
-            self.run_cycle(cycle, Call { shift: 0.0, retract: Retract::Far, by: By::Pattern })?;
+            self.run_given(cycle, given, Calling { by: By::Pattern, ..Calling::HERE })?;
         }
         self.m_at_end(w)
     }

@@ -5,30 +5,22 @@
 //! set-up clearance.
 
 use crate::diag::{Answer, codes};
-use crate::geo::{Deg, Point2};
+use crate::geo::Point2;
 use crate::ir::contour::Path;
 use crate::ir::{Feed, Pos};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::Block;
 use crate::sema::common::plane::plane_axes;
-use crate::sema::cycle::row::Name;
+use crate::sema::cycle::given::Given;
 use crate::text::Loc;
 
-use super::cycles::DefinedCycle;
-use super::cycles::call::{By, Call, Heights, Retract};
+use super::cycles::call::{By, Calling, Heights, Retract};
 use super::cycles::faces::TOP;
-use super::cycles::patterns::{
-    AT_SECOND, CENTER, CIRCLE, COLUMNS, LINES, NUMBER, ON_ARCS, SPACING, START, START_ANGLE, STEP, STOP_ANGLE, TURN,
-};
-use super::cycles::{PlacesOf, Q, SURFACE};
+use super::cycles::holes::OLD_CLEARANCE;
+use super::cycles::patterns::{AT_SECOND, ON_ARCS, SAME_PLACE, repeated};
+use super::cycles::{self, DefinedCycle, SURFACE};
 use super::words::{Admits, FeedWord, Words};
 use super::{Outcome, Reported, Run};
-
-/// Places that are nearer than this are one, mm.
-const SAME_PLACE: f64 = 1e-6;
-
-/// Most places of a pattern.
-const MOST: f64 = 99_999.0;
 
 /// Cycles from this number on say their heights, and have no contour with a place of its own.
 pub(super) const FIRST_PLACED: u32 = 200;
@@ -38,32 +30,31 @@ pub(super) const PLACES_A_STEP: u64 = 16;
 
 impl Run<'_> {
     /// Runs the machining cycle at the places of a pattern, whose Q200, Q203 and Q204 hold instead of its own.
-    pub(super) fn pattern_cycle(&mut self, pattern: &DefinedCycle, places: Option<PlacesOf>) -> Outcome {
+    pub(super) fn pattern_cycle(&mut self, pattern: &DefinedCycle, places: Option<cycles::Places>) -> Outcome {
         let by = format!("cycle {}", pattern.number);
         let cycle = self.pattern_subject(&by)?;
         let Some(places) = places else {
             return self.refuse_cycle(pattern, codes::P9010::this_pattern_is_not_supported());
         };
-        self.all_are_set(pattern, &by)?;
+        self.all_are_set(pattern)?;
         let old = matches!(cycle.number, 1..=5 | 17);
         if cycle.number < FIRST_PLACED && !old {
             return self.refuse_cycle(pattern, codes::P9010::pattern_of_cycle_is_not_supported(&cycle.number));
         }
-        if self.cycle_option(pattern, ON_ARCS)? != 0.0 {
+        let of_pattern = self.checked(pattern)?;
+        if of_pattern.or_zero(ON_ARCS) != 0.0 {
             return self.refuse_cycle(pattern, codes::P9010::going_from_place_to_place_on_arcs());
         }
-        let near = match self.cycle_number(pattern, AT_SECOND)? {
-            0.0 => true,
-            1.0 => false,
-            other => return self.refuse_value(pattern, codes::P2090::q301_is_not_0_or_1(&other)),
-        };
-        let places = places(self, pattern)?;
+        let places = self.planned(pattern, &of_pattern, Calling::HERE, None, places)?;
+        let near = of_pattern.whole(AT_SECOND) == 0;
         self.budget.take(places.len() as u64 / PLACES_A_STEP);
         self.warn_of_repeated_places(&by, places.iter().copied(), pattern.loc);
-        let heights = self.heights(pattern, 0.0)?;
-        self.surfaces_agree(pattern, &cycle, &heights)?;
+        let heights = self.heights(pattern, &of_pattern, 0.0);
+        self.same_unit(&cycle)?;
+        let given = self.checked(&cycle)?;
+        self.surfaces_agree(pattern, (&cycle, &given), &heights)?;
         if old {
-            self.clearances_agree(pattern, &cycle, &heights)?;
+            self.clearances_agree(pattern, (&cycle, &given), &heights)?;
         }
         self.lift_to(&heights);
         for (i, place) in places.iter().enumerate() {
@@ -74,7 +65,7 @@ impl Run<'_> {
             if old {
                 self.rapid_to(heights.start());
             }
-            self.run_cycle(&cycle, Call { shift: 0.0, retract, by: By::Pattern })?;
+            self.run_given(&cycle, &given, Calling { shift: 0.0, retract, by: By::Pattern })?;
             if old {
                 self.rapid_to(retract.height(&heights));
             }
@@ -83,24 +74,31 @@ impl Run<'_> {
     }
 
     /// A face has a height of its own in place of Q203, which the pattern would have to override.
-    fn surfaces_agree(&mut self, pattern: &DefinedCycle, cycle: &DefinedCycle, heights: &Heights) -> Outcome {
-        if cycle.number < FIRST_PLACED || !cycle.sets(TOP) {
+    fn surfaces_agree(
+        &self,
+        pattern: &DefinedCycle,
+        (cycle, given): (&DefinedCycle, &Given),
+        heights: &Heights,
+    ) -> Outcome {
+        let Some(own) = given.length_if(TOP).filter(|own| (own - heights.surface).abs() > SAME_PLACE) else {
             return Ok(());
-        }
-        let own = self.cycle_length(cycle, TOP)?;
-        if (own - heights.surface).abs() <= SAME_PLACE {
-            return Ok(());
-        }
-        self.refuse_value(pattern, codes::P2090::q203_of_pattern(&heights.surface, &cycle.number, &own))
+        };
+        self.refuse_cycle(pattern, codes::P2090::q203_of_pattern(&heights.surface, &cycle.number, &own))
     }
 
     /// The old cycles work from where the tool stands, the set-up clearance of the pattern.
-    fn clearances_agree(&mut self, pattern: &DefinedCycle, cycle: &DefinedCycle, heights: &Heights) -> Outcome {
-        let own = cycle.part(1).unwrap_or(0.0).abs() * cycle.mm;
+    fn clearances_agree(
+        &self,
+        pattern: &DefinedCycle,
+        (cycle, given): (&DefinedCycle, &Given),
+        heights: &Heights,
+    ) -> Outcome {
+        let own = given.magnitude(OLD_CLEARANCE);
         if (own - heights.clearance).abs() <= SAME_PLACE {
             return Ok(());
         }
-        self.refuse_value(pattern, codes::P2090::set_up_clearance_1_of_cycle(&cycle.number, &own, &heights.clearance))
+        let fault = codes::P2090::set_up_clearance_1_of_cycle(&cycle.number, &own, &heights.clearance);
+        self.refuse_cycle(pattern, fault)
     }
 
     fn rapid_to(&mut self, height: f64) {
@@ -114,21 +112,16 @@ impl Run<'_> {
 
     /// Places of CYCL CALL PAT and POS lift the surface Q203.
     pub(super) fn has_a_surface(&self, cycle: &DefinedCycle, by: &str) -> Outcome {
-        if cycle.row().needed().any(|name| name == Name::Q(SURFACE.0)) {
+        if cycle.row().needed().any(|name| name == SURFACE) {
             return Ok(());
         }
         self.refuse_cycle(cycle, codes::P9010::with_face_which_has_heights(&by))
     }
 
     /// A place that stands in the list twice is machined twice.
-    pub(super) fn warn_of_repeated_places(&mut self, what: &str, places: impl Iterator<Item = Point2>, loc: Loc) {
-        let grid = |v: f64| libm::round(v / SAME_PLACE) as i64;
-        let mut list: Vec<(i64, i64)> = places.map(|p| (grid(p.x), grid(p.y))).collect();
-        let count = list.len();
-        list.sort_unstable();
-        list.dedup();
-        if list.len() < count {
-            self.report(codes::K8106::has_places_of_which_lie_on_others(&what, &count, &(count - list.len())).at(loc));
+    pub(super) fn warn_of_repeated_places(&self, what: &str, places: impl Iterator<Item = Point2>, loc: Loc) {
+        if let Some(fault) = repeated(what, places) {
+            self.report(fault.at(loc));
         }
     }
 
@@ -146,62 +139,6 @@ impl Run<'_> {
         end.set_in_plane(self.st.plane(), place);
         self.st.polar.forget_last();
         self.send(&end, Path::Rapid);
-    }
-
-    /// Q216/Q217 centre, Q244 diameter, Q245 first angle, Q246 last angle, Q247 step, Q241 number.
-    pub(super) fn polar_places(&mut self, pattern: &DefinedCycle) -> Outcome<Vec<Point2>> {
-        let center = Point2::new(self.cycle_length(pattern, CENTER.0)?, self.cycle_length(pattern, CENTER.1)?);
-        let radius = self.cycle_length(pattern, CIRCLE)? / 2.0;
-        let (first, last) = (self.cycle_number(pattern, START_ANGLE)?, self.cycle_number(pattern, STOP_ANGLE)?);
-        let step = self.cycle_number(pattern, STEP)?;
-        let count = self.count(pattern, NUMBER)?;
-        if radius < 0.0 {
-            return self.refuse_value(pattern, codes::P2090::pitch_circle_diameter_q244_is_negative());
-        }
-        if step == 0.0 && first == last {
-            return self.refuse_value(pattern, codes::P2090::start_angle_q245());
-        }
-        let span = last - first;
-        let full = span.abs() == 360.0;
-        let angle = |i: u32| {
-            let i = f64::from(i);
-            match step {
-                // One division keeps a third of a turn exact.
-                0.0 if full => first + i * span / f64::from(count),
-                0.0 if count > 1 => first + i * span / f64::from(count - 1),
-                0.0 => first,
-                step => first + i * step,
-            }
-        };
-        Ok((0..count).map(|i| center + Deg(angle(i)).unit() * radius).collect())
-    }
-
-    /// Q225/Q226 first place, Q237/Q238 spacing, Q242 columns, Q243 lines, Q224 rotation; line by line, to and fro.
-    pub(super) fn grid_places(&mut self, pattern: &DefinedCycle) -> Outcome<Vec<Point2>> {
-        let start = Point2::new(self.cycle_length(pattern, START.0)?, self.cycle_length(pattern, START.1)?);
-        let (across, up) = (self.cycle_length(pattern, SPACING.0)?, self.cycle_length(pattern, SPACING.1)?);
-        let (columns, lines) = (self.count(pattern, COLUMNS)?, self.count(pattern, LINES)?);
-        if f64::from(columns) * f64::from(lines) > MOST {
-            return self.refuse_value(pattern, codes::P2090::pattern_has_more_than_99999_places());
-        }
-        let turn = Deg(self.cycle_number(pattern, TURN)?);
-        let (along, beside) = (turn.unit(), Deg(turn.0 + 90.0).unit());
-        let mut places = Vec::new();
-        for line in 0..lines {
-            for i in 0..columns {
-                let column = if line % 2 == 0 { i } else { columns - 1 - i };
-                places.push(start + along * (f64::from(column) * across) + beside * (f64::from(line) * up));
-            }
-        }
-        Ok(places)
-    }
-
-    fn count(&mut self, pattern: &DefinedCycle, q: Q) -> Outcome<u32> {
-        let n = self.cycle_number(pattern, q)?;
-        if n.fract() == 0.0 && (1.0..=MOST).contains(&n) {
-            return Ok(n as u32);
-        }
-        self.refuse_value(pattern, codes::P2090::is_no_number_of_places(&q, &n))
     }
 
     /// Feed of the way from place to place; `None` for rapid traverse.
@@ -250,7 +187,9 @@ impl Run<'_> {
         self.m_at_start(&w, true)?;
         let feed = self.pattern_feed(&w, "CYCL CALL POS")?;
         let shift = w.axes.get(axis).unwrap_or(0.0);
-        let heights = self.heights(cycle, shift)?;
+        self.same_unit(cycle)?;
+        let given = self.checked(cycle)?;
+        let heights = self.heights(cycle, &given, shift);
         let Some(at) = self.st.position.get(axis) else {
             self.position_of(axis, w.axes_span, "CYCL CALL POS")?;
             return Err(Reported);
@@ -266,7 +205,7 @@ impl Run<'_> {
         }
         self.st.polar.forget_last();
         self.send(&end, Path::straight(feed));
-        self.run_cycle(cycle, Call { shift, retract: Retract::Far, by: By::Position })?;
+        self.run_given(cycle, &given, Calling { shift, retract: Retract::Far, by: By::Position })?;
         self.m_at_end(&w)
     }
 }

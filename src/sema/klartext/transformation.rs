@@ -68,6 +68,11 @@ impl Transformation {
         self.is_shift_only() && self.turn.0 == 0.0 && self.shift.iter().all(|v| *v == 0.0)
     }
 
+    /// Is a scaling in force?
+    pub fn scales(&self) -> bool {
+        self.scale != 1.0 || self.axis_scale != [1.0; 3]
+    }
+
     /// No mirror, rotation or scaling; a turn of the working plane may be in force.
     pub fn is_shift_only(&self) -> bool {
         self.mirror.is_empty() && self.angle.0 == 0.0 && self.scale == 1.0 && self.axis_scale == [1.0; 3]

@@ -2,33 +2,32 @@
 
 use crate::sema::cycle::row::{Kind, Name, Parameter, Signature, Status};
 
-use super::milling::cycle;
-use super::{Nature, Q, REMOVE, Row, SettingOf, q};
+use super::{Nature, Plan, REMOVE, Requires, Row, Setting, q};
 
-pub(in super::super) const DEPTH: Q = Q(1);
-pub(in super::super) const OVERLAP: Q = Q(2);
-pub(in super::super) const SIDE: Q = Q(3);
-pub(in super::super) const FLOOR: Q = Q(4);
-pub(in super::super) const SURFACE: Q = Q(5);
-pub(in super::super) const SET_UP: Q = Q(6);
-pub(in super::super) const HEIGHT: Q = Q(7);
-pub(in super::super) const CORNERS: Q = Q(8);
-pub(in super::super) const DIRECTION: Q = Q(9);
-pub(in super::super) const INFEED: Q = Q(10);
-pub(in super::super) const PLUNGING_FEED: Q = Q(11);
-pub(in super::super) const MILLING_FEED: Q = Q(12);
-pub(in super::super) const ROUGHING_TOOL: Q = Q(13);
-pub(in super::super) const LEFT: Q = Q(14);
-pub(in super::super) const KIND: Q = Q(15);
-pub(in super::super) const COARSE_TOOL: Q = Q(18);
-pub(in super::super) const RECIPROCATING_FEED: Q = Q(19);
-pub(in super::super) const RETRACT_FEED: Q = Q(208);
-pub(in super::super) const WAY: Q = Q(390);
-pub(in super::super) const COMPENSATION: Q = Q(391);
-pub(in super::super) const WAY_RADIUS: Q = Q(392);
-pub(in super::super) const WAY_ANGLE: Q = Q(393);
-pub(in super::super) const WAY_LENGTH: Q = Q(394);
-pub(in super::super) const FEED_FACTOR: Q = Q(401);
+pub(in super::super) const DEPTH: Name = Name::Q(1);
+pub(in super::super) const OVERLAP: Name = Name::Q(2);
+pub(in super::super) const SIDE: Name = Name::Q(3);
+pub(in super::super) const FLOOR: Name = Name::Q(4);
+pub(in super::super) const SURFACE: Name = Name::Q(5);
+pub(in super::super) const SET_UP: Name = Name::Q(6);
+pub(in super::super) const HEIGHT: Name = Name::Q(7);
+pub(in super::super) const CORNERS: Name = Name::Q(8);
+pub(in super::super) const DIRECTION: Name = Name::Q(9);
+pub(in super::super) const INFEED: Name = Name::Q(10);
+pub(in super::super) const PLUNGING_FEED: Name = Name::Q(11);
+pub(in super::super) const MILLING_FEED: Name = Name::Q(12);
+pub(in super::super) const ROUGHING_TOOL: Name = Name::Q(13);
+pub(in super::super) const LEFT: Name = Name::Q(14);
+pub(in super::super) const KIND: Name = Name::Q(15);
+pub(in super::super) const COARSE_TOOL: Name = Name::Q(18);
+pub(in super::super) const RECIPROCATING_FEED: Name = Name::Q(19);
+pub(in super::super) const RETRACT_FEED: Name = Name::Q(208);
+pub(in super::super) const WAY: Name = Name::Q(390);
+pub(in super::super) const COMPENSATION: Name = Name::Q(391);
+pub(in super::super) const WAY_RADIUS: Name = Name::Q(392);
+pub(in super::super) const WAY_ANGLE: Name = Name::Q(393);
+pub(in super::super) const WAY_LENGTH: Name = Name::Q(394);
+pub(in super::super) const FEED_FACTOR: Name = Name::Q(401);
 
 /// Cycle 22.
 pub(in super::super) const ROUGH_OUT: u32 = 22;
@@ -45,27 +44,58 @@ const Q208: Parameter =
 
 const fn setting(
     number: u32,
-    setting: SettingOf,
+    setting: Setting,
     name: &'static str,
     what: &'static str,
     parameters: &'static [Parameter],
 ) -> Row {
     let signature = Signature { name, what, status: Status::Built, source: MANUAL, parameters };
     let form = if number == 14 { "write the labels: `CYCL DEF 14.1 CONTOUR LABEL 1`" } else { REMOVE };
-    Row { numbers: (number, number), nature: Nature::Setting(setting), signature, form }
+    Row { numbers: (number, number), nature: Nature::Setting(setting), requires: &[], signature, form }
+}
+
+/// What cycles along contours need where they are called.
+const TRAIN: &[Requires] = &[
+    Requires::NoCompensation,
+    Requires::Turning,
+    Requires::Speed,
+    Requires::ToolChange,
+    Requires::CutterUnscaled,
+    Requires::Contours,
+];
+const POCKET: &[Requires] = &[
+    Requires::NoCompensation,
+    Requires::Turning,
+    Requires::Speed,
+    Requires::ToolChange,
+    Requires::CutterUnscaled,
+    Requires::Contours,
+    Requires::PocketData,
+];
+
+const fn along(
+    requires: &'static [Requires],
+    number: u32,
+    name: &'static str,
+    what: &'static str,
+    plan: Plan,
+    parameters: &'static [Parameter],
+) -> Row {
+    let signature = Signature { name, what, status: Status::Built, source: MANUAL, parameters };
+    Row { numbers: (number, number), nature: Nature::Milling(plan), requires, signature, form: REMOVE }
 }
 
 pub(super) const ROWS: &[Row] = &[
     setting(
         14,
-        |run, open| run.contour_geometry(open),
+        Setting::Contours,
         "CYCL DEF 14",
         "CONTOUR GEOMETRY",
         &[Parameter::new(Name::Part(1), Kind::Either, "labels of the contours; one of them is milled").needed()],
     ),
     setting(
         20,
-        |run, open| run.contour_data(open),
+        Setting::Pocket,
         "CYCL DEF 20",
         "CONTOUR DATA",
         &[
@@ -80,18 +110,20 @@ pub(super) const ROWS: &[Row] = &[
             q(DIRECTION, Kind::Number, "+1 climb, -1 up-cut milling with M3").needed(),
         ],
     ),
-    cycle(
+    along(
+        POCKET,
         21,
         "CYCL DEF 21",
         "PILOT DRILLING",
-        |run, cycle, call| run.pilot_drilling(cycle, call),
+        |call| call.pilot_drilling(),
         &[Q10, Q11, q(ROUGHING_TOOL, Kind::Number, "number of the tool that roughs the pocket").needed()],
     ),
-    cycle(
+    along(
+        POCKET,
         ROUGH_OUT,
         "CYCL DEF 22",
         "ROUGH-OUT",
-        |run, cycle, call| run.rough_out(cycle, call),
+        |call| call.rough_out(),
         &[
             Q10,
             Q11,
@@ -110,16 +142,17 @@ pub(super) const ROWS: &[Row] = &[
             .default("0"),
             Q208,
             q(FEED_FACTOR, Kind::Number, "feed at full engagement in %: 100; others are refused").default("100"),
-            q(Q(404), Kind::Number, "how a finer tool goes on")
+            q(Name::Q(404), Kind::Number, "how a finer tool goes on")
                 .without_effect("the path behind a coarse tool is partc's own"),
         ],
     ),
-    cycle(23, "CYCL DEF 23", "FLOOR FINISHING", |run, cycle, call| run.floor_finishing(cycle, call), &[Q11, Q12, Q208]),
-    cycle(
+    along(POCKET, 23, "CYCL DEF 23", "FLOOR FINISHING", |call| call.floor_finishing(), &[Q11, Q12, Q208]),
+    along(
+        POCKET,
         24,
         "CYCL DEF 24",
         "SIDE FINISHING",
-        |run, cycle, call| run.side_finishing(cycle, call),
+        |call| call.side_finishing(),
         &[
             q(DIRECTION, Kind::Number, "+1 climb, -1 up-cut milling with M3").needed(),
             Q10,
@@ -128,11 +161,12 @@ pub(super) const ROWS: &[Row] = &[
             q(LEFT, Kind::Length, "allowance that is left on the wall").default("0"),
         ],
     ),
-    cycle(
+    along(
+        TRAIN,
         25,
         "CYCL DEF 25",
         "CONTOUR TRAIN",
-        |run, cycle, call| run.contour_train(cycle, call),
+        |call| call.contour_train(),
         &[
             Q1,
             q(SIDE, Kind::Length, "allowance on the contour").needed(),
@@ -143,16 +177,17 @@ pub(super) const ROWS: &[Row] = &[
             Q12,
             q(KIND, Kind::Number, "+1 climb, -1 up-cut milling with M3, 0 both in turns").needed(),
             q(COARSE_TOOL, Kind::Number, "tool that milled before: 0 is none, others are refused").default("0"),
-            q(Q(446), Kind::Length, "material that may stay").without_effect("it counts with a coarse tool Q18 only"),
-            q(Q(447), Kind::Length, "longest way from cut to cut")
+            q(Name::Q(446), Kind::Length, "material that may stay")
                 .without_effect("it counts with a coarse tool Q18 only"),
-            q(Q(448), Kind::Length, "by which the path is prolonged")
+            q(Name::Q(447), Kind::Length, "longest way from cut to cut")
+                .without_effect("it counts with a coarse tool Q18 only"),
+            q(Name::Q(448), Kind::Length, "by which the path is prolonged")
                 .without_effect("it counts with a coarse tool Q18 only"),
         ],
     ),
     setting(
         270,
-        |run, open| run.contour_train_data(open),
+        Setting::Train,
         "CYCL DEF 270",
         "CONTOUR TRAIN DATA",
         &[

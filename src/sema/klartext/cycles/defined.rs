@@ -4,8 +4,8 @@ use crate::machine::Axis;
 use crate::sema::cycle::row::Name;
 use crate::text::Loc;
 
-use super::super::cycle_definition::{DottedValue, Open, WordFeed};
-use super::{Q, Row, What};
+use super::super::cycle_definition::{DottedValue, Open, What, WordFeed};
+use super::Row;
 
 /// A machining cycle as it was defined.
 #[derive(Debug)]
@@ -34,47 +34,44 @@ impl DefinedCycle {
         }
     }
 
-    /// Does the definition set this Q parameter?
-    pub fn sets(&self, q: Q) -> bool {
-        self.parameters.contains(&q.0) || self.word(q).is_some()
-    }
-
     /// The word that the definition sets it to.
-    pub fn word(&self, q: Q) -> Option<&'static str> {
-        self.words.iter().rev().find(|(number, _)| *number == q.0).map(|(_, word)| *word)
+    pub fn word(&self, name: Name) -> Option<&'static str> {
+        self.words.iter().rev().find(|(number, _)| Name::Q(*number) == name).map(|(_, word)| *word)
     }
 
     /// The feed that FU or FZ gives it with a number.
-    pub fn feed(&self, q: Q) -> Option<WordFeed> {
-        self.feeds.iter().rev().find(|feed| feed.parameter == q.0).copied()
+    pub fn feed(&self, name: Name) -> Option<WordFeed> {
+        self.feeds.iter().rev().find(|feed| Name::Q(feed.parameter) == name).copied()
     }
 
     pub fn row(&self) -> &'static Row {
         super::find(self.number)
     }
 
-    /// Does the definition set it, to a number or to a word?
-    pub fn gives_q(&self, q: Q) -> bool {
-        self.sets(q) || self.word(q).is_some()
-    }
-
     /// Does the definition give this parameter?
     pub fn gives(&self, name: Name) -> bool {
         match name {
-            Name::Q(number) => self.sets(Q(number)),
+            Name::Q(number) => self.parameters.contains(&number) || self.word(name).is_some(),
+            _ => self.in_definition(name).is_some(),
+        }
+    }
+
+    /// The value of an old cycle that stands in its definition.
+    pub fn in_definition(&self, name: Name) -> Option<f64> {
+        match name {
             // Where a feed has a place of its own, it is not the value of the part.
-            Name::Part(part) if self.row().takes_in_part(part, What::Feed) => self.in_part(part, What::Value).is_some(),
-            Name::Part(part) => self.part(part).is_some(),
-            Name::In(part, "F") => self.in_part(part, What::Feed).is_some(),
-            Name::In(part, "DR") => self.in_part(part, What::Turn).is_some(),
-            Name::In(part, "RADIUS") => self.in_part(part, What::Value).is_some(),
-            Name::In(part, _) => self.along(part).is_some(),
-            Name::Word(_) => false,
+            Name::Part(part) if self.row().takes_in_part(part, What::Feed) => self.in_part(part, What::Value),
+            Name::Part(part) => self.in_part(part, What::Value).or_else(|| self.in_part(part, What::Feed)),
+            Name::In(part, "F") => self.in_part(part, What::Feed),
+            Name::In(part, "DR") => self.in_part(part, What::Turn),
+            Name::In(part, "RADIUS") => self.in_part(part, What::Value),
+            Name::In(part, _) => self.along(part).map(|(_, length)| length),
+            Name::Q(_) | Name::Word(_) => None,
         }
     }
 
     /// What a part of an old cycle holds.
-    pub fn in_part(&self, part: u32, what: What) -> Option<f64> {
+    fn in_part(&self, part: u32, what: What) -> Option<f64> {
         self.parts.iter().find(|p| p.part == part && p.what == what).map(|p| p.value)
     }
 
@@ -84,10 +81,5 @@ impl DefinedCycle {
             What::Along(axis) if p.part == part => Some((axis, p.value)),
             _ => None,
         })
-    }
-
-    /// The value in a part of an old cycle: its number, or the feed where it has no number.
-    pub fn part(&self, part: u32) -> Option<f64> {
-        self.in_part(part, What::Value).or_else(|| self.in_part(part, What::Feed))
     }
 }

@@ -1,40 +1,44 @@
 //! The cycles of CYCL DEF: one row each, one file a family.
 
-pub(super) mod bores;
+mod bores;
 pub(super) mod call;
+mod contour_pockets;
+mod contour_trains;
 pub(super) mod contours;
+pub(super) mod data;
+mod deep_holes;
 mod defined;
-pub(super) mod drilling;
+mod drilling;
 pub(super) mod faces;
-pub(super) mod finishing;
-pub(super) mod milling;
+mod finishing;
+pub(super) mod holes;
+pub(super) mod machining;
+mod milling;
 mod named;
-pub(super) mod old_pockets;
+mod old_pockets;
 pub(super) mod patterns;
-pub(super) mod pockets;
-pub(super) mod slots;
-pub(super) mod studs;
+mod pockets;
+mod ruled;
+mod slots;
+mod studs;
 mod tapping_in_steps;
-pub(super) mod threads;
+mod thread_milling;
+mod threads;
 pub(super) mod transformations;
-
-use core::fmt;
-
-pub(super) use defined::DefinedCycle;
 
 use crate::geo::Point2;
 use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::drilling::Method;
 use crate::lexer::klartext::{QKind, QRef};
-use crate::sema::cycle::row::{Kind, Name, Parameter, Signature, Status};
+use crate::sema::cycle::call::Made;
+use crate::sema::cycle::row::{Kind, Name, Parameter, Rule, Signature, Status};
 
-pub(super) use super::cycle_definition::What;
+use super::cycle_definition::What;
 
-use call::Call;
-
-use super::cycle_definition::Open;
-use super::{Outcome, Run};
+use call::CycleCall;
+use data::Roughed;
+pub(super) use defined::DefinedCycle;
 
 /// A cycle: what its definition gives, and what it does.
 #[derive(Debug)]
@@ -42,6 +46,8 @@ pub(super) struct Row {
     /// The first and the last number of cycles that are known by one name.
     pub numbers: (u32, u32),
     pub nature: Nature,
+    /// What has to hold where it is called, in the order in which it is asked.
+    pub requires: &'static [Requires],
     pub signature: Signature,
     /// What to write in place of a word that the cycle does not take.
     pub form: &'static str,
@@ -62,7 +68,7 @@ pub(super) enum Nature {
     Tolerance,
     Preset,
     /// Sets data that other cycles use.
-    Setting(SettingOf),
+    Setting(Setting),
     /// The same, for cycles that are refused.
     Data,
     /// Would act where it is defined.
@@ -70,35 +76,77 @@ pub(super) enum Nature {
     /// Drills when called.
     Drilling(&'static Drilling),
     /// Mills when called.
-    Milling(MillingOf),
+    Milling(Plan),
     /// Would run when called.
     Machining,
     /// Runs the machining cycle at once, at many places: the places, where the pattern is compiled.
-    Pattern(Option<PlacesOf>),
+    Pattern(Option<Places>),
     Unknown,
 }
 
-/// Makes the cycle where it is called; nothing where it does nothing.
-pub(super) type MillingOf = fn(&mut Run<'_>, &DefinedCycle, Call) -> Outcome<Option<Cycle>>;
+/// What a cycle needs where it is called.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Requires {
+    NoCompensation,
+    /// The spindle turns.
+    Turning,
+    /// The spindle has a speed; the cycle may start it itself.
+    Speed,
+    /// The tool that was called is in the spindle.
+    ToolChange,
+    /// A tap has one pitch, whatever a scaling makes of its depth.
+    NoScaling,
+    /// The tool has the size that it has: a frame may shift, turn and mirror in the plane.
+    CutterUnscaled,
+    /// Contours of cycle 14.
+    Contours,
+    /// Data of cycle 20.
+    PocketData,
+}
 
-/// Keeps what the definition says.
-pub(super) type SettingOf = fn(&mut Run<'_>, &Open) -> Outcome;
+/// What the definition of a cycle is kept as.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Setting {
+    /// Cycle 14.
+    Contours,
+    /// Cycle 20.
+    Pocket,
+    /// Cycle 270.
+    Train,
+}
+
+/// What a call does.
+#[derive(Debug, Default)]
+pub(super) struct Planned {
+    /// Nothing where there is nothing to do.
+    pub cycle: Option<Cycle>,
+    /// Of the budget.
+    pub steps: u64,
+    /// What cycle 22 clears.
+    pub roughed: Option<Box<Roughed>>,
+}
+
+impl From<Cycle> for Planned {
+    fn from(cycle: Cycle) -> Planned {
+        Planned { cycle: Some(cycle), ..Planned::default() }
+    }
+}
+
+/// Makes the cycle where it is called.
+pub(super) type Plan = fn(&CycleCall<'_>) -> Made<Planned>;
 
 /// Makes the places of a pattern.
-pub(super) type PlacesOf = fn(&mut Run<'_>, &DefinedCycle) -> Outcome<Vec<Point2>>;
+pub(super) type Places = fn(&CycleCall<'_>) -> Made<Vec<Point2>>;
 
 /// A drilling cycle.
 #[derive(Debug)]
 pub(super) struct Drilling {
-    pub method: fn(&mut Run<'_>, &DefinedCycle, Cut) -> Outcome<Method>,
+    pub method: fn(&CycleCall<'_>, Cut) -> Made<Method>,
     /// What gives the feed; `None` where a pitch does.
     pub feed: Option<Name>,
     /// What gives the dwell at the depth.
     pub dwell: Option<Name>,
-    /// It cuts a thread.
-    pub taps: bool,
-    /// It starts the spindle itself, at a speed of its own.
-    pub own_spindle: bool,
+    pub requires: &'static [Requires],
 }
 
 /// Feed, and dwell at the depth in seconds.
@@ -106,16 +154,6 @@ pub(super) struct Drilling {
 pub(super) struct Cut {
     pub feed: Feed,
     pub dwell: f64,
-}
-
-/// A Q parameter of a cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Q(pub u32);
-
-impl fmt::Display for Q {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Q{}", self.0)
-    }
 }
 
 impl Nature {
@@ -164,6 +202,11 @@ impl Row {
             (Name::In(of, word), What::Along(_)) => of == part && !matches!(word, "F" | "DR" | "RADIUS"),
             _ => false,
         })
+    }
+
+    /// Does the tool axis of a drill or a tap carry it out alone?
+    pub fn drills(&self) -> bool {
+        matches!(self.nature, Nature::Drilling(_))
     }
 
     /// The parameters that a definition has to set.
@@ -223,23 +266,46 @@ pub(super) fn find(number: u32) -> &'static Row {
 const UNKNOWN: Row = Row {
     numbers: (0, 0),
     nature: Nature::Unknown,
+    requires: &[],
     signature: Signature { name: "", what: "", status: Status::Refused { code: "P9010" }, source: "", parameters: &[] },
     form: REMOVE,
 };
 
 const REMOVE: &str = "remove the word";
 
-const fn q(q: Q, kind: Kind, what: &'static str) -> Parameter {
-    Parameter::new(Name::Q(q.0), kind, what)
+const fn q(name: Name, kind: Kind, what: &'static str) -> Parameter {
+    Parameter::new(name, kind, what)
 }
 
-/// Parameters that many cycles have.
-pub(super) const CLEARANCE: Q = Q(200);
-pub(super) const DEPTH: Q = Q(201);
-pub(super) const SURFACE: Q = Q(203);
-pub(super) const SECOND_CLEARANCE: Q = Q(204);
+const ABOVE_0: Rule = Rule::Above(0);
 
-const SET_UP: Parameter = q(CLEARANCE, Kind::Length, "set-up clearance above the surface, 0 or more").needed();
+/// Parameters that many cycles have.
+pub(super) const CLEARANCE: Name = Name::Q(200);
+pub(super) const DEPTH: Name = Name::Q(201);
+pub(super) const SURFACE: Name = Name::Q(203);
+pub(super) const SECOND_CLEARANCE: Name = Name::Q(204);
+
+/// What is read before the depth 0 says that there is nothing to do.
+const BEFORE_DEPTH: &[Name] = &[CLEARANCE, DEPTH, SURFACE, SECOND_CLEARANCE, drilling::BY_DIAMETER, threads::STEPS];
+
+/// What some calls of a cycle take that does not need it: looked at where they do.
+const OF_SOME_CALLS: &[Name] = &[drilling::DIAMETER, pockets::CENTER.0, pockets::CENTER.1];
+
+/// What is read before it shows that there is nothing to finish.
+const BEFORE_FINISHING: &[Name] = &[
+    CLEARANCE,
+    DEPTH,
+    SURFACE,
+    SECOND_CLEARANCE,
+    drilling::PLUNGE,
+    milling::FINISHING_INFEED,
+    milling::SIDE_ALLOWANCE,
+    milling::FLOOR_ALLOWANCE,
+    milling::OPERATION,
+    milling::FEED_REFERENCE,
+];
+
+const SET_UP: Parameter = q(CLEARANCE, Kind::Length, "set-up clearance above the surface").needed().unsigned();
 const AT_SURFACE: Parameter = q(SURFACE, Kind::Length, "coordinate of the surface").needed();
 const SECOND: Parameter =
     q(SECOND_CLEARANCE, Kind::Length, "2nd set-up clearance above the surface, where the tool goes in the end")

@@ -30,7 +30,7 @@ const REFUSED: Status = Status::Refused { code: "P9010" };
 
 const fn row(numbers: (u32, u32), name: &'static str, what: &'static str, (nature, status): (Nature, Status)) -> Row {
     let signature = Signature { name, what, status, source: "", parameters: &[] };
-    Row { numbers, nature, signature, form: REMOVE }
+    Row { numbers, nature, requires: &[], signature, form: REMOVE }
 }
 
 pub(super) const ROWS: &[Row] = &[

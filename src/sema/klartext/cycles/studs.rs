@@ -1,22 +1,33 @@
 //! Studs: 256 and 257.
+//!
+//! Source: K 6.5 (docs/sources.md).
 
-use crate::sema::cycle::row::Kind;
+use crate::diag::codes;
+use crate::geo::Deg;
+use crate::ir::cycle::Cycle;
+use crate::ir::cycle::milling::{Mill, Place};
+use crate::ir::cycle::spigot::{Blank, Finish, Shape, Spigot};
+use crate::sema::cycle::call::Made;
+use crate::sema::cycle::row::{Kind, Name, Parameter, Rule};
 
+use super::call::CycleCall;
 use super::drilling::Q201;
+use super::machining::Asked;
 use super::milling::{
     CORNER, DIAMETER, FIRST_SIDE, OPERATION, POSITION, Q202, Q206, Q207, Q338, Q351, Q368, Q369, Q370, Q385,
     SECOND_SIDE, TURN, cycle,
 };
 use super::pockets::START_ANGLE;
-use super::{AT_SURFACE, Q, Row, SECOND, SET_UP, q};
-use crate::sema::cycle::row::Parameter;
+use super::{ABOVE_0, AT_SURFACE, Planned, Row, SECOND, SET_UP, q};
 
-pub(in super::super) const RAW_DIAMETER: Q = Q(222);
-pub(in super::super) const RAW: (Q, Q) = (Q(424), Q(425));
-pub(in super::super) const APPROACH: Q = Q(437);
+pub(in super::super) const RAW_DIAMETER: Name = Name::Q(222);
+pub(in super::super) const RAW: (Name, Name) = (Name::Q(424), Name::Q(425));
+pub(in super::super) const APPROACH: Name = Name::Q(437);
 
 const Q215: Parameter =
-    q(OPERATION, Kind::Number, "0 roughs and finishes, 1 roughs, 2 finishes what Q368 and Q369 leave").default("1");
+    q(OPERATION, Kind::Number, "0 roughs and finishes, 1 roughs, 2 finishes what Q368 and Q369 leave")
+        .rule(Rule::OneOf(0, 2))
+        .default("1");
 
 /// The parameters of a cycle of its own, those that both studs have, and where it approaches.
 macro_rules! parameters {
@@ -32,18 +43,20 @@ pub(super) const ROWS: &[Row] = &[
         256,
         "CYCL DEF 256",
         "RECTANGULAR STUD",
-        |run, cycle, call| run.rectangular_stud(cycle, call),
+        |call| call.rectangular_stud(),
         parameters![
-            q(FIRST_SIDE, Kind::Length, "length of the stud along the first axis").needed(),
-            q(RAW.0, Kind::Length, "length of the blank along the first axis").needed(),
-            q(SECOND_SIDE, Kind::Length, "length of the stud along the second axis").needed(),
-            q(RAW.1, Kind::Length, "length of the blank along the second axis").needed(),
+            q(FIRST_SIDE, Kind::Length, "length of the stud along the first axis").needed().rule(ABOVE_0),
+            q(RAW.0, Kind::Length, "length of the blank along the first axis").needed().rule(ABOVE_0),
+            q(SECOND_SIDE, Kind::Length, "length of the stud along the second axis").needed().rule(ABOVE_0),
+            q(RAW.1, Kind::Length, "length of the blank along the second axis").needed().rule(ABOVE_0),
             q(CORNER, Kind::Length, "radius of the corners; below 0, a chamfer, is refused").default("0"),
             Q368,
             q(TURN, Kind::Angle, "angle by which the stud is turned about the place of the call").default("0"),
             q(POSITION, Kind::Number, "place of the call: 0 the middle, 1 to 4 the corners from the lower left one on")
+                .rule(Rule::OneOf(0, 4))
                 .default("0");
             q(APPROACH, Kind::Number, "place of the approach: 0 beside the middle of the +X side; others are refused")
+                .rule(Rule::OneOf(0, 4))
                 .default("0")
         ],
     ),
@@ -51,12 +64,91 @@ pub(super) const ROWS: &[Row] = &[
         257,
         "CYCL DEF 257",
         "CIRCULAR STUD",
-        |run, cycle, call| run.circular_stud(cycle, call),
+        |call| call.circular_stud(),
         parameters![
-            q(DIAMETER, Kind::Length, "diameter of the stud").needed(),
-            q(RAW_DIAMETER, Kind::Length, "diameter of the blank").needed(),
+            q(DIAMETER, Kind::Length, "diameter of the stud").needed().rule(ABOVE_0),
+            q(RAW_DIAMETER, Kind::Length, "diameter of the blank").needed().rule(ABOVE_0),
             Q368;
             q(START_ANGLE, Kind::Angle, "angle of the approach, 0 to 359; -1 for 0").default("-1")
         ],
     ),
 ];
+
+/// Beside the blank the tool goes down so far away, mm.
+pub(super) const ASIDE: f64 = 2.0;
+
+impl CycleCall<'_> {
+    /// Cycle 256.
+    pub fn rectangular_stud(&self) -> Made<Planned> {
+        let Some((mill, asked)) = self.stud_of()? else { return Ok(Planned::default()) };
+        let half = [self.given.length(FIRST_SIDE) / 2.0, self.given.length(SECOND_SIDE) / 2.0];
+        let raw = [self.given.length(RAW.0) / 2.0, self.given.length(RAW.1) / 2.0];
+        let over = [raw[0] - half[0], raw[1] - half[1]];
+        if over.iter().any(|way| *way < -1e-9) {
+            return self.refuse(codes::P2090::blank_q424());
+        }
+        let corner = self.given.length(CORNER);
+        if corner < 0.0 {
+            return self.refuse(codes::P9010::chamfer_at_corners_is_not_supported(&corner));
+        }
+        let approach = self.given.whole(APPROACH);
+        if approach != 0 {
+            return self.refuse(codes::P9010::approach_at_corner_is_not_supported(&approach));
+        }
+        let turn = Deg(self.given.or_zero(TURN));
+        let to_middle = self.way_to_middle(half);
+        let place = Place { at: Place { at: self.call_point()?, turn }.point(to_middle), turn };
+        // The corner of the blank is the farthest from the round one of the stud.
+        let stock = libm::hypot(over[0].max(0.0) + corner, over[1].max(0.0) + corner) - corner;
+        let blank = Blank { reach: raw[0], stock, aside: ASIDE };
+        self.stud((mill, asked), place, Shape::Rectangle { half, corner }, blank)
+    }
+
+    /// Cycle 257.
+    pub fn circular_stud(&self) -> Made<Planned> {
+        let Some((mill, asked)) = self.stud_of()? else { return Ok(Planned::default()) };
+        let radius = self.given.length(DIAMETER) / 2.0;
+        let raw = self.given.length(RAW_DIAMETER) / 2.0;
+        if raw < radius - 1e-9 {
+            return self.refuse(codes::P2090::blank_q222_is_smaller_than_stud());
+        }
+        let angle = self.given.number(START_ANGLE).unwrap_or(-1.0);
+        if angle != -1.0 && !(0.0..=359.0).contains(&angle) {
+            return self.refuse(codes::P2090::angle_of_approach_q376_is_not_1(&angle));
+        }
+        let place = Place { at: self.call_point()?, turn: Deg(angle.max(0.0)) };
+        let blank = Blank { reach: raw, stock: raw - radius, aside: ASIDE };
+        self.stud((mill, asked), place, Shape::Circle { radius }, blank)
+    }
+
+    /// What both take; older definitions have no Q215 and rough.
+    fn stud_of(&self) -> Made<Option<(Mill, Asked)>> {
+        let Some(mill) = self.cutter_of()? else { return Ok(None) };
+        let Some(asked) = self.asked(&mill)? else { return Ok(None) };
+        let asked = if self.given.has(OPERATION) { asked } else { Asked { wall: false, floor: false, ..asked } };
+        Ok(Some((mill, asked)))
+    }
+
+    fn stud(&self, (mill, asked): (Mill, Asked), place: Place, shape: Shape, blank: Blank) -> Made<Planned> {
+        let Asked { rough, wall, floor, allowance, step, feed } = asked;
+        if wall && blank.stock > 2.0 * mill.radius {
+            self.finishing_meets_roughing((allowance, 2.0 * mill.radius), mill.radius)?;
+        }
+        if floor {
+            self.floor_in_one_cut(&mill)?;
+        }
+        let spigot = Spigot {
+            counter_clockwise: !self.climbs()?,
+            width: Some(self.overlap(mill.radius)?),
+            mill,
+            place,
+            shape,
+            allowance,
+            blank,
+            finishes_floor: false,
+            rough,
+            finish: (wall || floor).then_some(Finish { wall, floor, feed, step }),
+        };
+        Ok(Cycle::Spigot(self.sound(spigot)?).into())
+    }
+}

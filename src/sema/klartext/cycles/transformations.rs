@@ -3,9 +3,9 @@
 
 use crate::sema::cycle::row::{Kind, Name, Parameter, Signature, Status};
 
-use super::{Nature, Q, REMOVE, Row, q};
+use super::{Nature, REMOVE, Row, q};
 
-pub(in super::super) const DATUM: Q = Q(339);
+pub(in super::super) const DATUM: Name = Name::Q(339);
 
 const MANUAL: &str = "HEIDENHAIN iTNC 530 conversational programming";
 
@@ -18,13 +18,13 @@ const fn acting(
     form: &'static str,
 ) -> Row {
     let signature = Signature { name, what, status: Status::Built, source: MANUAL, parameters };
-    Row { numbers: (number, number), nature, signature, form }
+    Row { numbers: (number, number), nature, requires: &[], signature, form }
 }
 
 const fn data(number: u32, name: &'static str, what: &'static str) -> Row {
     let status = Status::Checked { code: "P9010", why: "read, and the cycles that use it are refused" };
     let signature = Signature { name, what, status, source: "", parameters: &[] };
-    Row { numbers: (number, number), nature: Nature::Data, signature, form: REMOVE }
+    Row { numbers: (number, number), nature: Nature::Data, requires: &[], signature, form: REMOVE }
 }
 
 const fn part(kind: Kind, what: &'static str) -> Parameter {

@@ -8,29 +8,29 @@ use crate::ir::Feed;
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill};
 use crate::ir::cycle::ruled::Corner;
 use crate::ir::cycle::{Cycle, Ruled};
+use crate::sema::cycle::call::Made;
 
-use super::cycles::DefinedCycle;
-use super::cycles::call::Call;
-use super::cycles::faces::CORNERS;
-use super::cycles::milling::MILLING_FEED;
-use super::{Outcome, Run};
+use super::Planned;
+use super::call::CycleCall;
+use super::faces::CORNERS;
+use super::milling::MILLING_FEED;
 
-impl Run<'_> {
+impl CycleCall<'_> {
     /// Cycle 231.
-    pub(super) fn ruled_surface(&mut self, cycle: &DefinedCycle, call: Call) -> Outcome<Option<Cycle>> {
-        if call.placed() {
-            return self.refuse_cycle(cycle, codes::P9010::pattern_or_cycl_call_pos_with_surface());
+    pub fn ruled_surface(&self) -> Made<Planned> {
+        if self.st.calling.placed() {
+            return self.refuse(codes::P9010::pattern_or_cycl_call_pos_with_surface());
         }
         let mut corners = [Corner { at: Point2::origin(), height: 0.0 }; 4];
         for (corner, [first, second, height]) in corners.iter_mut().zip(CORNERS) {
-            corner.at = Point2::new(self.cycle_length(cycle, first)?, self.cycle_length(cycle, second)?);
-            corner.height = self.cycle_length(cycle, height)?;
+            corner.at = Point2::new(self.given.length(first), self.given.length(second));
+            corner.height = self.given.length(height);
         }
         let [a, b, c, d] = corners;
-        let radius = self.cutter_radius(cycle)?;
+        let radius = self.cutter_radius()?;
         let highest = corners.iter().map(|corner| corner.height).fold(f64::MIN, f64::max);
         let lowest = corners.iter().map(|corner| corner.height).fold(f64::MAX, f64::min);
-        let plane = self.cycle_feed(cycle, MILLING_FEED, None)?;
+        let plane = self.feed(MILLING_FEED)?;
         // The cycle names no height to travel at: a diameter of the tool above the surface.
         let heights = Heights {
             retract: highest + 2.0 * radius,
@@ -42,12 +42,12 @@ impl Run<'_> {
             allowance: 0.0,
         };
         let surface = Ruled {
-            mill: Mill { plane: self.st.plane(), heights, radius, feeds: Feeds { plane, depth: plane } },
+            mill: Mill { plane: self.st.state.plane(), heights, radius, feeds: Feeds { plane, depth: plane } },
             corners: [[a, b], [d, c]],
-            rows: self.cuts(cycle)?,
+            rows: self.cuts(),
             first: half(plane),
         };
-        Ok(Some(Cycle::Ruled(self.sound(cycle, surface)?)))
+        Ok(Cycle::Ruled(self.sound(surface)?).into())
     }
 }
 
