@@ -191,7 +191,16 @@ same values; partc does not know them." {
 P0203 Error "tool-number-of-two" "two tools are printed by one number"
 "`number` in `[tools]` says what a tool is printed as, and the program calls another tool that is printed so, too: the machine would bring \
 the same tool for both. Give each of them \
-a number of its own."
+a number of its own." {
+    tool_is_printed_as_another(own, number, other, mapped)
+        "tool {own} is to be printed as T{number}, and so is tool {other}"
+        asks "give it a number of its own in partc.toml: `number` in `[tools.{mapped}]`; if both are one tool, \
+        describe it in one place: `[tools.{number}]` with its `name`";
+    tool_has_number_of_another(own, number, other, printed, mapped)
+        "tool {own} has the number {number}, and so has tool {other}, which is printed as T{printed}"
+        asks "give it a number of its own in partc.toml: `number` in `[tools.{mapped}]`; if both are one tool, \
+        describe it in one place: `[tools.{number}]` with its `name`";
+}
 
 P0205 Error "entry-takes-a-move-away" "entry of partc.toml would make a move vanish"
 "An entry says of a word that it does nothing to the path: `[control] machine_words`, or `ignore` under `[programs]`. partc knows the word, and it moves the tool, or says where it goes: a tapping \
@@ -221,7 +230,12 @@ P4001 Error "step-limit" "program runs too many blocks"
 "partc executes the program as the control would, and stops after `[limits] steps` blocks, counted from the first jump \
 or call on (10 million by default). \
 Most often a loop never ends: the condition of its jump is always true. The message names the jump or repeat that ran most often.\n\
-If the program really is that long, raise the limit."
+If the program really is that long, raise the limit." {
+    after_error_fewer_blocks_run(number, what) "stopped: after an error only {number} {what} are run"
+        help "mend the other errors first; then check the condition that ends this loop";
+    run_has_no_steps_left(number, what) "stopped after {number} {what}"
+        asks "check the condition that ends this loop, or raise `[limits] steps`";
+}
 
 P4002 Error "output-limit" "program makes too many output blocks"
 "The output has more lines than `[limits] output_blocks` (50 million by default), head and end included, so it was given up: most often a \

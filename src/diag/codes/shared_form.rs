@@ -223,7 +223,10 @@ refuse it or ignore it; partc never drops a word. Remove it, or put it where it 
     is_not_supported_in_contour(addr) "{addr} is not supported in a contour";
     has_no_place_in_contour(addr) "{addr} has no place in a contour";
     m_function_has_no_place_in_contour() "an M function has no place in a contour";
-    has_no_place_in_this_block_of_contour(letter) "{letter} has no place in this block of a contour";
+    has_no_place_in_this_block_of_contour(letter) "{letter} has no place in this block of a contour"
+        help "remove the word";
+    feed_has_no_place_in_this_block_of_contour(letter) "{letter} has no place in this block of a contour"
+        help "the feed of a corner is set in the cycle";
     e_is_feed_of_chamfer_or_rounding() "E is the feed of a chamfer or rounding, and the block has none"
         help "program B with the radius or the width, or leave out E";
     ic_belongs_to_v0() "IC belongs to V0 and V1";

@@ -39,9 +39,11 @@ partc.toml or from `$TC_DP` of the program. With `[output] compensation = \"cont
         asks "add it to `[tools]` in partc.toml, or set `[output] compensation = \"control\"` to print G41 and \
         G42";
     radius_of_edge_e_in_force()
-        "the radius of the edge E in force only the machine knows: `[tools]` describes the first edge";
+        "the radius of the edge E in force only the machine knows: `[tools]` describes the first edge"
+        asks "compensate the first edge, or set `[output] compensation = \"control\"` to print G41 and G42";
     what_correction_d_in_force_adds()
-        "what the correction D in force adds to the radius of the tool only the machine knows";
+        "what the correction D in force adds to the radius of the tool only the machine knows"
+        asks "leave D out, or set `[output] compensation = \"control\"` to print G41 and G42";
     chamfers_at_outside_corners() "chamfers at outside corners (G44) are not supported"
         help "program G43: an arc leads around outside corners";
     t_is_turning_tool(number) "T{number} is a turning tool, and its nose is compensated in the plane ZX only"

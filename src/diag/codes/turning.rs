@@ -147,7 +147,11 @@ so it is never guessed: set `[control] tool_change_point = { X = 300.0, Z = 400.
 T2007 Error "turning-tool-number" "tool number cannot be printed"
 "T names a position of the turret, with a point and a digit for one edge of a tool that has several (`T2.1`). The target knows whole tool \
 numbers only: give the edge a number in `[tools.\"2.1\"]`. Four digits name a tool and its offset; both have to be the same." {
-    word_names_no_tool(word, why) "`{word}` {why}";
+    word_is_no_tool(word) "`{word}` is no tool" help "write the position in the turret: T3";
+    word_is_no_edge(word) "`{word}` is no edge of a tool" help "write the edge with one digit: T3.1";
+    word_names_tool_and_offset_of_another(word)
+        "`{word}` names a tool and the offset of another, which the target cannot select"
+        help "write the tool alone: T3";
     edge_of_tool_has_no_tool_number(edge, number) "edge {edge} of tool {number} has no tool number to print"
         asks "add `[tools.\"{number}.{edge}\"]` with `number = …` to partc.toml";
 }
@@ -171,7 +175,8 @@ T2015 Note "turning-zero" "coordinates count from the workpiece zero of G59"
 "G59 sets the workpiece zero in machine terms. The output has coordinates relative to the first G59 of the program: the work offset of the target \
 has to be set there. Later shifts are computed into the coordinates." {
     coordinates_count_from_workpiece_zero_of_g59(z)
-        "coordinates count from the workpiece zero of G59, {z} mm in front of the chuck";
+        "coordinates count from the workpiece zero of G59, {z} mm in front of the chuck"
+        help "set the work offset of the target there";
 }
 
 T2016 Error "turning-shift" "zero shift is not clear"
@@ -254,7 +259,8 @@ T2022 Error "turning-slide" "program for another slide"
 T2023 Warning "turning-tool-data" "tool data of the program is not used"
 "A line of the turret section holds data of a simple tool. partc takes tool data from partc.toml: add the tool there where a cycle or the \
 compensation needs it." {
-    data_of_this_tool_is_not_used() "the data of this tool is not used: tool data comes from partc.toml";
+    data_of_this_tool_is_not_used(tool) "the data of this tool is not used: tool data comes from partc.toml"
+        asks "add `[tools.{tool}]` with `radius`, `width` and `orientation`";
 }
 
 T2025 Error "turning-side" "tool stands on the wrong side of the contour"
@@ -547,7 +553,8 @@ T8007 Warning "turning-undercut-limit" "size of an undercut is partc's reading"
 and DIN 509 have different radii. Give the sizes of the drawing with I, K and R, \
 or say which row holds." {
     size_of_this_undercut_is_x(r, t, source, otherwise)
-        "the size of this undercut is {r} x {t} ({source}); {otherwise}";
+        "the size of this undercut is {r} x {t} ({source}); {otherwise}"
+        asks "set `[undercut] din509_by_diameter`, or give the sizes of the drawing with I, K and R";
     table_has_no_row_for_diameter()
         "the table of G85 has no row for exactly this diameter: the one of smaller diameters is taken"
         asks "set `[control] undercut_limit = \"lower\"` to confirm it, or \"upper\"";
@@ -627,13 +634,26 @@ to where the tool stands when the cycle begins." {
 T8017 Note "turning-word-idle" "word changes nothing here"
 "The word is known and does not change the path: the end of an element is given, so Q has nothing to choose; the run-in and run-out of G33 lie inside \
 of the programmed thread. It is named because no word is left out in silence." {
-    changes_nothing_here(word, why) "{word} changes nothing here: {why}" help "nothing is to be done, or remove it";
     changes_nothing_here_i_or_k(name)
         "{name} changes nothing here: I or K of the cycle takes its place, for both axes"
         help "program both I and K in the cycle, or neither";
-    from_here_on_changes_nothing(old, new) "from here on {old} changes nothing: {new} takes its place";
+    from_here_on_changes_nothing(old, new) "from here on {old} changes nothing: {new} takes its place"
+        help "keep one of the two";
     only_height_of_blank_counts(name)
         "{name} changes nothing here: only the height of the blank along the infeed counts"
+        help "nothing is to be done, or remove it";
+    end_is_given_without_choice(word)
+        "{word} changes nothing here: the end of the element is given, so there is nothing to choose"
+        help "nothing is to be done, or remove it";
+    g52_ends_oversizes_as_g50(word)
+        "{word} changes nothing here: G52 in a program ends oversizes, as G50 does"
+        help "nothing is to be done, or remove it";
+    run_in_of_g33_lies_inside(word)
+        "{word} changes nothing here: the run-in and the run-out of G33 lie inside of the programmed \
+        thread"
+        help "nothing is to be done, or remove it";
+    retraction_of_g33_belongs_to_stop(word)
+        "{word} changes nothing here: the retraction of G33 belongs to a stop inside of the thread"
         help "nothing is to be done, or remove it";
 }
 

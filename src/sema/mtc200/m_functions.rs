@@ -276,20 +276,12 @@ impl Run<'_> {
     }
 
     fn radius_is_that_of_the_table(&mut self, span: Span) -> Outcome {
-        let print = "set `[output] compensation = \"control\"` to print G41 and G42";
-        let printed = Answer::key("output", "compensation").one_of(&["\"control\""]);
+        let printed = || Answer::key("output", "compensation").one_of(&["\"control\""]);
         if self.st.tool.corrected {
-            return self.refuse(
-                span,
-                codes::P9013::what_correction_d_in_force_adds().help(printed.help(format!("leave D out, or {print}"))),
-            );
+            return self.refuse(span, codes::P9013::what_correction_d_in_force_adds().answer(printed()));
         }
         if self.st.tool.other_edge {
-            return self.refuse(
-                span,
-                codes::P9013::radius_of_edge_e_in_force()
-                    .help(printed.help(format!("compensate the first edge, or {print}"))),
-            );
+            return self.refuse(span, codes::P9013::radius_of_edge_e_in_force().answer(printed()));
         }
         Ok(())
     }

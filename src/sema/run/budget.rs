@@ -190,19 +190,12 @@ impl Budget {
         let busiest = self.jumps.iter().max_by_key(|(loc, n)| (**n, std::cmp::Reverse((loc.file, loc.span.start))));
         let what = if self.mixed { "steps (blocks, moves and long lines)" } else { "blocks" };
         let stopped = match self.is_cut {
-            true => format!("stopped: after an error only {} {what} are run", self.limit / AFTER_ERROR),
-            false => format!("stopped after {} {what}", self.limit),
+            true => codes::P4001::after_error_fewer_blocks_run(&(self.limit / AFTER_ERROR), &what),
+            false => codes::P4001::run_has_no_steps_left(&self.limit, &what).answer(Answer::key("limits", "steps")),
         };
-        let found = match busiest {
-            Some((&loc, n)) => Diagnostic::new(codes::P4001, loc, stopped)
-                .here(format!("taken {n} times"))
-                .also(here, "the run stopped here"),
-            None => Diagnostic::new(codes::P4001, here, stopped).called(call),
-        };
-        found.help(match self.is_cut {
-            true => "mend the other errors first; then check the condition that ends this loop".into(),
-            false => Answer::key("limits", "steps")
-                .help("check the condition that ends this loop, or raise `[limits] steps`"),
-        })
+        match busiest {
+            Some((&loc, n)) => stopped.at(loc).here(format!("taken {n} times")).also(here, "the run stopped here"),
+            None => stopped.at(here).called(call),
+        }
     }
 }

@@ -95,16 +95,12 @@ impl<L: Language> Core<'_, L> {
             ToolKey::Number(n, 0) => self.job.settings.tools.printed_number(*n),
             ToolKey::Number(..) | ToolKey::Name(_) => number,
         };
-        let message = match printed(other) {
-            n if n == number => format!("tool {own} is to be printed as T{number}, and so is tool {other}"),
-            n => format!("tool {own} has the number {number}, and so has tool {other}, which is printed as T{n}"),
-        };
         let mapped = if *own == ToolKey::Number(number, 0) { other } else { own };
-        let help = format!(
-            "give it a number of its own in partc.toml: `number` in `[tools.{mapped}]`; if both are one tool, describe it in \
-             one place: `[tools.{number}]` with its `name`"
-        );
-        Diagnostic::new(codes::P0203, self.loc(place.into()), message).help(Answer::tool(mapped, "number").help(help))
+        let asking = match printed(other) {
+            n if n == number => codes::P0203::tool_is_printed_as_another(own, &number, other, mapped),
+            n => codes::P0203::tool_has_number_of_another(own, &number, other, &n, mapped),
+        };
+        asking.answer(Answer::tool(mapped, "number")).at(self.loc(place.into()))
     }
 
     /// A work offset is to be printed by its number. Refused where the target has none of that number, or where

@@ -224,7 +224,7 @@ impl Run<'_> {
             Kind::OversizeParaxial => self.oversize(w, false),
             Kind::OversizeEquidistant => self.oversize(w, true),
             Kind::OversizeOff => {
-                self.without_effect(w, b"P", "G52 in a program ends oversizes, as G50 does");
+                self.without_effect(w, b"P", codes::T8017::g52_ends_oversizes_as_g50);
                 self.st.oversize = None;
                 Ok(())
             }

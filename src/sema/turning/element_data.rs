@@ -68,7 +68,7 @@ impl Run<'_> {
         let open = data.x == Coord::Open || data.y == Coord::Open;
         let cut_off = data.entry.is_some() && data.x == Coord::Stay && data.y == Coord::Stay;
         if !open && !cut_off {
-            self.without_effect(w, b"Q", "the end of the element is given, so there is nothing to choose");
+            self.without_effect(w, b"Q", codes::T8017::end_is_given_without_choice);
         }
         if arc.is_some() && open {
             self.depends_on(Question::ArcChoice, w.span(b'Q', self.block_span()));

@@ -45,8 +45,8 @@ impl Run<'_> {
                         return self.refuse(self.block_span(), codes::T2016::g59_moves_workpiece_zero_that_positions());
                     }
                     shift.base = Some(z);
-                    let found = codes::T2015::coordinates_count_from_workpiece_zero_of_g59(&z).at(self.here.origin.loc);
-                    self.job.diags.push_once(found.help("set the work offset of the target there"));
+                    let fault = codes::T2015::coordinates_count_from_workpiece_zero_of_g59(&z);
+                    self.job.diags.push_once(fault.at(self.here.origin.loc));
                 }
                 if shift.relative != 0.0 || shift.additive != 0.0 {
                     return self.refuse(self.block_span(), codes::T2016::whether_g59_ends_shifts_of_g51());

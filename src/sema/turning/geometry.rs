@@ -187,8 +187,14 @@ impl Run<'_> {
         if stray != 0 {
             let letter = b'A' + stray.trailing_zeros() as u8;
             let span = w.span(letter, self.block_span());
-            let why = if letter == b'E' { "the feed of a corner is set in the cycle" } else { "remove the word" };
-            return self.refuse(span, codes::P1003::has_no_place_in_this_block_of_contour(&(letter as char)).help(why));
+            let shown = letter as char;
+            return self.refuse(
+                span,
+                match letter {
+                    b'E' => codes::P1003::feed_has_no_place_in_this_block_of_contour(&shown),
+                    _ => codes::P1003::has_no_place_in_this_block_of_contour(&shown),
+                },
+            );
         }
         if let Some(m) = w.m().first() {
             return self.refuse(m.span, codes::P1003::m_function_has_no_place_in_contour());

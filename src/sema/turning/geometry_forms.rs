@@ -218,14 +218,8 @@ impl Run<'_> {
     fn disputed_row(&self, range: &din509::Range, size: &din509::Size, span: Span) {
         let Some(otherwise) = range.otherwise else { return };
         let (r, t, source) = (size.radius, size.depth, range.source.0);
-        let help = "set `[undercut] din509_by_diameter`, or give the sizes of the drawing with I, K and R";
-        let help = Answer::key("undercut", "din509_by_diameter").help(help);
-        self.job.diags.push_once(
-            codes::T8007::size_of_this_undercut_is_x(&r, &t, &source, &otherwise)
-                .at(self.loc(span))
-                .help(help)
-                .called(self.here.origin.call),
-        );
+        let asking = codes::T8007::size_of_this_undercut_is_x(&r, &t, &source, &otherwise);
+        self.say_once(span, asking.answer(Answer::key("undercut", "din509_by_diameter")));
     }
 
     /// G34: the element before is a metric ISO thread.

@@ -249,8 +249,8 @@ impl Run<'_> {
                 return self.refuse(num.span, codes::T9007::target_cannot_cut(&what));
             }
         }
-        self.without_effect(w, b"BP", "the run-in and the run-out of G33 lie inside of the programmed thread");
-        self.without_effect(w, b"IK", "the retraction of G33 belongs to a stop inside of the thread");
+        self.without_effect(w, b"BP", codes::T8017::run_in_of_g33_lies_inside);
+        self.without_effect(w, b"IK", codes::T8017::retraction_of_g33_belongs_to_stop);
         let from = self.stand()?;
         let span = self.block_span();
         self.spindle_turns(33)?;

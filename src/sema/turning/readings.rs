@@ -3,6 +3,8 @@
 //! Each question has an option of `[control]`; whoever sets it has decided, and hears nothing. Source: reference
 //! section 16.
 
+use std::fmt::Display;
+
 use crate::diag::fault::Asking;
 use crate::diag::{Answer, Fault, codes};
 use crate::machine::Settings;
@@ -85,16 +87,12 @@ impl Question {
 
 impl Run<'_> {
     /// A word of the block that changes nothing here: worth a note, as no word goes in silence.
-    pub(super) fn without_effect(&self, w: &Words, letters: &[u8], why: &str) {
+    pub(super) fn without_effect(&self, w: &Words, letters: &[u8], idle: fn(&dyn Display) -> Fault) {
         for letter in letters {
             if let Some(num) = w.get(*letter) {
-                self.note_idle(num.span, *letter as char, why);
+                self.say(num.span, idle(&(*letter as char)));
             }
         }
-    }
-
-    pub(super) fn note_idle(&self, span: Span, word: impl std::fmt::Display, why: &str) {
-        self.report(codes::T8017::changes_nothing_here(&word, &why).at(self.loc(span)));
     }
 
     /// The block depends on `question`: the first one of the program says so.

@@ -262,9 +262,8 @@ impl Run<'_> {
             return self.refuse(self.block_span(), codes::P1004::line_of_turret_section_names_position());
         };
         if w.present() & !letters("T") != 0 || !w.longs().is_empty() || !w.g().is_empty() {
-            let found = codes::T2023::data_of_this_tool_is_not_used().at(self.here.origin.loc);
-            let help = format!("add `[tools.{}]` with `radius`, `width` and `orientation`", num.value);
-            self.report(found.help(Answer::tool(num.value, "radius").help(help)));
+            let tool = num.value;
+            self.say_here(codes::T2023::data_of_this_tool_is_not_used(&tool).answer(Answer::tool(tool, "radius")));
         }
         let name = w.text("ID").map(|span| readable(span.of(text)).into_owned());
         let digits = num.span.of(text);

@@ -1,8 +1,9 @@
 //! Feeds, spindle, tools, oversizes: what holds until it is changed.
 
+use std::fmt::Display;
 use std::rc::Rc;
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Fault, codes};
 use crate::geo::Vec2;
 use crate::ir::function::{CutterData, Spindle, Turn};
 use crate::ir::{self, Feed, Function, Side};
@@ -324,10 +325,7 @@ impl Run<'_> {
     }
 
     fn tool_number(&self, num: Num, written: &[u8]) -> Outcome<(u32, u8)> {
-        let unclear = |why: &str, help: &str| {
-            let word = readable(written).into_owned();
-            self.refuse(num.span, codes::T2007::word_names_no_tool(&word, &why).help(help))
-        };
+        let unclear = |fault: fn(&dyn Display) -> Fault| self.refuse(num.span, fault(&readable(written)));
         let digits = written.get(1..).unwrap_or_default();
         let (whole, fraction) = match digits.iter().position(|b| *b == b'.') {
             Some(at) => (&digits[..at], &digits[at + 1..]),
@@ -338,21 +336,18 @@ impl Run<'_> {
         let number =
             if whole_digits { read(whole) } else { Some(num.value).filter(|n| n.fract() == 0.0).map(|n| n as u32) };
         let Some(number) = number.filter(|_| (0.0..=99_999.0).contains(&num.value)) else {
-            return unclear("is no tool", "write the position in the turret: T3");
+            return unclear(codes::T2007::word_is_no_tool);
         };
         if !whole_digits || whole.len() < 4 {
             let edge = if whole_digits && !fraction.is_empty() { read(fraction) } else { Some(0) };
             return match edge.and_then(|edge| u8::try_from(edge).ok()) {
                 Some(edge) => Ok((number, edge)),
-                None => unclear("is no edge of a tool", "write the edge with one digit: T3.1"),
+                None => unclear(codes::T2007::word_is_no_edge),
             };
         }
         match (number / 100, number % 100) {
             (tool, offset) if tool == offset && whole.len() == 4 && fraction.is_empty() => Ok((tool, 0)),
-            _ => unclear(
-                "names a tool and the offset of another, which the target cannot select",
-                "write the tool alone: T3",
-            ),
+            _ => unclear(codes::T2007::word_names_tool_and_offset_of_another),
         }
     }
 
@@ -380,7 +375,7 @@ impl Run<'_> {
         {
             let (old, new) = (before.name(), oversize.name());
             let found = codes::T8017::from_here_on_changes_nothing(&old, &new).at(loc);
-            self.report(found.also(self.here.origin.loc, "what takes its place").help("keep one of the two"));
+            self.report(found.also(self.here.origin.loc, "what takes its place"));
         }
         self.st.oversize = Some((oversize, self.here.origin.loc));
         Ok(())
