@@ -2,6 +2,8 @@
 
 use crate::geo::{Deg, Vec2};
 
+use super::Ask;
+
 /// How the radius of the tool is compensated by the compiler. A block may have its own: what it says about a joint counts
 /// for the end of its element.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,7 +68,7 @@ pub enum FeedAt {
     /// On the contour in hollow arcs only.
     HollowContour,
     /// On the contour; the user has not asked for it, so it is printed as programmed and said.
-    CentreInstead,
+    CentreInstead(&'static Ask),
 }
 
 /// The way to the first contour element, or from the last one.
@@ -88,7 +90,7 @@ pub struct Outside {
     /// corner.
     pub prolonged: Deg,
     /// Turns above the first and up to the second are decided by a machine datum that nobody gave.
-    pub open: Option<(Deg, Deg)>,
+    pub open: Option<(Deg, Deg, &'static Ask)>,
     /// Both offsets are prolonged by this length in mm, and a smaller arc leads from one to the other.
     pub by: Option<f64>,
 }

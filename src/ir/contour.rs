@@ -11,7 +11,7 @@ use crate::machine::Axis;
 use super::captured::{Captured, Unfit};
 use super::cycle::Cycle;
 use super::undercut::Undercut;
-use super::{Compensation, Feed, Frame, Function, Origin, Pos, Side, Tap};
+use super::{Ask, Compensation, Feed, Frame, Function, Origin, Pos, Side, Tap};
 
 /// Farthest that a coordinate, centre or radius may lie, in mm: 100 km. Beyond, binary fractions are coarser than what
 /// the streams promise.
@@ -189,12 +189,10 @@ pub enum Blocks {
 pub enum ArcChamfer {
     /// The control knows none.
     Refuse,
-    /// The control makes it, but how it lies is not confirmed: the user may choose ours.
-    Ask,
+    /// The control makes it, but how it lies, or is measured, is not confirmed: the user may choose ours.
+    Ask(&'static Ask),
     /// It stands at a right angle to the bisector of the corner, its ends on both elements.
     AcrossBisector,
-    /// The compiler of the control makes it, but how it is measured is not confirmed: the user may choose ours.
-    AskAlong,
     /// Its width is measured along each element.
     Along,
 }
@@ -205,7 +203,7 @@ pub enum LargeCorner {
     /// The control refuses it.
     Refuse,
     /// The control makes it smaller, but its way is not documented: the user may choose ours.
-    Ask,
+    Ask(&'static Ask),
     /// It is made as large as it fits.
     Shorten,
 }

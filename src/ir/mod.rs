@@ -4,6 +4,7 @@
 
 #![cfg_attr(not(test), warn(clippy::wildcard_enum_match_arm))]
 
+pub mod ask;
 pub mod captured;
 pub mod compensation;
 pub mod contour;
@@ -21,6 +22,7 @@ pub mod verify;
 use crate::diag::CallPath;
 use crate::text::Loc;
 
+pub use ask::Ask;
 pub use compensation::Compensation;
 pub use frame::Frame;
 pub use function::{Blank, Function, Remark};

@@ -8,13 +8,15 @@ use core::f64::consts::PI;
 
 use crate::machine::Axis;
 
-use super::Pos;
+use super::{Ask, Pos};
 
 /// What the program works on, and the axis that turns it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transformation {
     pub surface: Surface,
     pub rotary: Axis,
+    /// What the user may choose where the tool passes the axis of rotation too closely.
+    pub at_pole: &'static Ask,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,9 +88,11 @@ mod tests {
         pos
     }
 
+    const NOTHING: Ask = Ask { section: "", key: "", values: &[], help: "" };
+
     #[test]
     fn a_face_is_seen_about_the_axis_of_rotation() {
-        let face = Transformation { surface: Surface::Face, rotary: Axis::C };
+        let face = Transformation { surface: Surface::Face, rotary: Axis::C, at_pole: &NOTHING };
         let seen = face.seen(&real(13.0, 112.619_864_948_040_43));
         let (x, y) = (seen.get(Axis::X).unwrap(), seen.get(Axis::Y).unwrap());
         assert!((x + 5.0).abs() < 1e-9 && (y - 12.0).abs() < 1e-9, "{x} {y}");
@@ -98,7 +102,7 @@ mod tests {
 
     #[test]
     fn a_mantle_is_seen_up_to_half_a_turn() {
-        let mantle = Transformation { surface: Surface::Mantle { diameter: 80.0 }, rotary: Axis::C };
+        let mantle = Transformation { surface: Surface::Mantle { diameter: 80.0 }, rotary: Axis::C, at_pole: &NOTHING };
         let seen = mantle.seen(&real(40.0, 14.323_944_878_270_58));
         assert!((seen.get(Axis::Y).unwrap() - 10.0).abs() < 1e-9);
         assert_eq!(mantle.seen(&real(40.0, 200.0)).get(Axis::Y), None);

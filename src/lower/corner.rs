@@ -1,6 +1,6 @@
 //! Pass 2: chamfers and roundings between two elements. Holds back one element.
 
-use crate::diag::{Answer, Code, Diagnostic, Diags, codes};
+use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::corner::{self, Cut, NoCut, Size};
 use crate::geo::{Element, SAME_POINT, arc, distance};
 use crate::ir::contour::{ArcChamfer, Blocks, Corner, CornerShape, LargeCorner};
@@ -364,32 +364,17 @@ fn cut(
         Ok(made) => made,
         Err(NoCut::TooLarge) => {
             let refused = refuse(codes::G3008, too_large(name, corner, &a, &b, trimmed));
-            if corner.large != LargeCorner::Ask {
-                return refused;
-            }
-            let help = Answer::key("control", "large_corners").help(
-                "make the corner smaller, or the short element longer; the control makes it smaller by itself: \
-                        for a corner as large as it fits set `[control] large_corners = \"shorten\"`",
-            );
-            return refused.map_err(|found| Box::new(found.help(help)));
+            return match corner.large {
+                LargeCorner::Ask(ask) => refused.map_err(|found| Box::new(found.help(ask.help()))),
+                LargeCorner::Refuse | LargeCorner::Shorten => refused,
+            };
         }
         Err(NoCut::Arc) => {
             let refused = refuse(codes::G3010, "a chamfer is possible between straight lines only".to_owned());
-            if corner.at_arc == ArcChamfer::AskAlong {
-                let help = Answer::key("control", "cf_at_arcs").help(
-                    "program a rounding beside an arc; how the control measures a chamfer there is not confirmed: \
-                            for its width along both elements set `[control] cf_at_arcs = \"along\"`",
-                );
-                return refused.map_err(|found| Box::new(found.help(help)));
-            }
-            if corner.at_arc != ArcChamfer::Ask {
-                return refused;
-            }
-            let help = Answer::key("control", "arc_chamfers").help(
-                "program a rounding beside an arc; how the control lays a chamfer there is not confirmed: for one \
-                        across the bisector of the corner set `[control] arc_chamfers = \"bisector\"`",
-            );
-            return refused.map_err(|found| Box::new(found.help(help)));
+            return match corner.at_arc {
+                ArcChamfer::Ask(ask) => refused.map_err(|found| Box::new(found.help(ask.help()))),
+                _ => refused,
+            };
         }
         Err(NoCut::Reversal) => return refuse(codes::G3017, format!("the contour turns back on itself at the {name}")),
         Err(NoCut::Degenerate) if trimmed && corner.large == LargeCorner::Shorten => {

@@ -123,6 +123,21 @@ fn nothing_behind_the_contour_knows_a_dialect() {
     }
 }
 
+/// What a control decides comes as data, with the key that answers it: no pass behind the dialects names one.
+#[test]
+fn no_key_of_a_dialect_is_named_behind_the_contour() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    for folder in ["lower", "emit", "geo"] {
+        for (file, text) in sources(&root.join(folder)) {
+            let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+            for named in ["\"control\"", "\"cycles\"", "`[control]", "`[cycles]"] {
+                let line = code.lines().find(|line| line.contains(named) && !line.trim_start().starts_with("//"));
+                assert!(line.is_none(), "{file}: {line:?}");
+            }
+        }
+    }
+}
+
 /// The files of a dialect that use each other in a circle, if any are meant to.
 const CIRCLES: &[&str] = &[];
 

@@ -122,7 +122,7 @@ impl Piece {
         match self.rules.feed {
             FeedAt::Contour => factor,
             FeedAt::HollowContour => factor.min(1.0),
-            FeedAt::Centre | FeedAt::CentreInstead => 1.0,
+            FeedAt::Centre | FeedAt::CentreInstead(_) => 1.0,
         }
     }
 

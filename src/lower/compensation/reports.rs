@@ -1,10 +1,10 @@
 //! What is said about a contour that the tool cannot follow.
 
-use crate::diag::{Answer, Code, Diagnostic, Diags, codes};
+use crate::diag::{Code, Diagnostic, Diags, codes};
 use crate::geo::{Element, Plane, Point2, distance, joint};
 use crate::ir::compensation::{Compensation, FeedAt};
 use crate::ir::motion::{Move, Path};
-use crate::ir::{Function, Origin};
+use crate::ir::{Ask, Function, Origin};
 
 use super::super::{at, raised_at};
 use super::piece::{Item, Kind, Piece};
@@ -231,18 +231,18 @@ pub fn offset_stays(at_point: Option<Point2>, plane: Plane, origin: &Origin) -> 
 
 /// Says once that a machine datum decides the corner which nobody gave.
 pub fn open_turn(last: &Piece, next: &Piece, diags: &Diags) {
-    let Some((above, up_to)) = last.rules.outside.open else { return };
+    let Some((above, up_to, ask)) = last.rules.outside.open else { return };
     let turn = joint::turn(last.headings.end, next.headings.start).abs();
     let meets = turn <= last.rules.outside.prolonged.radians();
     if turn <= above.radians() || turn > up_to.radians() || !diags.first_time(codes::G3215, meets) {
         return;
     }
     let way = if meets { "both paths are prolonged until they meet" } else { "the tool goes around it on an arc" };
-    diags.push(at(last.origin, codes::G3215::at_this_outside_corner_of_degrees_limit(&length(turn.to_degrees()), &way)).also(next.origin.loc, "element after").help(
-        Answer::key("control", "g451_limit").help(
-            "give the limits of the machine: `[control] g451_limit` (MD 20210) and `g450_flat` (MD 20230), in degrees",
-        ),
-    ));
+    diags.push(
+        at(last.origin, codes::G3215::at_this_outside_corner_of_degrees_limit(&length(turn.to_degrees()), &way))
+            .also(next.origin.loc, "element after")
+            .help(ask.help()),
+    );
 }
 
 /// A corner that the block of `last` asks for, and that is none on the outside.
@@ -308,19 +308,26 @@ pub fn cycle_beside(origin: &Origin) -> Option<Refused> {
 /// F counts at the contour on the control, and is printed for the centre.
 #[inline]
 pub fn feed_instead(piece: &Piece, diags: &Diags) {
-    if piece.rules.feed == FeedAt::CentreInstead {
-        feed_of_centre(piece, diags);
+    if let FeedAt::CentreInstead(ask) = piece.rules.feed {
+        feed_of_centre(piece, ask, diags);
     }
 }
 
-fn feed_of_centre(piece: &Piece, diags: &Diags) {
+fn feed_of_centre(piece: &Piece, ask: &Ask, diags: &Diags) {
     let (Element::Arc { from, center, .. }, Element::Arc { from: own, .. }) = (piece.contour, piece.curve) else {
         return;
     };
     if piece.kind != Kind::Element || !diags.first_time(codes::G3216, ()) {
         return;
     }
-    diags.push(at(piece.origin, codes::G3216::f_is_printed_for_centre_of_tool(&length(distance(own, center)), &length(distance(from, center)))).help(
-        Answer::key("control", "curve_feed").help("for the feed of the control set `[control] curve_feed = \"control\"`, or program CFTCP if F is meant for the centre"),
-    ));
+    diags.push(
+        at(
+            piece.origin,
+            codes::G3216::f_is_printed_for_centre_of_tool(
+                &length(distance(own, center)),
+                &length(distance(from, center)),
+            ),
+        )
+        .help(ask.help()),
+    );
 }

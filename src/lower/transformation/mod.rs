@@ -12,7 +12,7 @@ use crate::diag::{Answer, Code, Diagnostic, Help, codes};
 use crate::geo::{Plane, Point2, distance, turned};
 use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::transformation::Surface;
-use crate::ir::{Feed, Origin, Pos, Side, Transformation};
+use crate::ir::{Ask, Feed, Origin, Pos, Side, Transformation};
 use crate::machine::{Axis, AxisSet};
 
 use super::raised_at;
@@ -178,10 +178,10 @@ impl Transformer {
             && arc.plane == Plane::Xy
             && distance(arc.center, Point2::origin()) <= STILL
         {
-            pole_is_far(distance(arc.from, arc.center), origin)?;
+            pole_is_far(distance(arc.from, arc.center), self.by.at_pole, origin)?;
             return self.send_part(mv, &way, 1, 1, angle + arc.sweep.to_degrees(), out);
         }
-        pole_is_far(way.closest(), origin)?;
+        pole_is_far(way.closest(), self.by.at_pole, origin)?;
         let Some(parts) = way.parts(TOLERANCE, MOST_PARTS) else {
             let help = "keep the way farther from the axis of rotation, or divide it";
             return Err(refusal(codes::G3339, origin, format!("this way takes more than {MOST_PARTS} parts"), help));
@@ -198,7 +198,7 @@ impl Transformer {
     /// The first rapid move, from a place that is not known.
     fn arrive(&mut self, mv: &Move, to: Point2, origin: &Origin, out: &mut Send<'_>) -> Result<(), Box<Diagnostic>> {
         let radius = distance(to, Point2::origin());
-        pole_is_far(radius, origin)?;
+        pole_is_far(radius, self.by.at_pole, origin)?;
         let angle = libm::atan2(to.y, to.x).to_degrees();
         let angle = self.angle.map_or(angle, |before| nearest(angle, before));
         let mut end = self.by.left(&mv.end);
@@ -316,15 +316,12 @@ fn nearest(angle: f64, before: f64) -> f64 {
     angle + 360.0 * libm::round((before - angle) / 360.0)
 }
 
-fn pole_is_far(closest: f64, origin: &Origin) -> Result<(), Box<Diagnostic>> {
+fn pole_is_far(closest: f64, ask: &Ask, origin: &Origin) -> Result<(), Box<Diagnostic>> {
     if closest >= POLE {
         return Ok(());
     }
     let what = format!("the way passes the axis of rotation at {closest:.4} mm: the workpiece would turn over at once");
-    let help = "lead the tool around the centre of the face, or set `[cycles] transmit = \"cartesian\"` for a control that \
-                transforms by itself";
-    let help = Answer::key("cycles", "transmit").one_of(&["\"cartesian\""]).help(help);
-    Err(refusal(codes::G3337, origin, what, help))
+    Err(refusal(codes::G3337, origin, what, ask.help()))
 }
 
 fn refusal(code: &'static Code, origin: &Origin, what: String, help: impl Into<Help>) -> Box<Diagnostic> {

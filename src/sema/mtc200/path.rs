@@ -7,7 +7,7 @@ use crate::geo::{Deg, Plane, Point2, SAME_POINT};
 use crate::ir::contour::{
     Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path, Thread,
 };
-use crate::ir::{Feed, Pos, Side};
+use crate::ir::{Ask, Feed, Pos, Side};
 use crate::machine::options::mtc200::{Reading, ShiftedIncrement};
 use crate::machine::{Axis, AxisSet, Compensation};
 use crate::sema::common::corner::OpenCorner;
@@ -19,6 +19,15 @@ use crate::text::Span;
 use super::g_functions::{Motion, Offset};
 use super::words::{At, Words};
 use super::{Outcome, Reported, Run};
+
+/// A chamfer beside an arc.
+const AT_ARC: Ask = Ask {
+    section: "control",
+    key: "cf_at_arcs",
+    values: &[],
+    help: "program a rounding beside an arc; how the control measures a chamfer there is not confirmed: for its width along both elements \
+           set `[control] cf_at_arcs = \"along\"`",
+};
 
 /// Blocks without motion that may stand between a corner and its second neighbour.
 const MOST_BETWEEN: u32 = 20;
@@ -443,7 +452,7 @@ impl Run<'_> {
             at_arc: if self.job.settings.control.mtc200.chamfers_along_arcs {
                 ArcChamfer::Along
             } else {
-                ArcChamfer::AskAlong
+                ArcChamfer::Ask(&AT_ARC)
             },
             blocks: Blocks::PassedOver,
         });

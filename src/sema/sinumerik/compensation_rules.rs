@@ -4,8 +4,8 @@
 
 use crate::diag::{Answer, Fault, codes};
 use crate::geo::{Deg, SAME_DIRECTION, Vec2};
-use crate::ir;
 use crate::ir::compensation::{Alarms, Border, Ends, FeedAt, Inside, Outside, Search};
+use crate::ir::{self, Ask};
 use crate::machine::Settings;
 
 use super::compensation::Cutter;
@@ -25,6 +25,21 @@ const ALARMS: Alarms = Alarms {
 const FLAT: Deg = Deg(10.0);
 /// Turn up to which G451 prolongs (MD 20210).
 const LIMIT: Deg = Deg(100.0);
+/// The corners that the machine data decide.
+const CORNERS: Ask = Ask {
+    section: "control",
+    key: "g451_limit",
+    values: &[],
+    help: "give the limits of the machine: `[control] g451_limit` (MD 20210) and `g450_flat` (MD 20230), in degrees",
+};
+/// Where F counts on an arc.
+const CURVE_FEED: Ask = Ask {
+    section: "control",
+    key: "curve_feed",
+    values: &[],
+    help: "for the feed of the control set `[control] curve_feed = \"control\"`, or program CFTCP if F is meant for the centre",
+};
+
 impl State {
     /// The rules for a path that a cycle makes: it comes to the contour by itself, and damages nothing of it.
     pub(super) fn rules_of_cycle(
@@ -67,11 +82,11 @@ impl State {
             disc = Some(codes::S8193::disc_is_read_as_disc_0(&self.path.overshoot()));
         }
         let outside = if round {
-            let open = keys.flat.is_none().then_some((Deg(0.0), FLAT));
+            let open = keys.flat.is_none().then_some((Deg(0.0), FLAT, &CORNERS));
             Outside { prolonged: Deg(keys.flat.unwrap_or(0.0)), open, by: None }
         } else {
             let limit = Deg(keys.limit.unwrap_or(LIMIT.0));
-            Outside { prolonged: limit, open: keys.limit.is_none().then_some((limit, Deg(180.0))), by: None }
+            Outside { prolonged: limit, open: keys.limit.is_none().then_some((limit, Deg(180.0), &CORNERS)), by: None }
         };
         let ends = match codes_on.of(Group::CompensationEnds).index {
             2 => Ends::Circle,
@@ -91,7 +106,7 @@ impl State {
             rounded_border: false,
             feed: match codes_on.of(Group::CurveFeed) {
                 code if code.index == 2 => FeedAt::Centre,
-                _ if !keys.curve_feed => FeedAt::CentreInstead,
+                _ if !keys.curve_feed => FeedAt::CentreInstead(&CURVE_FEED),
                 GCode::CFC => FeedAt::Contour,
                 _ => FeedAt::HollowContour,
             },

@@ -1,8 +1,8 @@
 //! Chamfers and roundings at the end of a block: CHF, CHR, RND, RNDM, FRC, FRCM.
 
 use crate::diag::codes;
-use crate::ir::Feed;
 use crate::ir::contour::{ArcChamfer, Blocks, Corner, CornerShape, LargeCorner};
+use crate::ir::{Ask, Feed};
 use crate::sema::common::corner::OpenCorner;
 use crate::sema::run::Where;
 use crate::text::Span;
@@ -11,6 +11,23 @@ use super::g_groups::GCode;
 use super::vocabulary::Address;
 use super::words::Words;
 use super::{Channel, Core, Outcome, Reported};
+
+/// A corner that is larger than its neighbours.
+const LARGE: Ask = Ask {
+    section: "control",
+    key: "large_corners",
+    values: &[],
+    help: "make the corner smaller, or the short element longer; the control makes it smaller by itself: for a corner as large as it fits \
+           set `[control] large_corners = \"shorten\"`",
+};
+/// A chamfer beside an arc.
+const AT_ARC: Ask = Ask {
+    section: "control",
+    key: "arc_chamfers",
+    values: &[],
+    help: "program a rounding beside an arc; how the control lays a chamfer there is not confirmed: for one across the bisector of the \
+           corner set `[control] arc_chamfers = \"bisector\"`",
+};
 
 /// Blocks without a move over which the control looks for the end of a corner (MD 20200).
 const MOST_BETWEEN: u32 = 3;
@@ -161,10 +178,18 @@ impl Core<'_> {
 
     /// What the control does with a corner that does not fit.
     pub(super) fn large_corner(&self) -> LargeCorner {
-        if self.job.settings.control.sinumerik.shorten_corners { LargeCorner::Shorten } else { LargeCorner::Ask }
+        if self.job.settings.control.sinumerik.shorten_corners {
+            LargeCorner::Shorten
+        } else {
+            LargeCorner::Ask(&LARGE)
+        }
     }
 
     pub(super) fn arc_chamfer(&self) -> ArcChamfer {
-        if self.job.settings.control.sinumerik.arc_chamfers { ArcChamfer::AcrossBisector } else { ArcChamfer::Ask }
+        if self.job.settings.control.sinumerik.arc_chamfers {
+            ArcChamfer::AcrossBisector
+        } else {
+            ArcChamfer::Ask(&AT_ARC)
+        }
     }
 }

@@ -4,7 +4,7 @@
 
 use crate::diag::{Answer, codes};
 use crate::ir::transformation::Surface;
-use crate::ir::{Function, Side, Transformation};
+use crate::ir::{Ask, Function, Side, Transformation};
 use crate::machine::{Axis, AxisSet, MachineKind, Transmit};
 use crate::parser::sinumerik::ast::{Block, Formula};
 use crate::sema::run::Where;
@@ -13,6 +13,14 @@ use crate::text::Span;
 use super::diameter::Diameter;
 use super::vocabulary::OnSurface;
 use super::{Channel, Outcome, Run};
+
+/// The tool passes the axis of rotation.
+const AT_POLE: Ask = Ask {
+    section: "cycles",
+    key: "transmit",
+    values: &["\"cartesian\""],
+    help: "lead the tool around the centre of the face, or set `[cycles] transmit = \"cartesian\"` for a control that transforms by itself",
+};
 
 /// Cycles of a turning contour.
 const TURNING: &[&str] = &[
@@ -111,7 +119,7 @@ impl Channel<'_> {
         if !as_seen {
             self.has_axes_for(on, span)?;
         }
-        let by = Transformation { surface, rotary };
+        let by = Transformation { surface, rotary, at_pole: &AT_POLE };
         self.st.transformation = Some(Transformed { by, as_seen });
         let frame = self.st.ctx.frame.clone();
         let seen = frame.unapply(&by.seen(&frame.apply(self.st.position.at())));

@@ -1,0 +1,21 @@
+//! What only the user can say: a choice of the control that no manual confirms, as the dialect asks for it.
+
+use crate::diag::{Answer, Help};
+
+/// A key of `partc.toml` that decides, and what to do. The passes behind the dialect raise it where the choice matters, and know no key.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Ask {
+    pub section: &'static str,
+    pub key: &'static str,
+    /// The values that it takes; empty for any.
+    pub values: &'static [&'static str],
+    pub help: &'static str,
+}
+
+impl Ask {
+    /// The help of a finding, with the answer that it names.
+    pub fn help(&self) -> Help {
+        let answer = Answer::key(self.section, self.key);
+        if self.values.is_empty() { answer.help(self.help) } else { answer.one_of(self.values).help(self.help) }
+    }
+}
