@@ -20,7 +20,7 @@ and the sign." {
     ns_and_ne_are_block_numbers() "NS and NE are block numbers";
     hole_does_not_lie_in_front() "the hole does not lie in front of the tool, towards -Z";
     has_to_be_above_zero(what) "{what} has to be above zero";
-    is_none_of(letter, num, range) "{letter}{num} is none of {range}";
+    is_none_of(letter, num, range) "{letter}{num} is out of range: {letter} is {range}";
     q_is_neither_0_nor_1(num) "Q{num} is neither 0 nor 1";
     r_is_no_radius(num) "R{num} is no radius";
     shift_is_no_number() "the shift is no number";

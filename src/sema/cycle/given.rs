@@ -70,8 +70,11 @@ pub struct Given {
 }
 
 /// The lists of one control write a name with and without `_` in front; it is one name.
-fn bare(name: &'static str) -> &'static str {
-    name.strip_prefix('_').unwrap_or(name)
+fn bare(name: &'static str) -> &'static [u8] {
+    match name.as_bytes() {
+        [b'_', rest @ ..] => rest,
+        all => all,
+    }
 }
 
 impl Name {
@@ -225,9 +228,13 @@ impl Given {
 
     /// A decimal digit of a coded number, from the right: 0 is the units.
     pub fn digit(&self, name: Name, position: u32) -> i32 {
-        let value = self.whole(name).unsigned_abs();
-        value.checked_div(10u32.saturating_pow(position)).map_or(0, |rest| (rest % 10) as i32)
+        digit(self.whole(name), position)
     }
+}
+
+/// A decimal digit of a number, from the right.
+pub fn digit(value: i32, position: u32) -> i32 {
+    value.unsigned_abs().checked_div(10u32.saturating_pow(position)).map_or(0, |rest| (rest % 10) as i32)
 }
 
 impl Parameter {

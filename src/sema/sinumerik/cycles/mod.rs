@@ -1,6 +1,6 @@
 //! Machining cycles of the control: rows, and plans that make the arguments of `ir::cycle` of a call.
 //!
-//! A plan reports nothing and changes nothing; `super::cycle_call` does both. Source: C 5 and 6 (docs/sources.md).
+//! A plan reports nothing and changes nothing; the file that calls them does both. Source: C 5 and 6 (docs/sources.md).
 
 mod call;
 mod contour_pocket;

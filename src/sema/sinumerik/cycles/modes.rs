@@ -6,6 +6,7 @@ use crate::diag::{Answer, Help, codes};
 use crate::geo::{Deg, Plane};
 use crate::ir::cycle::drilling::Levels;
 use crate::machine::Axis;
+use crate::sema::cycle::given::digit;
 use crate::sema::cycle::row::{self, Name};
 
 use super::call::CycleCall;
@@ -191,20 +192,21 @@ impl CycleCall<'_> {
         let Some(row::Kind::Digits(digits)) = given.signature.parameter(key).map(|parameter| parameter.kind) else {
             return Ok(());
         };
-        if !digits.checked {
+        let value = given.whole(key);
+        if !digits.checked || value == 0 {
             return Ok(());
         }
         if let Some((places, way)) = digits.doubt
-            && places.iter().any(|place| given.digit(key, *place) == 1)
+            && places.iter().any(|place| digit(value, *place) == 1)
         {
             self.note(given.place_of(key), codes::P8106::digits_are_read_so(&given.called, &way), Kind::Each);
         }
         let known = |place: u32| digits.known.iter().find(|digit| digit.place == place);
         let most = |place: u32| known(place).map_or(0, |digit| digit.most);
-        let Some(place) = (0..10).find(|place| given.digit(key, *place) > most(*place)) else { return Ok(()) };
+        let Some(place) = (0..10).find(|place| digit(value, *place) > most(*place)) else { return Ok(()) };
         match known(place).map_or(digits.other, |digit| digit.unknown) {
             "" => {
-                let (digit, name) = (given.digit(key, place), given.written(key));
+                let (digit, name) = (digit(value, place), given.written(key));
                 let fault = codes::S9015::digit_at_place_is_not_supported(&given.called, &digit, &(place + 1), &name);
                 self.refuse_as_said(given.place_of(key), fault)
             }
