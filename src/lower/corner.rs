@@ -373,7 +373,7 @@ fn cut(
             let refused = refuse(codes::G3010, "a chamfer is possible between straight lines only".to_owned());
             return match corner.at_arc {
                 ArcChamfer::Ask(ask) => refused.map_err(|found| Box::new(found.help(ask.help()))),
-                _ => refused,
+                ArcChamfer::Refuse | ArcChamfer::AcrossBisector | ArcChamfer::Along => refused,
             };
         }
         Err(NoCut::Reversal) => return refuse(codes::G3017, format!("the contour turns back on itself at the {name}")),
