@@ -31,6 +31,7 @@ mod sinumerik_unsupported;
 mod sinumerik_warnings;
 mod transformation;
 mod turning;
+mod turning_geometry;
 
 pub use compensation::*;
 pub use gcode::*;
@@ -59,6 +60,7 @@ pub use sinumerik_unsupported::*;
 pub use sinumerik_warnings::*;
 pub use transformation::*;
 pub use turning::*;
+pub use turning_geometry::*;
 
 use std::sync::OnceLock;
 
@@ -243,6 +245,7 @@ pub fn all() -> Vec<&'static Code> {
         transformation::TRANSFORMATION,
         layers::LAYERS,
         turning::TURNING,
+        turning_geometry::TURNING_GEOMETRY,
         milling::MILLING,
         mtc200::MTC200,
     ]
