@@ -7,6 +7,9 @@ use crate::machine::axis::{AXES, Axis, AxisSet};
 
 use super::Pos;
 
+/// What arithmetic loses of a direction or a scale.
+const LOST: f64 = 1e-9;
+
 /// An affine map of X, Y and Z, plus an offset for every other axis.
 ///
 /// Immutable once an item refers to it. `workpiece = linear · programmed + shift`.
@@ -81,6 +84,26 @@ impl Frame {
         }
         let sizes = [0, 1, 2].map(|i| self.linear.column(i).norm());
         sizes.iter().all(|size| (size - sizes[0]).abs() <= 1e-12 * sizes[0]).then_some(sizes[0])
+    }
+
+    /// Do lengths stay what they are? A tool has the size that it has.
+    pub fn is_unscaled(&self) -> bool {
+        self.uniform_scale().is_some_and(|scale| (scale - 1.0).abs() <= LOST)
+    }
+
+    /// Does the axis across the plane stay that of the machine, in its sense?
+    pub fn keeps_axis_across(&self, plane: Plane) -> bool {
+        let (first, second, third) = plane.axes();
+        let off = |a: usize, b: usize| self.linear[(a, b)].abs() > LOST;
+        let tilted = [first, second].iter().any(|axis| off(third, *axis) || off(*axis, third));
+        !tilted && self.linear[(third, third)] > 0.0
+    }
+
+    /// Does it change left and right in the plane?
+    pub fn flips(&self, plane: Plane) -> bool {
+        let (first, second, _) = plane.axes();
+        let at = |a: usize, b: usize| self.linear[(a, b)];
+        at(first, first) * at(second, second) - at(first, second) * at(second, first) < 0.0
     }
 
     /// Workpiece coordinates of `p`. A coordinate that depends on an unknown one is unknown.

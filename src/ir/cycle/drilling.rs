@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::geo::Deg;
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Feed, Pos};
 use crate::machine::Axis;
@@ -187,6 +188,25 @@ pub struct Tap {
     pub speed_after: Option<f64>,
 }
 
+impl Tap {
+    /// In one go, at the speed in force; `lead` in mm per turn, without its sign.
+    pub fn new(rigid: bool, lead: Option<f64>, turn: Turn, after: Spindle) -> Tap {
+        Tap {
+            rigid,
+            lead: lead.map(f64::abs),
+            turn,
+            dwell: 0.0,
+            dwell_reversed: false,
+            speed_in: None,
+            speed_out: None,
+            orient: None,
+            step: None,
+            after,
+            speed_after: None,
+        }
+    }
+}
+
 /// Between two steps of a tap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Chip {
@@ -226,6 +246,12 @@ pub struct Bore {
     pub back: Option<Feed>,
     /// Lift-off along the first, second and third axis of the plane.
     pub lift: [f64; 3],
+}
+
+/// How far the tip of a drill lies in front of where it has this radius; `tip` is the angle at the tip.
+pub fn tip_height(radius: f64, tip: Deg) -> f64 {
+    let (sin, cos) = Deg(tip.0 / 2.0).sin_cos();
+    radius * cos / sin
 }
 
 /// Arguments that make no hole.

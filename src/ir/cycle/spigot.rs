@@ -56,6 +56,13 @@ pub struct Blank {
     pub aside: f64,
 }
 
+/// How far a rectangular blank stands out beyond a rectangle with round corners where that is most: at its corner, where it reaches
+/// `over` further along both axes.
+pub fn stock_at_corner(over: [f64; 2], corner: f64) -> f64 {
+    let [x, y] = over;
+    if x > -corner && y > -corner { libm::hypot(x + corner, y + corner) - corner } else { x.max(y) }
+}
+
 /// The finished outline about its middle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {

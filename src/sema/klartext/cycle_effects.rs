@@ -94,15 +94,11 @@ impl Run<'_> {
 
     /// The tool has the size that it has: a frame may shift, turn and mirror in the plane.
     pub(super) fn frame_keeps_the_cutter(&self, cycle: &DefinedCycle) -> Outcome {
-        let (first, second, third) = self.st.plane().axes();
-        let linear = self.st.ctx.frame.linear();
-        let tilted =
-            [first, second].iter().any(|a| linear[(third, *a)].abs() > 1e-9 || linear[(*a, third)].abs() > 1e-9);
-        let scaled = self.st.ctx.frame.uniform_scale().is_none_or(|scale| (scale - 1.0).abs() > 1e-9);
-        if scaled {
+        let (frame, plane) = (&self.st.ctx.frame, self.st.plane());
+        if !frame.is_unscaled() {
             return self.refuse_cycle(cycle, codes::K9030::milling_under_scaling());
         }
-        if tilted || linear[(third, third)] < 0.0 {
+        if !frame.keeps_axis_across(plane) {
             return self.refuse_cycle(cycle, codes::K9030::milling_with_mirrored_tool_axis());
         }
         Ok(())

@@ -4,11 +4,10 @@
 
 use core::fmt::Display;
 
-use libm::tan;
-
 use crate::diag::fault::Asking;
 use crate::diag::{Answer, codes};
-use crate::ir::cycle::drilling::{DeepHole, Entry, Levels, Method};
+use crate::geo::Deg;
+use crate::ir::cycle::drilling::{DeepHole, Entry, Levels, Method, tip_height};
 use crate::ir::function::{Coolant, Turn};
 use crate::sema::cycle::call::Made;
 use crate::sema::cycle::row::Name;
@@ -55,7 +54,7 @@ impl CycleCall<'_> {
     fn tip_height(&self, radius: f64, missing: fn(&dyn Display) -> Asking) -> Made<f64> {
         let tool = self.st.state.tool.active();
         if let Some(angle) = tool.and_then(|tool| tool.tip_angle).filter(|angle| *angle > 0.0 && *angle < 180.0) {
-            return Ok(radius / tan(angle.to_radians() / 2.0));
+            return Ok(tip_height(radius, Deg(angle)));
         }
         let called = tool.map_or("N", |tool| tool.called.as_str());
         self.refuse(missing(&called).answer(Answer::tool(called, "tip_angle")))

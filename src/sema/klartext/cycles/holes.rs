@@ -199,19 +199,8 @@ impl CycleCall<'_> {
             Some(_) => Turn::Clockwise,
             None => self.st.state.spindle.turn().unwrap_or(Turn::Clockwise),
         };
-        Tap {
-            rigid: lead.is_some(),
-            lead: lead.map(f64::abs),
-            turn,
-            dwell: cut.dwell,
-            dwell_reversed: true,
-            speed_in: None,
-            speed_out: None,
-            orient: None,
-            step: None,
-            after: if lead.is_some() { Spindle::Stop } else { Spindle::Start(turn) },
-            speed_after: None,
-        }
+        let after = if lead.is_some() { Spindle::Stop } else { Spindle::Start(turn) };
+        Tap { dwell: cut.dwell, dwell_reversed: true, ..Tap::new(lead.is_some(), lead, turn, after) }
     }
 }
 

@@ -237,9 +237,7 @@ impl CycleCall<'_> {
 
     /// A mirror turns the way round, and not the spindle.
     fn is_mirrored(&self) -> bool {
-        let (first, second, _) = self.st.state.plane().axes();
-        let linear = self.st.state.ctx.frame.linear();
-        linear[(first, first)] * linear[(second, second)] - linear[(first, second)] * linear[(second, first)] < 0.0
+        self.st.state.ctx.frame.flips(self.st.state.plane())
     }
 
     // Going down.

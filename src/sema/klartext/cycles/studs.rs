@@ -6,7 +6,7 @@ use crate::diag::codes;
 use crate::geo::Deg;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::milling::{Mill, Place};
-use crate::ir::cycle::spigot::{Blank, Finish, Shape, Spigot};
+use crate::ir::cycle::spigot::{Blank, Finish, Shape, Spigot, stock_at_corner};
 use crate::sema::cycle::call::Made;
 use crate::sema::cycle::row::{Kind, Name, Parameter, Rule};
 
@@ -98,8 +98,7 @@ impl CycleCall<'_> {
         let turn = Deg(self.given.or_zero(TURN));
         let to_middle = self.way_to_middle(half);
         let place = Place { at: Place { at: self.call_point()?, turn }.point(to_middle), turn };
-        // The corner of the blank is the farthest from the round one of the stud.
-        let stock = libm::hypot(over[0].max(0.0) + corner, over[1].max(0.0) + corner) - corner;
+        let stock = stock_at_corner(over.map(|way| way.max(0.0)), corner);
         let blank = Blank { reach: raw[0], stock, aside: ASIDE };
         self.stud((mill, asked), place, Shape::Rectangle { half, corner }, blank)
     }

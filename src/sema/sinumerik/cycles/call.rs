@@ -273,7 +273,7 @@ impl CycleCall<'_> {
 
     /// Mirrors and rotations are allowed: the shape is turned with its frame.
     pub(super) fn frame_is_not_scaled(&self) -> Made {
-        if self.st.ctx.frame.uniform_scale().is_some_and(|scale| (scale - 1.0).abs() < 1e-9) {
+        if self.st.ctx.frame.is_unscaled() {
             return Ok(());
         }
         self.refuse(codes::P2090::scaling_is_active())

@@ -245,18 +245,15 @@ impl CycleCall<'_> {
         let after = self.after()?;
         // Without POSS the tap begins where the spindle was stopped.
         let orient = given.number(POSS).map(whole_turn).or(self.st.spindles.angle());
+        let turn = if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise };
         Ok(Method::Tap(Tap {
-            rigid: true,
-            lead: Some(lead.abs()),
-            turn: if lead > 0.0 { Turn::Clockwise } else { Turn::CounterClockwise },
             dwell: self.dwell_at_depth(DTB)?,
-            dwell_reversed: false,
             speed_in,
             speed_out: speed(SST1).or(speed_in),
             orient,
             step,
-            after,
             speed_after: self.st.spindles.speed(),
+            ..Tap::new(true, Some(lead), turn, after)
         }))
     }
 
@@ -344,19 +341,8 @@ impl CycleCall<'_> {
         let dwell = if given.or_zero(ENC) == 0.0 { self.no_dwell() } else { self.dwell_at_depth(DTB)? };
         // With an automatic reversal the spindle turns on as before, and SDAC may be left out.
         let as_before = given.or_zero(SDR) == 0.0 && given.or_zero(SDAC) == 0.0;
-        Ok(Method::Tap(Tap {
-            rigid: false,
-            lead,
-            turn,
-            dwell,
-            dwell_reversed: false,
-            speed_in: None,
-            speed_out: None,
-            orient: None,
-            step: None,
-            after: if as_before { Spindle::Start(turn) } else { self.after()? },
-            speed_after: None,
-        }))
+        let after = if as_before { Spindle::Start(turn) } else { self.after()? };
+        Ok(Method::Tap(Tap { dwell, ..Tap::new(false, lead, turn, after) }))
     }
 
     /// The way off the wall lies along the axes of the plane of the hole, which `_DMODE` may name.

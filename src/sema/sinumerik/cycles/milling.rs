@@ -6,7 +6,6 @@ use crate::diag::{Answer, codes};
 use crate::geo::Plane;
 use crate::ir::Feed;
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill, MillFault};
-use crate::ir::frame::PlaneMap;
 use crate::ir::function::Turn;
 use crate::machine::Axis;
 
@@ -101,11 +100,7 @@ impl CycleCall<'_> {
 
     /// The heights of the cycle lie along the tool axis of the machine, and its way out of the workpiece is the tool's.
     fn frame_keeps_the_tool_axis(&self, plane: Plane) -> Made {
-        let (first, second, third) = plane.axes();
-        let linear = self.st.ctx.frame.linear();
-        let tilted =
-            [first, second].iter().any(|a| linear[(third, *a)].abs() > 1e-9 || linear[(*a, third)].abs() > 1e-9);
-        if !tilted && linear[(third, third)] > 0.0 {
+        if self.st.ctx.frame.keeps_axis_across(plane) {
             return Ok(());
         }
         self.refuse_as_said(self.given.place, codes::S9015::frame_mirrors_or_tilts_tool_axis(&self.given.called))
@@ -294,8 +289,7 @@ impl CycleCall<'_> {
 
     /// Does the frame change left and right in the plane of the cycle?
     fn mirrors_the_plane(&self) -> bool {
-        let plane = self.plane_of_mode().unwrap_or(self.st.plane());
-        matches!(self.st.ctx.frame.plane_map(plane), PlaneMap::Similar { flips: true, .. })
+        self.st.ctx.frame.flips(self.plane_of_mode().unwrap_or(self.st.plane()))
     }
 
     /// Refuses what makes no milling cycle.

@@ -4,7 +4,7 @@
 
 use crate::diag::{Answer, Help, codes};
 use crate::geo::{Deg, Plane};
-use crate::ir::cycle::drilling::Levels;
+use crate::ir::cycle::drilling::{Levels, tip_height};
 use crate::machine::Axis;
 use crate::sema::cycle::given::digit;
 use crate::sema::cycle::row::{self, Name};
@@ -119,7 +119,7 @@ impl CycleCall<'_> {
             return self.refuse_argument(DP, codes::P2090::tool_has_diameter_of_mm(&(2.0 * radius), &diameter));
         }
         let tip = self.tip_angle("a centring by its diameter")?;
-        Ok(reference - way.signum() * diameter / 2.0 / tangent(tip))
+        Ok(reference - way.signum() * tip_height(diameter / 2.0, Deg(tip)))
     }
 
     /// How far the tip of the drill lies in front of its full diameter.
@@ -127,7 +127,7 @@ impl CycleCall<'_> {
         const WHAT: &str = "a depth by the shank";
         let tip = self.tip_angle(WHAT)?;
         match self.st.active_tool(self.settings).and_then(|tool| tool.radius).filter(|radius| *radius > 0.0) {
-            Some(radius) => Ok(radius / tangent(tip)),
+            Some(radius) => Ok(tip_height(radius, Deg(tip))),
             None => self.refuse_argument(
                 GMODE,
                 codes::P2090::needs_radius_of_tool(&WHAT).help(self.ask_tool("radius", "give `[tools.N] radius`")),
@@ -255,10 +255,4 @@ impl CycleCall<'_> {
             }
         }
     }
-}
-
-/// Of half the angle at a tip.
-fn tangent(tip: f64) -> f64 {
-    let (sin, cos) = Deg(tip / 2.0).sin_cos();
-    sin / cos
 }

@@ -5,7 +5,7 @@
 use crate::diag::{Answer, codes};
 use crate::geo::Deg;
 use crate::ir::cycle::milling::{Mill, Place};
-use crate::ir::cycle::spigot::{Blank, MOST_EDGES, Shape, SpigotFault, Starts};
+use crate::ir::cycle::spigot::{Blank, MOST_EDGES, Shape, SpigotFault, Starts, stock_at_corner};
 use crate::ir::cycle::{Cycle, Family, Spigot};
 use crate::machine::options::cycles::{MultiEdgeStart, SpigotSize};
 
@@ -27,13 +27,8 @@ impl CycleCall<'_> {
         let shape = Shape::Rectangle { half, corner: self.given.magnitude(CRAD) };
         let place = Place { at: self.reference_point(PA, PO), turn: Deg(self.given.or_zero(STA)) };
         let blank = self.blank(&[AP1, AP2])?;
-        // The corner of the blank is farthest from the spigot.
-        let [x, y] = [(AP1, half[0]), (AP2, half[1])].map(|(key, half)| self.given.magnitude(key) / 2.0 - half);
-        let corner = self.given.magnitude(CRAD);
-        let stands = match x > -corner && y > -corner {
-            true => libm::hypot(x + corner, y + corner) - corner,
-            false => x.max(y),
-        };
+        let over = [(AP1, half[0]), (AP2, half[1])].map(|(key, half)| self.given.magnitude(key) / 2.0 - half);
+        let stands = stock_at_corner(over, self.given.magnitude(CRAD));
         self.stock_that_stays(&mill, stands);
         self.mill_spigot(mill, place, shape, blank, None)
     }

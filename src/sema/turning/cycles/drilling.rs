@@ -102,19 +102,7 @@ impl CycleCall<'_> {
         let Some(turn) = self.st.modal.spindle.turn() else {
             return self.refuse(codes::P1004::spindle_does_not_turn());
         };
-        let tap = Tap {
-            rigid: true,
-            lead: Some(lead),
-            turn,
-            dwell: 0.0,
-            dwell_reversed: false,
-            speed_in: None,
-            speed_out: None,
-            orient: None,
-            step: None,
-            after: Spindle::Start(turn),
-            speed_after: None,
-        };
+        let tap = Tap::new(true, Some(lead), turn, Spindle::Start(turn));
         // The feed of the hole is not used; the pitch is.
         self.hole(bottom, Feed::PerRevolution(lead), Method::Tap(tap))
     }
