@@ -13,6 +13,15 @@ pub struct Ask {
 }
 
 impl Ask {
+    pub const fn key(section: &'static str, key: &'static str, help: &'static str) -> Ask {
+        Ask { section, key, values: &[], help }
+    }
+
+    /// The same, and the values that may be chosen.
+    pub const fn one_of(self, values: &'static [&'static str]) -> Ask {
+        Ask { values, ..self }
+    }
+
     /// The help of a finding, with the answer that it names.
     pub fn help(&self) -> Help {
         let answer = Answer::key(self.section, self.key);

@@ -88,7 +88,7 @@ mod tests {
         pos
     }
 
-    const NOTHING: Ask = Ask { section: "", key: "", values: &[], help: "" };
+    const NOTHING: Ask = Ask::key("", "", "");
 
     #[test]
     fn a_face_is_seen_about_the_axis_of_rotation() {

@@ -21,13 +21,9 @@ use super::words::{At, Words};
 use super::{Outcome, Reported, Run};
 
 /// A chamfer beside an arc.
-const AT_ARC: Ask = Ask {
-    section: "control",
-    key: "cf_at_arcs",
-    values: &[],
-    help: "program a rounding beside an arc; how the control measures a chamfer there is not confirmed: for its width along both elements \
-           set `[control] cf_at_arcs = \"along\"`",
-};
+const AT_ARC: Ask = Ask::key("control", "cf_at_arcs", AT_ARC_HELP);
+const AT_ARC_HELP: &str = "program a rounding beside an arc; how the control measures a chamfer there is not confirmed: for its width along both elements \
+           set `[control] cf_at_arcs = \"along\"`";
 
 /// Blocks without motion that may stand between a corner and its second neighbour.
 const MOST_BETWEEN: u32 = 20;

@@ -26,19 +26,12 @@ const FLAT: Deg = Deg(10.0);
 /// Turn up to which G451 prolongs (MD 20210).
 const LIMIT: Deg = Deg(100.0);
 /// The corners that the machine data decide.
-const CORNERS: Ask = Ask {
-    section: "control",
-    key: "g451_limit",
-    values: &[],
-    help: "give the limits of the machine: `[control] g451_limit` (MD 20210) and `g450_flat` (MD 20230), in degrees",
-};
+const CORNERS: Ask = Ask::key("control", "g451_limit", CORNERS_HELP);
+const CORNERS_HELP: &str =
+    "give the limits of the machine: `[control] g451_limit` (MD 20210) and `g450_flat` (MD 20230), in degrees";
 /// Where F counts on an arc.
-const CURVE_FEED: Ask = Ask {
-    section: "control",
-    key: "curve_feed",
-    values: &[],
-    help: "for the feed of the control set `[control] curve_feed = \"control\"`, or program CFTCP if F is meant for the centre",
-};
+const CURVE_FEED: Ask = Ask::key("control", "curve_feed", CURVE_FEED_HELP);
+const CURVE_FEED_HELP: &str = "for the feed of the control set `[control] curve_feed = \"control\"`, or program CFTCP if F is meant for the centre";
 
 impl State {
     /// The rules for a path that a cycle makes: it comes to the contour by itself, and damages nothing of it.

@@ -13,21 +13,13 @@ use super::words::Words;
 use super::{Channel, Core, Outcome, Reported};
 
 /// A corner that is larger than its neighbours.
-const LARGE: Ask = Ask {
-    section: "control",
-    key: "large_corners",
-    values: &[],
-    help: "make the corner smaller, or the short element longer; the control makes it smaller by itself: for a corner as large as it fits \
-           set `[control] large_corners = \"shorten\"`",
-};
+const LARGE: Ask = Ask::key("control", "large_corners", LARGE_HELP);
+const LARGE_HELP: &str = "make the corner smaller, or the short element longer; the control makes it smaller by itself: for a corner as large as it fits \
+           set `[control] large_corners = \"shorten\"`";
 /// A chamfer beside an arc.
-const AT_ARC: Ask = Ask {
-    section: "control",
-    key: "arc_chamfers",
-    values: &[],
-    help: "program a rounding beside an arc; how the control lays a chamfer there is not confirmed: for one across the bisector of the \
-           corner set `[control] arc_chamfers = \"bisector\"`",
-};
+const AT_ARC: Ask = Ask::key("control", "arc_chamfers", AT_ARC_HELP);
+const AT_ARC_HELP: &str = "program a rounding beside an arc; how the control lays a chamfer there is not confirmed: for one across the bisector of the \
+           corner set `[control] arc_chamfers = \"bisector\"`";
 
 /// Blocks without a move over which the control looks for the end of a corner (MD 20200).
 const MOST_BETWEEN: u32 = 3;

@@ -15,12 +15,8 @@ use super::vocabulary::OnSurface;
 use super::{Channel, Outcome, Run};
 
 /// The tool passes the axis of rotation.
-const AT_POLE: Ask = Ask {
-    section: "cycles",
-    key: "transmit",
-    values: &["\"cartesian\""],
-    help: "lead the tool around the centre of the face, or set `[cycles] transmit = \"cartesian\"` for a control that transforms by itself",
-};
+const AT_POLE: Ask = Ask::key("cycles", "transmit", AT_POLE_HELP).one_of(&["\"cartesian\""]);
+const AT_POLE_HELP: &str = "lead the tool around the centre of the face, or set `[cycles] transmit = \"cartesian\"` for a control that transforms by itself";
 
 /// Cycles of a turning contour.
 const TURNING: &[&str] = &[
