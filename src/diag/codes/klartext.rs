@@ -176,7 +176,12 @@ turns. A helix of several turns is programmed with IPA." {
 
 K2107 Warning "polar-inherited" "missing polar word is taken from the position"
 "PR or PA is missing and the block before was not a polar block about the same pole, or its PR was not above zero. partc computes the missing one from the position; \
-a control might keep the last programmed one. `[control] polar_missing = \"programmed\"` selects that. Write both words to be sure."
+a control might keep the last programmed one. `[control] polar_missing = \"programmed\"` selects that. Write both words to be sure." {
+    open_word_is_computed_from_position()
+        "PR was not above zero in the block before; the word left open is computed from the position"
+        help "write both PR and PA";
+    missing_word_is_computed_from_position() "the missing polar word is computed from the position" help "write both PR and PA";
+}
 
 K2108 Warning "pole-moved" "pole was set before the coordinate system changed"
 "Between CC and its use a datum shift, rotation, mirror or scaling changed. partc keeps the numbers of the pole in the new system; \

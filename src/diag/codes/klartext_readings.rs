@@ -85,6 +85,10 @@ scales the programmed coordinates first and turns the result; `[control] mirror 
 so that only one is in force, or compare one point with the control." {
     cycle_26_scales_first() "cycle 26 scales first, then the rotation turns the result"
         help "scale and rotate one after the other, or both axes alike";
+    rotation_acts_first() "the rotation acts first, then the mirror"
+        asks "compare one point with the control; `[control] mirror` selects the other order";
+    mirror_acts_first() "the mirror acts first, then the rotation"
+        asks "compare one point with the control; `[control] mirror` selects the other order";
 }
 
 K2808 Warning "two-scalings" "scaling by cycle 11 and by cycle 26 together"

@@ -42,6 +42,14 @@ K2508 Warning "blank-form" "blank form is not usable"
 that lacks an axis; the path does not depend on it. Most often the two points are mixed up." {
     blank_is_defined_behind_first_move() "the blank is defined behind the first move"
         help "put BLK FORM in front of the first positioning block, where the control looks for it";
+    blk_form_names_no_corner_or_shape() "BLK FORM names neither 0.1 nor 0.2 nor a shape"
+        help "the control refuses this blank; the path does not depend on it";
+    blk_form_is_no_corner(corner) "BLK FORM {corner} is neither 0.1 nor 0.2"
+        help "the control refuses this blank; the path does not depend on it";
+    blk_form_does_not_name_all_axes(corner) "BLK FORM {corner} does not name X, Y and Z"
+        help "the control refuses this blank; the path does not depend on it";
+    max_does_not_lie_above_min() "the MAX point does not lie above the MIN point"
+        help "the control refuses this blank; the path does not depend on it";
 }
 
 K2509 Error "rotary-feed" "feed of a rotary axis under M116 is not supported"
@@ -77,7 +85,13 @@ K2513 Note "datum-from-table" "datum is shifted by a row of a table"
 
 K2602 Error "compensation-side" "change between RL and RR without R0"
 "Between left and right compensation at least one straight block with R0 has to lie in the working plane, or the tool would cross the \
-contour. The control refuses the block."
+contour. The control refuses the block." {
+    r0_between_rl_and_rr_moved_nothing()
+        "RL and RR follow each other, and R0 between them moved nothing in the working plane"
+        help "program a straight block with R0 between them";
+    rl_and_rr_follow_without_r0() "RL and RR follow each other without R0"
+        help "program a straight block with R0 between them";
+}
 
 K2604 Error "paraxial-compensation" "R+ or R- where it cannot act"
 "R+ and R- lengthen or shorten a block that moves one axis by the tool radius, such as `X+50 R+ F200`. They cannot be used with \
@@ -124,7 +138,12 @@ Write the function into the block that ends in the corner." {
 K2702 Note "tool-change-joined" "M6 changes no tool by itself"
 "Either the tool change was printed at the TOOL CALL already, because `[control] tool_change = \"t\"` says so or nobody knew of this M6, or no TOOL CALL \
 stands in front of the M6, as in programs that stop with M6 for a change by hand and call the tool then: there the next TOOL CALL is the change. \
-The M6 stops the spindle, which is printed."
+The M6 stops the spindle, which is printed." {
+    stops_spindle_tool_is_in_it(by) "{by} stops the spindle; the tool that was called is in it already";
+    belongs_to_change_of_tool_call(by) "{by} belongs to the tool change printed for the TOOL CALL";
+    stops_spindle_and_changes_no_tool(by)
+        "{by} stops the spindle and changes no tool; the next TOOL CALL of another tool prints its change";
+}
 
 K2703 Note "m-function-without-words" "M function has no counterpart in plain G-code"
 "The function changes how the control smooths, filters or supervises the path, not the path the program describes. It is left out." {

@@ -27,6 +27,7 @@ mod shared_form;
 mod shared_meaning;
 mod shared_others;
 mod sinumerik;
+mod sinumerik_arcs;
 mod sinumerik_unsupported;
 mod sinumerik_warnings;
 mod transformation;
@@ -56,6 +57,7 @@ pub use shared_form::*;
 pub use shared_meaning::*;
 pub use shared_others::*;
 pub use sinumerik::*;
+pub use sinumerik_arcs::*;
 pub use sinumerik_unsupported::*;
 pub use sinumerik_warnings::*;
 pub use transformation::*;
@@ -240,6 +242,7 @@ pub fn all() -> Vec<&'static Code> {
         shared_cycles_unsupported::SHARED_CYCLES_UNSUPPORTED,
         shared_others::SHARED_OTHERS,
         sinumerik::SINUMERIK,
+        sinumerik_arcs::SINUMERIK_ARCS,
         sinumerik_warnings::SINUMERIK_WARNINGS,
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
         transformation::TRANSFORMATION,

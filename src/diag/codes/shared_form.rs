@@ -86,6 +86,9 @@ and its value stand together (`X50`, `Xi-5`, `X#5`, `X{#5+2}`); a coordinate tha
     function_has_number() "a function has a number";
     value_is_missing_in_formula() "a value is missing";
     formula_is_empty() "the formula is empty";
+    save_is_attribute_of_proc() "SAVE is an attribute of PROC" alarm 12080
+        help "write it after the name in the PROC block";
+    stopre_takes_no_argument() "STOPRE takes no argument" alarm 12080 help "write STOPRE alone";
 }
 
 P1002 Error "word-twice" "same word twice in one block" was "K1004 M1004 mtc-word-twice S2007 siemens-address-twice T1002 turning-word-twice"
@@ -317,6 +320,9 @@ word." {
     needs_its_s_in_same_block(name, form) "{name} needs its S in the same block: `{form}`";
     g04_needs_its_time() "G04 needs its time: `G04 F2.5`";
     jmp_and_jsr_name_program() "JMP and JSR name a program: `JSR P5`";
+    rnd_needs_radius() "RND needs a radius above zero" help "write the radius: `RND R5`";
+    chf_needs_length() "CHF needs a length above zero"
+        help "write the length cut off along each side: `CHF 5`";
 }
 
 P1005 Error "functions-conflict" "functions of one block contradict each other" was "K1014 m-functions-conflict M1010 mtc-m-conflict T1006 turning-functions-clash"

@@ -87,6 +87,10 @@ partc.toml or from `$TC_DP` of the program. With `[output] compensation = \"cont
     radius_of_tool_is_not_known_for_path(tool) "the radius of tool {tool} is not known"
         asks "add it to `[tools]` in partc.toml, or set `[output] compensation = \"control\"` to print G41 and \
         G42";
+    is_on_already(code) "{code} is on already: whether it then holds its offset is not documented"
+        help "leave the word out";
+    follows_without_g40(code, old) "{code} follows {old} without G40: how the tool changes sides is not documented"
+        help "program G40 with a move in the plane in between";
 }
 
 P3001 Error "end-off-circle" "end point does not lie on the circle" was "M2010 mtc-circle-end S3007 siemens-end-off-circle"
@@ -122,6 +126,10 @@ SINUMERIK: A circle needs a centre, a radius or an angle, and an arc by radius a
         help "program a full circle with I, J, K";
     arc_by_cr_needs_end_point() "an arc by CR= needs an end point that differs from its start" alarm 14040
         help "program the end point, or a full circle with I, J, K";
+    arc_starts_in_its_centre() "the arc starts in its centre" alarm 14040
+        help "I, J and K lead from the start to the centre, whatever G90 and G91 say; with AC(…) they are the centre itself";
+    arc_ends_in_its_centre() "the arc ends in its centre" alarm 14040
+        help "I, J and K lead from the start to the centre, whatever G90 and G91 say; with AC(…) they are the centre itself";
 }
 
 P8140 Warning "block-not-run" "block that does not run could not be compiled" was "K8001 S8040 siemens-block-not-run"

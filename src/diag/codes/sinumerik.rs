@@ -67,7 +67,9 @@ program and without crossing. The control shows alarm 12640 or 12641." {
 
 S2008 Error "siemens-group-twice" "two G codes of one group"
 "Codes of one group exclude each other. The control takes the last one and shows alarm 12060; which one was meant cannot be known, so the \
-block is refused."
+block is refused." {
+    are_of_one_group(a, b) "{a} and {b} are of one group" alarm 12060;
+}
 
 S2009 Error "siemens-shape-twice" "two codes that shape the block"
 "Of the G groups 1 to 4 (motion, dwell and reference points, frames and poles, preprocessing) one code may stand in a block. The control \
@@ -167,6 +169,12 @@ The control shows alarm 12400, 12410, 12430 or 17020." {
     work_offsets_have_numbers_0_to_99() "work offsets have the numbers 0 to 99" alarm 17020;
     number_of_work_offset_is_missing() "the number of the work offset is missing" alarm 17020;
     there_is_no_such_g_group() "there is no such G group" alarm 17020;
+    variable_is_no_array() "the variable is no array" alarm 12400;
+    array_has_indices(n, given) "the array has {n} indices, not {given}" alarm 12400;
+    array_has_no_element(indices, sizes) "the array has no element {indices}; its sizes are {sizes}, counted from 0" alarm 12400;
+    there_is_no_element(sizes, indices)
+        "the array has the sizes {sizes}, counted from 0; there is no element {indices}" alarm 12400;
+    index_is_whole_number_this_is(what) "an index is a whole number, this is {what}" alarm 12410;
 }
 
 S2019 Error "siemens-passes" "number of passes does not exist"
@@ -335,6 +343,14 @@ S2045 Error "siemens-spindle" "spindle word cannot be carried out"
         help "leave one of them out";
     m_and_m_stand_in_one(first, second) "M{first} and M{second} stand in one block" alarm 14760
         help "give each a block of its own";
+    block_cuts_at_speed_kept_since_g96()
+        "this block cuts at the speed that the spindle happens to have kept since G96"
+        help "program the speed in turns per minute behind G97: S1000";
+    spindle_starts_without_speed()
+        "the spindle starts without a speed: the one of before was a cutting speed (G96)"
+        help "program the speed in turns per minute behind G97: S1000";
+    g96_ends_at_unknown_diameter() "G96 ends at a diameter at which its speed is not known"
+        help "program the speed in turns per minute behind G97: S1000";
 }
 
 S2046 Error "siemens-programs-of-one-name" "several programs of one name and rank"
@@ -470,6 +486,13 @@ Alarms 10750 to 10757, 10780." {
         help "program G40 in a block in front of it";
     tool_changes_while_radius_compensation() "the tool changes while radius compensation is on" alarm 10780
         help "program G40 in a block in front of it";
+    g40_in_front_has_had_no_move() "G40 in front of this block has had no move" alarm 10754
+        help "program G40 with G0 or G1 and an axis of the plane";
+    side_stands_behind_g40_without_move()
+        "G41 or G42 stands behind a G40 that has had no move in the plane yet" alarm 10754
+        help "program G40 with G0 or G1 and an axis of the plane";
+    g40_has_had_no_move_in_plane() "G40 has had no move in the plane in front of this block" alarm 10754
+        help "program G40 with G0 or G1 and an axis of the plane";
 }
 
 S2081 Error "siemens-thread" "thread is not determined"
@@ -501,6 +524,10 @@ S2081 Error "siemens-thread" "thread is not determined"
     thread_has_no_lead() "the thread has no lead" alarm 16720 help "program K along Z, I along X";
     lead_of_thread_is_negative() "the lead of the thread is negative"
         help "the spindle makes the hand of the thread: M3 or M4; program the lead without a sign";
+    auxiliary_function_stands_in_chain() "an auxiliary function stands in a chain of threads"
+        help "program M, S, T and H words in front of the first thread or behind the last";
+    axes_stand_in_chain() "the axes stand between two threads of a chain, which spoils the thread"
+        help "leave the stop out, or retract and start the second thread anew";
 }
 
 S2083 Error "siemens-soft-approach" "soft approach or retraction is not determined"
@@ -528,6 +555,20 @@ leaves its plane, crosses itself, holds functions or cycles, or is not closed wh
     island_does_not_lie_inside_pocket(name) "the island `{name}` does not lie inside the pocket by itself" alarm 61932
         help "draw one contour where areas touch; call the pocket first, then its islands";
     there_is_no_label(missing, behind, program) "there is no label `{missing}`{behind} in `{program}`" alarm 61701;
+    rapid_traverse_inside_contour() "rapid traverse inside a contour" alarm 61936
+        help "a contour is made of lines and arcs at feed behind its start point";
+    thread_inside_contour() "a thread inside a contour" alarm 10930
+        help "a contour is made of lines and arcs at feed behind its start point";
+    full_circle_inside_turned_contour() "a full circle inside a turned contour" alarm 10931
+        help "a contour is made of lines and arcs at feed behind its start point";
+    contour_has_no_start_point() "the contour has no start point" alarm 10931
+        help "its first block names both coordinates of the plane: G0 Z0 X20";
+    working_plane_changes_inside_contour() "the working plane changes inside the contour"
+        help "a contour lies in one plane";
+    coordinate_system_changes_inside_contour() "the coordinate system changes inside the contour"
+        help "program TRANS, ROT, SCALE and MIRROR in front of the cycle";
+    block_of_contour_leaves_its_plane() "a block of the contour leaves its plane"
+        help "a contour has moves of the two axes of its plane only";
 }
 
 S2130 Error "siemens-axis-twice" "two names of one printed axis"
@@ -536,50 +577,5 @@ another letter under `[machine] axes`, or \"leave-out\" if the target has no suc
     would_both_be_printed(first, named, axis) "{first} and {named} would both be printed as {axis}"
         asks "give one of them another letter under `[machine] axes`, or \"leave-out\" if the target has no such \
         axis";
-}
-
-S3001 Error "siemens-radius" "arc by radius does not reach its end"
-"CR= is at least half the distance of start and end: alarm 14095. Look at the word that is marked, and at the value behind it." {
-    points_are_mm_apart(chord, cr, radius, length_unit)
-        "the points are {chord:.4} mm apart, CR={cr} reaches {radius:.4}" alarm 14095
-        help "CR= has to be at least {length_unit:.4}";
-}
-
-S3002 Error "siemens-arc-twice" "arc is given twice"
-"Centre, CR= and AR= exclude each other, and a polar arc has the pole as its centre: alarm 14900." {
-    polar_arc_has_pole_as_its_centre() "a polar arc has the pole as its centre" alarm 14900
-        help "leave the centre, CR= and AR= out, or program the end point by axes";
-    centre_cr() "centre, CR= and AR= exclude each other" alarm 14900 help "keep one of them";
-    ar_stands_beside_both_centre() "AR= stands beside both a centre and an end point" alarm 14900
-        help "give the end point or the centre";
-}
-
-S3004 Error "siemens-opening" "opening angle out of range"
-"AR= lies between 0.0001 and 359.9999 degrees: alarm 14910. A full circle is programmed by its centre." {
-    ar_lies_outside_0_0001_to_359(ar) "AR={ar} lies outside 0.0001 to 359.9999 degrees" alarm 14910
-        help "the sense of rotation comes from G2 or G3";
-}
-
-S3005 Error "siemens-turns" "number of turns does not exist"
-"TURN= counts additional full circles, 0 to 999: alarm 14048. Look at the word that is marked, and at the value behind it." {
-    turn_is_no_number_of_turns(turn) "TURN={turn} is no number of turns" alarm 14048
-        help "TURN counts additional full circles, 0 to 999";
-}
-
-S3006 Error "siemens-via" "intermediate point is missing"
-"CIP runs through a point between start and end, given by I1=, J1=, K1=: alarm 14920." {
-    start_intermediate_point() "start, intermediate point and end lie on one line" alarm 14920
-        help "move the intermediate point off the line, between start and end of the arc";
-    cip_needs_intermediate_point() "CIP needs an intermediate point" alarm 14920 help "give I1=, J1=, K1=";
-}
-
-S3008 Error "siemens-tangent" "CT has no tangent"
-"CT goes on in the direction of the block before, which has to travel in the working plane, and cannot turn back: alarm 14045. Put a line or an \
-arc in front of it, and the end point not straight behind the start."
-
-S4001 Error "siemens-contour-long" "contour has too many elements"
-"A contour that a cycle works along is kept as a whole, so its length is limited: 1000 elements, roundings and chamfers counted. The control \
-has a limit of its own (alarm 61933). Split the contour." {
-    contour_has_more_than_elements(most_elements) "the contour has more than {most_elements} elements" alarm 61933;
 }
 }

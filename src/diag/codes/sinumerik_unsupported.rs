@@ -87,6 +87,13 @@ radius compensation have no share of it. Program the feed by G94 or G95." {
         help "program the feed itself, and OVRA[…]=100";
     ovr_changes_every_feed_by_factor() "OVR= changes every feed by a factor"
         help "program the feed itself, and OVR=100";
+    corner_has_no_share_of_time() "a chamfer or rounding has no share of the time that G93 gives the blocks"
+        help "program the feed by G94 or G95 for it";
+    time_under_compensation_is_of_target()
+        "under radius compensation the length of the path, and so the time of G93, is the target's"
+        help "program the feed by G94 or G95 for it";
+    moves_of_cycle_have_no_share_of_time() "the moves of a cycle have no share of the time that G93 gives the blocks"
+        help "program the feed by G94 or G95 for it";
 }
 
 S9011 Error "siemens-machine-coordinates" "cannot be printed in machine coordinates"

@@ -52,6 +52,7 @@ not printed; the target has to be told them. Under G41 and G42 the radius of the
     target_has_tool_data_of_its_own(word, what) "{word} {what}: the target has tool data of its own";
     cutting_edges_other_than_d1_are_not()
         "cutting edges other than D1 are not printed: the target knows one offset a tool";
+    is_not_printed(word) "`{word}` is not printed: the target has tool data of its own";
 }
 
 S8254 Warning "siemens-edge-without-length" "lengths of a cutting edge are not known"
@@ -254,7 +255,13 @@ S8031 Warning "siemens-spindle-sense" "sense of a spindle stop is not printed"
 }
 
 S8032 Warning "siemens-speed-limited" "spindle speed is above its limit"
-"G26 S limits the speed of a spindle, LIMS= that of the master under G96 and G97. The control turns the spindle at the limit, so the limit is printed."
+"G26 S limits the speed of a spindle, LIMS= that of the master under G96 and G97. The control turns the spindle at the limit, so the limit is printed." {
+    lims_does_not_count(code, before, now)
+        "LIMS= does not count under {code}: the spindle goes from {before} to {now} turns"
+        help "program S with it, or limit the speed by G26 S";
+    speed_is_above_limit(speed, limit) "the speed {speed} is above the limit {limit}, at which the spindle turns"
+        help "program a speed within the limit of LIMS= and G26";
+}
 
 S8033 Warning "siemens-mcall-trigger" "block without a move under a modal drilling cycle"
 "Under MCALL of a drilling cycle some controls drill behind a bare G0, G1, F or S as well, at the place where the tool stands. It is read here \
@@ -340,7 +347,10 @@ An F of 0.2 means two very different things. Program G94 or G95 in front of the 
 
 S8046 Warning "siemens-speed-frozen" "constant cutting speed ends without a speed"
 "G97, G94 and G95 behind G96 keep the speed that the spindle has at this moment. It is computed from the diameter at which the tool stands and \
-printed; on the machine it depends on where the control last adapted it. Program S with the word."
+printed; on the machine it depends on where the control last adapted it. Program S with the word." {
+    g96_ends_without_s(turns) "G96 ends without S: the spindle goes on at about {turns} turns per minute"
+        help "program S with G97";
+}
 
 S8047 Warning "siemens-feed-spindle" "feed per revolution without a turning spindle"
 "G95 moves with the turns of the spindle. No block before starts it, so that the machine would wait. \

@@ -2,7 +2,7 @@
 //!
 //! Source: K 1.4 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::ir::{self, Frame, Function, Remark};
 use crate::lexer::klartext::Value;
 use crate::parser::klartext::ast::{Addr, Block};
@@ -105,17 +105,17 @@ impl Run<'_> {
             }
         }
         if block.words.is_empty() {
-            self.unusable_blank("BLK FORM names neither 0.1 nor 0.2 nor a shape");
+            self.say_here(codes::K2508::blk_form_names_no_corner_or_shape());
         }
         if let Some(other) = corner.as_deref().filter(|corner| !matches!(*corner, b"0.1" | b"0,1" | b"0.2" | b"0,2")) {
             let corner = crate::text::decode::readable(other).into_owned();
-            self.unusable_blank(&format!("BLK FORM {corner} is neither 0.1 nor 0.2"));
+            self.say_here(codes::K2508::blk_form_is_no_corner(&corner));
             return Ok(());
         }
         let [Some(x), Some(y), Some(z)] = values else {
             if let Some(corner) = corner {
                 let corner = crate::text::decode::readable(&corner).into_owned();
-                self.unusable_blank(&format!("BLK FORM {corner} does not name X, Y and Z"));
+                self.say_here(codes::K2508::blk_form_does_not_name_all_axes(&corner));
             }
             return Ok(());
         };
@@ -125,7 +125,7 @@ impl Run<'_> {
                 if let Some(min) = self.st.blank.min
                     && [x, y, z].iter().zip(&min).any(|(max, min)| max <= min)
                 {
-                    self.unusable_blank("the MAX point does not lie above the MIN point");
+                    self.say_here(codes::K2508::max_does_not_lie_above_min());
                 } else if let Some(low) = self.st.blank.min {
                     self.tell_blank(ir::Blank::Cuboid { low, high: [x, y, z] });
                 }
@@ -140,12 +140,5 @@ impl Run<'_> {
         if self.st.ctx.frame == Frame::default() {
             self.function(Function::Remark(Remark::Blank(blank)));
         }
-    }
-
-    fn unusable_blank(&self, what: &str) {
-        self.report(
-            Diagnostic::new(codes::K2508, self.here.origin.loc, what)
-                .help("the control refuses this blank; the path does not depend on it"),
-        );
     }
 }

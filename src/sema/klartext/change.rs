@@ -4,7 +4,7 @@
 //! Others never write M6, and there TOOL CALL is the change. Which of the two a program does is looked up once in its
 //! text; what the run then meets has to fit to it, or is refused. Source: K 1.5 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos};
 use crate::machine::Axis;
@@ -96,7 +96,7 @@ impl Run<'_> {
 
     /// The same of whatever the program changes the tool by.
     pub(super) fn change_at(&mut self, span: Span, by: &str) -> Outcome {
-        let text = match std::mem::take(&mut self.st.tool.change) {
+        let fault = match std::mem::take(&mut self.st.tool.change) {
             Change::Called { number, .. } => {
                 self.print_change(number);
                 return Ok(());
@@ -111,19 +111,17 @@ impl Run<'_> {
                 }
                 return Ok(());
             }
-            Change::InSpindle => format!("{by} stops the spindle; the tool that was called is in it already"),
-            Change::Printed { .. } => format!("{by} belongs to the tool change printed for the TOOL CALL"),
+            Change::InSpindle => codes::K2702::stops_spindle_tool_is_in_it(&by),
+            Change::Printed { .. } => codes::K2702::belongs_to_change_of_tool_call(&by),
             Change::None | Change::Announced => {
                 self.st.tool.change = Change::Announced;
-                format!(
-                    "{by} stops the spindle and changes no tool; the next TOOL CALL of another tool prints its change"
-                )
+                codes::K2702::stops_spindle_and_changes_no_tool(&by)
             }
         };
         if self.st.spindle.turns() {
             self.stop_spindle();
         }
-        self.report(Diagnostic::new(codes::K2702, self.loc(span), text));
+        self.say(span, fault);
         Ok(())
     }
 

@@ -154,17 +154,12 @@ impl Run<'_> {
             let other = |contour: Contour| contour.side != side && contour.side != Side::None;
             let stays = self.computes_path() && self.st.contour.is_some_and(other);
             if self.st.compensation.is_on() || stays {
-                let what = if stays {
-                    "RL and RR follow each other, and R0 between them moved nothing in the working plane"
+                let fault = if stays {
+                    codes::K2602::r0_between_rl_and_rr_moved_nothing()
                 } else {
-                    "RL and RR follow each other without R0"
+                    codes::K2602::rl_and_rr_follow_without_r0()
                 };
-                return self.fail_help(
-                    codes::K2602,
-                    w.comp_span,
-                    what,
-                    "program a straight block with R0 between them",
-                );
+                return self.refuse(w.comp_span, fault);
             }
             self.compute_compensation(w.comp_span)?;
             self.check_cutter(w.comp_span)?;

@@ -2,7 +2,7 @@
 //!
 //! Source: K 3 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::Deg;
 use crate::ir::Function;
 use crate::lexer::klartext::Value;
@@ -76,17 +76,9 @@ impl Run<'_> {
         let here = self.here.origin.loc;
         let turned = now.angle != next.angle || now.plane != next.plane;
         if next.mirror_order_counts() && (turned || now.mirror != next.mirror) {
-            let what = if next.mirror_last {
-                "the rotation acts first, then the mirror"
-            } else {
-                "the mirror acts first, then the rotation"
-            };
-            self.report(
-                Diagnostic::new(codes::K2807, here, what).help(
-                    Answer::key("control", "mirror")
-                        .help("compare one point with the control; `[control] mirror` selects the other order"),
-                ),
-            );
+            let fault =
+                if next.mirror_last { codes::K2807::rotation_acts_first() } else { codes::K2807::mirror_acts_first() };
+            self.report(fault.answer(Answer::key("control", "mirror")).at(here));
         }
         if next.scaling_order_counts() && (turned || now.axis_scale != next.axis_scale) {
             self.report(codes::K2807::cycle_26_scales_first().at(here));

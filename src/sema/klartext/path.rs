@@ -300,12 +300,8 @@ impl Run<'_> {
         let mm = self.level().frame.unit.mm();
         let size = w.radius.or(w.number.map(|n| n * mm));
         let Some(size) = size.filter(|size| *size > 0.0) else {
-            let (what, help) = if rounding {
-                ("RND needs a radius above zero", "write the radius: `RND R5`")
-            } else {
-                ("CHF needs a length above zero", "write the length cut off along each side: `CHF 5`")
-            };
-            return self.fail_help(codes::P1004, self.block_span(), what, help);
+            let fault = if rounding { codes::P1004::rnd_needs_radius() } else { codes::P1004::chf_needs_length() };
+            return self.refuse(self.block_span(), fault);
         };
         let feed = match w.feed {
             FeedWord::None => self.feed_in_force()?,

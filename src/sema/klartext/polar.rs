@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.2 and 2.8 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::geo::arc::{self, Closing};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT, Vec2, angle, distance};
 use crate::ir::Pos;
@@ -160,13 +160,10 @@ impl Run<'_> {
         }
         // Without an angle the block is refused, and that is enough to say.
         if start.1.is_some() || matches!(w.polar_angle, Some((_, false))) {
-            let what = match last {
-                Some(_) => {
-                    "PR was not above zero in the block before; the word left open is computed from the position"
-                }
-                None => "the missing polar word is computed from the position",
-            };
-            self.report(Diagnostic::new(codes::K2107, self.here.origin.loc, what).help("write both PR and PA"));
+            self.say_here(match last {
+                Some(_) => codes::K2107::open_word_is_computed_from_position(),
+                None => codes::K2107::missing_word_is_computed_from_position(),
+            });
         }
         Ok(start)
     }

@@ -130,13 +130,7 @@ impl<L: Language> Core<'_, L> {
         Err(Reported)
     }
 
-    /// Reports an error about words of the block, or about all of it, and gives up the block.
-    pub fn fail<T>(&self, code: impl Into<Raised>, place: impl Into<Where>, message: impl Into<String>) -> Outcome<T> {
-        self.report(Diagnostic::new(code, self.loc(place), message));
-        Err(Reported)
-    }
-
-    /// The same with a line of help.
+    /// Reports an error about words of the block, or about all of it, with a line of help, and gives up the block.
     pub fn fail_help<T>(
         &self,
         code: impl Into<Raised>,

@@ -187,12 +187,12 @@ impl Run<'_> {
         let Some(var) = self.vars.get(slot) else { return Err(Reported) };
         let (kind, length, limits) = (var.kind, var.length, var.limits);
         let Some(at) = var.offset(indices) else {
-            let message = if var.sizes.is_empty() {
-                "the variable is no array".to_owned()
+            let fault = if var.sizes.is_empty() {
+                codes::S2018::variable_is_no_array()
             } else {
-                format!("the array has the sizes {:?}, counted from 0; there is no element {indices:?}", var.sizes)
+                codes::S2018::there_is_no_element(&format_args!("{:?}", var.sizes), &format_args!("{indices:?}"))
             };
-            return self.fail(codes::S2018.alarm(12400), span, message);
+            return self.refuse(span, fault);
         };
         let value = self.converted(&value, kind, span)?;
         self.check_length(&value, length, span)?;

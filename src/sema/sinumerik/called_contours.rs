@@ -3,7 +3,7 @@
 //! The contour is run and checked, and the arguments are; then the cycle is refused by name, because its tracks are not
 //! published. Source: C 1.12, 5.2 to 5.6 and 7 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::arc::Closing;
 use crate::geo::{Element, Plane};
 use crate::ir::captured::{Captured, CapturedKind};
@@ -221,15 +221,14 @@ impl Core<'_> {
         for piece in &contour.pieces {
             let full = matches!(piece.element, Element::Arc { from, to, .. }
                 if crate::geo::arc::closing(to - from) == Closing::Closed);
-            let (alarm, what) = match piece.kind {
-                CapturedKind::Rapid => (61936, "rapid traverse inside a contour"),
-                CapturedKind::Thread => (10930, "a thread inside a contour"),
-                CapturedKind::Cut if turned && full => (10931, "a full circle inside a turned contour"),
+            let fault = match piece.kind {
+                CapturedKind::Rapid => codes::S2091::rapid_traverse_inside_contour(),
+                CapturedKind::Thread => codes::S2091::thread_inside_contour(),
+                CapturedKind::Cut if turned && full => codes::S2091::full_circle_inside_turned_contour(),
                 CapturedKind::Cut => continue,
             };
-            let found = Diagnostic::new(codes::S2091.alarm(alarm), piece.origin.loc, what);
-            let found = found.called(piece.origin.call).also(call.loc, "the contour is called here");
-            self.report(found.help("a contour is made of lines and arcs at feed behind its start point"));
+            let found = fault.at(piece.origin.loc).called(piece.origin.call);
+            self.report(found.also(call.loc, "the contour is called here"));
             return Err(Reported);
         }
         if let Some((first, second)) = contour.crossing()

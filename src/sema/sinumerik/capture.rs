@@ -3,7 +3,7 @@
 //! The executor runs them as any other blocks – variables, loops, calls, stored contours, angles and corners included –
 //! and afterwards everything is what it was, variables too: when the control runs them, and how often, depends on the cycle.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::ir::Function;
 use crate::ir::captured::{Captured, Unfit};
 use crate::sema::run::{Counted, Where, step};
@@ -168,7 +168,7 @@ impl Channel<'_> {
 
 impl Core<'_> {
     fn unfit(&mut self, call: &ContourCall, unfit: Unfit) -> Outcome<Captured> {
-        let (origin, alarm, message, help) = match unfit {
+        let (origin, fault) = match unfit {
             Unfit::Reported => return Err(Reported),
             Unfit::TooMany(origin) => {
                 let found =
@@ -176,30 +176,13 @@ impl Core<'_> {
                 self.report(found.also(call.loc, "called here").help("split it, or take splines of lines apart"));
                 return Err(Reported);
             }
-            Unfit::NoStart(origin) => (
-                origin,
-                Some(10931),
-                "the contour has no start point",
-                "its first block names both coordinates of the plane: G0 Z0 X20",
-            ),
-            Unfit::Plane(origin) => {
-                (origin, None, "the working plane changes inside the contour", "a contour lies in one plane")
-            }
-            Unfit::Frame(origin) => (
-                origin,
-                None,
-                "the coordinate system changes inside the contour",
-                "program TRANS, ROT, SCALE and MIRROR in front of the cycle",
-            ),
-            Unfit::Leaves(origin) => (
-                origin,
-                None,
-                "a block of the contour leaves its plane",
-                "a contour has moves of the two axes of its plane only",
-            ),
+            Unfit::NoStart(origin) => (origin, codes::S2091::contour_has_no_start_point()),
+            Unfit::Plane(origin) => (origin, codes::S2091::working_plane_changes_inside_contour()),
+            Unfit::Frame(origin) => (origin, codes::S2091::coordinate_system_changes_inside_contour()),
+            Unfit::Leaves(origin) => (origin, codes::S2091::block_of_contour_leaves_its_plane()),
         };
-        let found = Diagnostic::new(codes::S2091.alarm(alarm), origin.loc, message).called(origin.call);
-        self.report(found.also(call.loc, "called here").help(help));
+        let found = fault.at(origin.loc).called(origin.call);
+        self.report(found.also(call.loc, "called here"));
         Err(Reported)
     }
 

@@ -322,9 +322,10 @@ impl Core<'_> {
         let (r1, r2) = (crate::geo::distance(start, center), crate::geo::distance(to, center));
         let off = (r2 - r1).abs();
         if r1 <= SAME || r2 <= SAME {
-            let message = if r1 <= SAME { "the arc starts in its centre" } else { "the arc ends in its centre" };
-            let help = "I, J and K lead from the start to the centre, whatever G90 and G91 say; with AC(…) they are the centre itself";
-            return self.fail_help(codes::P3002.alarm(14040), span, message, help);
+            let starts = r1 <= SAME;
+            let fault =
+                if starts { codes::P3002::arc_starts_in_its_centre() } else { codes::P3002::arc_ends_in_its_centre() };
+            return self.refuse(span, fault);
         }
         if off > self.circle_tolerance(r1) + 1e-9 {
             return self.refuse(

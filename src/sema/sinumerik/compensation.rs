@@ -134,27 +134,17 @@ impl Channel<'_> {
         if old == GCode::G40 {
             // G40 has had no move at all: the contour goes on.
             let open = self.st.compensation.waits() && self.st.path.is_computed();
-            return if open {
-                self.g40_had_no_move(span, "G40 in front of this block has had no move")
-            } else {
-                Ok(())
-            };
+            return if open { self.refuse(span, codes::S2080::g40_in_front_has_had_no_move()) } else { Ok(()) };
         }
         if self.st.compensation.waits() {
             return Ok(());
         }
-        let (message, help) = if old == code {
-            let message = format!("{} is on already: whether it then holds its offset is not documented", code.word());
-            (message, "leave the word out")
+        let fault = if old == code {
+            codes::P9013::is_on_already(&code.word())
         } else {
-            let message = format!(
-                "{} follows {} without G40: how the tool changes sides is not documented",
-                code.word(),
-                old.word()
-            );
-            (message, "program G40 with a move in the plane in between")
+            codes::P9013::follows_without_g40(&code.word(), &old.word())
         };
-        self.fail_help(codes::P9013, span, message, help)
+        self.refuse(span, fault)
     }
 
     /// The program gives the compensation other rules, if it is computed.

@@ -73,7 +73,7 @@ impl Channel<'_> {
         if self.st.is(GCode::G93) {
             let corner = [Address::Rnd, Address::Chr, Address::Chf, Address::Frc].iter().find_map(|a| w.get(*a));
             let span = corner.map(|given| given.span).unwrap_or_default();
-            return self.not_by_time(span, "a chamfer or rounding has no share of the time that G93 gives the blocks");
+            return self.refuse(span, codes::S9009::corner_has_no_share_of_time());
         }
         let (rnd, chr, chf, frc) =
             (w.take(Address::Rnd), w.take(Address::Chr), w.take(Address::Chf), w.take(Address::Frc));

@@ -381,7 +381,7 @@ impl Channel<'_> {
         if !self.st.is(GCode::G93) {
             return Ok(());
         }
-        self.not_by_time(place, "the moves of a cycle have no share of the time that G93 gives the blocks")
+        self.refuse(place, codes::S9009::moves_of_cycle_have_no_share_of_time())
     }
 
     /// In the plane across the hole, which may be another one than the active one.

@@ -363,10 +363,7 @@ impl Run<'_> {
         }
         match var.offset(indices) {
             Some(at) => Ok(var.values[at].clone()),
-            None => {
-                let message = no_element(var.sizes.len(), &var.sizes, indices);
-                self.fail(codes::S2018.alarm(12400), span, message)
-            }
+            None => self.refuse(span, no_element(var.sizes.len(), &var.sizes, indices)),
         }
     }
 
@@ -490,8 +487,8 @@ impl Core<'_> {
     }
 
     fn index(&self, value: &Val, span: Span) -> Outcome<i32> {
-        let message = || format!("an index is a whole number, this is {}", value.what());
-        value.number().and_then(whole).map_or_else(|| self.fail(codes::S2018.alarm(12410), span, message()), Ok)
+        let fault = || codes::S2018::index_is_whole_number_this_is(&value.what());
+        value.number().and_then(whole).map_or_else(|| self.refuse(span, fault()), Ok)
     }
 
     pub(super) fn r_index(&self, args: &[Val], span: Span) -> Outcome<u32> {
@@ -528,10 +525,10 @@ fn constant(name: &str) -> Option<Val> {
     matches!(name, "TR" | "FI" | "RT" | "SC" | "MI").then(|| Val::text(name.as_bytes()))
 }
 
-fn no_element(dimensions: usize, sizes: &[u32], indices: &[i32]) -> String {
+fn no_element(dimensions: usize, sizes: &[u32], indices: &[i32]) -> crate::diag::Fault {
     match (dimensions, indices) {
-        (0, _) => "the variable is no array".to_owned(),
-        (n, indices) if n != indices.len() => format!("the array has {n} indices, not {}", indices.len()),
-        _ => format!("the array has no element {indices:?}; its sizes are {sizes:?}, counted from 0"),
+        (0, _) => codes::S2018::variable_is_no_array(),
+        (n, indices) if n != indices.len() => codes::S2018::array_has_indices(&n, &indices.len()),
+        _ => codes::S2018::array_has_no_element(&format_args!("{indices:?}"), &format_args!("{sizes:?}")),
     }
 }

@@ -239,10 +239,7 @@ impl Channel<'_> {
     /// Under G93 F is the time of its own block, which no other block has.
     fn time_of_block(&self, w: &Words) -> Outcome {
         if self.st.side() != crate::ir::Side::None {
-            return self.not_by_time(
-                Where::Block,
-                "under radius compensation the length of the path, and so the time of G93, is the target's",
-            );
+            return self.refuse(Where::Block, codes::S9009::time_under_compensation_is_of_target());
         }
         if w.feed_given || w.get(Address::Fb).is_some() {
             return Ok(());
@@ -279,10 +276,5 @@ impl Core<'_> {
             Some(fb) if fb.value <= 0.0 => self.refuse(fb.span, codes::P2003::feed_fb_is_not_above_0(&fb.value)),
             fb => Ok(fb),
         }
-    }
-
-    /// Refuses what has no share of the time of a block.
-    pub(super) fn not_by_time<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {
-        self.fail_help(codes::S9009, place, message, "program the feed by G94 or G95 for it")
     }
 }

@@ -132,12 +132,12 @@ impl Run<'_> {
     fn without_effect(&mut self, name: Symbol, args: Option<Args>, span: Span) -> Outcome {
         let own = self.symbols.name(name);
         if own == "SAVE" || own == "STOPRE" && args.is_some_and(|args| args.count > 0) {
-            let (what, help) = if own == "SAVE" {
-                ("SAVE is an attribute of PROC", "write it after the name in the PROC block")
+            let fault = if own == "SAVE" {
+                codes::P1001::save_is_attribute_of_proc()
             } else {
-                ("STOPRE takes no argument", "write STOPRE alone")
+                codes::P1001::stopre_takes_no_argument()
             };
-            return self.fail_help(codes::P1001.alarm(12080), span, what, help);
+            return self.refuse(span, fault);
         }
         self.control_words_are_left_out(span);
         // It ends the look-ahead.

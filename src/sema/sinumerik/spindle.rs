@@ -105,7 +105,7 @@ impl Channel<'_> {
         }
         // Once is enough.
         self.st.spindles.end_cutting_speed();
-        self.unknown_speed(Where::Block, "this block cuts at the speed that the spindle happens to have kept since G96")
+        self.refuse(Where::Block, codes::S2045::block_cuts_at_speed_kept_since_g96())
     }
 
     /// Refuses what needs a speed where a left-out call leaves another one.
@@ -121,7 +121,7 @@ impl Channel<'_> {
             return Ok(());
         }
         self.st.spindles.end_cutting_speed();
-        self.unknown_speed(span, "the spindle starts without a speed: the one of before was a cutting speed (G96)")
+        self.refuse(span, codes::S2045::spindle_starts_without_speed())
     }
 
     fn speed(&mut self, s: SWord, constant: bool) -> Outcome {
@@ -166,10 +166,7 @@ impl Channel<'_> {
         }
         self.limit_changed(span);
         if let Some(now) = self.st.spindles.turns().filter(|now| *now > before) {
-            let code = code.word();
-            let message = format!("LIMS= does not count under {code}: the spindle goes from {before} to {now} turns");
-            let found = crate::diag::Diagnostic::new(codes::S8032, self.loc(span), message);
-            self.report(found.help("program S with it, or limit the speed by G26 S"));
+            self.say(span, codes::S8032::lims_does_not_count(&code.word(), &before, &now));
         }
     }
 
@@ -188,11 +185,9 @@ impl Channel<'_> {
         };
         let Some(turns) = [free, limit].into_iter().flatten().reduce(f64::min) else {
             self.st.spindles.end_cutting_speed();
-            return self.unknown_speed(span, "G96 ends at a diameter at which its speed is not known");
+            return self.refuse(span, codes::S2045::g96_ends_at_unknown_diameter());
         };
-        let message = format!("G96 ends without S: the spindle goes on at about {turns} turns per minute");
-        let found = crate::diag::Diagnostic::new(codes::S8046, self.loc(span), message);
-        self.report(found.help("program S with G97"));
+        self.say(span, codes::S8046::g96_ends_without_s(&turns));
         self.st.spindles.print_turns(turns);
         self.send_spindle(self.st.spindles.master(), Spindle::Speed(turns));
         Ok(())
@@ -321,17 +316,11 @@ impl Channel<'_> {
 }
 
 impl Core<'_> {
-    fn unknown_speed(&self, place: impl Into<Where>, message: &str) -> Outcome {
-        self.fail_help(codes::S2045, place, message, "program the speed in turns per minute behind G97: S1000")
-    }
-
     /// A speed as the spindle turns it.
     fn limited(&self, speed: f64, limit: Option<f64>, span: Span) -> f64 {
         match limit {
             Some(limit) if limit < speed => {
-                let message = format!("the speed {speed} is above the limit {limit}, at which the spindle turns");
-                let found = crate::diag::Diagnostic::new(codes::S8032, self.loc(span), message);
-                let found = found.help("program a speed within the limit of LIMS= and G26");
+                let found = codes::S8032::speed_is_above_limit(&speed, &limit).at(self.loc(span));
                 if !self.job.diags.knows(&found) {
                     self.report(found);
                 }

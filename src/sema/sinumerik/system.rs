@@ -491,8 +491,7 @@ impl Core<'_> {
         if !word.starts_with("$TC_") || matches!(word, "$TC_DP6" | "$TC_DP15") {
             return;
         }
-        let message = format!("`{word}` is not printed: the target has tool data of its own");
-        let found = crate::diag::Diagnostic::new(codes::S8010, self.loc(span), message);
+        let found = codes::S8010::is_not_printed(&word).at(self.loc(span));
         if !self.job.diags.knows(&found) {
             self.report(found);
         }

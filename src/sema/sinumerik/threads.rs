@@ -2,7 +2,7 @@
 //!
 //! Source: S 0, 2.1, 7.2 and 7.3 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::ir::Pos;
 use crate::ir::contour::{Path, Thread};
 use crate::machine::{Axis, AxisSet};
@@ -201,19 +201,13 @@ impl Channel<'_> {
         let Some(ThreadChain { last, broken: Some((place, alarm)) }) = self.st.threads.chain.take() else {
             return Ok(());
         };
-        let (message, help) = if alarm == AUXILIARY {
-            (
-                "an auxiliary function stands in a chain of threads",
-                "program M, S, T and H words in front of the first thread or behind the last",
-            )
+        let fault = if alarm == AUXILIARY {
+            codes::S2081::auxiliary_function_stands_in_chain()
         } else {
-            (
-                "the axes stand between two threads of a chain, which spoils the thread",
-                "leave the stop out, or retract and start the second thread anew",
-            )
+            codes::S2081::axes_stand_in_chain()
         };
-        let found = Diagnostic::new(codes::S2081.alarm(alarm), place, message);
-        self.report(found.also(last, "the thread before").also(self.loc(span), "the thread behind").help(help));
+        let found = fault.alarm(alarm).at(place).also(last, "the thread before");
+        self.report(found.also(self.loc(span), "the thread behind"));
         Err(Reported)
     }
 }

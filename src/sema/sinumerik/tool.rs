@@ -329,7 +329,7 @@ impl Channel<'_> {
             self.st.compensation.open = None;
         }
         if code != GCode::G40 && self.st.compensation.leaving_open {
-            return self.g40_had_no_move(span, "G41 or G42 stands behind a G40 that has had no move in the plane yet");
+            return self.refuse(span, codes::S2080::side_stands_behind_g40_without_move());
         }
         if code == GCode::G40 && self.st.side() != Side::None {
             self.st.compensation.leaving = self.st.side();
@@ -477,16 +477,12 @@ impl Channel<'_> {
             return Ok(());
         }
         self.st.compensation.leaving_open = false;
-        self.g40_had_no_move(Where::Block, "G40 has had no move in the plane in front of this block")
+        self.refuse(Where::Block, codes::S2080::g40_has_had_no_move_in_plane())
     }
 }
 
 impl Core<'_> {
     pub(super) fn says_shape(&self, span: Span, word: &str) {
         self.say_once(span, codes::S8043::is_left_out(&word));
-    }
-
-    pub(super) fn g40_had_no_move<T>(&self, place: impl Into<Where>, message: &str) -> Outcome<T> {
-        self.fail_help(codes::S2080.alarm(10754), place, message, "program G40 with G0 or G1 and an axis of the plane")
     }
 }

@@ -301,12 +301,12 @@ impl<'a> Unexecuted<'a> {
                 .find(|(known, _)| *known != code && (known.group == code.group || shapes(*known) && shapes(code)));
             if let Some((first, at)) = other {
                 let (a, b) = (first.word(), code.word());
-                let (kind, message) = if shapes(code) {
-                    (codes::S2009.alarm(12070), format!("{a} and {b} cannot stand in one block"))
+                let fault = if shapes(code) {
+                    codes::S2009::cannot_stand_in_one_block(&a, &b)
                 } else {
-                    (codes::S2008.alarm(12060), format!("{a} and {b} are of one group"))
+                    codes::S2008::are_of_one_group(&a, &b)
                 };
-                let found = Diagnostic::new(kind, here.loc(self.job, word.span), message);
+                let found = fault.at(here.loc(self.job, word.span));
                 return Some(found.also(here.loc(self.job, *at), "the other one").help("delete one of them"));
             }
             seen.push((code, word.span));

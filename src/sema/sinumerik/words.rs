@@ -482,8 +482,7 @@ impl Words {
                 return core.two_shapes(first, other, code, span);
             }
             let (a, b) = (first.word(), code.word());
-            let message = format!("{a} and {b} are of one group");
-            let found = crate::diag::Diagnostic::new(codes::S2008.alarm(12060), core.loc(span), message);
+            let found = codes::S2008::are_of_one_group(&a, &b).at(core.loc(span));
             core.report(
                 found.also(core.loc(other), "the other one").help("delete one of them; the control takes the last"),
             );
