@@ -56,7 +56,24 @@ calls this one: write it in front of the cycle, or the value in place of PREDEF.
 
 K2948 Error "datum-table-unreadable" "row of a datum table cannot be used"
 "A datum table has `BEGIN NAME.D MM`, a line with the names of its columns (NR X Y Z …), a row a line and `[END]`. The row needs values for X, Y and Z (0 where the \
-datum stays in place), its unit is that of the program, and a rotation or a value in a column that partc does not know is refused."
+datum stays in place), its unit is that of the program, and a rotation or a value in a column that partc does not know is refused." {
+    table_has_no_row(number) "the datum table has no row {number}" help "check the number, or add the row";
+    table_has_several_rows(number) "the datum table has several rows {number}" help "number the rows";
+    table_and_program_have_different_units() "the datum table and the program have different units"
+        help "convert the table, and put its unit behind BEGIN";
+    row_has_value_under_unknown_title(number, title)
+        "row {number} of the datum table has a value under {title}, which is not known"
+        help "program the shift: `CYCL DEF 7.1 X+60`";
+    row_has_rotation(number) "row {number} of the datum table has a rotation" help "program the shift and cycle 10";
+    row_has_no_value(number, axis) "row {number} of the datum table has no value for {axis}"
+        help "write 0 where the datum stays in place";
+    row_shifts(number, axis) "row {number} of the datum table shifts {axis}" help "shifts of U, V and W are not computed";
+    table_is_not_read(name, what) "the datum table `{name}`: {what}" help "check the file";
+    line_of_table(line, name, what) "line {line} of the datum table `{name}`: {what}"
+        help "a table has `BEGIN NAME.D MM`, a line with the names of its columns (NR X Y Z …), one row a line, and [END]";
+    is_another_table(name, kind) "`{name}` is a {kind}"
+        help "a table has `BEGIN NAME.D MM`, a line with the names of its columns (NR X Y Z …), one row a line, and [END]";
+}
 
 K2945 Error "point-table-unreadable" "point table cannot be read"
 "SEL PATTERN names a point table: `BEGIN NAME.PNT MM`, a line with the names of the columns (NR X Y Z FADE CLEARANCE), one place a line, `[END]`. The values \

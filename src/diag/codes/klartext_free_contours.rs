@@ -9,6 +9,10 @@ FCT says that it goes on tangentially. Data of later elements count where elemen
         "{names} and the {names2} behind it lie on one straight, and no datum says where on it the one ends and the \
         other begins"
         help "write {x} of the end, {y} of the end or LEN into the first of the two, or make one line of them";
+    one_datum_is_missing(name)
+        "{name} is not determined: one datum is missing in this block or in those behind";
+    data_are_missing(name, missing)
+        "{name} is not determined: {missing} data are missing in this block or in those behind";
 }
 
 K3002 Error "fk-ambiguous" "free contour has several solutions"

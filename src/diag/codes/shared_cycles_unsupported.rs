@@ -151,5 +151,11 @@ HEIDENHAIN turning: The cycle is known, its parameters are checked, but partc do
         help "describe the undercut with G25 in the contour";
     g86_of_din_plus_is_not_supported() "G86 of DIN PLUS is not supported"
         help "describe the recess in the contour and program G869";
+    cycle_at_place_of_clearance(number, high)
+        "cycle {number} at a place of CLEARANCE {high} mm: how it comes down from there to its set-up clearance is open"
+        help "move to the set-up clearance above the places in front of CYCL CALL PAT, or give the places by cycle 220 or 221";
+    cycle_starts_where_tool_stands(number, height, clearance, start)
+        "cycle {number} starts where the tool stands, at {height} mm, and the set-up clearance {clearance} mm above the Z of the place is {start} mm: which of the two counts is open"
+        help "move to the set-up clearance above the places in front of CYCL CALL PAT, or give the places by cycle 220 or 221";
 }
 }

@@ -91,6 +91,10 @@ partc.toml or from `$TC_DP` of the program. With `[output] compensation = \"cont
         help "leave the word out";
     follows_without_g40(code, old) "{code} follows {old} without G40: how the tool changes sides is not documented"
         help "program G40 with a move in the plane in between";
+    is_no_position_of_edge(position) "{position} is no position of a cutting edge" help "positions are 1 to 9";
+    position_of_edge_is_not_known(number, edge) "the position of the cutting edge of T{number} D{edge} is not known"
+        asks "give it in partc.toml: `[tools.{number}] orientation = 3`, or in the program: \
+        `$TC_DP2[{number},{edge}]=3`; 9 is the centre of the nose";
 }
 
 P3001 Error "end-off-circle" "end point does not lie on the circle" was "M2010 mtc-circle-end S3007 siemens-end-off-circle"
@@ -158,6 +162,9 @@ them, or behind a tool change where `[machine] after_tool_change` says. G0 or G1
 it moves away `lost = [\"X\"]`. Give a program of your own for it (`TC = { file = \"stubs/TC.SPF\" }`) where more of it is needed." {
     changes_tool(name) "`{name}` changes the tool, as `[programs]` says; whatever else it does is left out";
     is_left_out(name) "`{name}` is left out, as `[programs]` says: the Q parameters keep what they were";
+    is_left_out_as_programs_says(name) "{name} is left out, as `[programs]` says";
+    is_left_out_with_words(name, words) "{name} is left out, as `[programs]` says, and with it `{words}`";
+    changes_tool_as_programs_says(name, left) "{name} changes the tool, as `[programs]` says; {left} left out";
 }
 
 P8106 Warning "reading-not-confirmed" "reading that no manual at hand confirms" was "M8004 mtc-reading S8162 siemens-cycle-reading"

@@ -142,6 +142,7 @@ S2016 Error "siemens-name-taken" "name is used already, or no address"
     macro_is_defined_twice(symbol) "the macro `{symbol}` is defined twice" alarm 12270 help "rename one of them";
     address_is_not_known(letter) "the address {letter} is not known" alarm 12050;
     address_r_has_no_meaning() "the address R has no meaning" alarm 12050 help "the radius of an arc is CR=";
+    is_word_of_language(word) "`{word}` is a word of the language" help "choose a name that means nothing yet";
 }
 
 S2017 Error "siemens-start-values" "start values do not fit"
@@ -534,6 +535,23 @@ S2083 Error "siemens-soft-approach" "soft approach or retraction is not determin
 "G147, G247 and G347 lead to a contour, G148, G248 and G348 from it, on a line, a quadrant or a semicircle. The way needs its size (DISR), the direction of the contour, which the element \
 next to it gives, the side, which G41, G42, G141 or G142 give, and heights in order: DISCL between the contour and the start or end. Alarms 10740 to 10748." {
     no_contour_element_follows(soft) "no contour element follows {soft}" alarm 10744;
+    approach_before_has_no_contour() "the approach before has no contour yet" alarm 10743 help "let its contour follow";
+    disr_is_missing_or_too_small() "the size of the way, DISR, is missing or too small" alarm 10742
+        help "a length that is above zero with the radius of the tool, or a radius above zero: DISR=10";
+    end_point_is_no_point_of_plane()
+        "the end point of the approach is not a point of the plane in a straight block" alarm 10745
+        help "program the point where the contour begins in the block of the approach";
+    side_of_way_is_not_known()
+        "from which side the way comes is not known: radius compensation is off" alarm 10747
+        help "program G141 (left) or G142 (right)";
+    direction_behind_is_not_known() "the direction of the contour is not known here" alarm 10744
+        help "let a line or an arc by centre or radius follow the point of the contour";
+    direction_in_front_is_not_known() "the direction of the contour is not known here" alarm 10744
+        help "let a line or an arc of the plane stand in front of the retraction";
+    discl_lies_outside_way() "DISCL lies outside the way between the two planes" alarm 10741
+        help "DISCL is the distance from the plane of the contour, DISCL=AC(…) a coordinate";
+    disrp_lies_outside_way() "DISRP lies outside the way" alarm 10748
+        help "program a height between DISCL and the start or end";
 }
 
 S2091 Error "siemens-cycle-contour" "contour of a cycle is wrong"

@@ -39,7 +39,20 @@ S3006 Error "siemens-via" "intermediate point is missing"
 
 S3008 Error "siemens-tangent" "CT has no tangent"
 "CT goes on in the direction of the block before, which has to travel in the working plane, and cannot turn back: alarm 14045. Put a line or an \
-arc in front of it, and the end point not straight behind the start."
+arc in front of it, and the end point not straight behind the start." {
+    no_block_gives_direction() "no block in front of CT gives a direction" alarm 14045
+        help "put a line or arc of the plane in front of CT";
+    frame_changed_behind_cycle() "a cycle stands in front of CT, and the frame has changed since" alarm 14045
+        help "put a line or arc of the plane in front of CT";
+    block_before_starts_at_unknown_place()
+        "the block in front of CT starts at a place that is not known" alarm 14045
+        help "put a line or arc of the plane in front of CT";
+    block_before_runs_across_plane() "the block in front of CT runs at a right angle to the plane" alarm 14045
+        help "put a line or arc of the plane in front of CT";
+    end_lies_straight_behind_start() "the end point lies straight behind the start" alarm 14045
+        help "give the end point to one side";
+    straight_line_has_no_turns() "CT is a straight line here, which has no turns" alarm 14045 help "leave TURN= out";
+}
 
 S4001 Error "siemens-contour-long" "contour has too many elements"
 "A contour that a cycle works along is kept as a whole, so its length is limited: 1000 elements, roundings and chamfers counted. The control \

@@ -12,6 +12,8 @@ S8002 Note "siemens-dynamics" "words for speed and accuracy are left out"
 "SOFT, FFWON, COMP…, G601, ADISPOS, ACC and others shape how a control follows the path, not the path itself, and are left out. G60, G9, G64, G641, G642, CTOL and the tolerance of CYCLE832 are none of \
 them: what they say of corners is printed. G642 to G645 without CTOL round by machine data, which no program shows: the output keeps its own bound then." {
     words_that_only_shape_speed() "words that only shape speed and accuracy are left out";
+    rounds_corners_by_machine_data(code)
+        "{code} without CTOL= rounds corners by machine data: the output keeps the bound of its head";
 }
 
 S8003 Warning "siemens-several-programs" "file holds several main programs"
@@ -88,7 +90,18 @@ printed for it. So the work offset that is active on the target has to be zero, 
 
 S8101 Warning "siemens-feed-words" "word that changes feeds or speeds"
 "CFTCP and CFIN make F count differently on arcs under radius compensation, FLIN and FCUB let the feed run from value to value, FGROUP lets \
-it count along some of the axes, GWPSON makes S a speed of the circumference of the wheel. The output has F and S as they are programmed. CFC, FNORM and GWPSOF are what the target does."
+it count along some of the axes, GWPSON makes S a speed of the circumference of the wheel. The output has F and S as they are programmed. CFC, FNORM and GWPSOF are what the target does." {
+    fgroup_is_left_out() "FGROUP lets F count along the named axes only, which is left out"
+        help "check the feeds of the program on the target";
+    feed_on_arcs_counts_differently(name)
+        "{name} makes the feed on arcs count differently under radius compensation, which is left out"
+        help "check the feeds of the program on the target";
+    feed_runs_from_value_to_value(name) "{name} lets the feed run from value to value, which is left out"
+        help "check the feeds of the program on the target";
+    speed_of_wheel_is_left_out(name)
+        "{name} makes S a speed of the circumference of the wheel, which is left out"
+        help "check the feeds of the program on the target";
+}
 
 S8102 Warning "siemens-rapid-by-axis" "rapid traverse of each axis by itself"
 "Under RTLIOF each axis goes to its end at its own rapid traverse, so that the path between the points is no straight line. The target moves straight: \
@@ -134,7 +147,9 @@ becomes of positive halves only. Keep the value off the half, or round it in the
 }
 
 S8108 Note "siemens-file-error" "error variable of a file access is 0"
-"WRITE and DELETE report in a variable whether they worked. They are left out, so the variable gets 0: no error."
+"WRITE and DELETE report in a variable whether they worked. They are left out, so the variable gets 0: no error." {
+    error_variable_is_set_to_0(name, shown) "the error variable of {name}, {shown}, is set to 0: no error";
+}
 
 S8013 Note "siemens-limits" "working-area limits are left out"
 "G25 and G26 set limits for axes or spindle speeds in the control. They are no moves and have no word on the target." {
@@ -160,7 +175,9 @@ S8016 Note "siemens-interrupts" "interrupt programs are left out"
 }
 
 S8017 Note "siemens-files" "file access is left out"
-"WRITE, DELETE and others work on files of the control. They have no effect on the path."
+"WRITE, DELETE and others work on files of the control. They have no effect on the path." {
+    works_on_file_of_control(name) "{name} works on a file of the control and is left out";
+}
 
 S8018 Warning "siemens-two-depths" "two depths for one hole"
 "DP and DPR, or FDEP and FDPR, give different depths. The cycle takes the relative one. Leave one of them out." {
@@ -235,7 +252,12 @@ S8027 Note "siemens-contour-unchecked" "records of a stored contour cannot be ch
 
 S8029 Note "siemens-swivel-zero" "swivelling by nothing"
 "CYCLE800 without angles leaves the plane where it is; its offsets before and after the rotation shift the workpiece. Rotary axes stay where they are: the output has a machine in \
-mind whose plane is not swivelled."
+mind whose plane is not swivelled." {
+    turns_nothing_and_is_left_out() "CYCLE800 without angles and offsets turns nothing and is left out";
+    turns_nothing_and_only_retracts() "CYCLE800 without angles and offsets turns nothing and only retracts";
+    turns_nothing_and_shifts(x, y, z)
+        "CYCLE800 without angles turns nothing and shifts the workpiece by X{x} Y{y} Z{z}";
+}
 
 S8028 Note "siemens-contour-rebuilt" "stored contour is made from its records"
 "The NC blocks of a contour of the contour editor are missing. Its hidden records determine it, so the blocks are made from them, at the feed that \
@@ -526,6 +548,17 @@ MEAW and MEAWA go their whole way, so their moves are printed; so do all where `
 probe touches nothing. What is measured is asked for by its name where the program reads it." {
     is_left_out_what_it_measures(name, what)
         "{name} is left out: what it measures is known at the machine only{what}";
+    its_block_moves_no_axis(name) "{name} is left out: its block moves no axis of the output"
+        help "check what follows: no move of the target stands for this one";
+    is_left_out_with_its_move(name, letters, stops)
+        "{name} is left out with its move: where {letters} {stops} is known at the machine only"
+        help "check what follows: no move of the target stands for this one";
+    probe_touches_nothing(name)
+        "{name} is left out, its move is not: the probe touches nothing, as `[control] probing_contact` says"
+        help "the block goes its whole way, whatever the probe does: check that nothing stands in it";
+    its_move_is_not_left_out(name)
+        "{name} is left out, its move is not: what it measures is known at the machine only"
+        help "the block goes its whole way, whatever the probe does: check that nothing stands in it";
 }
 
 S8168 Note "siemens-measuring-arguments" "arguments of measuring cycles are left out"
@@ -544,5 +577,7 @@ S8169 Warning "siemens-measured-value-given" "value of the configuration stands 
 }
 
 S8170 Note "siemens-action-words" "words that act on synchronized actions are left out"
-"CANCEL, LOCK, UNLOCK and RESET end, hold, free and reset synchronized actions, none of which is in the output."
+"CANCEL, LOCK, UNLOCK and RESET end, hold, free and reset synchronized actions, none of which is in the output." {
+    acts_on_synchronized_actions(name) "{name} acts on synchronized actions, and is left out like them";
+}
 }

@@ -4,7 +4,7 @@
 //! name behind a number is decoration to the control; to partc, which does not know the cycle, a word with a value in it is
 //! a word that is left out.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::machine::{AxisSet, StandIn};
 use crate::parser::klartext::ast::{Addr, Block};
 use crate::text::Span;
@@ -57,12 +57,12 @@ impl Run<'_> {
         if self.job.settings.programs.get(&name) == Some(&StandIn::Ignored) {
             let moved = self.job.settings.left_by(&name).lost;
             self.may_leave_out(&name, moved, &open.left)?;
-            let mut text = format!("{name} is left out, as `[programs]` says");
-            if !open.left.is_empty() {
-                let words: Vec<&str> = open.left.iter().map(|word| word.text.as_str()).collect();
-                text.push_str(&format!(", and with it `{}`", words.join(" ")));
-            }
-            self.report_once(Diagnostic::new(codes::P8105, here, text));
+            let words: Vec<&str> = open.left.iter().map(|word| word.text.as_str()).collect();
+            let fault = match words.as_slice() {
+                [] => codes::P8105::is_left_out_as_programs_says(&name),
+                words => codes::P8105::is_left_out_with_words(&name, &words.join(" ")),
+            };
+            self.report_once(fault.at(here));
             self.leave_axes(&name, "end the contour with R0 before it")?;
             return self.leave_technology(&name);
         }

@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, Fault, codes};
 use crate::machine::table::{self, Kind, Place};
 use crate::machine::{Axis, Unit};
 use crate::sema::run::{Wanted, open_program};
@@ -65,15 +65,13 @@ impl Run<'_> {
         let row = match found.as_slice() {
             [row] => *row,
             [] => {
-                return self
-                    .no_datum(format!("the datum table has no row {number}"), "check the number, or add the row");
+                return self.no_datum(codes::K2948::table_has_no_row(&number));
             }
-            _ => return self.no_datum(format!("the datum table has several rows {number}"), "number the rows"),
+            _ => return self.no_datum(codes::K2948::table_has_several_rows(&number)),
         };
         let unit = self.level().frame.unit;
         if rows.unit != Some(unit) {
-            let what = "the datum table and the program have different units";
-            return self.no_datum(what.to_owned(), "convert the table, and put its unit behind BEGIN");
+            return self.no_datum(codes::K2948::table_and_program_have_different_units());
         }
         let axes = self.axes_of_row(row)?;
         let shown: Vec<String> =
@@ -85,12 +83,10 @@ impl Run<'_> {
     fn axes_of_row(&mut self, row: &Place) -> Outcome<Vec<AxisValue>> {
         let number = row.number.unwrap_or_default();
         if let Some(title) = &row.unknown {
-            let what = format!("row {number} of the datum table has a value under {title}, which is not known");
-            return self.no_datum(what, "program the shift: `CYCL DEF 7.1 X+60`");
+            return self.no_datum(codes::K2948::row_has_value_under_unknown_title(&number, &title));
         }
         if row.rotation != 0.0 {
-            let what = format!("row {number} of the datum table has a rotation");
-            return self.no_datum(what, "program the shift and cycle 10");
+            return self.no_datum(codes::K2948::row_has_rotation(&number));
         }
         let mm = self.level().frame.unit.mm();
         let loc = self.here.origin.loc;
@@ -98,14 +94,12 @@ impl Run<'_> {
         for axis in Axis::ALL {
             let value = row.values.get(&axis).copied();
             if value.is_none() && axis.is_main() {
-                let what = format!("row {number} of the datum table has no value for {}", axis.letter());
-                return self.no_datum(what, "write 0 where the datum stays in place");
+                return self.no_datum(codes::K2948::row_has_no_value(&number, &axis.letter()));
             }
             // Axes beside X, Y and Z are shifted only where the table says so.
             let Some(value) = value.filter(|value| axis.is_main() || *value != 0.0) else { continue };
             if !axis.is_main() && !axis.is_rotary() {
-                let what = format!("row {number} of the datum table shifts {}", axis.letter());
-                return self.no_datum(what, "shifts of U, V and W are not computed");
+                return self.no_datum(codes::K2948::row_shifts(&number, &axis.letter()));
             }
             let value = if axis.is_rotary() { value } else { value / mm };
             axes.push(AxisValue { axis, incremental: false, value: Some(value), loc });
@@ -136,18 +130,16 @@ impl Run<'_> {
         let file = open_program(&self.job, &wanted, from, self.here.origin.call).ok_or(Reported)?;
         let text = match whole_file(self.job.sources, file) {
             Ok(text) => text,
-            Err(what) => return self.no_datum(format!("the datum table `{name}`: {what}"), "check the file"),
+            Err(what) => return self.no_datum(codes::K2948::table_is_not_read(&name, &what)),
         };
         let contents = match table::read(&text) {
             Ok(contents) => contents,
             Err(wrong) => {
-                let what = format!("line {} of the datum table `{name}`: {}", wrong.line, wrong.message);
-                return self.no_datum(what, TABLE_FORM);
+                return self.no_datum(codes::K2948::line_of_table(&wrong.line, &name, &wrong.message));
             }
         };
         if contents.kind != Kind::Datums {
-            let what = format!("`{name}` is a {}", contents.kind.name());
-            return self.no_datum(what, TABLE_FORM);
+            return self.no_datum(codes::K2948::is_another_table(&name, &contents.kind.name()));
         }
         Ok(self.keep_rows(contents.unit, contents.places))
     }
@@ -159,11 +151,8 @@ impl Run<'_> {
         rows
     }
 
-    fn no_datum<T>(&self, what: String, help: &str) -> Outcome<T> {
-        self.report(Diagnostic::new(codes::K2948, self.here.origin.loc, what).help(help.to_owned()));
+    fn no_datum<T>(&self, fault: Fault) -> Outcome<T> {
+        self.report(fault.at(self.here.origin.loc));
         Err(Reported)
     }
 }
-
-const TABLE_FORM: &str =
-    "a table has `BEGIN NAME.D MM`, a line with the names of its columns (NR X Y Z …), one row a line, and [END]";

@@ -4,7 +4,7 @@
 //! two places the tool retracts to where it stood in front of CYCL CALL PAT, or to the 2nd set-up clearance where that is
 //! higher.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::{Deg, Point2, Vec2};
 use crate::ir::contour::Path;
 use crate::ir::{Feed, Pos};
@@ -303,24 +303,16 @@ impl Run<'_> {
             let start = place.surface + clearance;
             let lifts = place.clearance.filter(|high| *high > height + SAME_HEIGHT);
             match lifts {
-                Some(high) => Some(format!(
-                    "cycle {} at a place of CLEARANCE {high} mm: how it comes down from there to its set-up clearance is open",
-                    cycle.number
-                )),
-                None if (height - start).abs() > SAME_HEIGHT => Some(format!(
-                    "cycle {} starts where the tool stands, at {height} mm, and the set-up clearance {clearance} mm above the Z of the place is {start} mm: which of the two counts is open",
-                    cycle.number
-                )),
+                Some(high) => Some(codes::P9010::cycle_at_place_of_clearance(&cycle.number, &high)),
+                None if (height - start).abs() > SAME_HEIGHT => {
+                    Some(codes::P9010::cycle_starts_where_tool_stands(&cycle.number, &height, &clearance, &start))
+                }
                 None => None,
             }
         });
-        let Some(message) = wrong else { return Ok(()) };
-        self.report(
-            Diagnostic::new(codes::P9010, self.here.origin.loc, message)
-                .also(places.loc, "the pattern")
-                .also(cycle.loc, "the cycle")
-                .help("move to the set-up clearance above the places in front of CYCL CALL PAT, or give the places by cycle 220 or 221"),
-        );
+        let Some(fault) = wrong else { return Ok(()) };
+        let found = fault.at(self.here.origin.loc);
+        self.report(found.also(places.loc, "the pattern").also(cycle.loc, "the cycle"));
         Err(Reported)
     }
 

@@ -220,19 +220,12 @@ impl Channel<'_> {
         }
         let position = self.edge_position(number, edge);
         let Some(way) = position.and_then(nose_of) else {
-            let (message, help) = match position {
-                Some(position) => {
-                    (format!("{position} is no position of a cutting edge"), "positions are 1 to 9".into())
-                }
-                None => (
-                    format!("the position of the cutting edge of T{number} D{edge} is not known"),
-                    Answer::tool(number, "orientation").help(format!(
-                        "give it in partc.toml: `[tools.{number}] orientation = 3`, or in the program: \
-                         `$TC_DP2[{number},{edge}]=3`; 9 is the centre of the nose"
-                    )),
-                ),
+            let fault = match position {
+                Some(position) => codes::P9013::is_no_position_of_edge(&position),
+                None => codes::P9013::position_of_edge_is_not_known(&number, &edge)
+                    .answer(Answer::tool(number, "orientation")),
             };
-            return self.fail_help(codes::P9013, span, message, help);
+            return self.refuse(span, fault);
         };
         if way != Vec2::zeros() {
             let found =

@@ -2,7 +2,7 @@
 //!
 //! Source: S 1.5, 2.14 and 3 (docs/sources.md).
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Fault, codes};
 use crate::machine::AxisSet;
 use crate::parser::sinumerik::ast::{Block, Formula, Op};
 use crate::text::Span;
@@ -25,7 +25,7 @@ impl Run<'_> {
         if named.is_empty() || named == geometry {
             self.dynamics_are_left_out(span);
         } else {
-            self.changes_feeds("FGROUP lets F count along the named axes only, which is left out".to_owned(), span);
+            self.changes_feeds(codes::S8101::fgroup_is_left_out(), span);
         }
         Ok(())
     }
@@ -42,7 +42,7 @@ impl Run<'_> {
         if !matches!(name, "WRITE" | "DELETE") {
             return self.refuse(span, codes::P9011::takes_values_from_file_of_control(&name));
         }
-        self.note_word(codes::S8017, span, format!("{name} works on a file of the control and is left out"));
+        self.say_once(span, codes::S8017::works_on_file_of_control(&name));
         let Some(formula) = formulas.first().filter(|formula| !formula.is_missing()) else { return Ok(()) };
         let Some(reference) = self.reference(*formula, block, text)? else {
             return match block.formula(*formula) {
@@ -56,11 +56,7 @@ impl Run<'_> {
             [Op::R(n, _)] => format!("R{n}"),
             _ => "its first argument".to_owned(),
         };
-        self.note_word(
-            codes::S8108,
-            formula.span,
-            format!("the error variable of {name}, {shown}, is set to 0: no error"),
-        );
+        self.say_once(formula.span, codes::S8108::error_variable_is_set_to_0(&name, &shown));
         Ok(())
     }
 }
@@ -96,12 +92,12 @@ impl Core<'_> {
             _ if matches!(code, GCode::CFC | GCode::FNORM | GCode::RTLION) => self.dynamics_are_left_out(span),
             Group::CurveFeed | Group::FeedProfile => {
                 let name = code.word();
-                let what = if code.group == Group::CurveFeed {
-                    "makes the feed on arcs count differently under radius compensation"
+                let fault = if code.group == Group::CurveFeed {
+                    codes::S8101::feed_on_arcs_counts_differently(&name)
                 } else {
-                    "lets the feed run from value to value"
+                    codes::S8101::feed_runs_from_value_to_value(&name)
                 };
-                self.changes_feeds(format!("{name} {what}, which is left out"), span);
+                self.changes_feeds(fault, span);
             }
             Group::RapidInterpolation if self.job.diags.first_time(codes::S8102, ()) => {
                 let found = codes::S8102::under_rtliof_each_axis_runs().at(self.loc(span));
@@ -159,16 +155,11 @@ impl Core<'_> {
         self.say_once(span, codes::S8013::working_area_limits());
     }
 
-    pub(super) fn changes_feeds(&self, message: String, span: Span) {
-        let found = Diagnostic::new(codes::S8101, self.loc(span), message);
+    pub(super) fn changes_feeds(&self, fault: Fault, span: Span) {
+        let found = fault.at(self.loc(span));
         if !self.job.diags.knows(&found) {
-            self.report(found.help("check the feeds of the program on the target"));
+            self.report(found);
         }
-    }
-
-    /// A note that is made once for each text.
-    pub(super) fn note_word(&self, code: &'static crate::diag::Code, span: Span, message: String) {
-        self.report_once(Diagnostic::new(code, self.loc(span), message));
     }
 
     /// The manuals say how positive halves are rounded.

@@ -4,7 +4,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::text::Span;
 
@@ -36,13 +36,13 @@ impl Run<'_> {
             return self.refuse(span, codes::S2030::text_of_macro_has_at_most_256());
         }
         let symbol = self.symbols.intern(name);
-        if let Some(message) = self.macro_in_use(symbol) {
+        if let Some(fault) = self.macro_in_use(symbol) {
             let digits = self.symbols.name(symbol).len() - 1;
             let long = matches!(name.first(), Some(b'G' | b'g')) && digits > 3
                 || matches!(name.first(), Some(b'M' | b'm')) && digits > 2;
             let numbered = name.get(1..).is_some_and(|rest| rest.iter().all(u8::is_ascii_digit));
             let alarm = if numbered && long { 12530 } else { 12270 };
-            return self.fail_help(codes::S2016.alarm(alarm), span, message, "choose a name that means nothing yet");
+            return self.refuse(span, fault.alarm(alarm));
         }
         if self.language.macros.get(&symbol).is_some_and(|known| **known != *body) {
             return self.refuse(span, codes::S2016::macro_is_defined_twice(&self.symbols.name(symbol)));
@@ -60,7 +60,7 @@ impl Run<'_> {
     }
 
     /// A macro must not give a word of the language another meaning.
-    pub(super) fn macro_in_use(&mut self, symbol: Symbol) -> Option<String> {
+    pub(super) fn macro_in_use(&mut self, symbol: Symbol) -> Option<Fault> {
         let word = self.symbols.name(symbol).to_owned();
         let digits = word.get(1..).filter(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
         let taken = match (word.as_bytes().first(), digits) {
@@ -75,7 +75,7 @@ impl Run<'_> {
             (Some(_), Some(_)) => true,
             _ => word.len() == 1 || self.meaning(symbol) != Meaning::Unknown || is_keyword(&word),
         };
-        taken.then(|| format!("`{word}` is a word of the language"))
+        taken.then(|| codes::S2016::is_word_of_language(&word))
     }
 }
 

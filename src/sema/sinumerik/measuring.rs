@@ -6,7 +6,7 @@
 //!
 //! Source: S 6, P 3.1 and 3.2 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::ir::Side;
 use crate::machine::{Axis, AxisSet, StandIn};
 use crate::parser::sinumerik::ast::{Block, Formula, Value, Word};
@@ -233,14 +233,14 @@ impl Channel<'_> {
         let letters: Vec<String> = axes.iter().map(|axis| axis.letter().to_string()).collect();
         let letters = letters.join(" and ");
         let stops = if axes.len() > 1 { "stop" } else { "stops" };
-        let message = if axes.is_empty() {
-            format!("{} is left out: its block moves no axis of the output", probe.name)
+        let fault = if axes.is_empty() {
+            codes::S8167::its_block_moves_no_axis(&probe.name)
         } else {
-            format!("{} is left out with its move: where {letters} {stops} is known at the machine only", probe.name)
+            codes::S8167::is_left_out_with_its_move(&probe.name, &letters, &stops)
         };
-        let found = Diagnostic::new(codes::S8167, loc, message);
+        let found = fault.at(loc);
         if !self.job.diags.knows(&found) {
-            self.report(found.help("check what follows: no move of the target stands for this one"));
+            self.report(found);
         }
         self.st.threads.end_chain();
         self.st.heading = super::tangent::Heading::None;
@@ -268,25 +268,14 @@ impl Channel<'_> {
     /// MEAW, and MEAS whose probe touches nothing: its move was printed, if there was one.
     pub(super) fn measured_on_the_way(&mut self, probe: ProbeWord, moved: bool) -> bool {
         let (loc, name) = (self.loc(probe.span), probe.name);
-        let (message, help) = match (moved, self.never_touches()) {
-            (true, true) => (
-                format!(
-                    "{name} is left out, its move is not: the probe touches nothing, as `[control] probing_contact` says"
-                ),
-                "the block goes its whole way, whatever the probe does: check that nothing stands in it",
-            ),
-            (true, false) => (
-                format!("{name} is left out, its move is not: what it measures is known at the machine only"),
-                "the block goes its whole way, whatever the probe does: check that nothing stands in it",
-            ),
-            (false, _) => (
-                format!("{name} is left out: its block moves no axis of the output"),
-                "check what follows: no move of the target stands for this one",
-            ),
-        };
-        let found = Diagnostic::new(codes::S8167, loc, message);
+        let found = match (moved, self.never_touches()) {
+            (true, true) => codes::S8167::probe_touches_nothing(&name),
+            (true, false) => codes::S8167::its_move_is_not_left_out(&name),
+            (false, _) => codes::S8167::its_block_moves_no_axis(&name),
+        }
+        .at(loc);
         if !self.job.diags.knows(&found) {
-            self.report(found.help(help));
+            self.report(found);
         }
         self.has_measured(name, loc);
         moved

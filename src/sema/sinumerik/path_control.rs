@@ -78,11 +78,7 @@ impl Channel<'_> {
             && matches!(code.index, 4..)
             && self.st.smoothing.mode(&self.st.codes).is_none()
         {
-            let message = format!(
-                "{} without CTOL= rounds corners by machine data: the output keeps the bound of its head",
-                code.word()
-            );
-            self.note_word(codes::S8002, span, message);
+            self.say_once(span, codes::S8002::rounds_corners_by_machine_data(&code.word()));
         }
         self.send_smoothing();
     }

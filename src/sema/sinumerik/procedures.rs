@@ -202,8 +202,7 @@ impl Run<'_> {
                 Ok(())
             }
             Procedure::WheelSpeed => {
-                let message = format!("{name} makes S a speed of the circumference of the wheel, which is left out");
-                self.changes_feeds(message, call.span);
+                self.changes_feeds(codes::S8101::speed_of_wheel_is_left_out(&name), call.span);
                 Ok(())
             }
             Procedure::Dynamics if name == "FGROUP" => self.feed_axes(&formulas, call.span, block, text),
@@ -220,8 +219,7 @@ impl Run<'_> {
                 Ok(())
             }
             Procedure::Actions => {
-                let message = format!("{name} acts on synchronized actions, and is left out like them");
-                self.note_word(codes::S8170, call.span, message);
+                self.say_once(call.span, codes::S8170::acts_on_synchronized_actions(&name));
                 Ok(())
             }
             Procedure::Interrupt => {

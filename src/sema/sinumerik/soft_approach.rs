@@ -115,7 +115,7 @@ impl Channel<'_> {
             return self.refuse(span, codes::P9011::is_not_supported_so_program_approach(&code.word(), &other));
         }
         if self.soft.is_some() {
-            return self.soft_fault(span, 10743, "the approach before has no contour yet", "let its contour follow");
+            return self.refuse(span, codes::S2083::approach_before_has_no_contour());
         }
         if approaches && side != Side::None && self.resolves() && !self.st.compensation.waits() {
             return self.refuse(span, codes::P9013::stands_in_contour_whose_compensation_has_begun(&code.word()));
@@ -135,10 +135,6 @@ impl Channel<'_> {
         }
     }
 
-    fn soft_fault<T>(&self, place: impl Into<Where>, alarm: u32, message: impl Into<String>, help: &str) -> Outcome<T> {
-        self.fail_help(codes::S2083.alarm(alarm), place, message, help)
-    }
-
     fn soft_sizes(
         &mut self,
         (shape, approaches): (Shape, bool),
@@ -151,8 +147,7 @@ impl Channel<'_> {
         let size = w.take(Address::Disr).map(|disr| disr.value * mm);
         let fits = size.is_some_and(|size| if shape == Shape::Line { size + radius > 0.0 } else { size > 0.0 });
         let Some(size) = size.filter(|_| fits) else {
-            let help = "a length that is above zero with the radius of the tool, or a radius above zero: DISR=10";
-            return self.soft_fault(span, 10742, "the size of the way, DISR, is missing or too small", help);
+            return self.refuse(span, codes::S2083::disr_is_missing_or_too_small());
         };
         let height = |given: Option<Given>| match given {
             None => Ok(None),
@@ -266,12 +261,7 @@ impl Channel<'_> {
         if !soft.named {
             if matches!(path, Path::Arc(..)) || soft.height_named && end.get(third).is_some() {
                 self.soft = Some(soft);
-                let _: Outcome<()> = self.soft_fault(
-                    Where::Block,
-                    10745,
-                    "the end point of the approach is not a point of the plane in a straight block",
-                    "program the point where the contour begins in the block of the approach",
-                );
+                self.say(Where::Block, codes::S2083::end_point_is_no_point_of_plane());
                 self.soft = None;
                 self.lose_all();
                 return true;
@@ -330,12 +320,7 @@ impl Channel<'_> {
             Some(chosen) if own.is_none_or(|own| own == chosen) => Ok(chosen),
             Some(_) => self.refuse(span, codes::P9011::way_leads_to_other_side_of_contour()),
             None if shape == Shape::Line => Ok(1.0),
-            None => self.soft_fault(
-                span,
-                10747,
-                "from which side the way comes is not known: radius compensation is off",
-                "program G141 (left) or G142 (right)",
-            ),
+            None => self.refuse(span, codes::S2083::side_of_way_is_not_known()),
         }
     }
 
@@ -348,8 +333,7 @@ impl Channel<'_> {
             return self.unknown_axis(axis, soft.span);
         };
         let Some(heading) = self.direction_at_start(end, path) else {
-            let help = "let a line or an arc by centre or radius follow the point of the contour";
-            return self.soft_fault(soft.span, 10744, "the direction of the contour is not known here", help);
+            return self.refuse(soft.span, codes::S2083::direction_behind_is_not_known());
         };
         let side = self.st.side();
         let way = Way { shape: soft.sizes.shape, at, heading, span: soft.span };
@@ -426,16 +410,14 @@ impl Channel<'_> {
 
     fn check_heights(&self, span: Span, start: f64, contour: f64, safe: f64, plane: Option<Height>) -> Outcome {
         if safe < contour || safe > start + SAME_POINT {
-            let help = "DISCL is the distance from the plane of the contour, DISCL=AC(…) a coordinate";
-            return self.soft_fault(span, 10741, "DISCL lies outside the way between the two planes", help);
+            return self.refuse(span, codes::S2083::discl_lies_outside_way());
         }
         if self.st.is(GCode::G340) && safe == contour && start != contour {
             return self.refuse(span, codes::P9011::under_g340_without_discl_tool_comes_down());
         }
         let between = |height: Height| (safe..=start.max(safe)).contains(&height.over(contour));
         if plane.is_some_and(|height| !between(height)) {
-            let help = "program a height between DISCL and the start or end";
-            return self.soft_fault(span, 10748, "DISRP lies outside the way", help);
+            return self.refuse(span, codes::S2083::disrp_lies_outside_way());
         }
         Ok(())
     }
@@ -461,8 +443,7 @@ impl Channel<'_> {
             return self.unknown_axis(axis, span);
         };
         let Some(heading) = self.heading_at(at) else {
-            let help = "let a line or an arc of the plane stand in front of the retraction";
-            return self.soft_fault(span, 10744, "the direction of the contour is not known here", help);
+            return self.refuse(span, codes::S2083::direction_in_front_is_not_known());
         };
         let corner = |axis: Axis, old: f64| end.get(axis).unwrap_or(old);
         let named = end.get(first).is_some() || end.get(second).is_some();

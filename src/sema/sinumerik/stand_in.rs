@@ -1,6 +1,6 @@
 //! Programs of the machine builder that are found nowhere: what `[programs]` says stands for them.
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Fault, Help, codes};
 use crate::ir::Side;
 use crate::machine::settings::Leaves;
 use crate::machine::{AxisSet, ChangeCall, Left, LeftSpindle, StandIn};
@@ -142,7 +142,7 @@ impl Run<'_> {
 impl Channel<'_> {
     /// `name` does nothing.
     fn leave_call_out(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome {
-        self.says_stand_in(span, format!("{name} is left out, as `[programs]` says"));
+        self.says_stand_in(span, codes::P8105::is_left_out_as_programs_says(&name));
         self.may_have_changed(name, span, arguments);
         self.motion_left = Some(Box::new((name.to_owned(), self.loc(span))));
         self.leave_behind(name, span)
@@ -233,8 +233,8 @@ impl Channel<'_> {
         help
     }
 
-    fn says_stand_in(&mut self, span: Span, what: String) {
-        let found = Diagnostic::new(codes::P8105, self.loc(span), what);
+    fn says_stand_in(&mut self, span: Span, fault: Fault) {
+        let found = fault.at(self.loc(span));
         if !self.job.diags.knows(&found) {
             self.report(found);
         }
@@ -281,7 +281,7 @@ impl Channel<'_> {
         self.leave_behind(name, span)?;
         self.motion_left = Some(Box::new((name.to_owned(), self.loc(span))));
         let left = left_out(change, arguments);
-        self.says_stand_in(span, format!("{name} changes the tool, as `[programs]` says; {left} left out"));
+        self.says_stand_in(span, codes::P8105::changes_tool_as_programs_says(&name, &left));
         Ok(())
     }
 

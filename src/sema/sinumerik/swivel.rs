@@ -2,7 +2,7 @@
 //!
 //! Source: S 4.9 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Pos, Side};
 use crate::machine::{Axis, AxisSet};
@@ -113,13 +113,14 @@ impl Channel<'_> {
         let added = FrameValue::shifted(&[Axis::X, Axis::Y, Axis::Z].map(|axis| (axis, swivel.shift[axis.index()])));
         let shift = if swivel.additive { self.st.frames.swivelled().chain(&added) } else { added };
         let [x, y, z] = [0, 1, 2].map(|axis| shift.shift[axis]);
-        let message = if shift == FrameValue::default() {
-            let rest = if swivel.retraction == 0.0 { "and is left out" } else { "and only retracts" };
-            format!("CYCLE800 without angles and offsets turns nothing {rest}")
+        let fault = if shift != FrameValue::default() {
+            codes::S8029::turns_nothing_and_shifts(&x, &y, &z)
+        } else if swivel.retraction == 0.0 {
+            codes::S8029::turns_nothing_and_is_left_out()
         } else {
-            format!("CYCLE800 without angles turns nothing and shifts the workpiece by X{x} Y{y} Z{z}")
+            codes::S8029::turns_nothing_and_only_retracts()
         };
-        self.report_once(Diagnostic::new(codes::S8029, self.loc(span), message));
+        self.say_once(span, fault);
         self.shift_workpiece(shift);
         Ok(())
     }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 2.3 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::arc::{
     Closing, TangentArc, center_by_opening, center_by_radius, centered_between, closing, tangent_arc, tangent_at,
     through,
@@ -17,7 +17,7 @@ use crate::sema::run::Where;
 use super::circle::SAME;
 use super::vocabulary::Address;
 use super::words::Words;
-use super::{Channel, Core, Outcome};
+use super::{Channel, Outcome};
 
 /// The last block that travelled, as far as its direction at the end can be told here.
 #[derive(Debug, Clone, Copy, Default)]
@@ -49,29 +49,29 @@ enum Tangent {
     Known(Vec2),
     Later,
     /// Why there is none.
-    Missing(&'static str),
+    Missing(Fault),
 }
 
 impl Heading {
     fn tangent_in(&self, plane: Plane, start: Point2) -> Tangent {
         match *self {
-            Heading::None => Tangent::Missing("no block in front of CT gives a direction"),
+            Heading::None => Tangent::Missing(codes::S3008::no_block_gives_direction()),
             Heading::Later => Tangent::Later,
             Heading::Arc { plane: other, center, ccw } if other == plane => {
                 tangent_at(start, center, ccw).map_or(Tangent::Later, Tangent::Known)
             }
             Heading::Arc { .. } => Tangent::Later,
-            Heading::TooLate => Tangent::Missing("a cycle stands in front of CT, and the frame has changed since"),
+            Heading::TooLate => Tangent::Missing(codes::S3008::frame_changed_behind_cycle()),
             Heading::Behind { way, .. } => {
                 let (first, second, _) = plane.axes();
                 match (way.get(first).copied().flatten(), way.get(second).copied().flatten()) {
                     (Some(x), Some(y)) => tangent_along(Vec2::new(x, y)),
-                    _ => Tangent::Missing("the block in front of CT starts at a place that is not known"),
+                    _ => Tangent::Missing(codes::S3008::block_before_starts_at_unknown_place()),
                 }
             }
             Heading::Line(from) => {
                 let Some(way) = from.in_plane(plane).map(|from| start - from) else {
-                    return Tangent::Missing("the block in front of CT starts at a place that is not known");
+                    return Tangent::Missing(codes::S3008::block_before_starts_at_unknown_place());
                 };
                 tangent_along(way)
             }
@@ -171,15 +171,11 @@ impl Channel<'_> {
         let tangent = match self.st.heading.tangent_in(plane, start) {
             Tangent::Known(tangent) => tangent,
             Tangent::Later => return Ok(None),
-            Tangent::Missing(why) => return self.no_tangent(why, "put a line or arc of the plane in front of CT"),
+            Tangent::Missing(fault) => return self.refuse(Where::Block, fault),
         };
         match tangent_arc(start, tangent, to, SAME, 1e-9 * length(to - start)) {
-            TangentArc::Behind => {
-                self.no_tangent("the end point lies straight behind the start", "give the end point to one side")
-            }
-            TangentArc::Line if turns > 0 => {
-                self.no_tangent("CT is a straight line here, which has no turns", "leave TURN= out")
-            }
+            TangentArc::Behind => self.refuse(Where::Block, codes::S3008::end_lies_straight_behind_start()),
+            TangentArc::Line if turns > 0 => self.refuse(Where::Block, codes::S3008::straight_line_has_no_turns()),
             found => Ok(Some(found)),
         }
     }
@@ -200,18 +196,12 @@ impl Channel<'_> {
     }
 }
 
-impl Core<'_> {
-    fn no_tangent<T>(&self, why: &str, help: &str) -> Outcome<T> {
-        self.fail_help(codes::S3008.alarm(14045), Where::Block, why, help)
-    }
-}
-
 /// The direction of a way in the plane.
 fn tangent_along(way: Vec2) -> Tangent {
     let size = length(way);
     if size > SAME {
         Tangent::Known(way / size)
     } else {
-        Tangent::Missing("the block in front of CT runs at a right angle to the plane")
+        Tangent::Missing(codes::S3008::block_before_runs_across_plane())
     }
 }

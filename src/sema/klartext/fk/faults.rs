@@ -95,15 +95,11 @@ impl Run<'_> {
             Fault::Open { missing: 0, .. } => {
                 codes::K9002::blocks_behind_have_data_enough(&name).at(loc).help(self.wanted(&item))
             }
+            Fault::Open { missing: 1, .. } => {
+                codes::K3001::one_datum_is_missing(&name).at(loc).help(self.wanted(&item))
+            }
             Fault::Open { missing, .. } => {
-                let (data, is) = if missing == 1 { ("one datum", "is") } else { ("data", "are") };
-                let message = match missing {
-                    1 => format!("{name} is not determined: {data} {is} missing in this block or in those behind"),
-                    _ => format!(
-                        "{name} is not determined: {missing} {data} {is} missing in this block or in those behind"
-                    ),
-                };
-                Diagnostic::new(codes::K3001, loc, message).help(self.wanted(&item))
+                codes::K3001::data_are_missing(&name, &missing).at(loc).help(self.wanted(&item))
             }
             Fault::Impossible { why, miss, .. } => {
                 let by = miss.map(|miss| format!(", by {} mm", rounded(miss))).unwrap_or_default();
