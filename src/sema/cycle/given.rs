@@ -249,11 +249,13 @@ impl Parameter {
         }
     }
 
-    /// A number among the texts is a sign of a comma too many or too few, 0 apart; a word stands for a number where the cycle reads words.
+    /// A number among the texts is a sign of a comma too many or too few, 0 for a text that changes nothing apart; a word stands for a number where the cycle reads words.
     pub fn breach_of_kind(&self, value: &Value) -> Option<Breach> {
         match (value, self.kind) {
             (Value::Number(number), _) if !number.is_finite() || number.abs() > LARGEST => Some(Breach::OutOfAllRange),
-            (Value::Number(number), Kind::Text) if self.needed || *number != 0.0 => Some(Breach::NoText),
+            (Value::Number(number), Kind::Text) if *number != 0.0 || self.without_effect.is_none() => {
+                Some(Breach::NoText)
+            }
             (Value::Number(number), Kind::Digits(_)) if *number < 0.0 || number.fract() != 0.0 => {
                 Some(Breach::NoDigits(*number))
             }

@@ -140,7 +140,7 @@ impl CycleCall<'_> {
     /// Arguments that leave positions out or change their order.
     fn all_positions_in_order(&self) -> Made {
         let given = self.given;
-        if given.text(HIDE).is_some_and(|text| text != "0") {
+        if given.text(HIDE).is_some_and(|text| text != "0") || given.or_zero(HIDE) != 0.0 {
             return self.refuse_argument(HIDE, codes::S9015::hidden_positions());
         }
         if given.or_zero(NSP) != 0.0 {

@@ -23,6 +23,7 @@ const FACE_VARI: Parameter = digits(
     "units: 1 roughs, 2 finishes; tens: 1 and 3 along the first axis, 2 and 4 along the second, 3 and 4 to and fro",
 )
 .needed();
+const FACE: &str = "give its length, with the sign of its direction";
 const SPIGOT_VARI: Parameter = digits("_VARI", &ANY_DIGITS, "1 roughs, 2 finishes").needed();
 
 const SIZE: &str = "this reading of a side of the face (`_AMODE`)";
@@ -60,8 +61,8 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("_DP", "depth, absolute").default("0"),
                 length("_PA", "corner of the face, first axis").default("0"),
                 length("_PO", "corner of the face, second axis").default("0"),
-                length("_LENG", "side along the first axis, signed").needed().rule(Rule::Size),
-                length("_WID", "side along the second axis, signed").needed().rule(Rule::Size),
+                length("_LENG", "side along the first axis, signed").needed().rule(Rule::Size).or_else(61118, FACE),
+                length("_WID", "side along the second axis, signed").needed().rule(Rule::Size).or_else(61118, FACE),
                 angle("_STA", "rotation about the corner, 0 to below 180").default("0"),
                 MID,
                 length("_MIDA", "greatest infeed in the plane; the first path takes exactly this")
