@@ -5,6 +5,8 @@
 
 use core::fmt;
 
+use crate::diag::codes::told;
+
 /// A cycle and its parameters, in the order of the call.
 #[derive(Debug, Clone, Copy)]
 pub struct Signature {
@@ -181,12 +183,12 @@ impl Parameter {
 
     /// The same; `default` holds where it is left out.
     pub const fn default(self, default: &'static str) -> Parameter {
-        Parameter { default, ..self }
+        Parameter { default: told(default), ..self }
     }
 
     /// The same, and nothing depends on it, because of `why`.
     pub const fn without_effect(self, why: &'static str) -> Parameter {
-        Parameter { without_effect: Some(why), ..self }
+        Parameter { without_effect: Some(told(why)), ..self }
     }
 }
 

@@ -26,6 +26,7 @@ mod thread_milling;
 mod threads;
 pub(super) mod transformations;
 
+use crate::diag::codes::told;
 use crate::geo::Point2;
 use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
@@ -274,7 +275,7 @@ const UNKNOWN: Row = Row {
 const REMOVE: &str = "remove the word";
 
 const fn q(name: Name, kind: Kind, what: &'static str) -> Parameter {
-    Parameter::new(name, kind, what)
+    Parameter::new(name, kind, told(what))
 }
 
 const ABOVE_0: Rule = Rule::Above(0);
