@@ -36,7 +36,8 @@ fn value_of(value: &Val, kind: row::Kind) -> Value {
     };
     match (value, kind) {
         (Val::Missing, _) => Value::Missing,
-        (Val::Text(_), row::Kind::Text | row::Kind::Either) => text(),
+        // A letter in a variable of type CHAR is the text that it was written as.
+        (Val::Text(_), row::Kind::Text) | (Val::Text(_) | Val::Char(_), row::Kind::Either) => text(),
         _ => match value.number() {
             Some(number) => Value::Number(number),
             None if matches!(kind, row::Kind::Text | row::Kind::Either) => text(),
