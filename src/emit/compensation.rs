@@ -150,7 +150,7 @@ impl Compensation {
         }
         if self.ended_by.is_some() {
             return Some((
-                "radius compensation cannot go on behind a tool change, work offset or plane change",
+                "radius compensation cannot go on after a tool change, work offset or plane change",
                 "end the compensation before that block and start it again after it".into(),
             ));
         }

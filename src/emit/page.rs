@@ -231,7 +231,7 @@ impl<'a> Page<'a> {
         let line = String::from_utf8_lossy(self.text.line());
         let whole = match self.limits.whole {
             0 => String::new(),
-            whole => format!(", {whole} of them in front of the point"),
+            whole => format!(", {whole} of them before the point"),
         };
         let found = codes::O9314::target_reads_digits_of_number(&self.limits.digits, &whole, &line)
             .at(origin.loc)

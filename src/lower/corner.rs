@@ -378,7 +378,7 @@ fn cut(
         }
         Err(NoCut::Reversal) => return refuse(codes::G3017, format!("the contour turns back on itself at the {name}")),
         Err(NoCut::Degenerate) if trimmed && corner.large == LargeCorner::Shorten => {
-            let message = format!("the corner in front of the {name} left nothing of the element; it is left out");
+            let message = format!("the corner before the {name} left nothing of the element; it is left out");
             return refuse(codes::G3025, message);
         }
         Err(NoCut::Degenerate) => {
@@ -455,7 +455,7 @@ fn too_large(name: &str, corner: &Corner, before: &Element, after: &Element, tri
         // Undercuts say themselves what they need.
         CornerShape::Undercut(_) => return format!("the {name} does not fit between its neighbours"),
     };
-    let rest = if trimmed { " behind the corner in front of it" } else { "" };
+    let rest = if trimmed { " after the corner before it" } else { "" };
     let (a, b) = (length(before.length()), length(after.length()));
     let needs = match corner::cut_off(before, after, cut) {
         Some(back) => format!("needs {} mm of each neighbour", length(back)),

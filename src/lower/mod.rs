@@ -579,15 +579,15 @@ fn raised_at(code: &'static Code, origin: Origin, message: impl Into<String>) ->
 fn usual_help(code: &Code) -> Option<&'static str> {
     Some(match code.id {
         "G3003" => "program the centre of the circle, or two half circles",
-        "G3004" => "put a line or arc of the plane in front of the tangential arc",
+        "G3004" => "put a line or arc of the plane before the tangential arc",
         "G3005" => "check the end point, or put a line in between",
         "G3007" => "put the corner between two elements that move in the working plane",
         "G3008" => "make the corner smaller, or the short element longer",
         "G3010" => "program a rounding beside an arc",
-        "G3014" => "check the circle centre and the position in front of the arc",
+        "G3014" => "check the circle centre and the position before the arc",
         "G3016" => "program the transition as elements of its own",
         "G3017" => "check the end points on both sides of the corner",
-        "G3019" => "move the transformation in front of the corner or behind the next element",
+        "G3019" => "move the transformation before the corner or after the next element",
         _ => return None,
     })
 }

@@ -60,7 +60,7 @@ pub fn relieve(
     let plane = after.ctx.plane;
     let refuse = |code, message: String| -> Refusal {
         let found = raised_at(code, origin, message);
-        Box::new(found.also(before.origin.loc, "line before").also(after.origin.loc, "line behind"))
+        Box::new(found.also(before.origin.loc, "line before").also(after.origin.loc, "line after"))
     };
     if before.ctx.frame != after.ctx.frame {
         return Err(refuse(codes::G3019, "the coordinate system changes at the undercut".to_owned()));
@@ -73,7 +73,7 @@ pub fn relieve(
         }
     };
     line(before, "before")?;
-    let feed = feed.unwrap_or(line(after, "behind")?);
+    let feed = feed.unwrap_or(line(after, "after")?);
     let (Some(Element::Line { from, to: corner }), Some(Element::Line { to, .. })) =
         (before.element(plane), after.element(plane))
     else {

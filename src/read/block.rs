@@ -437,5 +437,5 @@ fn whole(letter: u8, units: i64) -> Result<u32, Fault> {
 #[cold]
 fn no_number(letter: u8, behind: &[u8]) -> Fault {
     let shown = String::from_utf8_lossy(&behind[..behind.len().min(12)]).into_owned();
-    Fault::new(format!("`{shown}` behind {} is no number", letter as char))
+    Fault::new(format!("`{shown}` after {} is no number", letter as char))
 }

@@ -174,7 +174,7 @@ impl Reader {
         let first = self.dialog.number == 0;
         self.dialog.number += 1;
         if self.ended {
-            return Err(Fault::new("something stands behind the end of the program"));
+            return Err(Fault::new("something stands after the end of the program"));
         }
         let text = line[digits..].trim_ascii_start();
         if let [b';', comment @ ..] = text {
@@ -196,7 +196,7 @@ impl Reader {
             return self.tolerance(word, &mut words);
         }
         if self.dialog.stopped && word != b"END" {
-            return Err(Fault::new("something stands behind the end of the program"));
+            return Err(Fault::new("something stands after the end of the program"));
         }
         match word {
             b"L" => self.dialog_line_move(&mut words),

@@ -264,7 +264,7 @@ impl Reader {
         }
         let block = Block::read(line, &self.rules)?;
         if self.ended && !block.is_empty() {
-            return Err(Fault::new("something stands behind the end of the program"));
+            return Err(Fault::new("something stands after the end of the program"));
         }
         self.run(block)
     }

@@ -98,7 +98,7 @@ impl Reader {
         }
         let lead = self.length(lead)?;
         let factor = block.take(b'I').unwrap_or(SCALE);
-        let turn = self.spindle.turn.ok_or_else(|| Fault::new("the spindle does not turn in front of a tap"))?;
+        let turn = self.spindle.turn.ok_or_else(|| Fault::new("the spindle does not turn before a tap"))?;
         if self.spindle.speed == Some(0) {
             return Err(Fault::new("a tap at a speed of 0"));
         }

@@ -121,7 +121,7 @@ const OWN: &[(u32, &str)] = &[
     (6, "changes the tool and may stop the program"),
     (13, "starts the spindle and the coolant"),
     (14, "starts the spindle and the coolant"),
-    (89, "may call a cycle in every block behind it"),
+    (89, "may call a cycle in every block after it"),
     (90, "goes round corners at constant speed"),
     (91, "counts its block from the machine datum"),
     (92, "counts its block from a place of the machine builder"),

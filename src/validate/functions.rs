@@ -230,7 +230,7 @@ impl Validator {
         let Running { turn, coolant, .. } = self.running;
         for number in [turn.map(|_| 5), coolant.then_some(9)].into_iter().flatten() {
             if self.reader.next(&mut rest, &mut end)? != Some(m(number)) {
-                return Err(Why::new("spindle or coolant go on behind the end"));
+                return Err(Why::new("spindle or coolant go on after the end"));
             }
         }
         self.no_act(Text { bytes: rest, end })

@@ -35,7 +35,7 @@ const SAID: &[(&str, &str, &[&str], &[&str])] = &[
     (
         "LEAD.MPF",
         "N10 G17 G90 G54 G0 X10 Y0 Z1\nN15 S100 M3\nR5=0\nN20 G33 Z-10 K=R5\nM30\n",
-        &["S2081", "give the variable behind the address its value"],
+        &["S2081", "give the variable after the address its value"],
         &[],
     ),
     (

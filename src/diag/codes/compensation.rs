@@ -80,8 +80,8 @@ both axes. No available manual confirms this. End the compensation in a block th
 }
 
 G3213 Warning "compensation-joint" "arc about an outside corner is partc's reading"
-"At an outside corner the tool travels on an arc about the corner. Which feed counts on it, and whether blocks that stand between the two elements happen in front of \
-it or behind it, the manuals of HEIDENHAIN controls at hand do not say. partc takes the feed of the element behind the corner, and lets those blocks happen in front of the arc, as \
+"At an outside corner the tool travels on an arc about the corner. Which feed counts on it, and whether blocks that stand between the two elements happen before \
+it or after it, the manuals of HEIDENHAIN controls at hand do not say. partc takes the feed of the element after the corner, and lets those blocks happen before the arc, as \
 SINUMERIK controls do."
 
 G3214 Warning "compensation-nearly-behind" "start or end of a contour may lie behind it"

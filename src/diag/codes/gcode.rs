@@ -36,7 +36,7 @@ refused. Compare the output with the program; if it holds no such numbers, nothi
 }
 
 R2001 Error "gcode-tool-length" "tool length that the output does not have"
-"G43 H adds the length of a tool, G49 takes it away, and all positions along Z count with it or without it. The output has G43 behind each tool change with the number \
+"G43 H adds the length of a tool, G49 takes it away, and all positions along Z count with it or without it. The output has G43 after each tool change with the number \
 of the tool where `[output] tool_length = \"G43\"` is set, and nowhere else. A program that does it in another way cannot be printed." {
     g97_stands_without_s()
         "G97 stands after G96 without S: the last S was a cutting speed, and as turns a minute its number \
@@ -46,7 +46,7 @@ of the tool where `[output] tool_length = \"G43\"` is set, and nowhere else. A p
         asks "set `[output] tool_length = \"G43\"`";
     g43_adds_length_of_another_tool(number)
         "G43 H{number} adds the length of another tool than the one in the spindle"
-        help "the output has G43 behind each tool change, with the number of the tool";
+        help "the output has G43 after each tool change, with the number of the tool";
     tool_moves_without_its_length()
         "the tool moves without its length, and the output adds it (G43) at the tool change"
         asks "set `[output] tool_length = \"off\"`, or write G43 before the move";

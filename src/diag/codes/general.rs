@@ -51,7 +51,7 @@ Compare the file with the original. If it is complete, write the end as its last
 }
 
 P0008 Error "cut-off" "file stops in its last line"
-"The last line has no line end, and there is no end of program behind it or in it: the file was cut off, perhaps inside a number (`G1 X12` \
+"The last line has no line end, and there is no end of program after it or in it: the file was cut off, perhaps inside a number (`G1 X12` \
 of `G1 X123.456`). No key allows it (a piece of Klartext without BEGIN PGM, which another \
 program joins to others, is P0007). Get the file anew from where it was made. If it is complete, write the end of the program as its last \
 block; a last line that holds the end of the program needs no line end, unless the file stops after `M2`: that may be the beginning of `M20` or `M2=3`, so write \
@@ -105,7 +105,7 @@ Put the file where the control looks, or write its path; give a program of an ar
         help "write the line `;$PATH={folder}` after the head of the main program if both lie there";
     no_folder_is_known(folder, program)
         "no folder is known for `{folder}`; the program {program} of this file is taken"
-        help "write the line `;$PATH={folder}` behind its head if it lies there";
+        help "write the line `;$PATH={folder}` after its head if it lies there";
 }
 
 P0102 Error "path-forbidden" "called program lies outside the include roots"
@@ -269,6 +269,6 @@ tool goes another way than the blocks do, such as a rounding that was made small
 
 P8004 Warning "suppression-unreadable" "suppression that cannot be read"
 "A comment begins with `partc:` and goes on with something else than `ignore[CODE, …]` or `ignore-file[CODE, …]`, perhaps with `-- reason` \
-behind it; or a bracket is not closed, or something else stands behind it. Nothing is suppressed by it."
+after it; or a bracket is not closed, or something else stands after it. Nothing is suppressed by it."
 
 }

@@ -38,7 +38,7 @@ G3007 Error "corner-neighbour" "chamfer or rounding has no neighbour"
 the contour starts or ends with it, or a block in between moves another axis only." {
     block_that_does_not_move_stands_between()
         "a block that does not move stands between the chamfer or rounding and its element";
-    no_contour_element_stands_behind_this_chamfer() "no contour element stands behind this chamfer or rounding";
+    no_contour_element_stands_behind_this_chamfer() "no contour element stands after this chamfer or rounding";
     two_chamfers_or_roundings_follow_each_other() "two chamfers or roundings follow each other";
     no_contour_element_stands_before_this_chamfer() "no contour element stands before this chamfer or rounding";
 }
@@ -88,7 +88,7 @@ but its centre and direction are not: most often a coordinate is rounded too coa
 
 G3014 Error "arc-without-radius" "centre of the arc lies on its start or end"
 "The centre of the arc lies on its start or on its end, so the arc has no radius. Most often the circle centre was taken over from \
-another place, or the tool stands on the centre when the arc begins. Check the circle centre and the position in front of the arc."
+another place, or the tool stands on the centre when the arc begins. Check the circle centre and the position before the arc."
 
 G3015 Error "axis-unknown-in-frame" "position of the other axis is not known"
 "Under a rotation one programmed axis moves two machine axes. Where the other one stands was not programmed yet, so the target cannot \
@@ -111,7 +111,7 @@ are printed, without work offsets." {
 
 G3019 Error "corner-frame" "coordinate system changes inside a corner"
 "A datum shift, rotation, mirror or scaling is programmed between a chamfer or rounding and the element that follows it. The two \
-elements are measured in different systems, so the corner is undetermined. Move the transformation in front of the corner or behind \
+elements are measured in different systems, so the corner is undetermined. Move the transformation before the corner or after \
 the next element."
 
 G3020 Error "via-on-line" "three points of an arc lie on one line"
@@ -125,14 +125,14 @@ moves most, and check the end point." {
 }
 
 G3022 Error "thread-scaled-unevenly" "thread under unequal scaling"
-"Scaling with different factors changes the lead of a thread in a way that depends on its direction. Cancel the scaling in front of the thread."
+"Scaling with different factors changes the lead of a thread in a way that depends on its direction. Cancel the scaling before the thread."
 
 G3050 Error "tap-axis-changed" "the frame changes the axis along which a hole is tapped"
-"A tap without a compensating chuck goes along one axis, in step with the spindle. A frame that turns or mirrors this axis would have the tap cut another thread, and one that scales it would stretch a pitch that the tap has ground into it. Shifts, and whatever a frame does to the other axes, are allowed. Tap the hole in front of the frame, or behind its end."
+"A tap without a compensating chuck goes along one axis, in step with the spindle. A frame that turns or mirrors this axis would have the tap cut another thread, and one that scales it would stretch a pitch that the tap has ground into it. Shifts, and whatever a frame does to the other axes, are allowed. Tap the hole before the frame, or after its end."
 
 G3060 Error "undercut-plane" "undercut outside the plane of the turned contour"
 "An undercut belongs to the contour of a turned part, which lies in the plane of Z and X (G18). In another working plane there is none. \
-Select G18 in front of the contour."
+Select G18 before the contour."
 
 G3061 Error "undercut-no-lathe" "undercut without turning technology"
 "An undercut relieves a corner of a turned part, and the machine is configured as a milling machine. Set `kind = \"lathe\"` in `[machine]` \
@@ -145,7 +145,7 @@ No diameter axis is configured, or it is not an axis of the working plane. Set `
 G3063 Error "undercut-corner" "corner cannot take an undercut"
 "An undercut lies between two straight lines at feed, one along the part and one across: directions 0, 90, 180 and 270 degrees, each \
 within 3 degrees. At other corners, beside arcs, rapids and threads, and where the contour has no corner there is no undercut. Check the lines \
-before and behind the undercut."
+before and after the undercut."
 
 G3064 Error "undercut-no-room" "line is too short for the undercut"
 "The undercut needs more of the cylinder or of the face than is there. Take a smaller size or the short form, or make the line longer. A \
@@ -233,14 +233,14 @@ its full width, and an end behind the last part would cut nothing. Lengthen the 
         help "lengthen the run-in or make the flank angle smaller";
 }
 
-G3043 Error "cycle-start-unknown" "position in front of the cycle is not known"
+G3043 Error "cycle-start-unknown" "position before the cycle is not known"
 "A turning cycle takes the start of its way from where the tool stands when it is called. Here X or Z was not programmed yet, or was lost by \
-machine coordinates or an error before. Position both axes in front of the cycle." {
+machine coordinates or an error before. Position both axes before the cycle." {
     tool_is_lifted_off_along(axis) "the tool is lifted off along {axis}, whose position is not known"
         help "position the tool over the hole in both axes";
     cycle_starts_where_tool_stands()
         "the cycle starts where the tool stands, but its position in X and Z is not known"
-        help "position X and Z in front of the cycle";
+        help "position X and Z before the cycle";
 }
 
 G3044 Error "recess-contour" "contour is not one recess"
@@ -260,7 +260,7 @@ a flat tool does not reach its lowest point. Take a narrower tool, or one with a
 
 G3046 Error "cycle-blank" "blank is not where the cycle needs it"
 "The blank that the cycle was given does not stand above the contour, or the tool stands inside of it, so that there is nothing to cut or no \
-safe way. Check blank, contour and the position in front of the cycle." {
+safe way. Check blank, contour and the position before the cycle." {
     tool_stands_beside_thread_at_its_height()
         "the tool stands beside the thread at its height, from where no rapid to the start is safe"
         help "position the tool in front of the thread, or clear of its diameter, before the cycle";

@@ -11,7 +11,7 @@ for. Take a narrower tool, or no allowance on the flanks." {
 }
 
 S8222 Warning "siemens-groove-dwell" "dwell of a groove cycle is left out"
-"CYCLE930 waits at the floor of the groove for turns of the spindle, and no speed is known from which their time follows. Program S in front of the call, \
+"CYCLE930 waits at the floor of the groove for turns of the spindle, and no speed is known from which their time follows. Program S before the call, \
 or say by `[cycles] groove_dwell = false` that the machine does not wait." {
     cycle930_waits_at_floor_for_turns()
         "CYCLE930 waits at the floor for turns of the spindle, whose speed is not known: no dwell is printed"

@@ -28,7 +28,7 @@ There is only one reading, and that is compiled; a control would refuse the bloc
 
 K1007 Error "unit-missing" "BEGIN PGM states neither MM nor INCH"
 "The unit decides every length of the program: the difference is a factor of 25.4, and it cannot be guessed. The control writes it \
-behind the name: `BEGIN PGM PART MM`. Add it." {
+after the name: `BEGIN PGM PART MM`. Add it." {
     begin_pgm_states_neither_mm_nor_inch() "BEGIN PGM states neither MM nor INCH";
 }
 
@@ -54,9 +54,9 @@ was copied and only one end was renamed." {
 
 K1015 Warning "speed-in-path-block" "spindle speed outside TOOL CALL"
 "The control takes S in TOOL CALL only: `TOOL CALL S2500` sets a new speed without a change of tool. Some CAM posts write S into \
-positioning blocks; partc sets the speed in front of the move of such a block, as DIN/ISO does." {
+positioning blocks; partc sets the speed before the move of such a block, as DIN/ISO does." {
     s_stands_in_positioning_block() "S stands in a positioning block, and the control takes it in TOOL CALL only"
-        help "write `TOOL CALL S2500` in front of this block";
+        help "write `TOOL CALL S2500` before this block";
 }
 
 K2003 Error "feed-auto-missing" "F AUTO without a usable feed in the TOOL CALL"
@@ -72,13 +72,13 @@ for fragments." {
         "the F of the last TOOL CALL counts per minute, and M136 makes F count per revolution"
         help "program F in mm/rev, or M137 first";
     last_tool_call_has_no_f_so_fauto(q) "the last TOOL CALL has no F, so {q}=FAUTO has no value"
-        help "put F into the TOOL CALL, or a number behind the parameter";
+        help "put F into the TOOL CALL, or a number after the parameter";
 }
 
 K2004 Error "tool-axis-missing" "first TOOL CALL has no tool axis"
-"The tool axis (Z, Y or X) decides the working plane: which axes a pole, an arc and an angle refer to. Write it behind the tool number: `TOOL CALL 5 Z S2500`." {
+"The tool axis (Z, Y or X) decides the working plane: which axes a pole, an arc and an angle refer to. Write it after the tool number: `TOOL CALL 5 Z S2500`." {
     first_tool_call_has_no_tool_axis() "the first TOOL CALL has no tool axis"
-        help "write it behind the tool number: `TOOL CALL 5 Z S2500`";
+        help "write it after the tool number: `TOOL CALL 5 Z S2500`";
 }
 
 K2005 Error "tool-name-unknown" "tool name has no number"
@@ -102,7 +102,7 @@ K2009 Warning "oversize-dropped" "TOOL CALL without DL/DR ends the oversizes in 
 }
 
 K2010 Error "tool-number" "tool number is not one a control knows"
-"Tool numbers are whole, from 0 to 32767, with an optional index behind a point (`5.2`). Check the number, or the parameter it comes \
+"Tool numbers are whole, from 0 to 32767, with an optional index after a point (`5.2`). Check the number, or the parameter it comes \
 from." {
     is_no_tool_number(text) "{text} is no tool number";
     tool_that_program_defines_needs_number() "a tool that the program defines needs a number";
@@ -119,7 +119,7 @@ K2013 Warning "feed-per-revolution-large" "feed under M136 is far too large for 
 "M136 acts at the start of its block and makes every F that follows count millimetres per revolution of the spindle, the F of its own block \
 included. A number like 200 was most likely meant per minute. Write the feed per revolution, or M137 first." {
     under_m136_this_feed_is_mm_per(feed) "under M136 this feed is {feed} mm per revolution"
-        help "write the feed in mm/rev, or M137 in front of a feed in mm/min";
+        help "write the feed in mm/rev, or M137 before a feed in mm/min";
 }
 
 K2014 Note "corner-radius-oversize" "oversize of the corner radius changes no path"
@@ -211,9 +211,9 @@ PA." {
 
 K2203 Error "label-zero-missing" "subprogram has no LBL 0"
 "A subprogram called by CALL LBL runs to the next LBL 0; here the program ends first, so the control would not find its way back to \
-the call. Put LBL 0 behind the last block of the subprogram." {
+the call. Put LBL 0 after the last block of the subprogram." {
     program_ends_before_lbl_0() "the program ends before the LBL 0 of this subprogram"
-        asks "put LBL 0 behind the last block of the subprogram; if the control takes END PGM for the end of the \
+        asks "put LBL 0 after the last block of the subprogram; if the control takes END PGM for the end of the \
         program here, set `[control] open_subprogram = \"end\"`";
 }
 
@@ -225,10 +225,10 @@ or say in partc.toml how your control does it: `[control] repeat_count = \"trunc
         repeat_count`";
 }
 
-K2206 Error "repeat-forward" "repeated section lies behind its call"
+K2206 Error "repeat-forward" "repeated section lies after its call"
 "`CALL LBL n REP` repeats the section from LBL n up to the call. Here the label follows the call. For a subprogram leave out REP." {
-    lies_behind_this_block(label) "{label} lies behind this block"
-        help "a repeated section lies in front of its call; leave out REP to call a subprogram";
+    lies_behind_this_block(label) "{label} lies after this block"
+        help "a repeated section lies before its call; leave out REP to call a subprogram";
 }
 
 K2207 Warning "jump-out-of-subprogram" "jump leaves a subprogram"
@@ -245,7 +245,7 @@ the manuals do not say. Q parameters are not converted." {
 }
 
 K2210 Warning "label-runs-through" "main program runs into a subprogram"
-"The main program is not ended by M2 or M30 in front of this label, so its blocks run once without being called. \
+"The main program is not ended by M2 or M30 before this label, so its blocks run once without being called. \
 That is allowed, but rarely meant." {
     this_lbl_0_ends_no_subprogram() "this LBL 0 ends no subprogram";
     program_runs_into_this_subprogram_without_call() "the program runs into this subprogram without a call";
@@ -283,7 +283,7 @@ K2401 Error "cycle-not-defined" "cycle call without a cycle"
 "CYCL CALL, M99, M89 and the pattern cycles 220 and 221 run the machining cycle defined last, and there is none. Put CYCL DEF in \
 front, or remove the call: the control stops here." {
     calls_cycle(by) "{by} calls a cycle, and none is defined"
-        help "put CYCL DEF in front of the call, or remove the call";
+        help "put CYCL DEF before the call, or remove the call";
     runs_machining_cycle(by) "{by} runs a machining cycle, and none is defined";
 }
 
@@ -307,7 +307,7 @@ K2402 Error "cycle-incomplete" "cycle definition lacks a part"
         help "write the number of the row: `TRANS DATUM TABLE TABLINE5`";
     cycle_247_lacks_preset_number_q339() "cycle 247 lacks the preset number Q339"
         help "write `Q339=1` into the definition";
-    shift_of_lacks_its_value(axis) "the shift of {axis} lacks its value" help "write the shift behind the letter";
+    shift_of_lacks_its_value(axis) "the shift of {axis} lacks its value" help "write the shift after the letter";
     cycle_7_names_no_axis() "cycle 7 names no axis" help "write the shift: `CYCL DEF 7.1 X+60`";
     lacks_so_program_all(what, missing) "{what} lacks {missing}" help "program all parameters of the cycle";
     cycle_lacks_value_of_part(cycle, missing) "cycle {cycle} lacks the value of part {cycle}{missing}"
@@ -325,15 +325,15 @@ K2404 Warning "cycle-depth-zero" "cycle has depth 0 and does nothing"
 
 K2405 Error "cycle-spindle" "cycle is called while the spindle does not turn"
 "The control refuses to run a cycle with the spindle at rest (\"spindle not turning\"); only rigid tapping starts it itself, and needs a speed. \
-TOOL CALL stops the spindle: program M3 or M13 behind it, in front of the call." {
+TOOL CALL stops the spindle: program M3 or M13 after it, before the call." {
     spindle_has_no_speed_at_this_cycle() "the spindle has no speed at this cycle call"
         help "program S in the TOOL CALL";
     spindle_does_not_turn_at_this_cycle() "the spindle does not turn at this cycle call"
-        help "program M3 in front of the call";
+        help "program M3 before the call";
 }
 
 K2406 Warning "cycle-clearance" "2nd set-up clearance lies below the set-up clearance"
-"Q204 is smaller than Q200. partc leaves the tool at the set-up clearance behind the hole and never moves it down there; whether that is high enough \
+"Q204 is smaller than Q200. partc leaves the tool at the set-up clearance after the hole and never moves it down there; whether that is high enough \
 on the way to the next position is up to the program." {
     of_2nd_set_up_clearance_q204_lies_below(second, clearance)
         "the 2nd set-up clearance Q204 = {second} lies below the set-up clearance Q200 = {clearance}"
@@ -343,7 +343,7 @@ on the way to the next position is up to the program." {
 K2407 Error "cycle-compensated" "cycle is called while radius compensation is on"
 "A drilling cycle moves the tool axis over the programmed position, but with RL or RR the tool stands beside it. Program a straight block with R0 first." {
     cycle_is_called_while_rl_or_rr() "a cycle is called while RL or RR is active"
-        help "program a straight block with R0 in front of the call";
+        help "program a straight block with R0 before the call";
     program_of_cycle_12_ends_with_radius(name)
         "the program `{name}` of cycle 12 ends with radius compensation on, and the pattern goes on to its next \
         place"
@@ -351,7 +351,7 @@ K2407 Error "cycle-compensated" "cycle is called while radius compensation is on
 }
 
 K2408 Note "stop-distance" "advanced stop distance changes in even steps"
-"Cycle 205 lets rapid traverse end in front of the last depth: by Q258 after the first step, by Q259 before the last one. The manuals do not give \
+"Cycle 205 lets rapid traverse end above the last depth: by Q258 after the first step, by Q259 before the last one. The manuals do not give \
 the values between; partc takes even steps. The drilled hole is the same." {
     advanced_stop_distance_changes_from_q258() "the advanced stop distance changes from Q258 to Q259 in even steps";
 }
@@ -373,8 +373,8 @@ K2411 Error "pattern-data" "pattern cannot be read"
 `ROW1 (X+12 Y+20 D+9 NUM4 ROT+15 Z+0)`. Where the places have a surface Z of their own, Q203 of the cycle has to be 0." {
     places_have_surface_z_of_their_own() "the places have a surface Z of their own, and Q203 of the cycle is not 0"
         help "set Q203 to 0, or leave Z out of the pattern";
-    does_not_belong_here(word)
-        "`{word}` does not belong here: POS1, ROW1, PAT1, FRAME1, CIRC1 or PITCHCIRC1 have their data in brackets"
+    cannot_be_read_here(word)
+        "`{word}` cannot be read here: POS1, ROW1, PAT1, FRAME1, CIRC1 and PITCHCIRC1 have their data in brackets after them"
         help "write `PATTERN DEF POS1 (X+12 Y+20 Z+0) POS2 (X+30 Y+20 Z+0)`";
     ends_too_early()
         "the data of the last pattern have no closing bracket"
@@ -456,29 +456,29 @@ and 4), length and radius of the active tool (ID 200). Check the value against t
 
 K2951 Error "contour-label" "a subprogram describes no contour for its cycle"
 "Cycle 14 names subprograms whose blocks describe a contour. The first block names both axes of the working plane, and RL or RR: with the tool inside it is a \
-pocket. Behind it stand path functions, FK, RND, CHF, parameters from Q21 on, jumps and labels; no tool axis, no transformation, no M function, no other side, \
+pocket. After it stand path functions, FK, RND, CHF, parameters from Q21 on, jumps and labels; no tool axis, no transformation, no M function, no other side, \
 no cycle. A pocket is closed, and no contour crosses itself." {
     contour(label, what) "the contour {label}: {what}";
     stands_in_contour(word_text, contour_name) "`{word_text}` stands in the contour {contour_name}"
-        help "move it in front of the cycle call: in which pass the control would carry it out is not known";
+        help "move it before the cycle call: in which pass the control would carry it out is not known";
     rl_rr_or_r0_stands_in_contour(contour_name)
-        "RL, RR or R0 stands in the contour {contour_name}, behind its first block"
+        "RL, RR or R0 stands in the contour {contour_name}, after its first block"
         help "write RL or RR into the first block only";
     contour_sets(contour_name, target)
         "the contour {contour_name} sets {target}, which cycles 20 to 25 keep their data in"
         help "take another parameter, or a local one: QL1";
     this_block_stands_in_contour(contour_name)
         "this block stands in the contour {contour_name}, which is a shape for a cycle"
-        help "a contour is made of path functions, FK, RND, CHF, parameters and labels; move the block in front of \
+        help "a contour is made of path functions, FK, RND, CHF, parameters and labels; move the block before \
         the cycle call";
     contour_crosses_itself(label) "the contour {label} crosses itself";
 }
 
 K2952 Error "contour-missing" "the cycle lacks its contour or its data"
-"Cycles 21 to 25 mill the contours that cycle 14 names, and cycles 21 to 24 take depth, allowances, heights and overlap of cycle 20. Program both in front of the call." {
-    no_contour_is_named() "no contour is named in front of it"
+"Cycles 21 to 25 mill the contours that cycle 14 names, and cycles 21 to 24 take depth, allowances, heights and overlap of cycle 20. Program both before the call." {
+    no_contour_is_named() "no contour is named before it"
         help "write CYCL DEF 14.0 and 14.1 CONTOUR LABEL 1";
-    there_is_no_contour_data() "there is no contour data in front of it"
+    there_is_no_contour_data() "there is no contour data before it"
         help "write CYCL DEF 20 with Q1 to Q9";
 }
 

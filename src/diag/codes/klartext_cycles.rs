@@ -36,11 +36,11 @@ go round once, which takes off the diameter of the tool. Take a larger tool, or 
 
 K2943 Error "global-def-unreadable" "GLOBAL DEF cannot be read"
 "GLOBAL DEF gives values to parameters that a later cycle takes by PREDEF. Its number says which parameters it has: 100 general, 105 drilling, 110 pockets, \
-111 contours, 120 probing. Write `GLOBAL DEF 100 GENERAL` and behind it `Q200=+2`, each behind a `~`." {
+111 contours, 120 probing. Write `GLOBAL DEF 100 GENERAL` and after it `Q200=+2`, each after a `~`." {
     global_def_with_stands_in_program(q) "the GLOBAL DEF with {q} stands in a program of another unit"
         help "write the value in place of PREDEF";
     is_no_parameter_with_its_value(word) "`{word}` is no parameter with its value"
-        help "write `Q200=+2`, each on a line of its own or behind `~`";
+        help "write `Q200=+2`, each on a line of its own or after `~`";
     global_def_has_no_parameter_q(number, q) "GLOBAL DEF {number} has no parameter Q{q}"
         help "remove the word, or write it into the cycles themselves";
     number_of_this_global_def_is_not() "the number of this GLOBAL DEF is not known"
@@ -49,9 +49,9 @@ K2943 Error "global-def-unreadable" "GLOBAL DEF cannot be read"
 
 K2944 Error "predef-without-value" "PREDEF finds no value"
 "The cycle takes a parameter by PREDEF, and no GLOBAL DEF before it gives that parameter a value. Programs from the control often have the GLOBAL DEF in a program that \
-calls this one: write it in front of the cycle, or the value in place of PREDEF." {
+calls this one: write it before the cycle, or the value in place of PREDEF." {
     no_global_def_gives_value(q) "no GLOBAL DEF gives {q} a value"
-        help "write GLOBAL DEF in front of the cycle, or the value in place of PREDEF";
+        help "write GLOBAL DEF before the cycle, or the value in place of PREDEF";
 }
 
 K2948 Error "datum-table-unreadable" "row of a datum table cannot be used"
@@ -60,7 +60,7 @@ datum stays in place), its unit is that of the program, and a rotation or a valu
     table_has_no_row(number) "the datum table has no row {number}" help "check the number, or add the row";
     table_has_several_rows(number) "the datum table has several rows {number}" help "number the rows";
     table_and_program_have_different_units() "the datum table and the program have different units"
-        help "convert the table, and put its unit behind BEGIN";
+        help "convert the table, and put its unit after BEGIN";
     row_has_value_under_unknown_title(number, title)
         "row {number} of the datum table has a value under {title}, which is not known"
         help "program the shift: `CYCL DEF 7.1 X+60`";
@@ -83,12 +83,12 @@ does not stand under one name is refused. A place with FADE Y is left out, CLEAR
         help "a table has `BEGIN NAME.PNT MM`, a line with the names of its columns, and one place a line";
 }
 
-K2946 Error "tangent-behind-cycle" "tangential arc directly behind a cycle"
-"CT and CTP go on in the direction of the element in front of them. Behind a cycle call that would be some way of the cycle, which manuals do not print. Put a line \
+K2946 Error "tangent-behind-cycle" "tangential arc directly after a cycle"
+"CT and CTP go on in the direction of the element before them. After a cycle call that would be some way of the cycle, which manuals do not print. Put a line \
 or an arc of the contour between the two, or give the circle by its centre or its radius." {
     stands_directly_behind_cycle(function)
-        "{function} stands directly behind a cycle, whose way is no element of the contour"
-        help "put a line or an arc of the contour in front of it, or write the arc with CC and C, or with CR";
+        "{function} stands directly after a cycle, whose way is no element of the contour"
+        help "put a line or an arc of the contour before it, or write the arc with CC and C, or with CR";
 }
 
 K2947 Error "cycle-of-another-unit" "cycle is called in a program of another unit"

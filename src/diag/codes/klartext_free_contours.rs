@@ -3,16 +3,16 @@
 super::codes! { KLARTEXT_FREE_CONTOURS:
 
 K3001 Error "fk-open" "free contour is not determined"
-"The contour ends, and the data of an element and of those behind it leave it open: a line needs two data, an arc three besides DR, one less where FLT or \
+"The contour ends, and the data of an element and of those after it leave it open: a line needs two data, an arc three besides DR, one less where FLT or \
 FCT says that it goes on tangentially. Data of later elements count where elements are solved together. Write one of the words that the help line names." {
     behind_it_lie_on_one_straight(names, names2, x, y)
-        "{names} and the {names2} behind it lie on one straight, and no datum says where on it the one ends and the \
+        "{names} and the {names2} after it lie on one straight, and no datum says where on it the one ends and the \
         other begins"
         help "write {x} of the end, {y} of the end or LEN into the first of the two, or make one line of them";
     one_datum_is_missing(name)
-        "{name} is not determined: one datum is missing in this block or in those behind";
+        "{name} is not determined: one datum is missing in this block or in those after it";
     data_are_missing(name, missing)
-        "{name} is not determined: {missing} data are missing in this block or in those behind";
+        "{name} is not determined: {missing} data are missing in this block or in those after it";
 }
 
 K3002 Error "fk-ambiguous" "free contour has several solutions"
@@ -32,21 +32,21 @@ needed that does not agree within 0.001 mm or 0.001 degrees. Compare the words w
 
 K3004 Error "fk-reference" "free contour refers to something that is not known"
 "RX, RY, RPR, RPA, RAN, RCCX, RCCY, RCCPR, RCCPA and PAR name the number of an FL, FLT, FC or FCT block, at most 64 elements back; all but PAR belong to the incremental word beside \
-them. FLT, FCT and IAN need an element of the working plane directly in front. Write absolute values, or the number of the block that is meant." {
+them. FLT, FCT and IAN need an element of the working plane directly before it. Write absolute values, or the number of the block that is meant." {
     fselect_chooses_solution_of_element_in_front()
-        "FSELECT chooses a solution of the element in front, and there is none"
-        help "write it behind an FL, FLT, FC or FCT block";
+        "FSELECT chooses a solution of the element before it, and there is none"
+        help "write it after an FL, FLT, FC or FCT block";
     refers_to_block_that_is_no_fl(text)
-        "`{text}` refers to a block that is no FL, FLT, FC or FCT block of the last 64 in front"
+        "`{text}` refers to a block that is no FL, FLT, FC or FCT block of the last 64 before it"
         help "write the number of such a block; where it was removed or renumbered, write absolute values";
-    names_block_by_its_number(text) "`{text}` names a block by its number, and the blocks in front have none"
+    names_block_by_its_number(text) "`{text}` names a block by its number, and the blocks before it have none"
         help "number the blocks of the program, as the control shows them, or write absolute values";
     refers_to_one_of_several_blocks(text) "`{text}` refers to one of several blocks with this number"
         help "number the blocks anew, and name the block that is meant";
     belongs_to_incremental_word(text) "`{text}` belongs to an incremental word, and there is none in this block"
         help "write the word that it belongs to with I: `IX+20 RX 13`";
     direction_of_element_before_is_not_known() "the direction of the element before is not known here"
-        help "write AN, or program a line or an arc of the working plane directly in front";
+        help "write AN, or program a line or an arc of the working plane directly before it";
 }
 
 K8022 Warning "fselect-observed" "choice of FSELECT is an observed one"

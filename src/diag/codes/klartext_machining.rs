@@ -105,10 +105,10 @@ milling. Whether the control keeps the kind of milling is not confirmed. Compare
 }
 
 K8109 Warning "floor-behind-larger-cutter" "floor is finished by a smaller cutter than roughed it"
-"Cycle 22 ran with a larger cutter in front of this cycle 23. Where that one did not get into a corner or a narrow part, the material stands as high as before, and \
+"Cycle 22 ran with a larger cutter before this cycle 23. Where that one did not get into a corner or a narrow part, the material stands as high as before, and \
 the smaller cutter of cycle 23 takes it away down to the floor in one cut. Let a cycle 22 with the smaller tool and Q18 (the coarse tool) run in between." {
     cycle_23_with_cutter_of_radius_mm(rounded, rounded2)
-        "cycle 23 with a cutter of radius {rounded} mm behind cycle 22 with one of {rounded2} mm: what that one left \
+        "cycle 23 with a cutter of radius {rounded} mm after cycle 22 with one of {rounded2} mm: what that one left \
         is cut down to the floor in one cut"
         help "let a cycle 22 with this tool and Q18 run in between";
 }
@@ -132,12 +132,12 @@ K8111 Warning "countersink-over-the-face" "circle of a countersink lies over the
 
 K9030 Error "milling-frame" "milling cycle under a scaling or a mirrored tool axis"
 "A scaling would change the sizes of the cycle and not the cutter, and a tool axis that is mirrored or tilted would lead the tool from the far side. Shifts, rotations and \
-mirrors in the plane are computed. End the transformation in front of the call." {
+mirrors in the plane are computed. End the transformation before the call." {
     milling_under_scaling()
         "milling under a scaling, which would change the path and not the cutter, is not supported"
-        help "end the transformation in front of the call, or program the sizes as they shall be";
+        help "end the transformation before the call, or program the sizes as they shall be";
     milling_with_mirrored_tool_axis() "milling while the tool axis is mirrored or tilted is not supported"
-        help "end the transformation in front of the call, or program the sizes as they shall be";
+        help "end the transformation before the call, or program the sizes as they shall be";
 }
 
 K9031 Error "milling-with-m4" "climb or up-cut milling with M4"

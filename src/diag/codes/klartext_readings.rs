@@ -66,7 +66,7 @@ F or FMAX into the call to be sure." {
 }
 
 K8026 Warning "feed-by-word" "FU or FZ in a TOOL CALL or in a cycle"
-"How a feed per revolution (FU) or per tooth (FZ) is written in a TOOL CALL and behind a parameter of a cycle (`Q206=FU0.2`) is not confirmed by a manual page; in path blocks it is. \
+"How a feed per revolution (FU) or per tooth (FZ) is written in a TOOL CALL and after a parameter of a cycle (`Q206=FU0.2`) is not confirmed by a manual page; in path blocks it is. \
 partc reads it as in a path block, FZ times the teeth of the tool. Compare it with the control, or write the feed in mm/min." {
     is_read_as_feed(text, what) "`{text}` is read as a feed {what}"
         help "compare it with the control, or write the feed in mm/min";
@@ -154,7 +154,7 @@ partc takes a straight line. `[control] m98 = \"refuse\"` refuses such corners."
 }
 
 K2894 Warning "rounded-approach" "rounding as way to a contour is a reading"
-"RND behind the first block with RL or RR, or in front of the block with R0, leads the tool to the contour or from it on an arc. partc rounds the programmed corner and \
+"RND after the first block with RL or RR, or before the block with R0, leads the tool to the contour or from it on an arc. partc rounds the programmed corner and \
 compensates the arc as an element of the contour, as `[control] rounded_approach` says. APPR CT and DEP CT say the same without a doubt." {
     programmed_corner_is_cut_as_between_two(what, help_)
         "{what}: the programmed corner is cut as between two elements"
@@ -163,7 +163,7 @@ compensates the arc as an element of the contour, as `[control] rounded_approach
 
 K2895 Warning "approach-without-side" "approach or departure without RL or RR"
 "Controls up to the iTNC 530 compute an APPR block with R0 as for a tool of radius 0 to the right of the contour, newer ones refuse it. partc does the same, and for DEP \
-behind such a contour as well. Write RL or RR, or program the way as L and C blocks." {
+after such a contour as well. Write RL or RR, or program the way as L and C blocks." {
     without_rl_or_rr(name) "{name} without RL or RR: computed with the tool radius 0 to the right of the contour"
         help "write RL or RR, or program the approach as L and C blocks";
 }
@@ -172,7 +172,7 @@ K2896 Warning "approach-depth" "when the tool axis of an approach or departure m
 "The order of plane and tool axis in APPR and DEP blocks differs from one control to the other, and between editions of their manuals. Write the tool axis into a block of its own, or \
 choose with `[control] approach_depth`: \"staged\" moves it alone at PH and at the end of the departure, \"together\" with the plane." {
     tool_axis_of_moves_evenly_over_whole(a) "the tool axis of {a} moves evenly over the whole way to the contour"
-        asks "write the depth into a block in front, or choose a reading with `[control] approach_depth`";
+        asks "write the depth into a block before it, or choose a reading with `[control] approach_depth`";
     tool_axis_of_moves_at_end(name) "the tool axis of {name} moves at the end of the departure"
         asks "write it into a block of its own after it, or choose a reading with `[control] approach_depth`";
 }

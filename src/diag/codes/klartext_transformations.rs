@@ -40,8 +40,8 @@ the parameter's basic setting. `[control] scaling = \"plane\"` leaves the tool a
 K2508 Warning "blank-form" "blank form is not usable"
 "The MIN point of BLK FORM 0.1 must lie below the MAX point of BLK FORM 0.2 in every axis. The control refuses the blank, and one \
 that lacks an axis; the path does not depend on it. Most often the two points are mixed up." {
-    blank_is_defined_behind_first_move() "the blank is defined behind the first move"
-        help "put BLK FORM in front of the first positioning block, where the control looks for it";
+    blank_is_defined_behind_first_move() "the blank is defined after the first move"
+        help "put BLK FORM before the first positioning block, where the control looks for it";
     blk_form_names_no_corner_or_shape() "BLK FORM names neither 0.1 nor 0.2 nor a shape"
         help "the control refuses this blank; the path does not depend on it";
     blk_form_is_no_corner(corner) "BLK FORM {corner} is neither 0.1 nor 0.2"
@@ -124,7 +124,7 @@ K2606 Error "compensation-under-way" "block may not stand in a compensated conto
 "TOOL CALL, the end of the program, M128, and whatever changes the coordinate system come while RL or RR is active. The control stops there, or ends the \
 compensation in a way that is not confirmed, and where the tool stands beside the contour would be a guess. End the compensation first." {
     while_radius_compensation(what) "{what} while radius compensation is on"
-        help "end the compensation in front of this block, by R0 in a straight block or DEP";
+        help "end the compensation before this block, by R0 in a straight block or DEP";
 }
 
 K2607 Error "corner-function-without-element" "M97, M98 or M197 in a block without a contour element"
@@ -137,7 +137,7 @@ Write the function into the block that ends in the corner." {
 
 K2702 Note "tool-change-joined" "M6 changes no tool by itself"
 "Either the tool change was printed at the TOOL CALL already, because `[control] tool_change = \"t\"` says so or nobody knew of this M6, or no TOOL CALL \
-stands in front of the M6, as in programs that stop with M6 for a change by hand and call the tool then: there the next TOOL CALL is the change. \
+stands before the M6, as in programs that stop with M6 for a change by hand and call the tool then: there the next TOOL CALL is the change. \
 The M6 stops the spindle, which is printed." {
     stops_spindle_tool_is_in_it(by) "{by} stops the spindle; the tool that was called is in it already";
     belongs_to_change_of_tool_call(by) "{by} belongs to the tool change printed for the TOOL CALL";
@@ -165,7 +165,7 @@ K2705 Error "retract-limit-unknown" "M140 MB MAX needs the end of the travel"
 }
 
 K2707 Error "m-function-form" "M function lacks or has wrong words"
-"The function needs a value behind it, or has one that it does not take: `M140 MB 50`, `M103 F20`, `M120 LA 5`. Without it nobody \
+"The function needs a value after it, or has one that it does not take: `M140 MB 50`, `M103 F20`, `M120 LA 5`. Without it nobody \
 knows what the function would do." {
     m197_prolongs_elements(by) "M197 prolongs the elements by {by}" help "write a length that is not below zero";
     m197_lacks_its_length() "M197 lacks its length" help "write `M197 DL0.5`";
@@ -174,8 +174,8 @@ knows what the function would do." {
     m103_f_is_no_share_of_feed(share) "M103 F{share} is no share of the feed in %";
     path_of_m140_is_not_above_zero() "the path of M140 is not above zero"
         help "write how far to retract: `M140 MB 50`";
-    behind_m_may_belong(text, number) "`{text}` behind M{number} may belong to it, or be where the block goes"
-        help "write the coordinates in front of M{number}, or M{number} into a block of its own without L";
+    behind_m_may_belong(text, number) "`{text}` after M{number} may belong to it, or be where the block goes"
+        help "write the coordinates before M{number}, or M{number} into a block of its own without L";
     m_lacks_its_path(number) "M{number} lacks its path" help "write `M140 MB 50` or `M140 MB MAX`";
     of_m_lacks_its_value(name, number) "`{name}` of M{number} lacks its value";
     does_not_belong_to_m(name, number, wanted) "`{name}` does not belong to M{number}"
@@ -189,13 +189,13 @@ K2708 Note "stop-ends-spindle" "M0 stops spindle and coolant as the control does
 
 K2709 Warning "plunge-feed-open" "what M103 does to this feed is open"
 "M103 limits the feed by the share of the way that leads down, and where this move starts was not programmed. partc takes the lowest \
-feed that M103 can mean, as if the whole way led down. Program M103 behind the first positioning. A drilling cycle called under \
+feed that M103 can mean, as if the whole way led down. Program M103 after the first positioning. A drilling cycle called under \
 M103 keeps the feeds of its own parameters." {
     start_of_this_move_is_not_known(share)
         "the start of this move is not known, so M103 limits it to {share} % of its feed"
-        help "program M103 behind the first positioning";
+        help "program M103 after the first positioning";
     m103_does_not_change_feeds() "M103 does not change the feeds of this cycle"
-        help "program M103 without F in front of the cycle, or the feed of the cycle as it is meant";
+        help "program M103 without F before the cycle, or the feed of the cycle as it is meant";
 }
 
 K2710 Warning "basic-rotation-not-ended" "M143 does not end a basic rotation of the target"
@@ -208,10 +208,10 @@ blocks before it would be turned on both. Set up the target without a rotation w
 
 K2850 Warning "open-subprogram" "END PGM inside a called label ends the program"
 "A label is called whose section runs to END PGM without LBL 0. The manuals do not say whether the control takes this for the end of the \
-program; `[control] open_subprogram = \"end\"` says that it does. Nothing behind the call runs then." {
+program; `[control] open_subprogram = \"end\"` says that it does. Nothing after the call runs then." {
     program_ends_inside_this_label()
-        "the program ends inside this label, whose call ends it: nothing behind the call runs"
-        help "write M30, or LBL 0 behind the last block of the subprogram";
+        "the program ends inside this label, whose call ends it: nothing after the call runs"
+        help "write M30, or LBL 0 after the last block of the subprogram";
 }
 
 K2851 Warning "probing-left-out" "touch probe cycle is left out"
@@ -226,7 +226,7 @@ on the target machine." {
 }
 
 K2852 Error "shift-under-turned-plane" "datum shift and turned working plane are mixed"
-"A datum shift in front of PLANE or cycle 19 is measured along the axes of the part, one behind it along the turned ones. What becomes of the \
+"A datum shift before PLANE or cycle 19 is measured along the axes of the part, one after it along the turned ones. What becomes of the \
 one where the other is programmed anew, or where the plane turns back first, no manual page says. Reset the shift before the plane turns, and \
 the plane after the shift that belongs to it. A mirror of X or Y and an uneven scaling by cycle 26 have to be programmed after the turn, too, and reset before the next one." {
     datum_is_set_while_working_plane() "the datum is set while the working plane is turned";
@@ -248,11 +248,11 @@ coordinates; on the part it is the same. The output has turned coordinates, and 
 }
 
 K2854 Warning "probing-sets-datum" "datum that a touch probe cycle sets is not set in the output"
-"On the control the coordinates behind this cycle count from a datum, or along axes, that it has just set; the output leaves the cycle out and prints the blocks in front of it and \
-behind it into one work offset. Where the offset of the target is set, before the program runs, as the cycle sets it, and nothing but the probe moved in front, that is right: say so by \
+"On the control the coordinates after this cycle count from a datum, or along axes, that it has just set; the output leaves the cycle out and prints the blocks before it and \
+after it into one work offset. Where the offset of the target is set, before the program runs, as the cycle sets it, and nothing but the probe moved before it, that is right: say so by \
 `[control] probing_datum = \"set\"`. `\"refuse\"` compiles no such program. Nothing is said where the parameters of the cycle show that the feature reads what it read before, nor where the datum \
 goes into a row of the preset table that a later cycle 247 selects." {
-    blocks_in_front(message) "{message}; blocks in front of it and behind it are printed into one work offset"
+    blocks_in_front(message) "{message}; blocks before it and after it are printed into one work offset"
         asks "if the work offset of the target is set as this cycle sets it before the program runs, set `[control] \
         probing_datum = \"set\"`; `\"refuse\"` compiles no such program";
 }
@@ -266,12 +266,12 @@ K2855 Error "system-data-unit" "unit of a length that the control gives is open"
         \"tnc7\"`)";
 }
 
-K2856 Error "work-before-datum" "moves in front of a datum count from another one"
-"`[control] probing_datum = \"set\"` says that the work offset of the target is the datum that a touch probe cycle sets. Other tools than the probe moved in front of this cycle, in coordinates \
+K2856 Error "work-before-datum" "moves before a datum count from another one"
+"`[control] probing_datum = \"set\"` says that the work offset of the target is the datum that a touch probe cycle sets. Other tools than the probe moved before this cycle, in coordinates \
 of the datum before: one work offset cannot be both. Split the program there, or select a preset of its own by cycle 247." {
     moved_in_front_of_it_with_another(message, worked)
-        "{message}, and {worked} moved in front of it with another tool"
-        help "one work offset cannot be both datums: split the program in front of the cycle, or select another \
+        "{message}, and {worked} moved before it with another tool"
+        help "one work offset cannot be both datums: split the program before the cycle, or select another \
         preset by cycle 247";
 }
 }

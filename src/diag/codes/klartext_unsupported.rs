@@ -8,13 +8,13 @@ end point more. Most controls can also convert an FK program to conventional blo
     too_many_blocks(name) "too many blocks from this {name} on, or too many solutions, are still open"
         help "write the end point of an element between them";
     blocks_behind_have_data_enough(name)
-        "{name} and the blocks behind have data enough, and partc knows no way to construct them";
+        "{name} and the blocks after it have data enough, and partc knows no way to construct them";
     has_ccpr_lacks_ccpa(name)
         "{name} has CCPR and lacks CCPA: partc cannot construct an arc whose centre lies anywhere on a circle about \
         the pole"
         help "write CCPA, the angle of the centre about the pole";
     too_many_blocks_stand_between_elements() "too many blocks stand between elements that are still open"
-        help "write the end point of an element in front of them";
+        help "write the end point of an element before them";
 }
 
 K9003 Error "approach-unsupported" "this form of APPR or DEP is not supported"
@@ -22,7 +22,7 @@ K9003 Error "approach-unsupported" "this form of APPR or DEP is not supported"
 radius; so has the last one. Not supported are scaling, an approach while RL or RR is active, R0 on newer controls, and LN where the target compensates. \
 Program the approach as L and C blocks." {
     approach_or_departure_under_scaling_is_not() "an approach or departure under scaling is not supported"
-        help "reset the scaling in front of the contour";
+        help "reset the scaling before the contour";
     about_pole_of_another_plane(name) "{name} about a pole of another plane";
     is_not_supported_where_target_compensates(name)
         "{name} is not supported where the target compensates: it would not come straight to the contour"
@@ -31,7 +31,7 @@ Program the approach as L and C blocks." {
     no_contour_element_follows(approach) "no contour element follows {approach}"
         help "let a path block follow directly";
     with_tool_axis_is_not_supported(a) "{a} with the tool axis is not supported for this control"
-        help "write the depth into a block in front of the approach";
+        help "write the depth into a block before the approach";
     leads_onto_block_whose_direction_is_not(approach)
         "{approach} leads onto a block whose direction is not known here"
         help "let a straight line or an arc of the working plane with centre or radius follow";
@@ -41,18 +41,18 @@ Program the approach as L and C blocks." {
         help "program a straight block with R0 to the start of the approach";
     while_rl_or_rr_is_active(name)
         "{name} while RL or RR is active is not supported: what controls make of it differs"
-        help "program DEP or a block with R0 in front";
+        help "program DEP or a block with R0 before it";
     with_tool_axis_under_m103_is_not(name) "{name} with the tool axis under M103 is not supported"
-        help "write the depth into a block in front of the approach";
+        help "write the depth into a block before the approach";
     has_no_end_point_away_from_contour(name)
         "{name} has no end point away from the contour: the tool would go onto its last point"
         help "program the end point of the departure";
     follows_block_whose_direction_is_not_known(name) "{name} follows a block whose direction is not known here"
-        help "let a straight line or an arc of the working plane with centre or radius stand in front";
+        help "let a straight line or an arc of the working plane with centre or radius stand before it";
     stands_behind_block_that_leads_to_contour(name)
-        "{name} stands behind the block that leads to the contour, which has no element yet"
+        "{name} stands after the block that leads to the contour, which has no element yet"
         help "program one element of the contour at least";
-    is_supported_behind_contour_with_rl(name) "{name} is supported behind a contour with RL or RR"
+    is_supported_behind_contour_with_rl(name) "{name} is supported after a contour with RL or RR"
         help "program the departure as L and C blocks";
 }
 
@@ -80,7 +80,7 @@ Put the values into the program instead." {
 K9008 Error "m-function-unsupported" "M function changes the path in a way that is not supported"
 "The function moves the tool, changes what coordinates mean, or needs the geometry of the machine. It is refused rather than left out." {
     what_m109() "what M109 and M110 make of the feed on the arc of APPR or DEP is not known"
-        help "program M111 in front of it, and M109 or M110 in the first block of the contour";
+        help "program M111 before it, and M109 or M110 in the first block of the contour";
     m109_m110_change_feed_on_compensated_arcs()
         "M109 and M110 change the feed on compensated arcs, which the target computes";
     m98_opens_corner_at_end()
@@ -94,7 +94,7 @@ K9008 Error "m-function-unsupported" "M function changes the path in a way that 
         help "reset the plane before the block, and program it again after";
     m(m, what) "M{m} {what}";
     m140_retracts_along(axis) "M140 retracts along {axis}, and {axis} is mirrored or turned here"
-        help "reset the mirror or rotation in front of M140";
+        help "reset the mirror or rotation before M140";
     machine_coordinates() "machine coordinates (M91) are supported in L blocks with absolute words"
         help "write `L Z+0 R0 FMAX M91`";
     m92_counts_from_position_that_machine_builder(axis, name)
@@ -121,7 +121,7 @@ K9010 Error "pattern-unsupported" "no pattern is in force"
 table selected by hand. Put the points into the program: `PATTERN DEF POS1 (X+12 Y+20 Z+0)`, or select the table: `SEL PATTERN \"HOLES.PNT\"`." {
     cycl_call_pat_runs_over_pattern()
         "CYCL CALL PAT runs over a pattern, and neither PATTERN DEF nor SEL PATTERN is in force"
-        help "put PATTERN DEF or SEL PATTERN in front";
+        help "put PATTERN DEF or SEL PATTERN before it";
 }
 
 K9012 Error "datum-table" "datum table is not available"

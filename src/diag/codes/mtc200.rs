@@ -21,7 +21,7 @@ program has to be certain: copy the file again. Source: NC Programming Instructi
 }
 
 M1003 Error "mtc-address-alone" "address without a value"
-"A letter stands alone. The control needs a number behind it, or `=` and a variable: `X10`, `X=@050`." {
+"A letter stands alone. The control needs a number after it, or `=` and a variable: `X10`, `X=@050`." {
     address_has_no_value(letter) "the address {letter} has no value"
         help "write it with a number, or as {letter}=@050";
     word_has_no_value() "the word has no value";
@@ -59,12 +59,12 @@ points, and no other arc of the program decides between them. The two circles ar
 
 M2006 Error "mtc-centre-contradiction" "arcs read their centres in different ways"
 "Another arc of the program shows that I, J and K are coordinates, this one fits only as distances from the start, or the other way round. One of \
-them is wrong: check end point, centre and the position in front of the arc." {
+them is wrong: check end point, centre and the position before the arc." {
     centre_fits_as_coordinates() "the centre fits only as coordinates, another arc only as distances"
-        help "check end point, centre and the position in front of both arcs";
+        help "check end point, centre and the position before both arcs";
     centre_fits_as_distances()
         "the centre fits only as distances from the start, another arc only as coordinates"
-        help "check end point, centre and the position in front of both arcs";
+        help "check end point, centre and the position before both arcs";
 }
 
 M2007 Warning "mtc-centre-unusual" "centre does not count as G90 or G91 say"
@@ -113,11 +113,11 @@ is not documented." {
 }
 
 M2016 Error "mtc-corner" "CF or RD without neighbours to cut"
-"A chamfer or rounding stands at the end of a block that moves at feed in the working plane, or in a block of its own behind such a block, and the next \
+"A chamfer or rounding stands at the end of a block that moves at feed in the working plane, or in a block of its own after such a block, and the next \
 motion follows within 20 blocks and is no rapid traverse. Source: NC Programming Instructions 17VRS, page 12-2." {
     more_than_blocks_without_motion_stand(most_between)
-        "more than {most_between} blocks without motion stand behind this corner";
-    block_behind_chamfer_or_rounding_is_no() "the block behind a chamfer or rounding is no line or circle at feed";
+        "more than {most_between} blocks without motion stand after this corner";
+    block_behind_chamfer_or_rounding_is_no() "the block after a chamfer or rounding is no line or circle at feed";
     no_block_that_moves_at_feed_stands(name) "no block that moves at feed stands before this {name}"
         help "write it at the end of the first of the two blocks, or between them";
 }
@@ -130,17 +130,17 @@ Program it incrementally, where the sign gives the direction. Source: NC Program
     is_more_than_turn(letter, value) "{letter}{value} is more than a turn" help "program it incrementally with G91";
 }
 
-M2018 Error "mtc-incremental-offset" "incremental word right behind a changed offset"
+M2018 Error "mtc-incremental-offset" "incremental word right after a changed offset"
 "One description of G50 counts an increment from where the tool stands, another from the last programmed position, to which the new offset is added: the two lie \
-one offset apart. Program the axis once under G90 behind the offset, then go on with G91." {
+one offset apart. Program the axis once under G90 after the offset, then go on with G91." {
     is_incremental_its_zero_offset_changed_since(letter)
         "{letter} is incremental, and its zero offset changed since {letter} was programmed last"
-        asks "program {letter} once under G90 behind the offset, then go on with G91; or set `[control] \
+        asks "program {letter} once under G90 after the offset, then go on with G91; or set `[control] \
         g91_after_offset` to \"with-offset\" or \"increment\"";
 }
 
 M2019 Error "mtc-thread-spindle" "thread is cut while the spindle does not turn"
-"G33 moves the tool by its lead with every turn of the spindle. No M3, M4, M13 or M14 stands before it, or M5 or M19 stopped the spindle. Start it in front of the \
+"G33 moves the tool by its lead with every turn of the spindle. No M3, M4, M13 or M14 stands before it, or M5 or M19 stopped the spindle. Start it before the \
 thread; an M function of the machine that is passed on counts as a start." {
     spindle_does_not_turn_when_g33_begins() "the spindle does not turn when G33 begins"
         help "program S and M3 or M4 before";
@@ -163,7 +163,7 @@ M2102 Error "mtc-offset-reset" "zero offset after JMP depends on the machine"
 M2203 Error "mtc-rts-alone" "RTS without BSR or JSR"
 "RTS goes back to the call, and there was none: the program ran into a subroutine from above, or jumped into it. End the main part with RET." {
     rts_without_call_by_bsr_or_jsr() "RTS without a call by BSR or JSR"
-        help "end the main part with RET in front of the subroutines";
+        help "end the main part with RET before the subroutines";
 }
 
 M2204 Error "mtc-branch-without-result" "branch before any calculation"
@@ -232,7 +232,7 @@ M8001 Note "mtc-tape-mark" "lone % is left out"
 
 M8002 Note "mtc-tool-length" "tool length compensation has no word in the output"
 "G48 switches the compensation of the tool length on, G47 off. Under G48 the programmed path is that of the tool tip, which is what the output holds. Lengths are the \
-target machine's business: `[output] tool_length = \"G43\"` prints G43 behind each tool change. Source: NC Programming Instructions 17VRS, pages 5-10, 5-38, 5-41." {
+target machine's business: `[output] tool_length = \"G43\"` prints G43 after each tool change. Source: NC Programming Instructions 17VRS, pages 5-10, 5-38, 5-41." {
     has_no_word_in_output(word) "{word} has no word in the output, whose positions are those of the tool tip";
 }
 
@@ -274,11 +274,11 @@ run with it. The output has no word for them, so the target goes wrong by the co
 }
 
 M9050 Error "mtc-spindle-nose-refused" "move of the spindle nose is refused"
-"Without tool length compensation positions along the tool axis are those of the spindle nose, and `[control] spindle_nose = \"refuse\"` refuses them. Program G48 in front \
-of the move." {
+"Without tool length compensation positions along the tool axis are those of the spindle nose, and `[control] spindle_nose = \"refuse\"` refuses them. Program G48 before \
+the move." {
     moves_spindle_nose_here(letter, why)
         "{letter} moves the spindle nose here ({why}), and the output moves the tool tip"
-        help "program G48 in front of the move";
+        help "program G48 before the move";
 }
 
 M9002 Error "mtc-word-unknown" "word is not known"
@@ -295,8 +295,8 @@ with a note, or printed as an M function. Beside axes and other words that no G 
         help "rotation of the zero offset is not supported: leave P out";
     is_not_supported(shown, what) "`{shown}` ({what}) is not supported";
     e_behind_number_looks_like_exponent()
-        "E behind a number looks like an exponent, which the control does not know"
-        help "write the number in full: 1000 for 1E3; put a blank in front of E if the word E is meant";
+        "E after a number looks like an exponent, which the control does not know"
+        help "write the number in full: 1000 for 1E3; put a blank before E if the word E is meant";
     is_no_word_beside_words(shown) "`{shown}` is no word of the control that is known"
         help "the words beside {shown} may be its arguments, and no G function of this block takes them: write \
         {shown} alone in its block, or leave it out with all that belongs to it";

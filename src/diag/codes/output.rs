@@ -3,7 +3,7 @@
 super::codes! { OUTPUT:
 
 O1001 Error "feed-not-positive" "feed rate is zero or negative"
-"A cutting move with F0 never ends, or raises an alarm. Look where the feed word or the parameter behind it is set; the F of a TOOL \
+"A cutting move with F0 never ends, or raises an alarm. Look where the feed word or the parameter after it is set; the F of a TOOL \
 CALL, RND or CHF block counts, too." {
     feed_prints_as_zero_or_not(feed) "the feed {feed} prints as zero or not at all";
     feed_has_to_be_above_zero(what) "{what}: the feed has to be above zero" help "program the feed of this move";
@@ -30,19 +30,19 @@ or too large to print. Look where the lead is programmed." {
 }
 
 O1004 Error "speed-prints-as-zero" "spindle speed prints as zero"
-"The target reads whole numbers behind S, or as many places as `[output] decimals` says, and the speed is below half of the last of them. The spindle would stand \
+"The target reads whole numbers after S, or as many places as `[output] decimals` says, and the speed is below half of the last of them. The spindle would stand \
 while the tool cuts. Look at the S of the program; cutting speeds and limits of the speed count, too." {
     speed_prints_as_zero(speed) "the speed {speed} prints as zero, and the spindle would stand";
 }
 
 O1005 Error "wait-prints-as-zero" "wait is shorter than its last printed place"
 "The receiver would not wait at all. The wait of the program is above zero and less than half of what the selected target, or `[output] decimals`, can say: half a millisecond where waits are \
-whole milliseconds. Look at the number behind the wait and at its unit, program a wait that can be said, or leave it out." {
+whole milliseconds. Look at the number after the wait and at its unit, program a wait that can be said, or leave it out." {
     wait_of_s_prints_as_zero(seconds) "the wait of {seconds} s prints as zero";
 }
 
 O1006 Warning "feed-or-speed-rounded" "rounding changes a feed, a speed or a lead by more than one per cent"
-"The target reads so many places behind F, S and the lead of a thread, or `[output] decimals` says so many, and the number of the program has more: 0.01 mm a turn are 0.00039 inch, and 0.0004 with four places. Of a feed per revolution, which has few digits, a tenth of a per cent is told. The first \
+"The target reads so many places after F, S and the lead of a thread, or `[output] decimals` says so many, and the number of the program has more: 0.01 mm a turn are 0.00039 inch, and 0.0004 with four places. Of a feed per revolution, which has few digits, a tenth of a per cent is told. The first \
 one of a program is told. Print more places where the target reads them, or program a number that it can say."
 
 O1007 Error "feed-or-speed-becomes-another" "rounding makes another feed, speed or lead of it"
@@ -76,7 +76,7 @@ the path differs by less than the last printed digit." {
 
 O4003 Note "work-offset-as-preset" "work offset is printed as a preset, or as another one"
 "A TNC has a preset table instead of work offsets. G54 to G59.3 are printed as cycle 247 with the presets 1 to 9, as partc reads them. Set the part up in that line of the \
-preset table. From the seventh on, offsets are G54.1 P1 to P48 on a Fanuc and G154 P1 to P99 on a Haas; behind G57 they are G505 to G599 on a SINUMERIK, and on an Okuma \
+preset table. From the seventh on, offsets are G54.1 P1 to P48 on a Fanuc and G154 P1 to P99 on a Haas; after G57 they are G505 to G599 on a SINUMERIK, and on an Okuma \
 all are G15 H1 to H9." {
     work_offset_is_printed_as_preset(number, word) "the work offset is printed as preset {number} ({word})";
     work_offset_is_printed(word) "the work offset is printed as {word}";
@@ -122,7 +122,7 @@ O9002 Error "spindle-speed-negative" "spindle speed is negative"
 
 O9003 Error "compensation-by-target" "not possible under the target's radius compensation"
 "With `[output] compensation = \"control\"` the target offsets the contour between G41 or G42 and G40. Meanwhile it takes no block in \
-machine coordinates, no change of plane or side, no arc outside the working plane, and no contour that goes on behind a tool change or \
+machine coordinates, no change of plane or side, no arc outside the working plane, and no contour that goes on after a tool change or \
 work offset; and it compensates in some planes only. Most targets end it in a straight move alone, and look ahead over one block that moves nothing in the plane, not over two. The target would stop there with an alarm, so nothing is written. End the compensation before the block, \
 or let partc compute the tool path with `compensation = \"resolve\"`." {
     stop_stands_in_compensated_contour(target)
@@ -138,7 +138,7 @@ or let partc compute the tool path with `compensation = \"resolve\"`." {
         there";
     radius_compensation_is_on_at_block()
         "radius compensation is on at a block that ends it, and the target ends it in a straight move only"
-        help "move away from the contour without compensation in front of this block";
+        help "move away from the contour without compensation before this block";
 }
 
 O9300 Error "thread-unknown-to-target" "the target cuts no threads"
@@ -226,7 +226,7 @@ O9313 Error "m-function-unknown-to-target" "the target does not have this M func
 of the program, or choose a target that a machine builder can extend."
 
 O9314 Error "number-longer-than-read" "number has more digits than the target reads"
-"The selected target drops all digits of a number behind the eighth without a word, so the axis would stop elsewhere. Print fewer places with `[output] decimals`; a path of \
+"The selected target drops all digits of a number after the eighth without a word, so the axis would stop elsewhere. Print fewer places with `[output] decimals`; a path of \
 more than ten metres needs a target that computes in double precision." {
     target_reads_digits_of_number(digits, whole, line)
         "the target reads {digits} digits of a number{whole}, and `{line}` has more";
@@ -236,11 +236,11 @@ O9315 Error "diameter-unknown-to-target" "the target does not take X as a diamet
 "`[output] diameter = true` prints X of a lathe as a diameter, which needs a word that tells the target so (G7). The selected target has none and takes X as a radius. Leave the key away."
 
 O9316 Error "spindle-stands-after-change" "cut with the spindle that a tool change by hand stopped"
-"With `[output] tool_change = \"stop\"` the spindle is stopped (M5) before you change the tool. The program cuts behind the change and starts no spindle: the control \
-may have kept it turning, or started it in its own tool change, and which of the two is not written in the program. Program M3 or M4 behind the change, or M5 where the \
+"With `[output] tool_change = \"stop\"` the spindle is stopped (M5) before you change the tool. The program cuts after the change and starts no spindle: the control \
+may have kept it turning, or started it in its own tool change, and which of the two is not written in the program. Program M3 or M4 after the change, or M5 where the \
 tool has to stand, such as a probe." {
     this_block_cuts() "this block cuts, and the spindle stands since the tool change by hand"
-        help "program M3 or M4 behind the change, or M5 where the tool has to stand";
+        help "program M3 or M4 after the change, or M5 where the tool has to stand";
 }
 
 O9317 Error "machine-kind-unknown-to-target" "the target is made for another kind of machine"
@@ -248,11 +248,11 @@ O9317 Error "machine-kind-unknown-to-target" "the target is made for another kin
 to the machine, or correct `[machine] kind`; where X is always a diameter, leave `[output] diameter = false` away."
 
 O9318 Error "tool-length-begins-in-such-a-block" "the tool length cannot begin in this block"
-"The selected target takes the length of a tool (G43 H) in a straight move along Z: alone in a block, some controls move by the length. The first block behind the tool change \
-that moves Z is an arc, a thread or a transformed move. Put a straight move along Z in front of it." {
+"The selected target takes the length of a tool (G43 H) in a straight move along Z: alone in a block, some controls move by the length. The first block after the tool change \
+that moves Z is an arc, a thread or a transformed move. Put a straight move along Z before it." {
     target_has_no_word_for_length(target)
         "the target {target} has no word for the length of a tool that begins in such a block"
-        help "move along Z in a straight block behind the tool change";
+        help "move along Z in a straight block after the tool change";
 }
 
 O9319 Error "quantity-unknown-in-inches" "the quantity is not printed in inches"
@@ -280,9 +280,9 @@ axis, or take another target." {
 
 O9323 Error "speed-limit-stays" "the target keeps its largest speed"
 "Under constant cutting speed the largest speed holds on the selected target until the next one (G50 S, G92 S), and nothing takes it back. The program asks for a cutting speed without a \
-limit behind one with a limit. State the limit with each." {
+limit after one with a limit. State the limit with each." {
     target_has_no_word_for_constant_cutting(target)
-        "the target {target} has no word for a constant cutting speed without a largest speed behind one that had it"
+        "the target {target} has no word for a constant cutting speed without a largest speed after one that had it"
         help "state the largest speed with each constant cutting speed (LIMS, G92 S)";
 }
 
@@ -293,10 +293,10 @@ O9324 Error "program-number-too-large" "the target does not count programs that 
 }
 
 O9325 Error "thread-behind-stopped-spindle" "the target cannot turn the spindle round between two threads"
-"Tapping in step with the spindle is a thread down, a spindle that turns round, and a thread up. The selected target takes threads one behind the other only where nothing happens \
+"Tapping in step with the spindle is a thread down, a spindle that turns round, and a thread up. The selected target takes threads one after the other only where nothing happens \
 between them (SINUMERIK alarm 10600). Tap by a cycle of the target, or with a floating holder at a feed in mm/min." {
     target_has_no_word_for_thread(target)
-        "the target {target} has no word for a thread behind a thread with another function between them"
+        "the target {target} has no word for a thread after a thread with another function between them"
         help "tap by a cycle of the target, or with a floating holder at a feed in mm/min";
 }
 
@@ -329,7 +329,7 @@ O9329 Warning "block-numbers-of-target" "the target numbers its blocks by itself
 }
 
 O9331 Error "dwell-unit-is-a-setting" "what a wait counts is a setting of the receiver"
-"A setting of the receiver says whether the number behind G4 P counts seconds or milliseconds. Look there, and set `[output] dwell_unit`: a wait of half a second would take eight minutes, or \
+"A setting of the receiver says whether the number after G4 P counts seconds or milliseconds. Look there, and set `[output] dwell_unit`: a wait of half a second would take eight minutes, or \
 none, otherwise." {
     seconds_or_milliseconds(target)
         "seconds or milliseconds: a setting of the target {target} says what a wait counts";
@@ -341,7 +341,7 @@ millimetres."
 
 O9333 Error "rapid-feed-is-missing" "rapid traverse has no feed of its own on the target"
 "Klipper and Marlin carry out G0 at the last F, so after a cut a rapid move would creep, and after a fast one the next cut would race. Every rapid move is printed with the F of \
-`[output] rapid_feed` in mm/min, and every cut behind it with its own. Set the key to what the machine can do." {
+`[output] rapid_feed` in mm/min, and every cut after it with its own. Set the key to what the machine can do." {
     on_target_rapid_traverse_goes_at_last(target)
         "on the target {target} rapid traverse goes at the last F, and none is configured";
 }
@@ -392,7 +392,7 @@ O9341 Error "rigid-tap-in-other-words" "the target cannot tap this hole"
 "The selected target taps by a word of its own, which has a fixed form: along Z downwards, back to where it began, with a speed that is known, on some receivers right-hand threads only. This hole is another one, or its pitch cannot be printed exactly enough. What the target lacks is in the message."
 
 O9330 Error "line-longer-than-read" "line has more characters than the target reads"
-"The selected target takes lines of a certain length and refuses or cuts longer ones. A line that is a little too long gives its F to a line in front of it; under G93, \
+"The selected target takes lines of a certain length and refuses or cuts longer ones. A line that is a little too long gives its F to a line before it; under G93, \
 where F is the time of its own block, it cannot. Print fewer places with `[output] decimals`, or move fewer axes in one block." {
     target_reads_lines_of_characters(most, line, line2)
         "the target reads lines of {most} characters, and `{line}` has {line2}";

@@ -22,7 +22,7 @@ tool, the allowances and the infeeds." {
 
 S8230 Warning "siemens-milling-left-open" "argument of a milling cycle is left open"
 "The call leaves open what the control takes from elsewhere: the infeed in depth or in the plane, or the sense in which the spindle turns for climb \
-and conventional milling. The message says what is taken. Give the argument, or program M3 or M4 in front of the call." {
+and conventional milling. The message says what is taken. Give the argument, or program M3 or M4 before the call." {
     mirrored_frame_turns_sense_around(asked, made)
         "a mirrored frame turns the sense around: {asked} is asked for, and {made} milling comes out"
         help "give the other `CDIR` where the sense is to stay on the mirrored part";
@@ -38,7 +38,7 @@ and conventional milling. The message says what is taken. Give the argument, or 
         "the feed {value} is read as a way per revolution, since G95 is in force"
         help "program G94 before the cycle where it is a feed per minute";
     offn_is_in_force(normal) "OFFN={normal} is in force and not counted: the allowance of the cycle is"
-        help "program OFFN=0 in front of the cycle, and `_FAL` in it";
+        help "program OFFN=0 before the cycle, and `_FAL` in it";
     there_is_no_room_to_go() "there is no room to go to and fro: the tool goes straight down"
         help "the pocket has no room for it; a cutter that cannot plunge breaks";
     radius_of_helix_is_mm(made) "the radius of the helix is {made:.3} mm only" help "the pocket has no room for more";
@@ -53,14 +53,14 @@ and conventional milling. The message says what is taken. Give the argument, or 
     radius_of_helix_is_mm_only_larger(radius)
         "the radius of the helix is {radius} mm only: a larger one leaves a core"
         help "give at most the radius of the cutter as `_RAD1`";
-    speed_of_finishing_stays() "the speed of finishing stays, as none stands in front of the cycle"
+    speed_of_finishing_stays() "the speed of finishing stays, as none stands before the cycle"
         help "program S before the cycle";
     allowance_on_wall_is_mm(room) "the allowance on the wall is {room} mm only: the cutter leaves no room for more"
         help "take a smaller cutter, or a smaller allowance";
     no_corner_radius() "no corner radius: the corners keep the radius of the cutter"
         help "give the radius of the corners";
     blank_is_smaller_than_spigot() "the blank is smaller than the spigot"
-        help "give the size of the blank in front of the cycle";
+        help "give the size of the blank before the cycle";
 }
 
 }

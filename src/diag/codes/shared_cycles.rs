@@ -17,7 +17,7 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
         "the coarse tool {number} (Q18) cut with an oversize of {oversize} mm: whether it cleared as much is open; \
         rough with its true radius, and leave the allowance by Q3";
     no_cycle_22_with_tool(number)
-        "no cycle 22 with tool {number} (Q18) roughed these contours, with these data, in front of it";
+        "no cycle 22 with tool {number} (Q18) roughed these contours, with these data, before it";
     q14_radius_of_cutter_together_are_not(left, radius, allowance, tool)
         "Q14 = {left} and the radius {radius} of the cutter together are not below Q3 = {allowance} and the radius \
         of the cutter that roughed ({tool})";
@@ -65,7 +65,7 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     stud_that_is_there() "the stud that is there (Q222) is smaller than the finished one (Q223)";
     pocket_that_is_there() "the pocket that is there (Q222) is not smaller than the finished one (Q223)";
     cannot_be_scaled(axis) "{axis} cannot be scaled"
-        help "write the factor behind X, Y or Z: `CYCL DEF 26.1 X1.4 Y0.6`";
+        help "write the factor after X, Y or Z: `CYCL DEF 26.1 X1.4 Y0.6`";
     scaling_factor_of_is_out_of_range(factor) "a scaling factor of {factor} is out of range"
         help "a scaling factor lies between 0.000001 and 99.999999";
     only_x_y() "only X, Y and Z can be mirrored" help "name one or two of X, Y, Z";
@@ -130,12 +130,12 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
         "`{parameter}` (argument {place}: {meaning}) is {value}, and has to be {range}" alarm 61002;
     no_contour_is_named() "no contour is named" alarm 61027 help "name a subprogram, or two labels: \"START:END\"";
     more_than_one_contour_is_called() "more than one contour is called" alarm 61704
-        help "call one contour by CYCLE62 in front of each cycle";
+        help "call one contour by CYCLE62 before each cycle";
     more_than_two_contours_are_called() "more than two contours are called" alarm 61704
         help "one contour is the finished part, two are blank and finished part";
-    no_contour_is_called() "no contour is called" help "call it by CYCLE62 in front of the cycle";
+    no_contour_is_called() "no contour is called" help "call it by CYCLE62 before the cycle";
     there_are_too_many_contours() "there are too many contours" alarm 61704
-        help "a machining cycle takes the contours in front of it";
+        help "a machining cycle takes the contours before it";
     type_name() "type, name and labels do not go together" alarm 61701
         help "CYCLE62(\"PROGRAM\",0), CYCLE62(\"CONTOUR\",1), CYCLE62(,2,\"LABEL1\",\"LABEL2\") or \
         CYCLE62(\"PROGRAM\",3,\"LABEL1\",\"LABEL2\")";
@@ -149,7 +149,7 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     pitch_of_helix_ep_is_0(place) "the pitch of the helix `_EP` (argument {place}) is 0 or missing" alarm 61019
         help "give the depth of one turn";
     contour_of_blank_is_missing() "the contour of the blank is missing" alarm 61739
-        help "call the contour of the blank by CYCLE62 in front of that of the part";
+        help "call the contour of the blank by CYCLE62 before that of the part";
     ten_thousands_of_dmode_count_feeds()
         "the ten thousands of `_DMODE` count the feeds of the call per minute, and G94 is not active"
         help "program G94 and its F before the cycle, or give the feeds per turn and 0 in that place";
@@ -188,16 +188,16 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
         help "give the diameter of the bar";
     spindle_direction_is_3_4_or_5() "the spindle direction is 3, 4 or 5" alarm 61102 help "3 is M3";
     pitch_is_below_0() "the pitch is below 0" alarm 61001
-        help "give it without a sign: the spindle in front of the cycle, or SDR, makes the hand of the thread";
+        help "give it without a sign: the spindle before the cycle, or SDR, makes the hand of the thread";
     spindle_does_not_turn() "the spindle does not turn" alarm 61102 help "program M3 or M4 before";
     sdr_is_0_3_or_4() "SDR is 0, 3 or 4" alarm 61102
         help "3 or 4 is the sense on the way out, 0 the other one than before the cycle";
-    spindle_has_no_speed() "the spindle has no speed" alarm 61102 help "program S in front of the cycle";
+    spindle_has_no_speed() "the spindle has no speed" alarm 61102 help "program S before the cycle";
     spindle_has_no_speed_so_give_sst() "the spindle has no speed" alarm 61102
         help "give SST (argument 11) or program S";
     vari_is_0_1_or_2() "`_VARI` is 0, 1 or 2" alarm 61002 help "0 taps in one go, 1 breaks the chip, 2 removes it";
     tapping_under_constant_cutting_speed() "tapping under a constant cutting speed (G96)"
-        help "program G97 with S in turns per minute in front of the cycle";
+        help "program G97 with S in turns per minute before the cycle";
     first_step_dam_is_deeper_than_hole() "the first step `_DAM` is deeper than the hole" alarm 61809
         help "give `_VARI` 0 for one step";
     depth_of_step_dam_is_0() "the depth of a step `_DAM` is 0" alarm 61808
@@ -312,7 +312,7 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     diameter_of_centring_is_not_above_0() "the diameter of the centring is not above 0" alarm 61019
         help "give the diameter of the cone at the surface, above 0";
     hole_lies_along_y() "the hole lies along Y, the tool axis of G18, and no block has moved Y" alarm 61005
-        help "program G17 in front of the cycle to drill along Z; where the lathe has a Y, program it once before";
+        help "program G17 before the cycle to drill along Z; where the lathe has a Y, program it once before";
     axn_is_0_to_3() "`_AXN` is 0 to 3" alarm 61803 help "0 is the tool axis";
     there_is_no_such_approach_or_retraction(name, place)
         "there is no such approach or retraction: `{name}` (argument {place})" alarm 61115
@@ -327,7 +327,7 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
     side_rl_is_40_41_or_42(place, other) "the side `_RL` (argument {place}) is 40, 41 or 42, not {other}" alarm 61114
         help "41 left, 42 right of the contour, 40 on it";
     dmode_names_another_plane_than_one() "`_DMODE` names another plane than the one of the contour" alarm 61101
-        help "select the plane in front of the cycle: G17, G18 or G19";
+        help "select the plane before the cycle: G17, G18 or G19";
     no_drilling_cycle_is_active() "no drilling cycle is active" alarm 62100 help "call it before: MCALL CYCLE81(…)";
     position_has_one_coordinate() "a position has one coordinate only" help "give both";
     neighbours_run_into_each_other(gap, width)
@@ -371,7 +371,7 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
         help "give at most 30, below 0 for alternating flanks";
     start_angle_nsp(start_angle) "the start angle NSP is {start_angle}" help "give 0 to below 360 degrees";
     spindle_does_not_turn_so_program_m3() "the spindle does not turn" alarm 61102
-        help "program M3 or M4 with a speed in front of the cycle";
+        help "program M3 or M4 with a speed before the cycle";
     infeed_mid_is_so_small(place) "the infeed `_MID` (argument {place}) is so small that its passes do not end" alarm 61019
         help "give a larger infeed";
     allowance_fal_is_not_smaller_than_depth(place)
@@ -432,7 +432,7 @@ with what the machine does where the order of the cuts matters.\n\n\
 SINUMERIK: The control promises the final shape, and how it gets there is not published or not confirmed. The message names how the \
 arguments are read and how the plunges are placed; docs/cycles.md describes the whole path. Compare it with what the machine does where \
 the order of the cuts matters. The control promises the edge and the cut; how it cuts the edge is not published. partc plunges in front \
-of it, so that the edge is cut on one side only. From the diameter of the reduced feed on the speed is constant, and it stays so behind \
+of it, so that the edge is cut on one side only. From the diameter of the reduced feed on the speed is constant, and it stays so after \
 the cycle. The control promises the final shape, and how it gets there is not published or not confirmed. partc makes a path of its own \
 that keeps the allowances and infeeds; docs/cycles.md describes it. Compare the path with what the machine does where the order of the \
 cuts matters." {
@@ -454,7 +454,7 @@ cuts matters." {
         account";
     fal_is_left_beside_falx() "`FAL` is left beside `FALX` and `FALZ`";
     cut_goes_in_front_of_edge_first(args)
-        "{args}: the cut goes in front of the edge first; the speed stays fixed behind the cycle";
+        "{args}: the cut goes in front of the edge first; the speed stays fixed after the cycle";
     cutter_leaves_open_side_by_safety_distance() "the cutter leaves an open side by the safety distance";
     limits_are_read_from_right_as_walls()
         "limits are read from the right as walls at the minus and plus side of the first axis, then of the second";
@@ -476,7 +476,7 @@ cuts matters." {
         "the length is taken over the outer edges, and the depth goes down at each end";
     angle_of_slot_is_taken_between_centres() "the angle of a slot is taken between the centres of its round ends";
     without_codes_behind_dp1_fifth_argument()
-        "without codes behind `_DP1` the fifth argument is read as the radius, not as the diameter";
+        "without codes after `_DP1` the fifth argument is read as the radius, not as the diameter";
     tool_goes_down_safety_distance_beside_blank()
         "the tool goes down the safety distance beside the blank, and comes to the wall on a semicircle";
     odd_number_of_edges() "an odd number of edges: `_SWL` is read as the length of an edge";

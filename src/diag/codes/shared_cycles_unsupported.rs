@@ -71,9 +71,9 @@ HEIDENHAIN turning: The cycle is known, its parameters are checked, but partc do
         help "use the plain variant of the cycle, or program its moves as blocks";
     word_as_value(word, q) "{word} as the value of {q} is not supported" help "write a number: `{q}=+750`";
     fu_without_number(q) "FU as the value of {q} is not supported"
-        help "write the number of FU behind it, or the feed a minute: mm per revolution times the speed: `{q}=+750`";
+        help "write the number of FU after it, or the feed a minute: mm per revolution times the speed: `{q}=+750`";
     fz_without_number(q) "FZ as the value of {q} is not supported"
-        help "write the number of FZ behind it, or the feed a minute: mm per tooth times the teeth and the speed: \
+        help "write the number of FZ after it, or the feed a minute: mm per tooth times the teeth and the speed: \
         `{q}=+750`";
     feed_of_cutting_edge_is_not_supported(other) "a feed of the cutting edge (Q439={other}) is not supported"
         help "use the plain variant of the cycle, or program its moves as blocks";
@@ -100,7 +100,7 @@ HEIDENHAIN turning: The cycle is known, its parameters are checked, but partc do
     cycl_call_pat_with_program_of_cycle(name)
         "CYCL CALL PAT with the program `{name}` of cycle 12 under a rotation, mirror or scaling: along which axes \
         the places shift is open"
-        help "end the transformation in front of the pattern";
+        help "end the transformation before the pattern";
     cycl_call_pat_with_program(name)
         "CYCL CALL PAT with the program `{name}` of cycle 12: the places have a Z, and what it shifts is open"
         help "leave Z out of the pattern";
@@ -153,9 +153,9 @@ HEIDENHAIN turning: The cycle is known, its parameters are checked, but partc do
         help "describe the recess in the contour and program G869";
     cycle_at_place_of_clearance(number, high)
         "cycle {number} at a place of CLEARANCE {high} mm: how it comes down from there to its set-up clearance is open"
-        help "move to the set-up clearance above the places in front of CYCL CALL PAT, or give the places by cycle 220 or 221";
+        help "move to the set-up clearance above the places before CYCL CALL PAT, or give the places by cycle 220 or 221";
     cycle_starts_where_tool_stands(number, height, clearance, start)
         "cycle {number} starts where the tool stands, at {height} mm, and the set-up clearance {clearance} mm above the Z of the place is {start} mm: which of the two counts is open"
-        help "move to the set-up clearance above the places in front of CYCL CALL PAT, or give the places by cycle 220 or 221";
+        help "move to the set-up clearance above the places before CYCL CALL PAT, or give the places by cycle 220 or 221";
 }
 }

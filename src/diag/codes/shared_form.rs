@@ -8,7 +8,7 @@ in transfer, or a word processor put it in.\n\n\
 Klartext: A character stands outside a comment or a text in quotes where Klartext knows only letters, digits, signs and blanks. Often a \
 file was damaged in transfer, or a word processor put in a special character.\n\n\
 MTC200: A character stands outside a comment where the control knows only letters, digits, signs and blanks. Often a file was damaged in \
-transfer. Comments stand behind `;`, in round brackets, or in square brackets.\n\n\
+transfer. Comments stand after `;`, in round brackets, or in square brackets.\n\n\
 SINUMERIK: The character belongs to no word of the SINUMERIK language. Comments start with a semicolon. The control shows alarm 12080.\n\n\
 HEIDENHAIN turning: The character belongs to no word of a turning program. Comments stand in square brackets: `[ROUGH THE OUTSIDE]`." {
     carriage_return_without_line_feed_stands_inside()
@@ -16,7 +16,7 @@ HEIDENHAIN turning: The character belongs to no word of a turning program. Comme
         help "end every line of the file in the same way";
     has_no_place_in_block(of) "{of} has no place in a block" help "a comment starts with `;`";
     has_no_place_in_block_so_comment_stands(of) "{of} has no place in a block"
-        help "a comment stands behind `;` or in brackets";
+        help "a comment stands after `;` or in brackets";
     has_no_place_in_block_2(of) "{of} has no place in a block";
 }
 
@@ -36,7 +36,7 @@ HEIDENHAIN turning: The words of the block do not fit together: a value is missi
 and its value stand together (`X50`, `Xi-5`, `X#5`, `X{#5+2}`); a coordinate that is left open is written `X?`." {
     cannot_stand_here(word) "`{word}` cannot stand here";
     block_ends_too_early() "block ends too early";
-    cannot_stand_in_front(text) "`{text}` cannot stand in front of `=`";
+    cannot_stand_in_front(text) "`{text}` cannot stand before `=`";
     block_ends_too_early_so_formula() "the block ends too early" help "a formula or a value is missing";
     is_no_value(text) "`{text}` is no value" alarm 12080;
     label_too_many_in_repetition() "a label too many in the repetition" alarm 12080;
@@ -44,12 +44,12 @@ and its value stand together (`X50`, `Xi-5`, `X#5`, `X{#5+2}`); a coordinate tha
     p_stands_twice() "P stands twice" alarm 12080;
     block_number_is_whole_number() "a block number is a whole number" alarm 12080;
     constant_of_case_is_whole_number() "a constant of CASE is a whole number" alarm 12080;
-    cannot_stand_in_front_2(text) "`{text}` cannot stand in front of `=`" alarm 12080;
+    cannot_stand_in_front_2(text) "`{text}` cannot stand before `=`" alarm 12080;
     text_cannot_stand_here() "a text cannot stand here"
         help "a text is an argument, as in MSG(\"TEXT\"), or a value, as in T=\"DRILL\"";
     address_has_no_value(letter) "the address {letter} has no value";
-    letter_o_stands_behind_digit() "a letter O stands behind a digit";
-    is_missing_in_front(word) "`=` is missing in front of `{word}`";
+    letter_o_stands_behind_digit() "a letter O stands after a digit";
+    is_missing_in_front(word) "`=` is missing before `{word}`";
     block_ends_too_early_2() "the block ends too early";
     takes_another_number_of_values(name) "`{name}` takes another number of values";
     is_no_value_2(shown) "`{shown}` is no value";
@@ -57,7 +57,7 @@ and its value stand together (`X50`, `Xi-5`, `X#5`, `X{#5+2}`); a coordinate tha
     stands_where_value_is_missing(word) "`{word}` stands where a value is missing";
     fn_23_names_its_result() "FN 23 names its result and its points" help "write `FN 23: Q20 = CDATA Q30`";
     fn_37_exports_ql_parameter() "FN 37 exports a QL parameter: `FN 37: EXPORT QL5`";
-    sysread_takes_whole_numbers_behind_id() "SYSREAD takes whole numbers behind ID and NR, and IDX";
+    sysread_takes_whole_numbers_behind_id() "SYSREAD takes whole numbers after ID and NR, and IDX";
     sysread_takes_id() "SYSREAD takes ID, NR and IDX with a value each";
     takes_no_value(name) "`{name}` takes no value";
     this_takes_no_value() "this takes no value" alarm 12080;
@@ -136,12 +136,12 @@ SINUMERIK: The word has no meaning beside the others: a centre in a straight lin
 does not take. The control shows alarm 12110, or 15460 if the G code is modal only. Nothing is dropped, so the block is refused.\n\n\
 HEIDENHAIN turning: Every word has to belong to a function of its block, and the functions of this one do not take it. The control would \
 refuse it or ignore it; partc never drops a word. Remove it, or put it where it belongs." {
-    has_no_place_so_cycle_parameter(shown, value) "`{shown}` has no place behind `{value}`"
+    has_no_place_so_cycle_parameter(shown, value) "`{shown}` has no place after `{value}`"
         help "a cycle parameter takes one number or one parameter: `Q201=-20` or `Q201=-Q1`; a remark starts with \
         `;`";
     has_no_place_in_cycle_definition(shown) "`{shown}` has no place in a cycle definition";
-    is_joined_to_line_in_front(shown, of) "`{shown}` is joined to {of}: the line in front of it ends with `~`"
-        help "remove the `~` at the end of the line in front";
+    is_joined_to_line_in_front(shown, of) "`{shown}` is joined to {of}: the line before it ends with `~`"
+        help "remove the `~` at the end of the line before";
     moves_axes_of_plane(name) "{name} moves the axes of the plane and the tool axis";
     is_arc_in_plane(function) "{function} is an arc in the plane and moves no other axis"
         help "program the other axis in a block of its own";
@@ -151,7 +151,7 @@ refuse it or ignore it; partc never drops a word. Remove it, or put it where it 
     in_point_may_belong_to_name(word_text) "in `{word_text}` the point may belong to the name or to the number"
         help "write a blank between the name and the number";
     cycle_has_no_parameter(number, q) "cycle {number} has no parameter {q}"
-        help "remove it; if the line is a block of its own, remove the `~` at the end of the line in front";
+        help "remove it; if the line is a block of its own, remove the `~` at the end of the line before";
     in_definition_of_cycle(word_text, number, q)
         "`{word_text}` in the definition of cycle {number}: Q0 to Q99 belong to the program, and whether the cycle \
         changes {q} there is up to the machine builder"
@@ -174,7 +174,7 @@ refuse it or ignore it; partc never drops a word. Remove it, or put it where it 
     has_no_place(text, block) "`{text}` has no place in {block}";
     too_many_m_functions_in_one_block() "too many M functions in one block";
     moves_in_working_plane(head) "{head} moves in the working plane only"
-        help "program the other axes in a block of their own, in front of the contour or behind it";
+        help "program the other axes in a block of their own, before the contour or after it";
     g41_g42_follow_each_other_without_g40() "G41 and G42 follow each other without G40"
         help "program G40 with a straight move between them";
     tool_changes_under_path_compensation() "the tool changes under path compensation" help "program G40 before";
@@ -216,7 +216,7 @@ refuse it or ignore it; partc never drops a word. Remove it, or put it where it 
     call_takes_plain_numbers() "a call takes plain numbers";
     block_of_call_holds_words_that_no() "the block of a call holds words that no manual at hand describes"
         help "hand over values with LA to LF, LH and I, and put functions into blocks of their own";
-    g80_takes_no_behind_g(name, number) "G80 takes no {name} behind G{number}"
+    g80_takes_no_behind_g(name, number) "G80 takes no {name} after G{number}"
         help "remove the word, or put it where it belongs";
     g80_stands_alone_in_its_block() "G80 stands alone in its block";
     i_k_are_end_position(kind) "I and K are the end position, and H{kind} goes to none"
@@ -247,7 +247,7 @@ refuse it or ignore it; partc never drops a word. Remove it, or put it where it 
 
 P1004 Error "word-missing" "block lacks a word" was "K1006 M1007 mtc-word-missing T1005 turning-word-missing"
 "A word without which the block has no meaning is missing. Add it.\n\n\
-Klartext: A word without which the block has no meaning is missing, for example the radius of `CR` or the value behind an axis letter. \
+Klartext: A word without which the block has no meaning is missing, for example the radius of `CR` or the value after an axis letter. \
 The control would ask for it in its dialogue. Add the word.\n\n\
 MTC200: A word without which the block has no meaning is missing, for example the F of `G04`, the lead of `G33`, or the axes of `G50`. \
 Add it.\n\n\
@@ -255,8 +255,8 @@ HEIDENHAIN turning: A word without which the function has no meaning is missing.
 word." {
     takes_its_size_from_other_words(name, form) "{name} takes its size from other words" help "write {form}";
     cr_needs_radius_that_is_not_zero() "CR needs a radius that is not zero" help "write R+20 or R-20";
-    has_no_number(label) "`{label}` has no number" help "write the number behind it";
-    has_no_number_so_write_number(word) "`{word}` has no number" help "write the number behind the letter";
+    has_no_number(label) "`{label}` has no number" help "write the number after it";
+    has_no_number_so_write_number(word) "`{word}` has no number" help "write the number after the letter";
     value_is_missing() "a value is missing";
     name_of_program_is_missing() "the name of the program is missing";
     names_no_table(name) "{name} names no table" help "write the name of the table: `SEL TABLE \"NAME.D\"`";
@@ -264,15 +264,15 @@ word." {
     tool_def_names_no_tool() "TOOL DEF names no tool";
     fpol_needs_both_axes_of_working_plane() "FPOL needs both axes of the working plane, as absolute words"
         help "write `FPOL X+50 Y+20`";
-    fselect_needs_number_of_solution() "FSELECT needs the number of a solution" help "write it behind: `FSELECT 1`";
+    fselect_needs_number_of_solution() "FSELECT needs the number of a solution" help "write it after: `FSELECT 1`";
     needs(text, needs) "`{text}` needs {needs}" help "complete the data, or remove the word";
     word_lacks(text, what) "`{text}` {what}" help "correct the value";
-    lacks_its_value(word_text) "`{word_text}` lacks its value" help "write the value behind the word";
+    lacks_its_value(word_text) "`{word_text}` lacks its value" help "write the value after the word";
     needs_length_above_zero(name) "{name} needs a length above zero";
-    names_no_label(name) "`{name}` names no label" help "write the label behind it: `BRA .LOOP`";
+    names_no_label(name) "`{name}` names no label" help "write the label after it: `BRA .LOOP`";
     name_of_subprogram_is_missing() "the name of the subprogram is missing";
     is_missing_contour_has_no_start(name) "{name} is missing: the contour has no start or no end";
-    cycle_has_neither_ns_nor_contour() "the cycle has neither NS nor a contour behind it";
+    cycle_has_neither_ns_nor_contour() "the cycle has neither NS nor a contour after it";
     z_is_missing() "Z is missing: the bottom of the hole";
     i_is_missing()
         "I is missing: the greatest infeed"
@@ -346,7 +346,7 @@ M4`). Put the second one into a block of its own." {
         help "leave one of the two out";
     contour_stands_in_blocks() "the contour stands in blocks and in the words of G80";
     m_stands_in_block_of_cycle_whose(m) "M{m} stands in the block of a cycle whose contour follows"
-        help "put it in front of the cycle or behind its G80";
+        help "put it before the cycle or after its G80";
     tapping_under_constant_cutting_speed() "tapping under a constant cutting speed (G96)"
         help "program `G97 S…` before G36";
     m_m_cannot_stand_in_one_block(other, m) "M{other} and M{m} cannot stand in one block"
@@ -396,18 +396,18 @@ lines, and add M30." {
 P1008 Warning "text-after-end" "blocks after the end of the program" was "K1012 T1011 turning-behind-end"
 "The control does not execute what follows the end of the program, and nor does partc.\n\n\
 Klartext: The control ignores what follows END PGM, and so does partc. If the blocks belong to the program, move the END PGM block \
-behind them; otherwise delete them.\n\n\
-HEIDENHAIN turning: What stands behind END is not executed. Most often two programs were joined into one file; each needs a file of its \
+after them; otherwise delete them.\n\n\
+HEIDENHAIN turning: What stands after END is not executed. Most often two programs were joined into one file; each needs a file of its \
 own." {
-    this_stands_behind_end_pgm() "this stands behind END PGM and is not part of the program";
-    this_stands_behind_end_of_program() "this stands behind the end of the program and is not part of it";
+    this_stands_behind_end_pgm() "this stands after END PGM and is not part of the program";
+    this_stands_behind_end_of_program() "this stands after the end of the program and is not part of it";
 }
 
 P1009 Error "second-program" "file holds a second program" was "K1013 second-program-head M1012 mtc-second-program"
 "A file holds one program. Put each into a file of its own.\n\n\
 Klartext: A file holds one program. A second head means that two files were joined: on the machine the second one would never load this \
 way. Put each program into a file of its own.\n\n\
-MTC200: A line `%NPG` stands behind blocks of a program: another program begins there. JSR and JMP name programs by the number under \
+MTC200: A line `%NPG` stands after blocks of a program: another program begins there. JSR and JMP name programs by the number under \
 which they are stored, which no line of a transfer file says, and labels belong to one program alone. Which program is meant has to be \
 certain: put each into a file of its own, named by its number." {
     second_program_begins_in_this_file() "a second program begins in this file"
@@ -415,12 +415,12 @@ certain: put each into a file of its own, named by its number." {
     second_program_begins_here() "a second program begins here";
 }
 
-P1010 Error "block-in-comment" "comment hides a block behind a lone carriage return" was "K1016 S1015 siemens-block-in-comment"
+P1010 Error "block-in-comment" "comment hides a block after a lone carriage return" was "K1016 S1015 siemens-block-in-comment"
 "A comment holds a carriage return, and what follows reads as a block. Lines of this file end with a line feed, so for the control the \
 rest still is comment, while many editors show a line of its own. Whether the block shall run cannot be known: end the comment with a \
 line feed, or remove the block." {
     stands_in_comment_behind_lone_carriage_return(block)
-        "`{block}` stands in a comment behind a lone carriage return"
+        "`{block}` stands in a comment after a lone carriage return"
         help "end the line of the comment with a line feed, or remove the block";
 }
 
@@ -428,7 +428,7 @@ P1011 Error "lone-carriage-return" "carriage return inside a block" was "M1050 m
 "Other programs show what follows the carriage return as a line of its own, and the control reads it on. Which of the two was meant \
 cannot be told. Save the file anew with one kind of line end.\n\n\
 MTC200: A carriage return or a line feed stands inside of a block. Other programs show what follows it as a line of its own, the control \
-reads it on, or loses it behind a comment. Which of the two was meant cannot be told. Save the file anew with one kind of line break.\n\n\
+reads it on, or loses it after a comment. Which of the two was meant cannot be told. Save the file anew with one kind of line break.\n\n\
 SINUMERIK: The lines of this file end with a line feed, and a carriage return alone stands between two words. Most often it is what is \
 left of a line end, so that two blocks would be read as one. End every line in the same way: with a line feed, or with a carriage return \
 and a line feed.\n\n\
@@ -440,7 +440,7 @@ feed." {
     carriage_return_without_line_feed_stands_inside()
         "a carriage return without a line feed stands inside this block"
         help "end every line of the file in the same way";
-    stands_behind_lone_carriage_return(of) "`{of}` stands behind a lone carriage return"
-        help "end the line in front of it with a line feed, or remove it";
+    stands_behind_lone_carriage_return(of) "`{of}` stands after a lone carriage return"
+        help "end the line before it with a line feed, or remove it";
 }
 }

@@ -11,7 +11,7 @@ MTC200: The block needs the position from which it starts: for an incremental wo
 an absolute position, or a tool change, a work offset or a move in machine coordinates made it unknown. Program an absolute position \
 first. If the program relies on where the machine stands at the start, say so in partc.toml: `[start]` with `X = 0.0`.\n\n\
 SINUMERIK: The block counts from a position that the program did not say yet: an increment, an arc, a pole, or a line by angle at the \
-start of the program, behind a tool change, a change of the work offset or a move in machine coordinates. Program the axes absolutely \
+start of the program, after a tool change, a change of the work offset or a move in machine coordinates. Program the axes absolutely \
 once.\n\n\
 HEIDENHAIN turning: An incremental word, an angle or an arc counts from where the tool stands, and that is not known: at the start of \
 the program, after a tool change, and after a move in machine coordinates. Program the axis once as an absolute value." {
@@ -40,7 +40,7 @@ holds when the control is switched on is not in the program. Program `G95 F0.25`
     no_feed_is_programmed_for_this_move() "no feed is programmed for this move" help "program F in this block";
     kind_of_feed_has_changed_since_frcm()
         "the kind of feed has changed since FRCM=, whose value counts in the other one" alarm 10860
-        help "program FRCM= again behind G94, G95 and G96, or FRCM=0";
+        help "program FRCM= again after G94, G95 and G96, or FRCM=0";
     under_g93_block_has_no_f() "under G93 the block has no F" alarm 10860
         help "program F in every block that cuts: it is 1 divided by the minutes of the block";
     no_feed_is_programmed() "no feed is programmed" alarm 10860;
@@ -79,9 +79,9 @@ SINUMERIK: Stock removal and undercut cycles of a lathe run the nose of the tool
 its cutting edge have to be known: alarms 61000 and 61009. Give them in the configuration under [tools], or in the program by $TC_DP6 \
 and $TC_DP2. A groove is cut with the whole edge of the tool: its cutting width, the radius of its corners and the corner that is \
 programmed (the cutting-edge position) have to be known. Give `width`, `radius` and `orientation` under `[tools.N]`; radius and position \
-count, too, where the program writes `$TC_DP6` and `$TC_DP2` of the active edge in front of the call. A milling cycle of the control \
+count, too, where the program writes `$TC_DP6` and `$TC_DP2` of the active edge before the call. A milling cycle of the control \
 computes the path of the cutter's centre from the radius in the tool memory. Give the radius of the tool in `[tools.N] radius`, or write \
-`$TC_DP6` of the active edge in front of the call. Data that the program changes by `$P_AD`, and an edge that is in doubt between T and \
+`$TC_DP6` of the active edge before the call. Data that the program changes by `$P_AD`, and an edge that is in doubt between T and \
 M6, do not count.\n\n\
 HEIDENHAIN turning: Recessing cycles need the cutting width, the nose radius and the kind of the tool in the cutting position. Contour \
 cycles need its nose radius and the position of its edge where the contour has a slope, an arc or walls that face each other: there the \
@@ -125,19 +125,19 @@ target compensate." {
         asks "give it in partc.toml: `[tools.{number}]` with `radius = 0.8` and `orientation = 3`";
     g_compensates_nose_radius_of_no_tool(fun)
         "G{fun} compensates the nose radius of the tool, which is not known"
-        help "program T in front of the cycle";
+        help "program T before the cycle";
     arc_needs_nose_radius_of_tool(number)
         "the nose radius of the tool is not known, and G58 makes an arc around each outer corner"
         asks "give it in partc.toml: `[tools.{number}]` with `radius = 0.8` and `orientation = 3`";
     arc_needs_nose_radius_of_no_tool()
         "the nose radius of the tool is not known, and G58 makes an arc around each outer corner"
-        help "program T in front of the cycle";
+        help "program T before the cycle";
     contour_needs_nose_radius_of_tool(number, what)
         "the nose radius of tool {number} is not known, and the contour has {what}"
         asks "give it in partc.toml: `[tools.{number}]` with `radius = 0.8` and `orientation = 3`";
     contour_needs_nose_radius_of_no_tool(what)
         "the contour has {what}, and no tool is in the cutting position whose nose could run along it"
-        help "program T in front of the cycle";
+        help "program T before the cycle";
     edge_position_of_tool_has_no_corner(position)
         "cutting-edge position {position} of the tool is not supported in this cycle: its nose cannot be \
         compensated"
@@ -151,7 +151,7 @@ target compensate." {
         "kind, width or nose radius of the recessing tool {number} is not known"
         asks "add `[tools.{number}]` with `kind = \"recess-radial\"` or `\"recess-axial\"`, `width` and `radius` to \
         partc.toml";
-    no_tool_is_in_cutting_position() "no tool is in the cutting position" help "program T in front of the cycle";
+    no_tool_is_in_cutting_position() "no tool is in the cutting position" help "program T before the cycle";
     g_compensates_nose_radius(fun, what) "G{fun} compensates the nose radius: {what}"
         asks "add `radius` and `orientation` of the tool to partc.toml, or set `[output] compensation = \"control\"` \
         to print G41 and G42";
@@ -173,7 +173,7 @@ SINUMERIK: G53, G153 and SUPA place the tip of the tool on a SINUMERIK control (
 target; SUPD does the opposite. With `tool_length = \"G43\"` the length of the tool is added, so it has to be known: give it under \
 [tools] or write `$TC_DP3`. On lathes it is never known. Under D0, or with `[control] md10760 = true`, no length counts." {
     supd_moves_spindle() "SUPD moves the spindle, not the tip of the tool, to this position"
-        help "write D0 in a block in front of it, and the coordinate of the spindle by SUPA";
+        help "write D0 in a block before it, and the coordinate of the spindle by SUPA";
     control_goes_to_this_machine_coordinate(axis)
         "the control goes to this machine coordinate of {axis} with the tip of the tool (MD 10760 = 0), the target \
         with its spindle: the length of the tool is not known";
@@ -215,7 +215,7 @@ target has the same function, list it under `[output] pass_m`." {
 }
 
 P2008 Warning "m-function-before-move" "M function is printed before the move" was "K2706 m-function-beside-move M2704 mtc-m-order"
-"The output has the M function in front of the move of its block.\n\n\
+"The output has the M function before the move of its block.\n\n\
 Klartext: Whether this M function acts at the start or the end of its block is up to the machine builder. It is printed before the move; \
 put it into a block of its own to be sure.\n\n\
 MTC200: The manual does not say whether this M function of the machine builder acts before or after the move of its block. It is printed \
@@ -241,16 +241,16 @@ reached from here. Check the number, or the spelling of the name.\n\n\
 MTC200: The jump names a label that no block of the program sets. A label is a point and a name at the start of a block: `.LOOP`. Check \
 the spelling.\n\n\
 SINUMERIK: GOTOF searches to the end of the program, GOTOB to its start, GOTO first forward and then backward, and only in the program \
-that jumps. The control shows alarm 14080. Behind a jump that leads nowhere the run stops, because nobody knows where the program goes \
+that jumps. The control shows alarm 14080. After a jump that leads nowhere the run stops, because nobody knows where the program goes \
 on." {
     lbl_0_ends_subprogram() "LBL 0 ends a subprogram and cannot be called";
     is_no_label_number(q, n) "{q} = {n} is no label number";
     is_not_set_in_this_program(label) "{label} is not set in this program";
     label_is_not_set(name) "the label .{name} is not set";
-    there_is_no_label_behind_first(to) "there is no label `{to}` behind the first" alarm 14082;
+    there_is_no_label_behind_first(to) "there is no label `{to}` after the first" alarm 14082;
     there_is_no_label_in_program(symbols) "there is no label `{symbols}` in the program" alarm 14082;
-    section_behind_this_block_has_no_endlabel() "the section behind this block has no ENDLABEL" alarm 14080;
-    last_label_of_section_stands_in_front() "the last label of the section stands in front of its first" alarm 14080;
+    section_behind_this_block_has_no_endlabel() "the section after this block has no ENDLABEL" alarm 14080;
+    last_label_of_section_stands_in_front() "the last label of the section stands before its first" alarm 14080;
     there_is_no(what, way) "there is no {what}{way}" alarm 14080;
     jump_target_is_no_text() "the jump target is no text" alarm 14080;
 }
@@ -347,7 +347,7 @@ HEIDENHAIN turning: The variable holds what the control measured or knows of the
         asks "give its value in partc.toml: `[variables]` with `{q} = …`";
     is_set_by_control_at_machine_and_nothing(q)
         "{q} is set by the control at the machine, and nothing in the program says to what"
-        help "if the value is always the same, assign it behind that block: `{q} = …`";
+        help "if the value is always the same, assign it after that block: `{q} = …`";
     frame_of_axis_that_is_left_out() "the frame of an axis that is left out is not known";
     has_no_value(key, name, line)
         "`{key}` has no value: {name} in line {line} touches nothing, as `[control] probing_contact` says"
@@ -395,18 +395,18 @@ alarm 12150. Texts become numbers by NUMBER(…)." {
 P2025 Error "no-such-variable" "no variable has this number" was "K2308 parameter-number M2303 mtc-variable-number"
 "The control refuses the number. Most often a digit is too many.\n\n\
 Klartext: Q0 to Q1999, QL0 to QL499, QR0 to QR499 and QS0 to QS1999 exist. The control refuses any other number. Most often a digit is \
-too many, or the blank behind the number is missing.\n\n\
+too many, or the blank after the number is missing.\n\n\
 MTC200: Variables have three digits, `@000` to `@999`, so nothing can be read or stored here. Check the number." {
     does_not_exist(q) "{q} does not exist";
     there_is_no_variable(number) "there is no variable @{number}" help "variables are @000 to @999";
 }
 
 P2026 Error "program-stops-itself" "program stops with an error of its own" was "K2309 program-error-stop S2027 siemens-setal"
-"The program itself says that something is wrong with its data. Look at the condition in front of the block.\n\n\
+"The program itself says that something is wrong with its data. Look at the condition before the block.\n\n\
 Klartext: The block FN 14 makes the control stop with an error text. The program itself says that something is wrong with its \
-parameters; look at the condition in front of it.\n\n\
+parameters; look at the condition before it.\n\n\
 SINUMERIK: The way through the program reaches SETAL, with which it stops for data it finds wrong. What follows would not run on the \
-machine, so nothing is written. Look at the conditions in front of it." {
+machine, so nothing is written. Look at the conditions before it." {
     program_stops_with_error(error) "the program stops with error {error}";
     program_raises_alarm(shown, cause) "the program raises alarm{shown}{cause}";
     setal_is_no_alarm_of_program(number) "SETAL({number}) is no alarm of a program" alarm 15700
@@ -420,25 +420,25 @@ one inside it. Check that this is meant; most often another axis is." {
     tool_axis_is_mirrored_2(axis) "the tool axis {axis} is mirrored";
 }
 
-P2032 Warning "moves-before-offset" "moves in front of the first work offset" was "P0204 S8131 siemens-moves-before-offset"
-"In front of the first work offset (cycle 247, G54) positions count from the one that is active on the control, which an earlier program \
+P2032 Warning "moves-before-offset" "moves before the first work offset" was "P0204 S8131 siemens-moves-before-offset"
+"Before the first work offset (cycle 247, G54) positions count from the one that is active on the control, which an earlier program \
 or the operator selected. In the output these moves run under the offset that is active on the target at the start, which may be another \
-one. Select the work offset in front of the first move, or retract in machine coordinates (M91, G53).\n\n\
-SINUMERIK: In front of the first G54 a control counts from its basic system (G500), unless a machine datum (MD 20150) says otherwise. On \
-the target these moves run under the offset that is active there at the start. Select the work offset in front of the first move; a \
+one. Select the work offset before the first move, or retract in machine coordinates (M91, G53).\n\n\
+SINUMERIK: Before the first G54 a control counts from its basic system (G500), unless a machine datum (MD 20150) says otherwise. On \
+the target these moves run under the offset that is active there at the start. Select the work offset before the first move; a \
 retraction in machine coordinates is SUPA or G53." {
     moves_stand_in_front(word)
-        "moves stand in front of {word}: they run under the offset that is active on the target at the start"
-        help "select the work offset in front of the first move; a retraction may be programmed in machine \
+        "moves stand before {word}: they run under the offset that is active on the target at the start"
+        help "select the work offset before the first move; a retraction may be programmed in machine \
         coordinates";
     moves_stand_in_front_of_they_run(word)
-        "moves stand in front of {word}: they run under the offset that is active on the target at the start";
+        "moves stand before {word}: they run under the offset that is active on the target at the start";
 }
 
 P2040 Error "compensation-in-arc" "radius compensation starts or ends in an arc" was "K2601 M2011 mtc-compensation-on-arc"
 "Radius compensation begins and ends over a straight move.\n\n\
 Klartext: RL, RR and R0 take effect over a straight block, at whose end the tool stands beside the contour. The control refuses to \
-switch in C, CR, CT, CP and CTP. Put a straight block in front of or behind the arc.\n\n\
+switch in C, CR, CT, CP and CTP. Put a straight block before or after the arc.\n\n\
 MTC200: Path compensation starts and ends on a straight move. On an arc the control stops with this text when it starts, and makes \
 contour errors that cannot be foretold when it ends. Program a straight block between. Source: NC Programming Instructions 17VRS, pages \
 5-30, 5-32." {

@@ -27,14 +27,14 @@ partc.toml or from `$TC_DP` of the program. With `[output] compensation = \"cont
     how_control_leads_tool_there_is_not(what, help_) "{what}: how the control leads the tool there is not confirmed"
         asks "{help_}, or set `[control] rounded_approach = \"round\"`";
     under_m128_radius_compensation_is_one() "under M128 the radius compensation is one in space"
-        help "program M129 in front of the contour";
+        help "program M129 before the contour";
     radius_of_tool_with_its_oversizes(radius)
         "the radius of the tool with its oversizes is {radius} mm: what a control does below zero is not known"
         help "make the oversize DR smaller, or swap RL and RR and give the radius without its sign";
     blocks_in_front_of_this_one(before, most_without_move)
-        "{before} blocks in front of this one do not move in the plane: the control takes the compensated contour as \
+        "{before} blocks before this one do not move in the plane: the control takes the compensated contour as \
         finished after {most_without_move}"
-        help "put them in front of G41 and G42, or behind G40";
+        help "put them before G41 and G42, or after G40";
     cutting_edge_position_of_tool_is_not(tool) "the cutting-edge position of tool {tool} is not known"
         asks "add it to `[tools]` in partc.toml, or set `[output] compensation = \"control\"` to print G41 and \
         G42";
@@ -47,7 +47,7 @@ partc.toml or from `$TC_DP` of the program. With `[output] compensation = \"cont
     chamfers_at_outside_corners() "chamfers at outside corners (G44) are not supported"
         help "program G43: an arc leads around outside corners";
     t_is_turning_tool(number) "T{number} is a turning tool, and its nose is compensated in the plane ZX only"
-        help "select G18 in front of G41 and G42";
+        help "select G18 before G41 and G42";
     frame_tilts_working_plane() "a frame tilts the working plane, and radius compensation is on"
         help "turn the frame about the tool axis only, or have the CAM system put out the centre path";
     under_disc_tool_goes_around_corners(overshoot)
@@ -74,9 +74,9 @@ partc.toml or from `$TC_DP` of the program. With `[output] compensation = \"cont
     offset_of_tool_that_program_adds() "an offset of the tool that the program adds cannot be printed"
         help "put it into the tool data";
     radius_of_t_d_is_not(number, edge, what) "the radius of T{number} D{edge} is not known: {what}"
-        help "write it in front of G41 or G42: `$TC_DP6[{number},{edge}]=…`";
+        help "write it before G41 or G42: `$TC_DP6[{number},{edge}]=…`";
     program_changes_radius_of_active_tool() "the program changes the radius of the active tool by `$P_AD`"
-        help "write `$TC_DP6` of the tool in front of its selection";
+        help "write `$TC_DP6` of the tool before its selection";
     data_of_t_d_were_written_after(number, edge)
         "the data of T{number} D{edge} were written after its selection, and no D stands after them: whether they \
         count already is not documented"
@@ -137,8 +137,8 @@ SINUMERIK: A circle needs a centre, a radius or an angle, and an arc by radius a
 }
 
 P8140 Warning "block-not-run" "block that does not run could not be compiled" was "K8001 S8040 siemens-block-not-run"
-"`partc check` looks at every block, also at those that this run of the program leaves out: behind M30, in subprograms that nothing \
-calls, behind a jump, in a branch not taken. The output does not depend on this one, so it is no error; if it ever runs, it will be \
+"`partc check` looks at every block, also at those that this run of the program leaves out: after M30, in subprograms that nothing \
+calls, after a jump, in a branch not taken. The output does not depend on this one, so it is no error; if it ever runs, it will be \
 refused. `partc explain` with the code that the text names says why." {
     this_jump_is_not_taken(message, id) "this jump is not taken; if it were, it would be refused: {message} ({id})";
     this_block_does_not_run(title, id) "this block does not run; if it did, it would be refused: {title} ({id})"
@@ -158,7 +158,7 @@ calls and that is found nowhere is left out in the same way by its name: `HEADCL
 changes to the tool of the TOOL CALL before it. Q parameters that it would set keep what they were.\n\n\
 SINUMERIK: The program belongs to the machine builder and is not here. `[programs]` says that its call changes the tool, or is left out; \
 whatever else the program does on the machine (coolant, retraction, speed) is not in the output, and the axes stand where the call found \
-them, or behind a tool change where `[machine] after_tool_change` says. G0 or G1 that it leaves active is `motion = \"G0\"`, axes that \
+them, or after a tool change where `[machine] after_tool_change` says. G0 or G1 that it leaves active is `motion = \"G0\"`, axes that \
 it moves away `lost = [\"X\"]`. Give a program of your own for it (`TC = { file = \"stubs/TC.SPF\" }`) where more of it is needed." {
     changes_tool(name) "`{name}` changes the tool, as `[programs]` says; whatever else it does is left out";
     is_left_out(name) "`{name}` is left out, as `[programs]` says: the Q parameters keep what they were";
@@ -296,7 +296,7 @@ in silence: the program is refused." {
         "the way leads to the other side of the contour than the radius compensation"
         help "program G140, or the other one of G141 and G142";
     under_scaling_is_not_supported(word) "{word} under scaling is not supported: the tool is not scaled"
-        help "end the scaling in front of the contour";
+        help "end the scaling before the contour";
     is_not_supported_so_program_approach(word, other) "{word} is not supported {other}"
         help "program the approach and the retraction by plain moves";
     is_not_supported_so_program_way(word) "{word} is not supported" help "program the way by plain moves";

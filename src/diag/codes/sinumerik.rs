@@ -21,11 +21,11 @@ S1003 Error "siemens-skip-level" "skip level does not exist"
 S1004 Error "siemens-structure-mark" "label or skip mark on a control structure"
 "Lines with IF, ELSE, ENDIF, WHILE, FOR, LOOP, REPEAT and their ends take neither a label nor a skip mark. \
 Put the label into the block before. The control shows alarm 12630." {
-    cannot_stand_in_front_of_control_structure(what) "{what} cannot stand in front of a control structure";
+    cannot_stand_in_front_of_control_structure(what) "{what} cannot stand before a control structure";
 }
 
 S1013 Error "siemens-modal-passes" "number of passes in a modal call"
-"MCALL calls the program once behind every positioning block; a number of passes cannot be given. The control shows alarm 12100." {
+"MCALL calls the program once after every positioning block; a number of passes cannot be given. The control shows alarm 12100." {
     modal_call_takes_no_number_of_passes() "a modal call takes no number of passes";
 }
 
@@ -90,11 +90,11 @@ S2011 Error "siemens-g-index" "G group has no such index"
 
 S2013 Error "siemens-own-block" "word needs a block of its own"
 "G4, G25, G26, G110 to G112, frame statements, calls and declarations stand alone in their block. The control shows alarm 12120. \
-Put the other words into the block before or behind." {
+Put the other words into the block before or after." {
     blocks_stand_behind_that_closes_program()
-        "blocks stand behind the `%` that closes the program, and no program of theirs begins"
+        "blocks stand after the `%` that closes the program, and no program of theirs begins"
         help "delete the `%`, or give them a head of their own: %_N_NAME_MPF";
-    blocks_stand_in_front_of_first_program() "blocks stand in front of the first program of this archive"
+    blocks_stand_in_front_of_first_program() "blocks stand before the first program of this archive"
         help "delete them, or give them a head of their own: %_N_NAME_MPF";
     definition_file_holds_def() "a definition file holds DEF and DEFINE only" alarm 12500;
     selects_work_offset_on_802d(word) "{word} selects a work offset on an 802D and moves in the same block"
@@ -120,13 +120,13 @@ S2014 Error "siemens-mixed-assignment" "assignment beside other words"
         help "give the assignment a block of its own";
 }
 
-S2015 Error "siemens-definition-late" "definition behind executed blocks"
-"DEF and PROC stand at the top of a program, in front of the first block that does something, and PROC in front of DEF. The control shows alarm 14500 or 14520." {
-    def_stands_behind_executed_blocks() "DEF stands behind executed blocks" alarm 14500
+S2015 Error "siemens-definition-late" "definition after executed blocks"
+"DEF and PROC stand at the top of a program, before the first block that does something, and PROC before DEF. The control shows alarm 14500 or 14520." {
+    def_stands_behind_executed_blocks() "DEF stands after executed blocks" alarm 14500
         help "move it to the top of the program";
     proc_stands_inside_definition_part() "PROC stands inside the definition part" alarm 14520
-        help "write PROC as the first block of the program, in front of DEF and EXTERN";
-    proc_stands_behind_executed_blocks() "PROC stands behind executed blocks" alarm 14500;
+        help "write PROC as the first block of the program, before DEF and EXTERN";
+    proc_stands_behind_executed_blocks() "PROC stands after executed blocks" alarm 14500;
 }
 
 S2016 Error "siemens-name-taken" "name is used already, or no address"
@@ -273,7 +273,7 @@ S2031 Error "siemens-axis-needed" "an axis is needed"
 }
 
 S2034 Error "siemens-frame" "frame cannot be built"
-"A scaling factor is 0, a value is infinite, or a component is asked of a chain of frames that has none. Check the frame statements in front of the block." {
+"A scaling factor is 0, a value is infinite, or a component is asked of a chain of frames that has none. Check the frame statements before the block." {
     this_component_cannot_be_set() "this component cannot be set: a chain of rotations and scales, or a factor 0";
     this_chain_of_rotations() "this chain of rotations and scales has no such components";
     scaling_factor_is_0() "a scaling factor is 0";
@@ -288,15 +288,15 @@ S2043 Error "siemens-tool" "tool is not known"
     has_no_argument(name, place) "{name} has no argument {place}" help "count the arguments for `[programs]` from 1";
     argument_of_is_no_d_number(place, name) "argument {place} of {name} is no D number" alarm 17180;
     no_tool_is_chosen(name) "no tool is chosen for {name}"
-        help "program T in front of {name}, or name its argument: `{name} = {{ tool = 1 }}`";
+        help "program T before {name}, or name its argument: `{name} = {{ tool = 1 }}`";
     changes_tool_times(name, passes) "{name} changes the tool {passes} times";
     mcall_calls_after_each_move(name)
         "MCALL calls {name} after each move, and `[programs]` says what one call of it leaves"
         help "call it without MCALL; or look at what `[programs]` says of it";
-    changes_tool(name) "{name} changes the tool, as `[programs]` says, and MCALL calls it behind each move"
+    changes_tool(name) "{name} changes the tool, as `[programs]` says, and MCALL calls it after each move"
         help "call it without MCALL; or look at what `[programs]` says of it";
     d_is_no_edge_number(d) "D{d} is no edge number" alarm 17180;
-    no_tool_is_chosen_so_program_t() "no tool is chosen" help "program T in front of M6";
+    no_tool_is_chosen_so_program_t() "no tool is chosen" help "program T before M6";
     tool_has_no_number(name) "the tool `{name}` has no number" alarm 17191;
     t_is_no_tool_number(t) "T{t} is no tool number" alarm 17190;
 }
@@ -313,7 +313,7 @@ S2045 Error "siemens-spindle" "spindle word cannot be carried out"
     speed_limit_is_0(words) "the speed limit {words} is 0: the spindle would stand"
         help "give the highest speed in turns per minute: {words}2500";
     master_spindle_changes_while_it_turns() "the master spindle changes while it turns at a constant cutting speed"
-        help "stop it by M5, or program G97 with a speed, in front of SETMS";
+        help "stop it by M5, or program G97 with a speed, before SETMS";
     where_spindle_stands(n) "where spindle {n} stands, from which SPOS=IC(…) counts, is not known"
         help "program the angle absolutely";
     where_spindle_stands_from_which_spos() "where the spindle stands, from which SPOS=IC(…) counts, is not known"
@@ -346,12 +346,12 @@ S2045 Error "siemens-spindle" "spindle word cannot be carried out"
         help "give each a block of its own";
     block_cuts_at_speed_kept_since_g96()
         "this block cuts at the speed that the spindle happens to have kept since G96"
-        help "program the speed in turns per minute behind G97: S1000";
+        help "program the speed in turns per minute after G97: S1000";
     spindle_starts_without_speed()
         "the spindle starts without a speed: the one of before was a cutting speed (G96)"
-        help "program the speed in turns per minute behind G97: S1000";
+        help "program the speed in turns per minute after G97: S1000";
     g96_ends_at_unknown_diameter() "G96 ends at a diameter at which its speed is not known"
-        help "program the speed in turns per minute behind G97: S1000";
+        help "program the speed in turns per minute after G97: S1000";
 }
 
 S2046 Error "siemens-programs-of-one-name" "several programs of one name and rank"
@@ -359,7 +359,7 @@ S2046 Error "siemens-programs-of-one-name" "several programs of one name and ran
 one on the disk, or one in each of two folders that stand for it. So it is where a file beside the main program lies in another folder by its own `;$PATH=` line, and another program of that name would run \
 by one of the two. A control keeps one of them, which depends on what was read in last. The same is said where a folder of a backup is called as one folder of the control and the `;$PATH=` \
 line of a program in it names another one: nothing says which of the two is out of date.\n\
-Delete or rename all but one, place a program by a `;$PATH=` line behind its head, or call it by its path." {
+Delete or rename all but one, place a program by a `;$PATH=` line after its head, or call it by its path." {
     lies_in_by_name_of_its_folder(shown, by_name, by_line)
         "`{shown}` lies in `{by_name}` by the name of its folder, and in `{by_line}` by its `;$PATH=` line: which \
         program this call means depends on it"
@@ -394,7 +394,7 @@ S2052 Error "siemens-polar-radius" "polar radius is negative"
 }
 
 S2053 Error "siemens-polar-angle" "polar angle out of range"
-"AP= lies between -360 and 360 degrees: alarm 14210, in a pole block 14260. Look at the word that is marked, and at the value behind it." {
+"AP= lies between -360 and 360 degrees: alarm 14210, in a pole block 14260. Look at the word that is marked, and at the value after it." {
     ap_lies_outside_360_to_360_degrees(ap) "AP={ap} lies outside -360 to 360 degrees";
 }
 
@@ -445,7 +445,7 @@ Alarms 10790 to 10795. Nothing but blocks without motion may stand between the t
         help "leave ANG out; only the second line of a pair has all three";
     second_line_of_pair_needs_both_end() "the second line of the pair needs both end coordinates" alarm 10794;
     second_line_of_pair_has_no_ang() "the second line of the pair has no ANG" alarm 10794;
-    ang_is_for_straight_lines() "ANG= is for straight lines only" alarm 10792 help "program G1 or G0 in front of it";
+    ang_is_for_straight_lines() "ANG= is for straight lines only" alarm 10792 help "program G1 or G0 before it";
     plane_changes_between_two_lines_of_pair() "the plane changes between the two lines of a pair" alarm 10790;
 }
 
@@ -455,21 +455,21 @@ S2071 Error "siemens-corner-word" "chamfer or rounding cannot stand here"
     chamfer_or_rounding_stands_in_block() "a chamfer or rounding stands in a block that does not move" alarm 10882
         help "write it into the block that leads to the corner";
     more_than_blocks_without_move_stand(most_between)
-        "more than {most_between} blocks without a move stand behind the chamfer or rounding" alarm 10880;
+        "more than {most_between} blocks without a move stand after the chamfer or rounding" alarm 10880;
     frc_stands_without_chamfer_or_rounding() "FRC= stands without a chamfer or rounding"
         help "give RND=, CHR= or CHF= in the same block";
     chr_chf_stand_in_one_block() "CHR and CHF stand in one block" help "keep one of them";
     thread_has_no_corner_to_chamfer() "a thread has no corner to chamfer or round"
-        help "program the transition as elements of its own, and RNDM=0 in front of the thread";
+        help "program the transition as elements of its own, and RNDM=0 before the thread";
 }
 
 S2080 Error "siemens-compensation" "radius compensation cannot change here"
 "G41, G42 and G40 take effect on a straight line with a tool selected; plane, frame, work offset and tool do not change in between. \
 Alarms 10750 to 10757, 10780." {
     frame_changes_while_radius_compensation() "the frame changes while radius compensation is on"
-        help "program G40 in a block in front of it";
+        help "program G40 in a block before it";
     plane_changes_while_radius_compensation() "the plane changes while radius compensation is on" alarm 10757
-        help "program G40 in a block in front of it";
+        help "program G40 in a block before it";
     block_in_machine_coordinates_under_radius_compensation()
         "a block in machine coordinates under radius compensation";
     fixed_point_is_approached_under_radius_compensation() "a fixed point is approached under radius compensation" alarm 14091;
@@ -478,21 +478,21 @@ Alarms 10750 to 10757, 10780." {
     radius_compensation(on, what) "radius compensation {on} {what}"
         help "program G41, G42 or G40 with G0 or G1 and an axis of the plane";
     radius_compensation_under_d0() "radius compensation under D0, which has no radius"
-        help "select the edge in front of G41 or G42: D1";
+        help "select the edge before G41 or G42: D1";
     d_was_programmed_between_t()
-        "D was programmed between T and M6: which edge is in force behind M6 is machine datum 20270"
-        help "program D behind M6";
+        "D was programmed between T and M6: which edge is in force after M6 is machine datum 20270"
+        help "program D after M6";
     radius_compensation_without_tool() "radius compensation without a tool" alarm 10750;
     cutting_edge_changes_while_radius_compensation() "the cutting edge changes while radius compensation is on"
-        help "program G40 in a block in front of it";
+        help "program G40 in a block before it";
     tool_changes_while_radius_compensation() "the tool changes while radius compensation is on" alarm 10780
-        help "program G40 in a block in front of it";
-    g40_in_front_has_had_no_move() "G40 in front of this block has had no move" alarm 10754
+        help "program G40 in a block before it";
+    g40_in_front_has_had_no_move() "G40 before this block has had no move" alarm 10754
         help "program G40 with G0 or G1 and an axis of the plane";
     side_stands_behind_g40_without_move()
-        "G41 or G42 stands behind a G40 that has had no move in the plane yet" alarm 10754
+        "G41 or G42 stands after a G40 that has had no move in the plane yet" alarm 10754
         help "program G40 with G0 or G1 and an axis of the plane";
-    g40_has_had_no_move_in_plane() "G40 has had no move in the plane in front of this block" alarm 10754
+    g40_has_had_no_move_in_plane() "G40 has had no move in the plane before this block" alarm 10754
         help "program G40 with G0 or G1 and an axis of the plane";
 }
 
@@ -518,7 +518,7 @@ S2081 Error "siemens-thread" "thread is not determined"
     g331_taps_down() "G331 taps down, and no G332 comes back";
     lead_counts_along(axis) "the lead counts along {axis}, which the block does not move" alarm 16730;
     lead_of_thread_is_0() "the lead of the thread is 0" alarm 16720
-        help "write the lead, or give the variable behind the address its value before this block";
+        help "write the lead, or give the variable after the address its value before this block";
     thread_does_not_move_along_its_lead() "the thread does not move along its lead" alarm 16740;
     lead_is_given_along(axis, longer) "the lead is given along {axis}, but {longer} moves further" alarm 16730
         help "give the lead along the axis that moves further";
@@ -526,7 +526,7 @@ S2081 Error "siemens-thread" "thread is not determined"
     lead_of_thread_is_negative() "the lead of the thread is negative"
         help "the spindle makes the hand of the thread: M3 or M4; program the lead without a sign";
     auxiliary_function_stands_in_chain() "an auxiliary function stands in a chain of threads"
-        help "program M, S, T and H words in front of the first thread or behind the last";
+        help "program M, S, T and H words before the first thread or after the last";
     axes_stand_in_chain() "the axes stand between two threads of a chain, which spoils the thread"
         help "leave the stop out, or retract and start the second thread anew";
 }
@@ -547,7 +547,7 @@ next to it gives, the side, which G41, G42, G141 or G142 give, and heights in or
     direction_behind_is_not_known() "the direction of the contour is not known here" alarm 10744
         help "let a line or an arc by centre or radius follow the point of the contour";
     direction_in_front_is_not_known() "the direction of the contour is not known here" alarm 10744
-        help "let a line or an arc of the plane stand in front of the retraction";
+        help "let a line or an arc of the plane stand before the retraction";
     discl_lies_outside_way() "DISCL lies outside the way between the two planes" alarm 10741
         help "DISCL is the distance from the plane of the contour, DISCL=AC(…) a coordinate";
     disrp_lies_outside_way() "DISRP lies outside the way" alarm 10748
@@ -566,25 +566,25 @@ leaves its plane, crosses itself, holds functions or cycles, or is not closed wh
     positioning_axis_moves_in_contour(name) "a positioning axis moves in the contour `{name}`"
         help "a contour is made of lines and arcs only";
     contour_holds_function_of_machine(name) "the contour `{name}` holds a function of the machine"
-        help "move it in front of the call of the cycle: in which pass the control would carry it out is not known";
+        help "move it before the call of the cycle: in which pass the control would carry it out is not known";
     program_ends_inside_contour() "the program ends inside a contour"
-        help "put the label of the end of the contour in front of this block";
+        help "put the label of the end of the contour before this block";
     contour_crosses_itself() "the contour crosses itself";
     island_does_not_lie_inside_pocket(name) "the island `{name}` does not lie inside the pocket by itself" alarm 61932
         help "draw one contour where areas touch; call the pocket first, then its islands";
     there_is_no_label(missing, behind, program) "there is no label `{missing}`{behind} in `{program}`" alarm 61701;
     rapid_traverse_inside_contour() "rapid traverse inside a contour" alarm 61936
-        help "a contour is made of lines and arcs at feed behind its start point";
+        help "a contour is made of lines and arcs at feed after its start point";
     thread_inside_contour() "a thread inside a contour" alarm 10930
-        help "a contour is made of lines and arcs at feed behind its start point";
+        help "a contour is made of lines and arcs at feed after its start point";
     full_circle_inside_turned_contour() "a full circle inside a turned contour" alarm 10931
-        help "a contour is made of lines and arcs at feed behind its start point";
+        help "a contour is made of lines and arcs at feed after its start point";
     contour_has_no_start_point() "the contour has no start point" alarm 10931
         help "its first block names both coordinates of the plane: G0 Z0 X20";
     working_plane_changes_inside_contour() "the working plane changes inside the contour"
         help "a contour lies in one plane";
     coordinate_system_changes_inside_contour() "the coordinate system changes inside the contour"
-        help "program TRANS, ROT, SCALE and MIRROR in front of the cycle";
+        help "program TRANS, ROT, SCALE and MIRROR before the cycle";
     block_of_contour_leaves_its_plane() "a block of the contour leaves its plane"
         help "a contour has moves of the two axes of its plane only";
 }

@@ -3,7 +3,7 @@
 super::codes! { SINUMERIK_ARCS:
 
 S3001 Error "siemens-radius" "arc by radius does not reach its end"
-"CR= is at least half the distance of start and end: alarm 14095. Look at the word that is marked, and at the value behind it." {
+"CR= is at least half the distance of start and end: alarm 14095. Look at the word that is marked, and at the value after it." {
     points_are_mm_apart(chord, cr, radius, length_unit)
         "the points are {chord:.4} mm apart, CR={cr} reaches {radius:.4}" alarm 14095
         help "CR= has to be at least {length_unit:.4}";
@@ -25,7 +25,7 @@ S3004 Error "siemens-opening" "opening angle out of range"
 }
 
 S3005 Error "siemens-turns" "number of turns does not exist"
-"TURN= counts additional full circles, 0 to 999: alarm 14048. Look at the word that is marked, and at the value behind it." {
+"TURN= counts additional full circles, 0 to 999: alarm 14048. Look at the word that is marked, and at the value after it." {
     turn_is_no_number_of_turns(turn) "TURN={turn} is no number of turns" alarm 14048
         help "TURN counts additional full circles, 0 to 999";
 }
@@ -39,16 +39,16 @@ S3006 Error "siemens-via" "intermediate point is missing"
 
 S3008 Error "siemens-tangent" "CT has no tangent"
 "CT goes on in the direction of the block before, which has to travel in the working plane, and cannot turn back: alarm 14045. Put a line or an \
-arc in front of it, and the end point not straight behind the start." {
-    no_block_gives_direction() "no block in front of CT gives a direction" alarm 14045
-        help "put a line or arc of the plane in front of CT";
-    frame_changed_behind_cycle() "a cycle stands in front of CT, and the frame has changed since" alarm 14045
-        help "put a line or arc of the plane in front of CT";
+arc before it, and the end point not straight behind the start." {
+    no_block_gives_direction() "no block before CT gives a direction" alarm 14045
+        help "put a line or arc of the plane before CT";
+    frame_changed_behind_cycle() "a cycle stands before CT, and the frame has changed since" alarm 14045
+        help "put a line or arc of the plane before CT";
     block_before_starts_at_unknown_place()
-        "the block in front of CT starts at a place that is not known" alarm 14045
-        help "put a line or arc of the plane in front of CT";
-    block_before_runs_across_plane() "the block in front of CT runs at a right angle to the plane" alarm 14045
-        help "put a line or arc of the plane in front of CT";
+        "the block before CT starts at a place that is not known" alarm 14045
+        help "put a line or arc of the plane before CT";
+    block_before_runs_across_plane() "the block before CT runs at a right angle to the plane" alarm 14045
+        help "put a line or arc of the plane before CT";
     end_lies_straight_behind_start() "the end point lies straight behind the start" alarm 14045
         help "give the end point to one side";
     straight_line_has_no_turns() "CT is a straight line here, which has no turns" alarm 14045 help "leave TURN= out";

@@ -20,7 +20,7 @@ S9004 Error "siemens-synchronized" "synchronized action"
         "the synchronized action `{shown}` cannot be left out: {reached}"
         help "take the action out, and program what it does in blocks of the program";
     synchronized_action_has_no_do_that_can() "the synchronized action has no DO that can be read" alarm 12080
-        help "write what it does behind DO";
+        help "write what it does after DO";
 }
 
 S9006 Error "siemens-transformation" "transformation is not supported"
@@ -36,7 +36,7 @@ compiled where `[cycles] transmit` says how they are printed: \"polar\" with X a
     cycle800_for_new_plane_deletes_programmed_frames()
         "CYCLE800 for a new plane deletes the programmed frames, and for an additive one takes them over: TRANS, \
         ROT, SCALE or MIRROR is active"
-        help "program TRANS without axes in front of CYCLE800, and the frame again behind it";
+        help "program TRANS without axes before CYCLE800, and the frame again after it";
     cycle800_shifts_workpiece()
         "CYCLE800 shifts the workpiece, and whether X0 and X1 are diameters is not documented"
         help "shift by TRANS in place of CYCLE800";
@@ -97,7 +97,7 @@ radius compensation have no share of it. Program the feed by G94 or G95." {
 }
 
 S9011 Error "siemens-machine-coordinates" "cannot be printed in machine coordinates"
-"Under G53, G153, SUPA and G500 only straight absolute moves can be printed. Look at the word that is marked, and at the value behind it." {
+"Under G53, G153, SUPA and G500 only straight absolute moves can be printed. Look at the word that is marked, and at the value after it." {
     as_g500_wants(message) "{message}, as G500 wants"
         asks "select a work offset (G54) for it, say which one G500 is (`[datums] G500 = \"G55\"`), or have the \
         program write its offsets";
@@ -113,10 +113,10 @@ S9011 Error "siemens-machine-coordinates" "cannot be printed in machine coordina
 
 S9012 Error "siemens-thread-start" "start angle of a thread"
 "The target starts every thread at the same angle of the spindle. SF= is made by a start that lies farther back along the thread by lead · angle / 360; \
-in a chain of threads, behind a chamfer or rounding and in a turned or scaled frame that cannot be done. Shift the start point in the program." {
+in a chain of threads, after a chamfer or rounding and in a turned or scaled frame that cannot be done. Shift the start point in the program." {
     whether_holds_for_threads_of_cycle(start_angle, value)
         "whether `{start_angle}={value}` holds for the threads of a cycle is not known"
-        help "set it to 0 in front of the cycle: {start_angle}=0";
+        help "set it to 0 before the cycle: {start_angle}=0";
     start_angle_of_thread_cannot_be_made(why)
         "the start angle of the thread cannot be made by a shift of its start: {why}"
         help "program the start point farther back by lead · angle / 360, and no SF=";
@@ -141,7 +141,7 @@ value anyhow, say so under [variables], and the block is left out." {
 }
 
 S9013 Error "siemens-oblique-circle" "circle stands obliquely in space"
-"Plain G-code has circles in the main planes only. Look at the word that is marked, and at the value behind it." {
+"Plain G-code has circles in the main planes only. Look at the word that is marked, and at the value after it." {
     circle_stands_obliquely_in_space() "the circle stands obliquely in space"
         help "plain G-code has circles in the main planes only; have the CAM system put out lines";
 }
@@ -225,7 +225,7 @@ S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
         help "program DIAMOF before the cycle, and radii in it";
     plane_or_unit_was_changed_since_mcall()
         "the plane or the unit was changed since MCALL: the hole would go elsewhere"
-        help "call the cycle again behind G17, G18, G19, G70 or G71";
+        help "call the cycle again after G17, G18, G19, G70 or G71";
     this_plane_dmode_is_not_supported() "this plane (`_DMODE`) is not supported"
         help "use the plain variant of the cycle, or plain moves";
     axis_by_axn_outside_g17()
@@ -268,7 +268,7 @@ S9015 Error "siemens-cycle-variant" "variant of a cycle is not supported"
     cycle77_in_its_old_form_of_16()
         "CYCLE77 in its old form of 16 arguments: whether the sixth one is the diameter or the radius of the spigot \
         is not confirmed"
-        asks "say it by `[cycles] spigot_size = \"diameter\"`, or write the call with the codes behind `_AP1`";
+        asks "say it by `[cycles] spigot_size = \"diameter\"`, or write the call with the codes after `_AP1`";
     infeed_along_one_flank()
         "an infeed along one flank (`_VARI`) with the negative angle of an alternating one is not supported"
         help "use the plain variant of the cycle, or plain moves";
@@ -337,7 +337,7 @@ of the control and accept it again." {
         help "open the contour in the editor of the control and accept it again";
     contour_has_no_blocks_and_its_records_are_for_another()
         "the contour has no blocks, and its records are for another plane"
-        help "select the plane of the contour in front of it, or accept it in the editor again";
+        help "select the plane of the contour before it, or accept it in the editor again";
     contour_has_no_blocks_and_they_are_not(what)
         "the contour has no blocks, and they are not made from its records: {what}";
 }
@@ -376,7 +376,7 @@ A retraction in machine coordinates is SUPA or G53." {
         asks "give the basic frame (`[datums] basic = {{ X = 0.0, Y = 0.0, Z = 0.0 }}`), the values of the offset \
         (`[datums] G54 = {{ … }}`), or the offset that G500 stands for (`[datums] G500 = \"G55\"`)";
     moves_under_g500_stand_in_front(word)
-        "moves under G500 stand in front of {word}: they were printed as they stand, before a work offset was \
+        "moves under G500 stand before {word}: they were printed as they stand, before a work offset was \
         selected";
 }
 
@@ -403,7 +403,7 @@ S9022 Error "siemens-value-of-action" "value that a left-out synchronized action
 }
 
 S9023 Error "siemens-move-from-probe" "move from where a probe stopped"
-"A block with MEAS is left out with its move, so the target does not stand where the probe stopped. A move that does not name these axes would go on at another place than on the control. Behind a measuring \
+"A block with MEAS is left out with its move, so the target does not stand where the probe stopped. A move that does not name these axes would go on at another place than on the control. After a measuring \
 cycle the same holds for moves that cut. Program these axes in absolute coordinates first." {
     this_block_moves(letters)
         "this block moves without {letters}, and where a probe left {letters} is known at the machine only";

@@ -37,7 +37,7 @@ S8006 Note "siemens-outputs" "outputs and counters are left out"
     is_output_or_counter_of_control(word) "`{word}` is an output or a counter of the control and is left out";
 }
 
-S8007 Warning "siemens-increment-frame" "increment behind a change of the frame"
+S8007 Warning "siemens-increment-frame" "increment after a change of the frame"
 "Whether an increment travels the change of the frame, too, depends on setting datum 42440: with 1 it counts from the programmed value of \
 before in the new frame, with 0 from where the tool stands. Set `[control] sd42440`, or program absolutely." {
     increment_of_follows_change_of_frame(axis) "the increment of {axis} follows a change of the frame";
@@ -59,7 +59,7 @@ not printed; the target has to be told them. Under G41 and G42 the radius of the
 
 S8254 Warning "siemens-edge-without-length" "lengths of a cutting edge are not known"
 "A tool of the target has one set of lengths, those of D1. The program takes another edge, and neither it nor the tool data say what lengths \
-that has: where they differ, every position behind it is off by the difference. Give the edge a tool number of its own, or tell both lengths \
+that has: where they differ, every position after it is off by the difference. Give the edge a tool number of its own, or tell both lengths \
 ($TC_DP3 to $TC_DP5); lengths that differ are refused (S9021)." {
     d_is_not_printed(edge)
         "D{edge} is not printed, and its lengths are not known: the target takes those of D1, and goes wrong by the \
@@ -111,7 +111,7 @@ check that the way is free, or program RTLION." {
 }
 
 S8103 Note "siemens-control-words" "words that steer the control only are left out"
-"STOPRE, SBLOF, DISPLOF, WAITP and others act on the buffer, the display and the single block of the control; LFON and RMI on what happens behind an \
+"STOPRE, SBLOF, DISPLOF, WAITP and others act on the buffer, the display and the single block of the control; LFON and RMI on what happens after an \
 interruption; CP, TRAFOOF, TOROTOF, CUTCONOF and others switch off what no block can switch on here. None of them moves an axis." {
     words_that_only_steer_control() "words that only steer the control, or switch off what is not on, are left out";
     supd_is_left_out() "SUPD is left out: no tool offset counts in the axes of the block";
@@ -286,8 +286,8 @@ S8032 Warning "siemens-speed-limited" "spindle speed is above its limit"
 }
 
 S8033 Warning "siemens-mcall-trigger" "block without a move under a modal drilling cycle"
-"Under MCALL of a drilling cycle some controls drill behind a bare G0, G1, F or S as well, at the place where the tool stands. It is read here \
-as a block that drills nothing. Put such blocks in front of MCALL." {
+"Under MCALL of a drilling cycle some controls drill after a bare G0, G1, F or S as well, at the place where the tool stands. It is read here \
+as a block that drills nothing. Put such blocks before MCALL." {
     under_mcall_of_drilling_cycle_this_block()
         "under MCALL of a drilling cycle this block moves no axis; it is read as one that drills nothing";
 }
@@ -295,7 +295,7 @@ as a block that drills nothing. Put such blocks in front of MCALL." {
 S8034 Warning "siemens-thread-spindle" "thread without a turning spindle"
 "G33 follows the turning of the spindle. No block before starts it, so that the machine would wait for a spindle that stands. \
 A subprogram may have its spindle started by its caller; then all is well." {
-    no_block_in_front_of_this_thread() "no block in front of this thread starts the spindle";
+    no_block_in_front_of_this_thread() "no block before this thread starts the spindle";
 }
 
 S8035 Note "siemens-argument-unused" "argument that this form of the cycle does not use"
@@ -313,16 +313,16 @@ different blocks, and a block inserted later changes the way. Some controls refu
 }
 
 S8037 Note "siemens-callpath" "folder of CALLPATH is not known"
-"CALLPATH adds a folder of the control in which called programs are looked for, behind `/_N_SPF_DIR` and in front of `/_N_CUS_DIR`. No `[include] roots` stands for \
-this one, and no program of the archive lies in it. Calls that are answered before the search comes to it do not depend on it; a program that would be found behind it is refused. Name \
+"CALLPATH adds a folder of the control in which called programs are looked for, after `/_N_SPF_DIR` and before `/_N_CUS_DIR`. No `[include] roots` stands for \
+this one, and no program of the archive lies in it. Calls that are answered before the search comes to it do not depend on it; a program that would be found after it is refused. Name \
 its folder: `[include] roots = { \"/_N_WKS_DIR/_N_SHAFT_WPD\" = \"shaft\" }`." {
     no_folder_of_this_computer_stands(folder)
         "no folder of this computer stands for `{folder}`; a program that it may have is refused";
 }
 
 S8038 Warning "siemens-mcall-open" "modal call that is never ended"
-"MCALL with a program or a cycle calls it behind each block that moves, up to an MCALL without a name. The program ends before: \
-every move behind the last hole, the retraction to the tool change included, has drilled again." {
+"MCALL with a program or a cycle calls it after each block that moves, up to an MCALL without a name. The program ends before: \
+every move after the last hole, the retraction to the tool change included, has drilled again." {
     program_ends_with_modal_call() "the program ends with a modal call on";
 }
 
@@ -331,17 +331,17 @@ S8039 Note "siemens-copied-folder" "folder beside the program's own stands for o
     stands_for_because_of_its_name(copy, control) "`{copy}` stands for `{control}`, because of its name";
 }
 
-S8041 Note "siemens-tap-stop" "spindle stands behind rigid tapping"
-"G331 and G332 turn the spindle with the drilling axis, and it stands in front of and behind them. An M3 or M4 of before does not count \
-any more, so M5 is printed behind the tap. Program M3 or M4 again where the next tool path needs it." {
+S8041 Note "siemens-tap-stop" "spindle stands after rigid tapping"
+"G331 and G332 turn the spindle with the drilling axis, and it stands before and after them. An M3 or M4 of before does not count \
+any more, so M5 is printed after the tap. Program M3 or M4 again where the next tool path needs it." {
     spindle_stands_after(word, m) "the spindle stands after {word}: the {m} before it does not count any more";
 }
 
 S8042 Warning "siemens-tangent-frame" "direction of CT is turned with the frame"
 "CT goes on in the direction of the last block that travelled. A frame that turns, mirrors or scales between the two is applied to that \
-direction, too, so that the path has a corner there. Program CT in front of the change of the frame if it shall go on smoothly." {
+direction, too, so that the path has a corner there. Program CT before the change of the frame if it shall go on smoothly." {
     frame_has_turned_since_block_in_front()
-        "the frame has turned since the block in front of CT, and the direction of CT is turned with it";
+        "the frame has turned since the block before CT, and the direction of CT is turned with it";
 }
 
 S8043 Warning "siemens-compensation-shape" "shape of the compensated path is the target's"
@@ -353,7 +353,7 @@ corners in its simulation." {
 
 S8044 Warning "siemens-first-dc" "way of the first DC position of a rotary axis"
 "C=DC(30) takes the shortest way to 30 degrees, and C30 of an axis that counts modulo 360 degrees stays inside its turn. No block before says where \
-the axis stands, so the position is printed as it is, and the target's rotary axis goes there in its own way. A position of the axis in front of it, C=0 at the start, makes the way known." {
+the axis stands, so the position is printed as it is, and the target's rotary axis goes there in its own way. A position of the axis before it, C=0 at the start, makes the way known." {
     way_of_to_machine_position_is_left(letter) "the way of {letter} to a machine position is left to the target";
     where_stands_is_not_known(letter)
         "where {letter} stands is not known: the shortest way of {letter}=DC(…) is left to the target";
@@ -363,12 +363,12 @@ the axis stands, so the position is printed as it is, and the target's rotary ax
 
 S8045 Warning "siemens-feed-at-start" "kind of feed that no block names"
 "What F counts at the start of a program is a machine datum (MD 20150): mm per minute on most machines, mm per revolution on many lathes. \
-An F of 0.2 means two very different things. Program G94 or G95 in front of the first F, or set `[control] md20150`." {
+An F of 0.2 means two very different things. Program G94 or G95 before the first F, or set `[control] md20150`." {
     no_block_says_what_f_counts() "no block says what F counts: it is taken in mm per minute (G94)";
 }
 
 S8046 Warning "siemens-speed-frozen" "constant cutting speed ends without a speed"
-"G97, G94 and G95 behind G96 keep the speed that the spindle has at this moment. It is computed from the diameter at which the tool stands and \
+"G97, G94 and G95 after G96 keep the speed that the spindle has at this moment. It is computed from the diameter at which the tool stands and \
 printed; on the machine it depends on where the control last adapted it. Program S with the word." {
     g96_ends_without_s(turns) "G96 ends without S: the spindle goes on at about {turns} turns per minute"
         help "program S with G97";
@@ -377,7 +377,7 @@ printed; on the machine it depends on where the control last adapted it. Program
 S8047 Warning "siemens-feed-spindle" "feed per revolution without a turning spindle"
 "G95 moves with the turns of the spindle. No block before starts it, so that the machine would wait. \
 A subprogram may have its spindle started by its caller; then all is well." {
-    no_block_in_front_of_this_feed() "no block in front of this feed per revolution starts the spindle";
+    no_block_in_front_of_this_feed() "no block before this feed per revolution starts the spindle";
 }
 
 S8048 Warning "siemens-via-diameter" "intermediate point of CIP in diameters"
@@ -423,18 +423,18 @@ programmed start on. The tool goes to that place at rapid traverse: see that no 
 }
 
 S8134 Warning "siemens-g40-waits" "G40 without a move in the plane"
-"The manuals want G40 in a block that moves in the working plane (alarm 10754); programs that ran have it in front of a retraction along the tool. The offset stays \
+"The manuals want G40 in a block that moves in the working plane (alarm 10754); programs that ran have it before a retraction along the tool. The offset stays \
 through such moves and is taken off in the next G0 or G1 with an axis of the plane, an arc there is refused. `[control] g40_without_motion = \"error\"` refuses it at once." {
     g40_stands_in_front_of_move()
-        "G40 stands in front of a move that leaves the plane alone: the offset is taken off in the next move in the \
+        "G40 stands before a move that leaves the plane alone: the offset is taken off in the next move in the \
         plane";
 }
 
 S8163 Warning "siemens-change-left-out" "tool is chosen and never changed in"
-"T chose a tool, a call that `[programs]` leaves out follows, and no M6 changes the tool in. If the program behind that call is the tool change of the machine, the \
+"T chose a tool, a call that `[programs]` leaves out follows, and no M6 changes the tool in. If the program after that call is the tool change of the machine, the \
 output cuts with the tool before it. Say what the call does: `TC = { change = true }` changes to the tool that T chose, `TC = { tool = 1 }` to the tool of its first argument. Where T \
 itself changes the tool (a turret), set `[control] tool_change = \"t\"`. A tool that an M6 changes in later is only chosen ahead, and nothing is reported; where T chooses it once more after \
-something was cut, that may have been the cut of this tool, and it is. The same holds for a call that names a tool in quotation marks: one of `[tools]` or `$TC_TP2`, or any name in front of the first tool."
+something was cut, that may have been the cut of this tool, and it is. The same holds for a call that names a tool in quotation marks: one of `[tools]` or `$TC_TP2`, or any name before the first tool."
 
 S8171 Warning "siemens-feed-of-before-call" "cut takes the feed of before a call that is left out"
 "Between the last F and this cut stands a call that `[programs]` leaves out or takes for a tool change. If its program leaves another feed on the control, \
@@ -463,11 +463,11 @@ basic system of the control lies." {
 
 S8191 Warning "siemens-g96-shifted" "constant cutting speed under a shift of the diameter axis"
 "G96 makes the speed of the spindle from the diameter at which the tool stands. The target takes the printed coordinate, in which a TRANS of the diameter axis is contained; \
-which of the two the control takes is not confirmed. Look at the speed on the machine, end the shift in front of the cut, or program G97 with a speed." {
+which of the two the control takes is not confirmed. Look at the speed on the machine, end the shift before the cut, or program G97 with a speed." {
     under_g96_frame_shifts_diameter_axis(shift)
         "under G96 the frame shifts the diameter axis by {shift} mm in radius: the target takes its speed from the \
         printed diameter, the control may take the programmed one"
-        help "end the shift in front of the cut, or program the speed by G97 S";
+        help "end the shift before the cut, or program the speed by G97 S";
 }
 
 S8192 Warning "siemens-point-without-axis" "G74 or G75 without an axis"
@@ -492,7 +492,7 @@ S8194 Warning "siemens-edge-position" "centre of the nose by the position of the
 }
 
 S8195 Warning "siemens-corner-code" "G450 or G451 in a block of the contour"
-"G450 and G451 change inside a compensated contour, in a block that moves. The manuals do not say whether the corner in front of the block or the one behind it is meant: the one behind \
+"G450 and G451 change inside a compensated contour, in a block that moves. The manuals do not say whether the corner before the block or the one after it is meant: the one after \
 it is taken. Write the code into a block without a move." {
     stands_in_block_of_contour(word)
         "{word} stands in a block of the contour: it counts from the end of this block on";
@@ -518,17 +518,17 @@ blocks would be. No stored contour of inches is known to us: compare the size of
 
 S8161 Warning "siemens-contour-start-undercut" "contour starts with an undercut"
 "The NC blocks of a contour of the contour editor are missing, and its records put an undercut at its start. The contour is begun where the undercut \
-leaves the line in front of it, as is done for a chamfer or a rounding there; what the editor writes for an undercut was never seen." {
+leaves the line before it, as is done for a chamfer or a rounding there; what the editor writes for an undercut was never seen." {
     contour_starts_with_undercut()
-        "the contour starts with an undercut, and is taken to begin where that leaves the line in front of it";
+        "the contour starts with an undercut, and is taken to begin where that leaves the line before it";
 }
 
 S8164 Warning "siemens-cycle-from-unknown-place" "cycle begins at a place that is not known"
-"In front of the cycle the tool was changed, and no block has placed it since, so that where it stands is not known. The cycle goes to the front of the part in one rapid move, \
-as to any first position, and comes back there; on the control it may end where it came from. Behind it the position counts as not known again. Position the tool in front of the cycle." {
+"Before the cycle the tool was changed, and no block has placed it since, so that where it stands is not known. The cycle goes to the front of the part in one rapid move, \
+as to any first position, and comes back there; on the control it may end where it came from. After it the position counts as not known again. Position the tool before the cycle." {
     where_tool_stands_is_not_known(args)
         "{args}: where the tool stands is not known: it goes to the front of the part first"
-        help "position the tool in X and Z in front of the cycle";
+        help "position the tool in X and Z before the cycle";
 }
 
 S8165 Warning "siemens-action-left-out" "synchronized action is left out"

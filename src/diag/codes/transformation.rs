@@ -4,7 +4,7 @@ super::codes! { TRANSFORMATION:
 
 G3336 Error "feed-spindle-speed" "feed counts turns of a spindle without a speed"
 "A feed per revolution follows a spindle that is not the first one of the target. It is printed per minute, feed times speed, so the speed has to be \
-programmed in front of the cut." {
+programmed before the cut." {
     feed_counts_turns_of_spindle(number) "the feed counts turns of spindle {number}, whose speed is not known";
 }
 
@@ -14,7 +14,7 @@ around this pole, which are not reproduced. Lead the tool around it."
 
 G3338 Error "transformation-start" "place inside a transformation is not known"
 "A cut on a face or mantle becomes a motion of X and the rotary axis, which depends on where it starts. Position the tool by G0 with all coordinates of the \
-face or mantle first, or say where the rotary axis stands in front of the transformation."
+face or mantle first, or say where the rotary axis stands before the transformation."
 
 G3339 Error "transformation-inside" "what a transformation cannot carry out"
 "Inside a transformation X and the rotary axis follow X and Y of the program. Machine coordinates, threads, the rotary axis itself, other axes beside them and \
@@ -38,22 +38,22 @@ transformation without wall correction is compiled: which axes another one uses 
 }
 
 S2281 Error "siemens-transformation-switch" "transformation begins or ends where it cannot"
-"TRANSMIT, TRACYL and TRAFOOF want radius compensation off. What becomes of a frame in force is machine data (MD 10602): program it behind the switch, or set \
+"TRANSMIT, TRACYL and TRAFOOF want radius compensation off. What becomes of a frame in force is machine data (MD 10602): program it after the switch, or set \
 `[control] md10602 = 1` if the control keeps it. A real Y axis has to stand at 0." {
     y_axis_stands_at_where_x(y) "the Y axis stands at {y} where X and the rotary axis take over"
-        help "program Y0 in front of it";
+        help "program Y0 before it";
     frame_is_in_force_where_axes_change()
         "a frame is in force where the axes change, and the control may delete it (MD 10602)"
-        asks "program the frame behind this block (TRANS without values in front of it), or set `[control] md10602 = \
+        asks "program the frame after this block (TRANS without values before it), or set `[control] md10602 = \
         1` if it stays on the machine";
     radius_compensation_is_on_where_axes_change() "radius compensation is on where the axes change"
-        help "program G40 with a straight move in front of it";
+        help "program G40 with a straight move before it";
 }
 
 S2282 Error "siemens-transformation-cycle" "turning cycle inside a transformation"
 "Turning cycles work on a turning contour and are not possible between TRANSMIT or TRACYL and TRAFOOF; the control raises alarm 61020." {
     is_not_possible_while_transmit_or_tracyl(name) "{name} is not possible while TRANSMIT or TRACYL is on" alarm 61020
-        help "program TRAFOOF in front of it";
+        help "program TRAFOOF before it";
 }
 
 S8250 Note "siemens-transformation-virtual" "face or mantle is printed in Cartesian axes"
@@ -71,7 +71,7 @@ in the work offset of the target have to be those of the control; each block has
 }
 
 S8252 Warning "siemens-transformation-diameter" "diameter programming on a face"
-"Under DIAMON the X of a face is read as a diameter, as everywhere. Most programs for faces are written in radii: program DIAMOF behind TRANSMIT, or check \
+"Under DIAMON the X of a face is read as a diameter, as everywhere. Most programs for faces are written in radii: program DIAMOF after TRANSMIT, or check \
 the picture." {
     diameter_programming_is_on_at_transmit()
         "diameter programming is on at TRANSMIT: X of the face is read as a diameter";

@@ -3,9 +3,9 @@
 super::codes! { TURNING:
 
 T1004 Error "turning-comment" "comment is not closed, or words follow it"
-"A comment stands in square brackets at the end of its block or alone on its line. Words behind a comment would be easy to overlook, and \
+"A comment stands in square brackets at the end of its block or alone on its line. Words after a comment would be easy to overlook, and \
 a bracket that is not closed may have swallowed words." {
-    words_stand_behind_comment() "words stand behind a comment";
+    words_stand_behind_comment() "words stand after a comment";
     comment_is_not_closed() "the comment is not closed" help "close it with `]`";
 }
 
@@ -80,7 +80,7 @@ MACHINING. The same words mean different things in different sections, so a bloc
     section_begins_inside_subprogram() "a section begins inside a subprogram";
     subprogram_ends_with_return() "a subprogram ends with RETURN, not with END";
     header_lines_stand_in_section_header() "header lines stand in the section HEADER";
-    section_begins_behind_blocks_that_ran_already() "a section begins behind blocks that ran already"
+    section_begins_behind_blocks_that_ran_already() "a section begins after blocks that ran already"
         help "put the blocks into the section MACHINING";
     program_name_stands_in_middle_of_program() "a program name stands in the middle of the program"
         help "one file holds one program: put the second one into a file of its own";
@@ -181,7 +181,7 @@ has to be set there. Later shifts are computed into the coordinates." {
 
 T2016 Error "turning-shift" "zero shift is not clear"
 "A zero shift moves everything that follows. Here its amount depends on something the program does not say, or on a rule that no manual at hand \
-confirms. Write the coordinates without the shift, or put it in front of the first move." {
+confirms. Write the coordinates without the shift, or put it before the first move." {
     whether_g59_ends_shifts_of_g51() "whether G59 ends the shifts of G51 and G56 no manual at hand says"
         help "program `G51 Z0` first, and take the sum of G56 back";
     g59_moves_workpiece_zero_that_positions()
@@ -214,7 +214,7 @@ change when a program is renumbered: check the references." {
     no_element_of_contour_has_block_number(missing) "no element of a contour has the block number {missing}"
         help "NS and NE name blocks of the geometry sections; each number may stand there once";
     n_is_start_point_of_contour(missing) "N{missing} is the start point of a contour (G0), not an element of it"
-        help "name the first element that is cut: the G1, G2 or G3 block behind the start point";
+        help "name the first element that is cut: the G1, G2 or G3 block after the start point";
     block_number_stands_in_two_contours(ns) "the block number {ns} stands in two contours"
         help "number the blocks of the geometry sections so that each number stands once";
     no_element_of_named_contour(name, number)
@@ -239,7 +239,7 @@ T2021 Error "turning-compensation" "nose radius compensation in the wrong place"
     program_ends_with_nose_radius_compensation() "the program ends with the nose radius compensation on"
         help "program G40 with a straight move before the end";
     nose_radius_compensation_begins_or_ends() "nose radius compensation begins or ends on an arc"
-        help "program a straight move with G40, G41 or G42, or behind it";
+        help "program a straight move with G40, G41 or G42, or after it";
     tool_changes_under_nose_radius_compensation() "the tool changes under nose radius compensation"
         help "program G40 with a straight move before the tool change";
     g41_g42_follow_each_other_without_g40() "G41 and G42 follow each other without G40"

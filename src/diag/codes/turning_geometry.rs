@@ -18,7 +18,7 @@ coordinate. Check the numbers of this block and the next one." {
 }
 
 T3003 Error "turning-contour" "contour is not complete"
-"A contour behind a cycle begins with `G0`, consists of G0 to G3, G12 and G13, and ends with a block that holds G80 alone." {
+"A contour after a cycle begins with `G0`, consists of G0 to G3, G12 and G13, and ends with a block that holds G80 alone." {
     g80_ends_contour() "G80 ends a contour, and none was begun" help "a cycle such as G817 or G31 begins the contour";
     contour_has_no_element() "the contour has no element";
     g_cannot_stand_in_contour_of_g(fun, cycle, what) "G{fun} cannot stand in the contour of G{cycle} ({what})"
@@ -43,7 +43,7 @@ T3004 Error "turning-form" "recess or undercut does not fit"
 "A recess belongs to the straight element before it, an undercut to the corner between a line parallel to Z and one parallel to X. Its sizes \
 have to fit on these elements." {
     u_needs_line_parallel_to_z_before() "U needs a line parallel to Z before the recess";
-    stands_behind_element_of_contour(what) "{what} stands behind an element of the contour";
+    stands_behind_element_of_contour(what) "{what} stands after an element of the contour";
     no_element_follows_undercut()
         "no element follows the undercut";
     undercut_stands_between_two_lines()
@@ -296,11 +296,11 @@ of the programmed thread. It is named because no word is left out in silence." {
         help "nothing is to be done, or remove it";
 }
 
-T8018 Warning "turning-finishing-side" "side of G41 and G42 behind G89 is partc's reading"
+T8018 Warning "turning-finishing-side" "side of G41 and G42 after G89 is partc's reading"
 "The page of G89 prints G41 as right and G42 as left of the contour, the general page of the same manual the other way round. partc compensates the \
 nose on the side on which the tool works: told by its edge position, else by where it stands." {
     side_is_taken_from_tool()
-        "two pages of the manual give G41 and G42 behind G89 opposite sides: the side is taken from the \
+        "two pages of the manual give G41 and G42 after G89 opposite sides: the side is taken from the \
         tool"
         help "check the side of the tool: where it stands, or `orientation` in partc.toml";
 }
@@ -341,7 +341,7 @@ T9007 Error "turning-unconfirmed" "meaning is not confirmed by a manual"
     whether_q_counts_passes_or_repeats_no() "whether Q counts passes or repeats no manual at hand says"
         help "write the L block as often as it shall run";
     of_g89_how_it_makes_is_shown(letter, what) "{letter} of G89: how it makes {what} is shown in a picture only"
-        help "begin the contour with the element in front of the corner, and write the corner at its end";
+        help "begin the contour with the element before the corner, and write the corner at its end";
     in_contour_of_g80_is_not_supported(name)
         "{name} in a contour of G80 is not supported: no manual at hand describes it"
         help "write the contour with G0, G1, G2 and G3 blocks before G80";
@@ -380,7 +380,7 @@ T9007 Error "turning-unconfirmed" "meaning is not confirmed by a manual"
     corner_of_blank_is_taken_from_tool() "the corner of the blank is taken from the tool"
         help "leave it out, and position the tool at the corner";
     only_value_0_of_q_is_supported() "only the value 0 of Q is supported: back to the start"
-        help "leave Q out, and position the tool behind the cycle";
+        help "leave Q out, and position the tool after the cycle";
     of_g_is_not_supported(letter, number) "{letter} of G{number} is not supported"
         help "leave it out, and end the contour where the cuts shall end";
     to_which_side_makes_end_oblique(offset)
@@ -423,10 +423,10 @@ T9007 Error "turning-unconfirmed" "meaning is not confirmed by a manual"
         "a cutting limit is not supported: to which side it holds is shown in a picture only"
         help "leave the word out, and name the elements to be finished with NS and NE";
     oversize_does_not_fit_cycle()
-        "this oversize does not fit the cycle behind it"
+        "this oversize does not fit the cycle after it"
         help "program I and K in the cycle, or G50 before it";
     oversize_does_not_fit_contour()
-        "this oversize does not fit the contour behind it"
+        "this oversize does not fit the contour after it"
         help "program I and K in the cycle, or G50 before it";
     equidistant_or_negative_oversize()
         "an equidistant or negative oversize is not supported here"

@@ -263,7 +263,7 @@ fn end_by_direction(next: &Data, u: Vec2, ccw: bool, center: Point2, radius: f64
         along(next.x.given(from.x), from.x, way.x) && along(next.y.given(from.y), from.y, way.y)
     };
     if next.x.given(0.0).is_none() && next.y.given(0.0).is_none() {
-        return Err(Fault::Open("its end is not given, and the line behind it has an angle and no end"));
+        return Err(Fault::Open("its end is not given, and the line after it has an angle and no end"));
     }
     match (reaches(u), reaches(-u)) {
         (false, false) => Err(Fault::Impossible("no line at the angle of the next element leaves it towards that end")),

@@ -95,7 +95,7 @@ fn beside_centre(at: Point2, u: Vec2, next: &Data, ccw: bool, radius: f64) -> Re
 /// Where the line from `at` along `u` goes over into an arc of `radius` that ends on the line through `q` along `w`.
 fn fillet_start(at: Point2, u: Vec2, q: Point2, w: Vec2, radius: f64, ccw: bool) -> Result<Point2> {
     let Some((s, _)) = intersect::lines(at, u, q, w, SAME_DIRECTION) else {
-        return Err(Fault::Impossible("the lines before and behind the arc are parallel"));
+        return Err(Fault::Impossible("the lines before and after the arc are parallel"));
     };
     let meet = at + u * s;
     let before = Element::Line { from: at, to: meet };

@@ -9,19 +9,19 @@ use crate::text::Loc;
 use super::unreachable::Targets;
 
 super::rule! { L2003 Source BehindEnd Warning "block-behind-end"
-    what "block stands behind the end of the program and nothing leads to it"
+    what "block stands after the end of the program and nothing leads to it"
     why "M30, M2, RET or END stands before this block, and no label that could be called comes between. It never runs. It was left \
-        over, or the end of the program stands too early. Subprograms behind M30 begin with a label. Said once."
+        over, or the end of the program stands too early. Subprograms after M30 begin with a label. Said once."
     example r#"
 -- Example (L2003_fires.MPF)
-; A move behind M30.
+; A move after M30.
 G0 X0 Y0 Z5
 G1 X5 F100
 M30
 G1 X9 F100
 "#
     says {
-        behind() "this block stands behind the end of the program" help "remove it, or give it a label that something calls";
+        behind() "this block stands after the end of the program" help "remove it, or give it a label that something calls";
     }
 }
 

@@ -6,7 +6,7 @@ use crate::lint::motion::{Blank, Machine, MotionRule, Say, Setup, Step};
 super::rule! { L1022 Motion CutBeforeTool Warning "cut-before-first-tool"
     what "program cuts before it calls its first tool"
     why "The program calls tools, and cuts before the first call: with whatever the program before has left in the spindle. A tool \
-        call is missing, or stands too far behind. A program that calls no tool at all is taken for a part of another one."
+        call is missing, or stands too late. A program that calls no tool at all is taken for a part of another one."
     example r#"
 -- Example (L1022_fires.H)
 0 BEGIN PGM P MM

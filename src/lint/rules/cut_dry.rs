@@ -6,7 +6,7 @@ use crate::lint::motion::{Machine, MotionRule, Say, Setup, Step};
 
 super::rule! { L1010 Motion CutDry Note off "cut-without-coolant"
     what "tool cuts without coolant where others have it"
-    why "The program uses coolant, and this tool cuts while none is on. M8 may be missing behind a tool change. Off by default: \
+    why "The program uses coolant, and this tool cuts while none is on. M8 may be missing after a tool change. Off by default: \
         some tools are meant to cut dry. Said once for each tool."
     example r#"
 -- Example (L1010_fires.MPF)

@@ -28,7 +28,7 @@ kind = "lathe"
 diameter_axis = "X"
 "#
     says {
-        left_on() "radius programming holds up to the end of the program" help "go back to diameters (DIAMON, G16) behind it";
+        left_on() "radius programming holds up to the end of the program" help "go back to diameters (DIAMON, G16) after it";
     }
 }
 

@@ -18,7 +18,7 @@ G91 G1 X5 F100
 M30
 "#
     says {
-        left_on() "G91 holds up to the end of the program" help "go back to G90 behind the increments";
+        left_on() "G91 holds up to the end of the program" help "go back to G90 after the increments";
     }
 }
 

@@ -12,7 +12,7 @@ super::rule! { L2011 Source LineEndMissing Note off "line-end-missing"
     example r#"
 -- Example (L2011_fires.H)
 0 BEGIN PGM P MM
-; The file ends behind the last letter.
+; The file ends after the last letter.
 1 L X+0 Y+0 Z+5 R0 F300
 2 END PGM P MM
 -- partc.toml

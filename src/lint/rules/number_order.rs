@@ -12,7 +12,7 @@ super::rule! { L2005 Source NumberOrder Note off "block-number-order"
     example r#"
 -- Example (L2005_fires.H)
 0 BEGIN PGM P MM
-; 2 stands behind 3.
+; 2 stands after 3.
 1 L X+0 Y+0 Z+5 R0 F300
 3 L X+10
 2 L X+20
@@ -24,7 +24,7 @@ super::rule! { L2005 Source NumberOrder Note off "block-number-order"
 select = ["all"]
 "#
     says {
-        out_of_order(number, last) "block {number} stands behind block {last}" help "number the blocks anew";
+        out_of_order(number, last) "block {number} stands after block {last}" help "number the blocks anew";
     }
 }
 

@@ -5,7 +5,7 @@ use crate::lint::motion::{Machine, MotionRule, Say, Setup, Step, TINY};
 
 super::rule! { L1014 Motion PlungeAtFeed Note off "plunge-at-milling-feed"
     what "tool plunges at the feed of milling"
-    why "The tool goes straight down at feed, and the move behind it cuts sideways at the same feed. End mills take far less along \
+    why "The tool goes straight down at feed, and the move after it cuts sideways at the same feed. End mills take far less along \
         their axis: plunge at a third of the feed, ramp, or go in by a helix. Off by default: wherever the tool goes down beside \
         the part it is right."
     example r#"

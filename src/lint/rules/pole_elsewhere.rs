@@ -10,8 +10,8 @@ super::rule! { L2016 Source PoleElsewhere Warning "pole-of-other-plane"
     what "polar block uses a pole of another working plane"
     why "The pole was set, then the working plane changed (G17, G18, G19; another tool axis in TOOL CALL), and now a block counts \
         from the pole. SINUMERIK takes the zero of the new plane for its pole; a HEIDENHAIN control keeps a pole in axes that are \
-        no longer those of the plane. Neither is what the program seems to mean. Set the pole again behind the change of the \
-        plane. Behind a label nothing is said: who leads there is not known."
+        no longer those of the plane. Neither is what the program seems to mean. Set the pole again after the change of the \
+        plane. After a label nothing is said: who leads there is not known."
     example r#"
 -- Example (L2016_fires_by_the_tool_axis.H)
 0 BEGIN PGM P MM
@@ -29,7 +29,7 @@ super::rule! { L2016 Source PoleElsewhere Warning "pole-of-other-plane"
 "#
     says {
         elsewhere() "this block counts from a pole that was set in another working plane"
-            help "set the pole behind the change of the plane";
+            help "set the pole after the change of the plane";
     }
 }
 

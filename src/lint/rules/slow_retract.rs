@@ -5,7 +5,7 @@ use crate::lint::motion::{Machine, MotionRule, Say, Setup, Step};
 super::rule! { L1028 Motion SlowRetract Note off "retract-at-feed"
     what "tool is lifted far at feed"
     why "The tool goes up more than 50 mm at a cutting feed. That takes time and does nothing; FMAX or G0 may have been meant. Off \
-        by default: behind reamers and boring tools it is right."
+        by default: for reamers and boring tools it is right."
     example r#"
 -- Example (L1028_fires.H)
 0 BEGIN PGM P MM

@@ -5,7 +5,7 @@ use crate::lint::motion::{Last, Machine, MotionRule, Say, Setup, Step, TINY};
 
 super::rule! { L1029 Motion StopInCut Warning "stop-in-cut"
     what "program stops where the last cut ended"
-    why "M0 stops the machine right behind a cutting move that did not lift the tool. The tool stays on the part, on many machines \
+    why "M0 stops the machine right after a cutting move that did not lift the tool. The tool stays on the part, on many machines \
         while the spindle runs down, and leaves a mark or breaks at the start. Retract before the stop. On lathes nothing is said."
     example r#"
 -- Example (L1029_fires.H)

@@ -11,7 +11,7 @@ use crate::text::Loc;
 super::rule! { L2002 Source Unreachable Warning "block-unreachable"
     what "block can never run"
     why "A jump that is always made stands before this block, and no label leads to it. It can never run: a condition got lost, or \
-        the label in front of it. Said at the first block of each such stretch."
+        the label before it. Said at the first block of each such stretch."
     example r#"
 -- Example (L2002_fires.MPF)
 ; The jump is always made.

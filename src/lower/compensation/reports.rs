@@ -47,7 +47,7 @@ pub fn no_room(last: &Piece, next: &Piece) -> Refused {
     } else {
         let (before, own) = (length(last.curve.length()), length(next.contour.length()));
         format!(
-            "the tool of radius {radius} mm does not fit into the corner in front of this element: {before} mm of the \
+            "the tool of radius {radius} mm does not fit into the corner before this element: {before} mm of the \
              path before are left, the element is {own} mm long, and their paths do not cross"
         )
     };
@@ -59,7 +59,7 @@ pub fn no_room(last: &Piece, next: &Piece) -> Refused {
 pub fn start_unknown(origin: &Origin) -> Refused {
     Box::new(
         at(*origin, codes::G3203::where_this_element_of_compensated_contour_lies())
-            .help("program both axes of the plane in front of the contour"),
+            .help("program both axes of the plane before the contour"),
     )
 }
 
@@ -97,22 +97,20 @@ pub const TRANSFORMED: &str = "a transformation begins or ends";
 
 pub fn still_on(event: &str, origin: &Origin) -> Refused {
     Box::new(
-        at(*origin, codes::G3204::while_radius_compensation(&event))
-            .help("end the compensation in a block in front of it"),
+        at(*origin, codes::G3204::while_radius_compensation(&event)).help("end the compensation in a block before it"),
     )
 }
 
 pub fn position_lost(origin: &Origin) -> Refused {
     Box::new(
         at(*origin, codes::G3203::position_of_tool_gets_lost_inside_compensated())
-            .help("end the compensation in front of this block"),
+            .help("end the compensation before this block"),
     )
 }
 
 pub fn too_much_between(origin: &Origin) -> Refused {
     Box::new(
-        at(*origin, codes::G3205::too_many_blocks_without_move_in_plane())
-            .help("end the compensation in front of them"),
+        at(*origin, codes::G3205::too_many_blocks_without_move_in_plane()).help("end the compensation before them"),
     )
 }
 
@@ -132,28 +130,28 @@ pub fn admit(mv: &Move, origin: &Origin) -> Result<(), Refused> {
 fn stands_inside(what: &str, origin: &Origin) -> Refused {
     Box::new(
         at(*origin, codes::G3205::stands_inside_contour_with_radius_compensation(&what))
-            .help("end the compensation in front of this block"),
+            .help("end the compensation before this block"),
     )
 }
 
 pub fn plane_changes(rules: &Compensation, origin: &Origin) -> Refused {
     let message = "the working plane changes inside a contour with radius compensation".to_owned();
     let found = raised(codes::G3205, rules.alarms.plane, origin, message);
-    Box::new(found.help("end the compensation in front of this block"))
+    Box::new(found.help("end the compensation before this block"))
 }
 
 pub fn side_changes(side: bool, origin: &Origin) -> Refused {
     let what = if side { "the side" } else { "the radius" };
     Box::new(
         at(*origin, codes::G3205::of_compensation_changes_inside_contour(&what))
-            .help("end the compensation, and begin it anew behind this place"),
+            .help("end the compensation, and begin it anew after this place"),
     )
 }
 
 pub fn constant_at_start(origin: &Origin) -> Refused {
     Box::new(
         at(*origin, codes::G3205::offset_is_held_constant_before_contour())
-            .help("let one element of the contour stand in front"),
+            .help("let one element of the contour stand before it"),
     )
 }
 
@@ -211,7 +209,7 @@ pub fn damaged(path: &Origin, contour: &Origin, radius: f64, refuses: bool) -> R
     let code = if refuses { codes::G3202 } else { codes::G3211 };
     let found = raised_at(code, *path, message).also(contour.loc, "this element");
     let help = if refuses {
-        "take a smaller tool, or switch the search of the control off in front of this contour (M120 LA0, CDOF)"
+        "take a smaller tool, or switch the search of the control off before this contour (M120 LA0, CDOF)"
     } else {
         "take a smaller tool"
     };
@@ -274,12 +272,8 @@ pub fn reading(last: &Piece, next: &Piece, diags: &Diags) {
     let moves = last.items.iter().any(|item| !idle(item));
     let message = match (before != behind, moves) {
         (false, false) => return,
-        (true, _) => {
-            "the arc about the corner in front of this element takes its feed; the element before has another one"
-        }
-        (false, true) => {
-            "what stands between this element and the one before happens in front of the arc about the corner"
-        }
+        (true, _) => "the arc about the corner before this element takes its feed; the element before has another one",
+        (false, true) => "what stands between this element and the one before happens before the arc about the corner",
     };
     if diags.first_text(codes::G3213, message) {
         let found = raised_at(codes::G3213, next.origin, message).also(last.origin.loc, "element before");
@@ -301,7 +295,7 @@ pub fn nearly_behind(leaves: bool, origin: &Origin) -> Refused {
 pub fn cycle_beside(origin: &Origin) -> Option<Refused> {
     Some(Box::new(
         at(*origin, codes::G3205::cycle_is_called_while_tool_stands_beside())
-            .help("leave the contour in the plane in a block in front of it"),
+            .help("leave the contour in the plane in a block before it"),
     ))
 }
 

@@ -133,7 +133,7 @@ impl Transformer {
     /// The start is not known, and the move depends on it.
     fn no_start(&self, origin: &Origin) -> Box<Diagnostic> {
         let what = "this block cuts from a place that is not known inside the transformation";
-        let help = "position the tool in front of it by G0 with X and Y (on a mantle Y), or the rotary axis in front of the \
+        let help = "position the tool before it by G0 with X and Y (on a mantle Y), or the rotary axis before the \
                     transformation";
         refusal(codes::G3338, origin, what.to_owned(), help)
     }

@@ -139,7 +139,7 @@ pub const KEYS: &[Key] = &[
     key(
         "rounded_approach",
         Kind::Choice(&["refuse", "round"]),
-        "RND directly behind the block with RL or RR, or in front of the one with R0",
+        "RND directly after the block with RL or RR, or before the one with R0",
         |s, v| put(&mut s.control.klartext_choices.rounded_approach, is(v, "round")),
     )
     .or(r#""refuse""#),

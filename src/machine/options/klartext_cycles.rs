@@ -66,7 +66,7 @@ pub const KEYS: &[Key] = &[
     key(
         "pattern_program",
         Kind::Choice(&["refuse", "shift", "position"]),
-        "HEIDENHAIN: what the places of CYCL CALL PAT are to the program of cycle 12: datum shifts, or where the tool goes in front of it",
+        "HEIDENHAIN: what the places of CYCL CALL PAT are to the program of cycle 12: datum shifts, or where the tool goes before it",
         |s, v| {
             s.cycles.klartext.pattern_program = match text(v) {
                 "shift" => Some(PatternProgram::Shift),

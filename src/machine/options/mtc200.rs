@@ -67,7 +67,7 @@ pub const KEYS: &[Key] = &[
     key(
         "g91_after_offset",
         Kind::Choice(&["refuse", "with-offset", "increment"]),
-        "MTC200: what an increment behind a changed zero offset travels: the change as well, or itself alone",
+        "MTC200: what an increment after a changed zero offset travels: the change as well, or itself alone",
         |s, v| {
             s.control.mtc200.g91_after_offset = match text(v) {
                 "with-offset" => ShiftedIncrement::WithOffset,

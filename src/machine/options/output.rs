@@ -46,7 +46,7 @@ pub const KEYS: &[Key] = &[
     })
     .or("1"),
     key("header", Kind::Texts, HEADER, |s, v| put(&mut s.output.header, templates(v)?)).or("[]"),
-    key("footer", Kind::Texts, "comments in front of the end of the program, with the fields of `header`", |s, v| {
+    key("footer", Kind::Texts, "comments before the end of the program, with the fields of `header`", |s, v| {
         put(&mut s.output.footer, templates(v)?)
     })
     .or("[]"),
@@ -142,7 +142,7 @@ fn at_least_one(node: &Node) -> Result<u64, ConfigError> {
     u64::try_from(whole(node)).ok().filter(|n| *n > 0).ok_or_else(|| node.fail("must be at least 1"))
 }
 
-const HEADER: &str = "comments behind the head; fields: {source}, {version}, {target}, {number}, {units}";
+const HEADER: &str = "comments after the head; fields: {source}, {version}, {target}, {number}, {units}";
 
 /// Fields of a template.
 pub const FIELDS: [&str; 5] = ["source", "version", "target", "number", "units"];

@@ -5,7 +5,7 @@ use crate::machine::tree::{ConfigError, Node};
 use crate::machine::values::{flag, is, number, put, whole};
 
 pub const KEYS: &[Key] = &[
-    key("sd42440", Kind::Flag, "an increment behind a change of the frame travels the change, too", |s, v| put(&mut s.control.sinumerik.frame_offset_incremental, Some(flag(v)))),
+    key("sd42440", Kind::Flag, "an increment after a change of the frame travels the change, too", |s, v| put(&mut s.control.sinumerik.frame_offset_incremental, Some(flag(v)))),
     key("md21000", Kind::Number, "largest difference of the radii of a circle, in mm", |s, v| put(&mut s.control.sinumerik.circle_error, not_below_zero(v)?)).or("0.01"),
     key("md21010", Kind::Number, "largest difference of the radii of a circle, as a part of the radius", |s, v| put(&mut s.control.sinumerik.circle_error_factor, not_below_zero(v)?)).or("0.001"),
     key(
@@ -28,7 +28,7 @@ pub const KEYS: &[Key] = &[
     key(
                 "g40_without_motion",
                 Kind::Choice(&["warn", "error"]),
-                "SINUMERIK: G40 in front of a move that leaves the plane alone: its offset waits for the next one in the plane, or alarm 10754", |s, v| put(&mut s.control.sinumerik.g40_needs_motion, is(v, "error"))).or(r#""warn""#),
+                "SINUMERIK: G40 before a move that leaves the plane alone: its offset waits for the next one in the plane, or alarm 10754", |s, v| put(&mut s.control.sinumerik.g40_needs_motion, is(v, "error"))).or(r#""warn""#),
     key("md10617", Kind::Whole, "SINUMERIK: what SAVE brings back; bit 0: the frame of the work offset", |s, v| put(&mut s.control.sinumerik.save_restores_offset, Some(whole(v) & 1 != 0))),
     key(
                 "cycle86_lift",

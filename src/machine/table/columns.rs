@@ -44,7 +44,7 @@ impl<'t> Columns<'t> {
                 continue;
             }
             if table.ended {
-                return Err(TableError { line, message: "it stands behind [END]".to_owned() });
+                return Err(TableError { line, message: "it stands after [END]".to_owned() });
             }
             if upper.starts_with("[END]") {
                 table.ended = true;

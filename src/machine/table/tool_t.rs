@@ -33,7 +33,7 @@ pub(super) fn read(text: &str) -> Result<Contents, TableError> {
         }
         let name = table.cell(row, "NAME");
         if let Some(value) = name.and_then(value_within) {
-            let message = format!("`{value}` stands under NAME like a value of the column behind it");
+            let message = format!("`{value}` stands under NAME like a value of the column after it");
             return Err(TableError { line: row.line, message });
         }
         let fail = || TableError { line: row.line, message: format!("`{number}` under T is no tool number") };

@@ -88,7 +88,7 @@ fn no_pattern(error: &ParseError<u32, Tok, Refusal>, text: &[u8], from: u32) -> 
     if let Some(problem) = misprinted(text, span) {
         return problem;
     }
-    codes::K2411::does_not_belong_here(&readable(span.of(text))).among(span)
+    codes::K2411::cannot_be_read_here(&readable(span.of(text))).among(span)
 }
 
 /// The first parameter by name, `{Depth}`, outside of texts and comments.
@@ -181,7 +181,7 @@ fn no_statement(word: &str, span: Span, text: &[u8]) -> Problem {
         return problem.help(format!("a path function is missing before it, as in `L {word}… R0 F500`"));
     }
     if let Some(function) = glued(&upper) {
-        return problem.help(format!("write a blank behind the function: `{function} {}…`", &upper[function.len()..]));
+        return problem.help(format!("write a blank after the function: `{function} {}…`", &upper[function.len()..]));
     }
     let heads = FORMS.iter().map(|(head, _)| *head).filter(|head| head.len() > 1 && upper.starts_with(&head[..1]));
     match did_you_mean(&upper, heads) {

@@ -78,9 +78,9 @@ fn unexpected(tok: Tok, span: Span, text: &[u8], from: u32) -> Problem {
     }
     let problem = codes::P1001::cannot_stand_here(&word).among(span);
     match tok {
-        Tok::Label => problem.help("a label stands at the start of a block or behind a jump such as `BRA .LOOP`"),
+        Tok::Label => problem.help("a label stands at the start of a block or after a jump such as `BRA .LOOP`"),
         Tok::Variable(_) => problem.help("a variable is the value of a word: X=@050"),
-        Tok::Slash => problem.help("the skip mark stands in front of the block"),
+        Tok::Slash => problem.help("the skip mark stands at the start of the block"),
         _ => problem.help("a block is a list of words such as `G01 X10 Y=@050 F200`"),
     }
 }

@@ -164,7 +164,7 @@ impl Run<'_> {
             Unfit::Frame(origin) => (
                 origin,
                 "the coordinate system changes inside of it".to_owned(),
-                "program shifts, rotations and mirrors in front of the cycle call",
+                "program shifts, rotations and mirrors before the cycle call",
             ),
             Unfit::Leaves(origin) => (
                 origin,

@@ -280,12 +280,12 @@ impl Run<'_> {
         }
         let (what, help) = if leaves {
             (
-                format!("{word} stands in front of the block with R0, so the contour ends on it"),
+                format!("{word} stands before the block with R0, so the contour ends on it"),
                 "program the departure with DEP CT",
             )
         } else {
             (
-                format!("{word} stands behind the block with RL or RR, so the contour begins on it"),
+                format!("{word} stands after the block with RL or RR, so the contour begins on it"),
                 "program the approach with APPR CT",
             )
         };

@@ -77,7 +77,7 @@ impl Run<'_> {
             return self.contour_fault(
                 label,
                 "it has no element in the working plane",
-                "program its elements behind its start point",
+                "program its elements after its start point",
             );
         }
         if let Some((first, second)) = contour.crossing()

@@ -18,7 +18,7 @@ impl Run<'_> {
         let contour = self.capture(label, cycle.loc)?;
         self.check_contour(label, &contour)?;
         let Some(side) = contour.side else {
-            let help = "write RL, RR or nothing into its first block, and nothing behind it";
+            let help = "write RL, RR or nothing into its first block, and nothing after it";
             return self.contour_fault(label, "its side changes", help);
         };
         let values = self.contours.train.clone();

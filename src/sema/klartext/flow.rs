@@ -241,7 +241,7 @@ impl Run<'_> {
             }
             None => codes::K2210::this_lbl_0_ends_no_subprogram().at(here),
         };
-        self.report(found.help("put M30 or M2 in front of the subprograms, or skip this one with a jump"));
+        self.report(found.help("put M30 or M2 before the subprograms, or skip this one with a jump"));
         Ok(())
     }
 

@@ -137,7 +137,7 @@ mod tests {
         assert_eq!(wrong(&TABLE.replace("BEGIN", "TABLE")).line, 1);
         assert_eq!(wrong(&TABLE.replace("+20,5", "abc  ")).message, "`abc` under Y is no number");
         assert_eq!(wrong(&TABLE.replace(" Y  ", " B  ")).message, "the column Y is missing");
-        assert_eq!(wrong(&format!("{TABLE}3 +60 +0\n")).message, "it stands behind [END]");
+        assert_eq!(wrong(&format!("{TABLE}3 +60 +0\n")).message, "it stands after [END]");
     }
 
     #[test]

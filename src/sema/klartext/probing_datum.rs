@@ -155,7 +155,7 @@ impl Run<'_> {
             let message = format!(
                 "TCH PROBE {number} ends the basic rotation of TCH PROBE 404, or goes on with it: which is open"
             );
-            let help = "end the basic rotation in front of it: TCH PROBE 404 with Q307=+0";
+            let help = "end the basic rotation before it: TCH PROBE 404 with Q307=+0";
             return self.refuse_setting(span, message, help);
         }
         let (axes, what) = match setting {

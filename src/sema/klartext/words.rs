@@ -338,7 +338,7 @@ impl Run<'_> {
             (Addr::Radius { .. }, "L" | "C" | "CT" | "LP" | "CP" | "CTP") => {
                 "only CR takes a radius; compensation is R0, RL or RR"
             }
-            (Addr::M(_), "RND" | "CHF") => "write the M function into a block in front of the corner or behind it",
+            (Addr::M(_), "RND" | "CHF") => "write the M function into a block before the corner or after it",
             _ => "remove the word, or put it into a block where it belongs",
         };
         let block = if head.is_empty() { "this block".to_owned() } else { format!("this {head} block") };

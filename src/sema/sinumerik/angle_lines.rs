@@ -253,7 +253,7 @@ impl Channel<'_> {
         self.report(
             found
                 .also(self.loc(place), "this comes before it")
-                .help("write the second line behind the first: X… Y… ANG=…"),
+                .help("write the second line after the first: X… Y… ANG=…"),
         );
         self.st.position.lose(AxisSet::MAIN);
         Err(Reported)

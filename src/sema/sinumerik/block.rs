@@ -280,7 +280,7 @@ impl Core<'_> {
     fn warn_of_trigger(&self, span: Span) {
         if self.job.diags.first_time(codes::S8033, ()) {
             let found = codes::S8033::under_mcall_of_drilling_cycle_this_block().at(self.loc(span));
-            self.report(found.help("put it in front of MCALL: some controls drill behind it once more"));
+            self.report(found.help("put it before MCALL: some controls drill after it once more"));
         }
     }
 

@@ -100,11 +100,11 @@ impl Run<'_> {
         let known: Vec<&str> = skeleton.labels().map(|label| self.symbols.name(label)).collect();
         let like = crate::machine::tree::did_you_mean(missing, known);
         let help = match like {
-            Some(like) if like == missing => "it stands in front of the label of the start".to_owned(),
+            Some(like) if like == missing => "it stands before the label of the start".to_owned(),
             Some(like) => format!("did you mean `{like}`?"),
-            None => format!("write `{missing}:` in front of the contour, or behind it"),
+            None => format!("write `{missing}:` before the contour, or after it"),
         };
-        let behind = if start.is_some() { " behind the label of the start" } else { "" };
+        let behind = if start.is_some() { " after the label of the start" } else { "" };
         let found = codes::S2091::there_is_no_label(&missing, &behind, &program).at(self.loc(given.place_of(key)));
         self.report(found.help(help));
         Err(Reported)

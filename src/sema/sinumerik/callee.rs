@@ -180,7 +180,7 @@ impl Run<'_> {
             found = found.also(self.head_of(unit), folder_of(unit));
         }
         found.help(
-            "delete or rename all but one, or call it by its path; a `;$PATH=` line behind its head places a program",
+            "delete or rename all but one, or call it by its path; a `;$PATH=` line after its head places a program",
         )
     }
 

@@ -264,7 +264,7 @@ impl Run<'_> {
         };
         if let Some(what) = refused.filter(|_| !self.own_program(&word)) {
             let help = if super::cycles::is_built(&word) {
-                "call the cycle at each place, with its reference point there or behind TRANS"
+                "call the cycle at each place, with its reference point there or after TRANS"
             } else {
                 "replace it by plain moves, or compile the program without it"
             };

@@ -189,7 +189,7 @@ impl Channel<'_> {
             return;
         }
         let found = codes::S8195::stands_in_block_of_contour(&code.word()).at(self.loc(span));
-        self.report(found.help("write it into a block without a move, in front of the element whose end it means"));
+        self.report(found.help("write it into a block without a move, before the element whose end it means"));
     }
 
     /// Where the edge points to from the centre of its nose, along Z and X: what a target is told with the radius.

@@ -9,7 +9,7 @@ pub(super) fn meaning(alarm: f64) -> Option<(&'static str, &'static str)> {
 }
 
 /// Help for data that a cycle finds wrong.
-const CHECK: &str = "look at the conditions in front of SETAL, and at the data they test";
+const CHECK: &str = "look at the conditions before SETAL, and at the data they test";
 
 const ALARMS: [(u32, &str, &str); 24] = [
     (61000, "no tool offset is active", "select the tool and its edge before: T… D…"),

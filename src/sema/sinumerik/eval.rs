@@ -208,7 +208,7 @@ impl Run<'_> {
 }
 
 /// Behind a variable, and where none is named.
-const ZERO: [&str; 2] = ["give it another value before this block", "check what stands behind `/`, DIV or MOD"];
+const ZERO: [&str; 2] = ["give it another value before this block", "check what stands after `/`, DIV or MOD"];
 
 impl Run<'_> {
     /// The value of a formula.

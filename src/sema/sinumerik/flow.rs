@@ -266,8 +266,8 @@ impl Run<'_> {
             JumpTarget::Text(_) | JumpTarget::Start => None,
         };
         let way = match jump.search {
-            Search::Forward => " behind this block",
-            Search::Backward => " in front of this block",
+            Search::Forward => " after this block",
+            Search::Backward => " before this block",
             _ => "",
         };
         let found = codes::P2011::there_is_no(&what, &way).at(self.loc(jump.span));
@@ -282,7 +282,7 @@ impl Run<'_> {
                 let names: Vec<&str> = skeleton.labels().map(|label| self.symbols.name(label)).collect();
                 match did_you_mean(wanted, names) {
                     Some(like) => found.help(format!("did you mean `{like}`?")),
-                    None => found.help("write the label in front of the block to jump to: `NAME:`"),
+                    None => found.help("write the label before the block to jump to: `NAME:`"),
                 }
             }
             _ => found.help("check the target of the jump"),

@@ -245,7 +245,7 @@ fn sprint(args: &[Val]) -> Result<Vec<u8>, NoResult> {
         }
         let len = rest.iter().take_while(|b| b.is_ascii_digit() || **b == b'.').count();
         let (size, behind) = rest.split_at(len);
-        let Some((kind, behind)) = behind.split_first() else { return Err(Domain("its format ends behind %")) };
+        let Some((kind, behind)) = behind.split_first() else { return Err(Domain("its format ends after %")) };
         rest = behind;
         if *kind == b'%' {
             out.push(b'%');

@@ -79,7 +79,7 @@ impl Channel<'_> {
         }
         if let Some(origin) = self.st.pair.refuse_first() {
             let found = codes::S2070::plane_changes_between_two_lines_of_pair().at(origin.loc);
-            self.report(found.also(self.loc(span), "here").help("change the plane in front of the first line"));
+            self.report(found.also(self.loc(span), "here").help("change the plane before the first line"));
             self.st.position.lose(AxisSet::MAIN);
             return Err(Reported);
         }

@@ -103,7 +103,7 @@ pub(super) static KNOWN: &[Known] = &[
     moving(
         "DILF POLF ALF IR JR KR",
         "a thread on an arc or with a lift-off",
-        "program the thread by G33, and the retraction as a block behind it",
+        "program the thread by G33, and the retraction as a block after it",
     ),
     known("ESRR ESRS", "a stop and retraction when something fails", FROM_THE_MACHINE),
     moving("MEASA MEAWA MEAC MEASF", "measuring with a probe", BY_ITSELF),

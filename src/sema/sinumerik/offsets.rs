@@ -147,7 +147,7 @@ impl Channel<'_> {
         if moved == FromBasic::AtStart {
             let word = offset_word(number);
             let found = codes::P2032::moves_stand_in_front_of_they_run(&word).at(self.loc(place));
-            self.report(found.help("select the work offset in front of the first move"));
+            self.report(found.help("select the work offset before the first move"));
         }
         Ok(())
     }
@@ -236,10 +236,10 @@ impl Core<'_> {
     fn offset_behind_g500(&self, place: impl Into<Where>, word: &str) -> Outcome {
         let place = place.into();
         if !self.job.settings.datums.offsets.contains_key(word) {
-            return self.unrelated(place, "moves under G500 stand in front of");
+            return self.unrelated(place, "moves under G500 stand before");
         }
         let help = format!(
-            "select {word} in front of the first move, then G500 is printed through its values in `[datums]`; or give the \
+            "select {word} before the first move, then G500 is printed through its values in `[datums]`; or give the \
              basic frame (`[datums] basic = {{ X = 0.0, Y = 0.0, Z = 0.0 }}`)"
         );
         self.refuse(place, codes::S9131::moves_under_g500_stand_in_front(&word).help(Answer::datum("basic").help(help)))

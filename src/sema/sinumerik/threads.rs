@@ -76,7 +76,7 @@ impl Channel<'_> {
         self.speed_is_known()?;
         if self.st.spindles.turn().is_none() && self.job.diags.first_time(codes::S8034, ()) {
             let found = codes::S8034::no_block_in_front_of_this_thread().at(self.loc(span));
-            self.report(found.help("program M3 or M4 with a speed in front of the thread"));
+            self.report(found.help("program M3 or M4 with a speed before the thread"));
         }
         let follows = self.st.threads.chain.is_some();
         self.chain_is_whole(span)?;
@@ -127,7 +127,7 @@ impl Channel<'_> {
         let why = if follows {
             "this thread follows on another one, which fixes its angle"
         } else if self.st.corners.open.is_open() {
-            "a chamfer or rounding stands in front of the thread"
+            "a chamfer or rounding stands before the thread"
         } else if !self.st.ctx.frame.is_shift() {
             "the frame is turned, mirrored or scaled"
         } else {
@@ -207,7 +207,7 @@ impl Channel<'_> {
             codes::S2081::axes_stand_in_chain()
         };
         let found = fault.alarm(alarm).at(place).also(last, "the thread before");
-        self.report(found.also(self.loc(span), "the thread behind"));
+        self.report(found.also(self.loc(span), "the thread after"));
         Err(Reported)
     }
 }

@@ -205,7 +205,7 @@ impl Channel<'_> {
             self.job.settings.machine.diameter_axis == Some(Axis::X) && self.st.diameter_mode() != Diameter::Off;
         if on == OnSurface::Face && counts && self.job.diags.first_time(codes::S8252, ()) {
             let found = codes::S8252::diameter_programming_is_on_at_transmit().at(self.loc(span));
-            self.report(found.help("program DIAMOF behind TRANSMIT if X and Y of the face count alike"));
+            self.report(found.help("program DIAMOF after TRANSMIT if X and Y of the face count alike"));
         }
     }
 

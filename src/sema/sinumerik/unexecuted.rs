@@ -174,8 +174,8 @@ impl<'a> Unexecuted<'a> {
             return None;
         }
         let way = match jump.search {
-            Search::Forward => " behind this block",
-            Search::Backward => " in front of this block",
+            Search::Forward => " after this block",
+            Search::Backward => " before this block",
             _ => "",
         };
         // The control looks for the target when it jumps.

@@ -143,7 +143,7 @@ pub(super) const ROWS: &[Row] = &[
             Q208,
             q(FEED_FACTOR, Kind::Number, "feed at full engagement in %: 100; others are refused").default("100"),
             q(Name::Q(404), Kind::Number, "how a finer tool goes on")
-                .without_effect("the path behind a coarse tool is partc's own"),
+                .without_effect("the path after a coarse tool is partc's own"),
         ],
     ),
     along(POCKET, 23, "CYCL DEF 23", "FLOOR FINISHING", |call| call.floor_finishing(), &[Q11, Q12, Q208]),

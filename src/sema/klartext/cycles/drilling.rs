@@ -214,8 +214,8 @@ pub(super) const ROWS: &[Row] = &[
             SECOND,
             Q212,
             Q205,
-            q(AHEAD_ABOVE, Kind::Length, "distance in front of the last depth after the first plunge").needed(),
-            q(AHEAD_BELOW, Kind::Length, "distance in front of the last depth before the last plunge").needed(),
+            q(AHEAD_ABOVE, Kind::Length, "distance above the last depth after the first plunge").needed(),
+            q(AHEAD_BELOW, Kind::Length, "distance above the last depth before the last plunge").needed(),
             q(BREAK_DEPTH, Kind::Length, "depth after which the chip is broken; 0 never").needed(),
             q(BREAK_WAY, Kind::Length, "way back to break the chip").needed(),
             Q211,
@@ -287,7 +287,7 @@ pub(super) const ROWS: &[Row] = &[
             q(COOLANT_ON, Kind::Number, "M function before drilling: 7, 8, 9, or 0 for none").default("8"),
             q(COOLANT_OFF, Kind::Number, "M function at the bottom: 7, 8, 9, or 0 for none").default("9"),
             q(DWELL_DEPTH, Kind::Length, "depth at which it dwells; refused where it is not 0").default("0"),
-            q(FEED_PERCENT, Kind::Number, "feed behind that depth in percent; refused where it is not 100")
+            q(FEED_PERCENT, Kind::Number, "feed after that depth in percent; refused where it is not 100")
                 .default("100"),
             q(PLUNGE, Kind::Length, "plunging depth; refused where it is less than the depth")
                 .unsigned()

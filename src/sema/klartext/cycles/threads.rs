@@ -75,7 +75,7 @@ pub(super) const ROWS: &[Row] = &[
             Q253,
             Q351,
             q(PLUNGE, Kind::Length, "plunging depth").needed().rule(ABOVE_0),
-            q(AHEAD_ABOVE, Kind::Length, "distance in front of the last depth").needed(),
+            q(AHEAD_ABOVE, Kind::Length, "distance above the last depth").needed(),
             q(BREAK_DEPTH, Kind::Length, "depth after which the chip is broken; 0 never").needed().unsigned(),
             q(BREAK_WAY, Kind::Length, "way back to break the chip").needed(),
             Q358,

@@ -61,7 +61,7 @@ pub(super) const ROWS: &[Row] = &[
         Nature::Rotation,
         "CYCL DEF 10",
         "ROTATION",
-        &[part(Kind::Angle, "angle behind ROT, or IROT for an incremental one").needed()],
+        &[part(Kind::Angle, "angle after ROT, or IROT for an incremental one").needed()],
         "write the angle: `CYCL DEF 10.1 ROT+35`",
     ),
     acting(
@@ -69,7 +69,7 @@ pub(super) const ROWS: &[Row] = &[
         Nature::Scaling,
         "CYCL DEF 11",
         "SCALING",
-        &[part(Kind::Number, "factor behind SCL").needed()],
+        &[part(Kind::Number, "factor after SCL").needed()],
         "write the factor: `CYCL DEF 11.1 SCL 0.75`",
     ),
     acting(
@@ -101,7 +101,7 @@ pub(super) const ROWS: &[Row] = &[
         Nature::AxisScaling,
         "CYCL DEF 26",
         "AXIS-SPECIFIC SCALING",
-        &[part(Kind::Number, "factor by axis, and the centre behind CCX, CCY, CCZ")],
+        &[part(Kind::Number, "factor by axis, and the centre after CCX, CCY, CCZ")],
         "write factors and centre: `CYCL DEF 26.1 X1.4 Y0.6 CCX+15 CCY+20`",
     ),
     acting(

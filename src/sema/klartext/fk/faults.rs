@@ -144,7 +144,7 @@ impl Run<'_> {
         match words.pop() {
             Some(last) if words.is_empty() => format!("write {last}"),
             Some(last) => format!("write {} or {last}", words.join(", ")),
-            None => "write a datum into one of the blocks behind".to_owned(),
+            None => "write a datum into one of the blocks after it".to_owned(),
         }
     }
 

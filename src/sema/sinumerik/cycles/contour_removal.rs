@@ -77,7 +77,7 @@ impl CycleCall<'_> {
         let [part] = contours else { return Ok(Acts::new()) };
         self.removal_digits()?;
         let given = self.given;
-        let help = "1 to 4 rough, 5 to 8 finish, 9 to 12 do both; of each along Z or X, outside or inside; 2 in front of them leaves steps";
+        let help = "1 to 4 rough, 5 to 8 finish, 9 to 12 do both; of each along Z or X, outside or inside; 2 before them leaves steps";
         let vari = given.or_zero(VARI);
         if !(1.0..300.0).contains(&vari) || vari.fract() != 0.0 {
             return self.kind_fault(VARI, help);

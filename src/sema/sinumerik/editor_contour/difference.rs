@@ -88,7 +88,7 @@ impl Told<'_> {
     fn corner(&self, i: usize) -> String {
         let (Some(there), Some(here)) = (self.blocks.get(i), self.made.blocks.get(i)) else { return self.count() };
         format!(
-            "the corner behind element {} has {}, by the records of the contour editor {}",
+            "the corner after element {} has {}, by the records of the contour editor {}",
             i + 1,
             self.word(there.corner),
             self.word(here.corner)

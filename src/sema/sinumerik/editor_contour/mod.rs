@@ -349,10 +349,10 @@ impl Core<'_> {
                 accept.to_owned(),
             ),
             NoUndercut::StartRounding => (
-                "the undercut at the start of the contour begins with a rounding, and the line in front of it, on which that \
+                "the undercut at the start of the contour begins with a rounding, and the line before it, on which that \
                  would lie, is no part of the contour"
                     .to_owned(),
-                "begin the contour with the line in front of the undercut".to_owned(),
+                "begin the contour with the line before the undercut".to_owned(),
             ),
             NoUndercut::InchPitch => (
                 "whether the pitch of a thread undercut is in inches or in millimetres is not known in a contour of inches"

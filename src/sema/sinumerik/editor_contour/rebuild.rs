@@ -39,7 +39,7 @@ impl Channel<'_> {
         });
         if on && self.is_diameter_axis(first) {
             let what = format!("{} counts in diameters, which its records never do", first.letter());
-            return self.not_rebuilt(&what, "program DIAMOF in front of the contour");
+            return self.not_rebuilt(&what, "program DIAMOF before the contour");
         }
         let across = second == Axis::X || self.is_diameter_axis(second);
         let wanted = across && turned.unwrap_or_else(|| self.is_diameter_axis(second));
@@ -55,12 +55,12 @@ impl Channel<'_> {
         } else if wanted {
             (
                 "the editor writes turned contours in diameters (DIAM90), and DIAMOF is in force",
-                "program DIAM90 in front of the contour; where its values are radii, DIAMOF inside of it".into(),
+                "program DIAM90 before the contour; where its values are radii, DIAMOF inside of it".into(),
             )
         } else {
             (
                 "the editor writes milled contours with DIAMOF, and diameters are in force",
-                "program DIAMOF in front of the contour".into(),
+                "program DIAMOF before the contour".into(),
             )
         };
         self.not_rebuilt(what, help)
@@ -69,26 +69,26 @@ impl Channel<'_> {
     /// What would act on each block of the contour, and is not made for records.
     fn no_state_beside(&self, stored: &Stored) -> Outcome {
         if self.st.modal_call.is_on() {
-            return self.not_rebuilt("a modal call is active", "end it by MCALL in front of the contour");
+            return self.not_rebuilt("a modal call is active", "end it by MCALL before the contour");
         }
         let off = self.st.tool.is_without_offset();
         if off && !self.is_capturing() {
-            return self.not_rebuilt("under D0 its points count without the tool", "select D1 in front of the contour");
+            return self.not_rebuilt("under D0 its points count without the tool", "select D1 before the contour");
         }
         if self.st.offsets.in_machine() {
-            return self.not_rebuilt("G500 is in force", "select a work offset in front of the contour");
+            return self.not_rebuilt("G500 is in force", "select a work offset before the contour");
         }
         let undercut = stored.records.iter().any(|record| matches!(record, Record::Undercut(_)));
         if undercut && self.st.corners.rounding() != 0.0 {
             return self.not_rebuilt(
                 "RNDM is in force and would round the edges of its undercut",
-                "program RNDM=0 in front of the contour",
+                "program RNDM=0 before the contour",
             );
         }
         if undercut && self.st.corners.feed().is_some() {
             return self.not_rebuilt(
                 "FRCM is in force and is the feed of the roundings of its undercut alone",
-                "program FRCM=0 in front of the contour",
+                "program FRCM=0 before the contour",
             );
         }
         Ok(())

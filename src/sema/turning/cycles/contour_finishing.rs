@@ -34,9 +34,7 @@ pub(super) const ROWS: &[Row] = &[Row::new(
     Unbuilt::not_zero(word::B, |it| {
         codes::T9007::of_g89_how_it_makes_is_shown(&it.word, &"the first corner of the section")
     }),
-    Unbuilt::not_zero(word::J, |it| {
-        codes::T9007::of_g89_how_it_makes_is_shown(&it.word, &"the element in front of it")
-    }),
+    Unbuilt::not_zero(word::J, |it| codes::T9007::of_g89_how_it_makes_is_shown(&it.word, &"the element before it")),
 ])
 .requires(&[Need::Feed])];
 

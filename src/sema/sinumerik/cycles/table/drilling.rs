@@ -196,7 +196,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 length("_MDEP", "least step, where DAM is a factor").default("0"),
                 length("_VRT", "way back to break the chip").unsigned().or_else(0, NO_SIGN).default("1 mm"),
                 dwell("_DTD", "dwell at the last depth; below 0 in turns").default("DTB"),
-                length("_DIS1", "distance in front of the last depth, where rapid traverse ends")
+                length("_DIS1", "distance above the last depth, where rapid traverse ends")
                     .unsigned()
                     .or_else(0, NO_SIGN)
                     .default("0.6 mm to 30 mm deep, then a fiftieth of the depth, at most 7 mm"),
@@ -241,7 +241,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 number("_TECHNO", "speed and accuracy: reported, changes no move"),
                 digits("_VARI", &ANY_DIGITS, "0 in one go, 1 breaks the chip, 2 removes it").default("0"),
                 length("_DAM", "depth of a step; its sign is left out").default("refused where `_VARI` is not 0"),
-                length("_VRT", "way back to break the chip, or distance in front of the last depth").default("1 mm"),
+                length("_VRT", "way back to break the chip, or distance above the last depth").default("1 mm"),
                 PITM,
                 PTAB,
                 PTABA,

@@ -67,7 +67,7 @@ pub(super) const ROWS: &[Cycle] = &[
                 MID,
                 length("_MIDA", "greatest infeed in the plane; the first path takes exactly this")
                     .default("0.8 of the cutter"),
-                length("_FDP", "overrun at the ends of a path, and lift behind a finished one").default("0"),
+                length("_FDP", "overrun at the ends of a path, and lift after a finished one").default("0"),
                 FALD,
                 FFP1,
                 FACE_VARI,
