@@ -99,7 +99,7 @@ fn what_is_no_plain_program_is_said_with_its_line() {
         ("G21\nG1 X1\n", 2, "without a feed"),
         ("G21\nG2 X1 Y1 I1 J0 F1\n", 2, "unknown place"),
         ("G21\n/G0 X1\n", 2, "decided at the machine"),
-        ("G21\nM2\nG0 X1\n", 3, "behind the end"),
+        ("G21\nM2\nG0 X1\n", 3, "after the end"),
     ] {
         let stop = steps_of_text(text.as_bytes(), 0.001).expect_err(text);
         assert!(stop.line == line && stop.why.contains(why), "{text}: {stop}");
