@@ -18,7 +18,7 @@ use super::cycle_definition::{DottedValue, Open, What};
 use super::cycles::DefinedCycle;
 use super::cycles::call::Calling;
 use super::cycles::contours::ROUGH_OUT;
-use super::cycles::{Nature, find};
+use super::cycles::{Nature, Row, find};
 use super::known::Known;
 use super::m_table::{When, entry};
 use super::words::{Admits, MWord};
@@ -190,14 +190,7 @@ impl Run<'_> {
                 let axes = open.axes.iter().map(|axis| axis.axis).collect();
                 self.mirror(axes)
             }
-            Nature::Dwell => {
-                let seconds = self.single_value(open)?;
-                if !(0.0..=3600.0).contains(&seconds) {
-                    return self.refuse(self.block_span(), codes::P2090::dwell_of_s_is_out_of_range(&seconds));
-                }
-                self.function(Function::Dwell(seconds));
-                Ok(())
-            }
+            Nature::Dwell => self.dwell(open),
             Nature::Rotation => {
                 let angle = self.single_value(open)?;
                 let incremental = open.values.iter().any(|value| value.label == "IROT");
@@ -208,25 +201,8 @@ impl Run<'_> {
                 self.scale(factor)
             }
             Nature::AxisScaling => self.scale_axes(open),
-            Nature::ProgramCall => match open.program.clone() {
-                Some(name) => {
-                    self.cycles.defined = Some(Defined::Program { name });
-                    self.cycles.modal = false;
-                    Ok(())
-                }
-                None => {
-                    self.say_here(codes::K2402::cycle_12_names_no_program());
-                    Err(Reported)
-                }
-            },
-            Nature::Orientation => {
-                let angle = self.single_value(open)?;
-                if !(0.0..=360.0).contains(&angle) {
-                    return self.refuse(self.block_span(), codes::P2090::spindle_angle_of_degrees_is_out(&angle));
-                }
-                self.st.spindle.orient(angle);
-                Ok(())
-            }
+            Nature::ProgramCall => self.define_program(open),
+            Nature::Orientation => self.orientation(open),
             Nature::Tilt => self.tilt(open),
             Nature::Tolerance => self.path_tolerance(open),
             Nature::Preset => self.preset(open),
@@ -236,28 +212,57 @@ impl Run<'_> {
                 Ok(())
             }
             Nature::Acting => self.acts_unsupported(open.number),
-            Nature::Drilling(_) | Nature::Milling(_) | Nature::Machining => {
-                let mm = self.level().frame.unit.mm();
-                let cycle = DefinedCycle::new(open, self.here.origin.loc, mm);
-                self.check_definition(&cycle)?;
-                if matches!(row.nature, Nature::Machining) {
-                    self.cycles.defines_unsupported(open.number, cycle.loc, false);
-                }
-                self.cycles.defined = Some(Defined::Machining { cycle: Rc::new(cycle), refused: false });
-                self.cycles.modal = false;
-                Ok(())
-            }
+            Nature::Drilling(_) | Nature::Milling(_) | Nature::Machining => self.define_machining(row, open),
             Nature::Pattern(places) => {
-                let mm = self.level().frame.unit.mm();
-                let pattern = DefinedCycle::new(open, self.here.origin.loc, mm);
-                let result = self.pattern_cycle(&pattern, places);
-                if result.is_err() {
-                    self.lose_all();
-                }
-                result
+                let pattern = self.defined_here(open);
+                self.pattern_cycle(&pattern, places).inspect_err(|_| self.lose_all())
             }
             Nature::Unknown => self.builders_cycle(open),
         }
+    }
+
+    fn dwell(&mut self, open: &Open) -> Outcome {
+        let seconds = self.single_value(open)?;
+        if !(0.0..=3600.0).contains(&seconds) {
+            return self.refuse(self.block_span(), codes::P2090::dwell_of_s_is_out_of_range(&seconds));
+        }
+        self.function(Function::Dwell(seconds));
+        Ok(())
+    }
+
+    fn orientation(&mut self, open: &Open) -> Outcome {
+        let angle = self.single_value(open)?;
+        if !(0.0..=360.0).contains(&angle) {
+            return self.refuse(self.block_span(), codes::P2090::spindle_angle_of_degrees_is_out(&angle));
+        }
+        self.st.spindle.orient(angle);
+        Ok(())
+    }
+
+    fn define_program(&mut self, open: &Open) -> Outcome {
+        let Some(name) = open.program.clone() else {
+            self.say_here(codes::K2402::cycle_12_names_no_program());
+            return Err(Reported);
+        };
+        self.cycles.defined = Some(Defined::Program { name });
+        self.cycles.modal = false;
+        Ok(())
+    }
+
+    fn define_machining(&mut self, row: &Row, open: &Open) -> Outcome {
+        let cycle = self.defined_here(open);
+        self.check_definition(&cycle)?;
+        if matches!(row.nature, Nature::Machining) {
+            self.cycles.defines_unsupported(open.number, cycle.loc, false);
+        }
+        self.cycles.defined = Some(Defined::Machining { cycle: Rc::new(cycle), refused: false });
+        self.cycles.modal = false;
+        Ok(())
+    }
+
+    fn defined_here(&mut self, open: &Open) -> DefinedCycle {
+        let mm = self.level().frame.unit.mm();
+        DefinedCycle::new(open, self.here.origin.loc, mm)
     }
 
     /// Cycle 32: how far corners are rounded off; without T the setting of the machine holds again.

@@ -2,7 +2,7 @@
 
 use crate::sema::cycle::row::{Kind, Name, Parameter, Signature, Status};
 
-use super::{Nature, Plan, REMOVE, Requires, Row, Setting, q};
+use super::{Nature, Plan, REMOVE, Requires, Row, Setting, milling, q};
 
 pub(in super::super) const DEPTH: Name = Name::Q(1);
 pub(in super::super) const OVERLAP: Name = Name::Q(2);
@@ -81,8 +81,7 @@ const fn along(
     plan: Plan,
     parameters: &'static [Parameter],
 ) -> Row {
-    let signature = Signature { name, what, status: Status::Built, source: MANUAL, parameters };
-    Row { numbers: (number, number), nature: Nature::Milling(plan), requires, signature, form: REMOVE }
+    Row { requires, ..milling::cycle(number, name, what, plan, parameters) }
 }
 
 pub(super) const ROWS: &[Row] = &[
