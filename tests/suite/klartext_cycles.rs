@@ -125,6 +125,9 @@ const VALUES: &[(u32, f64, f64)] = &[
     (425, 60.0, 65.0),
     (437, 0.0, 1.0),
     (512, 300.0, 310.0),
+    (571, 50.0, 52.0),
+    (572, 6.0, 8.0),
+    (573, 0.0, 1.0),
     (221, 0.5, 1.5),
     (228, 100.0, 101.0),
     (229, 20.0, 21.0),
@@ -151,6 +154,7 @@ const OWN: &[(u32, u32, f64, f64)] = &[
     (21, 13, 1.0, 9.0),
     (22, 208, 99999.0, 300.0),
     (23, 208, 99999.0, 300.0),
+    (258, 220, 0.0, 1.0),
 ];
 
 /// A cycle, the parameter under test, and another one with the value that makes it count.
@@ -275,7 +279,7 @@ fn definition(number: u32, cycle: &Signature, at: usize, given: Given) -> String
 }
 
 /// A drill of 12 mm, or a cutter.
-const TOOL: &str = "[tools.1]\nradius = 6.0\nplunge_angle = 4.0\ntip_angle = 118.0\n[cycles]\nthread_267 = \"core\"\n[tools.2]\nradius = 7.0\n";
+const TOOL: &str = "[tools.1]\nradius = 6.0\nplunge_angle = 4.0\ntip_angle = 118.0\n[cycles]\nthread_267 = \"core\"\nmulti_edge_start = \"corner\"\n[tools.2]\nradius = 7.0\n";
 
 /// The definition among those of a pocket or a contour train.
 fn around_contour(number: u32, definition: &str) -> String {

@@ -107,6 +107,8 @@ the alarm that the cycle raises itself. Arguments are counted by their commas; a
         "the slot length Q218 = {length} mm is not above its width Q219 = {width} mm";
     angle_of_approach_q376_is_not_1(angle) "the angle of the approach Q376 = {angle} is not -1, or 0 to 359";
     blank_q222_is_smaller_than_stud() "the blank (Q222) is smaller than the stud (Q223)";
+    blank_q222_is_within_corners(corner)
+        "the blank (Q222) does not reach the corners of the polygon, which lie on a diameter of {corner} mm";
     blank_q424() "the blank (Q424, Q425) is smaller than the stud (Q218, Q219)";
     depth_q356_is_less_than_depth() "the depth Q356 is less than the depth of the thread Q201";
     depth_is_positive_2(q, depth) "the depth {q} = {depth} is positive";

@@ -116,6 +116,9 @@ HEIDENHAIN turning: The cycle is known, its parameters are checked, but partc do
         help "use the plain variant of the cycle, or program its moves as blocks";
     approach_at_corner_is_not_supported(approach) "an approach at a corner (Q437={approach}) is not supported"
         help "use the plain variant of the cycle, or program its moves as blocks";
+    radius_or_chamfer_at_corners_of_polygon()
+        "a radius or chamfer at the corners of the polygon (Q220) is not supported"
+        help "set Q220 to 0 and round the corners by a contour, or program the moves as blocks";
     chamfer_at_corners_is_not_supported(corner) "a chamfer at the corners (Q220={corner}) is not supported"
         help "use the plain variant of the cycle, or program its moves as blocks";
     milling_under_mirror() "milling under a mirror, which would change the hand of the thread, is not supported"

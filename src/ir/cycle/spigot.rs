@@ -4,6 +4,7 @@ use core::fmt;
 
 use crate::geo::{Deg, Element, Point2, Vec2, arc};
 use crate::ir::{Feed, Pos};
+use crate::machine::options::cycles::MultiEdgeStart;
 
 use super::Family;
 use super::milling::{Mill, MillFault, Place, parts};
@@ -88,6 +89,15 @@ pub enum Starts {
     /// The middle of an edge.
     Edge,
     Corner,
+}
+
+impl From<MultiEdgeStart> for Starts {
+    fn from(start: MultiEdgeStart) -> Starts {
+        match start {
+            MultiEdgeStart::Edge => Starts::Edge,
+            MultiEdgeStart::Corner => Starts::Corner,
+        }
+    }
 }
 
 /// Arguments that make no spigot.

@@ -145,7 +145,7 @@ pub const KEYS: &[Key] = &[
     key(
         "multi_edge_start",
         Kind::Choice(&["refuse", "edge", "corner"]),
-        "SINUMERIK: what of the multi-edge of CYCLE79 lies on the first axis, turned by `_STA`: the middle of an edge, or a corner",
+        "what of the polygon of CYCLE79 (SINUMERIK) or of cycle 258 (Klartext) lies on the first axis, turned by `_STA` or Q224: the middle of an edge, or a corner",
         |s, v| {
             let starts = if is(v, "edge") { MultiEdgeStart::Edge } else { MultiEdgeStart::Corner };
             put(&mut s.cycles.multi_edge_start, (!is(v, "refuse")).then_some(starts))

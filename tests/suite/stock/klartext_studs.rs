@@ -1,10 +1,10 @@
-//! Cycles 213, 215, 230, 232, 233, 256 and 257 with sizes at random: the properties of docs/cycles.md, column by column.
+//! Cycles 213, 215, 230, 232, 233, 256, 257 and 258 with sizes at random: the properties of docs/cycles.md, column by column.
 
-use partc::internals::machine::Settings;
-
+use super::super::common::settings;
 use super::super::damage::Dice;
 use super::milling::{Cut, EXACT, Stock, beside, many, track_of};
 use super::pockets::{FINISH, PLUNGE, ROUGH, number};
+use super::spigots::Outline;
 
 /// From path to path of a face.
 const LINK: f64 = 700.0;
@@ -24,8 +24,8 @@ struct Case<'a> {
 
 impl Case<'_> {
     fn judge(&self, shift: f64) -> Result<(), String> {
-        let cuts =
-            track_of("klartext", &self.text, &Settings::default()).map_err(|codes| format!("refused: {codes:?}"))?;
+        let settings = settings("[cycles]\nmulti_edge_start = \"corner\"\n");
+        let cuts = track_of("klartext", &self.text, &settings).map_err(|codes| format!("refused: {codes:?}"))?;
         let cell = self.radius / 5.0;
         let mut stock = Stock::new(self.low.map(|v| v - shift * cell), self.high, cell);
         for cut in &cuts {
@@ -74,20 +74,37 @@ fn stud(dice: &mut Dice) -> Case<'static> {
     let some = |dice: &mut Dice, high: f64| if dice.roll(2) == 0 { 0.0 } else { number(dice, 0.01, high) };
     // A floor that one cut does not take off is refused.
     let (wall, floor) = (some(dice, 0.5 * radius), some(dice, 0.4 * depth).min(step));
-    let round = dice.roll(2) == 0;
+    let kind = dice.roll(3);
+    let round = kind != 1;
     let mut half = [number(dice, 1.0, 25.0), number(dice, 1.0, 25.0)];
     if round {
         half[1] = half[0];
     }
     let corner = if round { half[0] } else { number(dice, 0.0, half[0].min(half[1])) };
     let more = number(dice, 0.0, 20.0);
+    let corners = 3 + dice.roll(28);
     let raw = if round { [half[0] + more; 2] } else { [half[0] + more, half[1] + number(dice, 0.0, 20.0)] };
     let turn = if round { number(dice, 0.0, 359.0) } else { number(dice, -90.0, 90.0) };
     let at = [number(dice, -20.0, 20.0), number(dice, -20.0, 20.0)];
     let climb = if dice.roll(2) == 0 { 1 } else { -1 };
     let overlap = number(dice, 0.3, 1.999);
     let asked: &[u32] = [&[0][..], &[1], &[1, 2]][dice.roll(3)];
-    let own = if round {
+    let (sin, cos) = (std::f64::consts::PI / corners as f64).sin_cos();
+    let outline = match kind {
+        // Its corners lie on the circle.
+        2 => {
+            let turns = (0..corners).map(|i| std::f64::consts::TAU * i as f64 / corners as f64);
+            Outline::Polygon { corners: turns.map(|a| [half[0] * a.cos(), half[0] * a.sin()]).collect() }
+        }
+        _ => Outline::Rectangle { half, corner },
+    };
+    let own = if kind == 2 {
+        let (through, across) = if sin > 0.4 { (1, 2.0 * half[0]) } else { (0, 2.0 * half[0] * cos) };
+        format!(
+            "258 NAME Q573={through} Q571={across:.9} Q222={:.4} Q572={corners} Q224={turn} Q220=0",
+            2.0 * raw[0]
+        )
+    } else if round {
         format!("257 NAME Q223={:.4} Q222={:.4} Q376={turn}", 2.0 * half[0], 2.0 * raw[0])
     } else {
         format!(
@@ -114,7 +131,7 @@ fn stud(dice: &mut Dice) -> Case<'static> {
     let wanted = move |[x, y]: [f64; 2]| {
         let (dx, dy) = (x - at[0], y - at[1]);
         let p = [dx * cos + dy * sin, dy * cos - dx * sin];
-        let away = beside(p, half, corner);
+        let away = outline.outside(p);
         let in_blank = if round { p[0].hypot(p[1]) < raw[0] } else { p[0].abs() < raw[0] && p[1].abs() < raw[1] };
         if away < left - EXACT {
             (0.0, 0.0)

@@ -11,7 +11,7 @@ use super::pockets::{FINISH, PLUNGE, ROUGH, finishing, number};
 
 /// A finished outline, or that of a blank, about its own origin.
 #[derive(Debug, Clone)]
-enum Outline {
+pub(super) enum Outline {
     Rectangle { half: [f64; 2], corner: f64 },
     Circle { radius: f64 },
     Polygon { corners: Vec<[f64; 2]> },
@@ -36,7 +36,7 @@ struct Case {
 
 impl Outline {
     /// Distance of a point from the outline, below 0 inside.
-    fn outside(&self, [x, y]: [f64; 2]) -> f64 {
+    pub(super) fn outside(&self, [x, y]: [f64; 2]) -> f64 {
         match self {
             Outline::Rectangle { half, corner } => beside([x, y], *half, *corner),
             Outline::Circle { radius } => x.hypot(y) - radius,

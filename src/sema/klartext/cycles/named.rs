@@ -46,7 +46,6 @@ pub(super) const ROWS: &[Row] = &[
     named(225, "CYCL DEF 225", "ENGRAVING"),
     acting((238, 238), "CYCL DEF 238", "MEASURE MACHINE STATUS"),
     acting((239, 239), "CYCL DEF 239", "ASCERTAIN THE LOAD"),
-    named(258, "CYCL DEF 258", "POLYGON STUD"),
     group(272, 277, "CYCL DEF 272 to 277", "OCM cycle"),
     data((285, 285), "CYCL DEF 285", "DEFINE GEAR"),
     group(286, 288, "CYCL DEF 286 to 288", "gear cycle"),

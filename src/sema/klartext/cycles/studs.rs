@@ -1,8 +1,8 @@
-//! Studs: 256 and 257.
+//! Studs: 256, 257 and 258.
 //!
 //! Source: K 6.5 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::geo::Deg;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::milling::{Mill, Place};
@@ -12,7 +12,7 @@ use crate::sema::cycle::row::{Kind, Name, Parameter, Rule};
 
 use super::call::CycleCall;
 use super::drilling::Q201;
-use super::machining::Asked;
+use super::machining::{Asked, shown};
 use super::milling::{
     CORNER, DIAMETER, FIRST_SIDE, OPERATION, POSITION, Q202, Q206, Q207, Q338, Q351, Q368, Q369, Q370, Q385,
     SECOND_SIDE, TURN, cycle,
@@ -23,13 +23,16 @@ use super::{ABOVE_0, AT_SURFACE, Planned, Row, SECOND, SET_UP, q};
 pub(in super::super) const RAW_DIAMETER: Name = Name::Q(222);
 pub(in super::super) const RAW: (Name, Name) = (Name::Q(424), Name::Q(425));
 pub(in super::super) const APPROACH: Name = Name::Q(437);
+const CIRCLE: Name = Name::Q(571);
+const CORNERS: Name = Name::Q(572);
+const CIRCLE_THROUGH: Name = Name::Q(573);
 
 const Q215: Parameter =
     q(OPERATION, Kind::Number, "0 roughs and finishes, 1 roughs, 2 finishes what Q368 and Q369 leave")
         .rule(Rule::OneOf(0, 2))
         .default("1");
 
-/// The parameters of a cycle of its own, those that both studs have, and where it approaches.
+/// The parameters of a cycle of its own, those that all studs have, and one of its own between them.
 macro_rules! parameters {
     ($($own:expr),* ; $approach:expr) => {
         &[
@@ -70,6 +73,23 @@ pub(super) const ROWS: &[Row] = &[
             q(RAW_DIAMETER, Kind::Length, "diameter of the blank").needed().rule(ABOVE_0),
             Q368;
             q(START_ANGLE, Kind::Angle, "angle of the approach, 0 to 359; -1 for 0").default("-1")
+        ],
+    ),
+    cycle(
+        258,
+        "CYCL DEF 258",
+        "POLYGON STUD",
+        |call| call.polygon_stud(),
+        parameters![
+            q(CIRCLE_THROUGH, Kind::Number, "Q571 is the diameter of 0 the inscribed circle, 1 the circumscribed one")
+                .needed()
+                .rule(Rule::OneOf(0, 1)),
+            q(CIRCLE, Kind::Length, "diameter of the reference circle").needed().rule(ABOVE_0),
+            q(RAW_DIAMETER, Kind::Length, "diameter of the blank").needed().rule(ABOVE_0),
+            q(CORNERS, Kind::Number, "number of corners").needed().rule(Rule::OneOf(3, 30)),
+            q(TURN, Kind::Angle, "angle of a corner or the middle of an edge, by `[cycles] multi_edge_start`").needed(),
+            q(CORNER, Kind::Length, "radius of the corners, below 0 a chamfer; refused where it is not 0").default("0");
+            Q368
         ],
     ),
 ];
@@ -120,7 +140,32 @@ impl CycleCall<'_> {
         self.stud((mill, asked), place, Shape::Circle { radius }, blank)
     }
 
-    /// What both take; older definitions have no Q215 and rough.
+    /// Cycle 258.
+    pub fn polygon_stud(&self) -> Made<Planned> {
+        let Some((mill, asked)) = self.stud_of()? else { return Ok(Planned::default()) };
+        let given = self.given;
+        if given.or_zero(CORNER) != 0.0 {
+            return self.refuse_argument(CORNER, codes::P9010::radius_or_chamfer_at_corners_of_polygon());
+        }
+        let Some(starts) = self.settings.cycles.multi_edge_start else {
+            let fault = codes::K9040::whether_edge_or_corner_lies_at_q224();
+            return self.refuse_argument(TURN, fault.answer(Answer::key("cycles", "multi_edge_start")));
+        };
+        let (edges, radius) = (given.whole(CORNERS).unsigned_abs(), given.length(CIRCLE) / 2.0);
+        let cos = Deg(180.0 / f64::from(edges)).sin_cos().1;
+        let (apothem, corner) =
+            if given.whole(CIRCLE_THROUGH) == 0 { (radius, radius / cos) } else { (radius * cos, radius) };
+        let raw = given.length(RAW_DIAMETER) / 2.0;
+        if raw < corner - 1e-9 {
+            return self
+                .refuse_argument(RAW_DIAMETER, codes::P2090::blank_q222_is_within_corners(&shown(2.0 * corner)));
+        }
+        let place = Place { at: self.call_point()?, turn: Deg(given.or_zero(TURN)) };
+        let blank = Blank { reach: raw, stock: raw - apothem, aside: ASIDE };
+        self.stud((mill, asked), place, Shape::Polygon { edges, apothem, starts: starts.into() }, blank)
+    }
+
+    /// What all take; older definitions have no Q215 and rough.
     fn stud_of(&self) -> Made<Option<(Mill, Asked)>> {
         let Some(mill) = self.cutter_of()? else { return Ok(None) };
         let Some(asked) = self.asked(&mill)? else { return Ok(None) };

@@ -5,9 +5,9 @@
 use crate::diag::{Answer, codes};
 use crate::geo::Deg;
 use crate::ir::cycle::milling::{Mill, Place};
-use crate::ir::cycle::spigot::{Blank, MOST_EDGES, Shape, SpigotFault, Starts, stock_at_corner};
+use crate::ir::cycle::spigot::{Blank, MOST_EDGES, Shape, SpigotFault, stock_at_corner};
 use crate::ir::cycle::{Cycle, Family, Spigot};
-use crate::machine::options::cycles::{MultiEdgeStart, SpigotSize};
+use crate::machine::options::cycles::SpigotSize;
 
 use super::super::value::whole;
 use super::call::{Act, Acts, CycleCall};
@@ -73,16 +73,9 @@ impl CycleCall<'_> {
         if given.or_zero(RC) != 0.0 {
             return self.refuse_argument(RC, codes::S9015::transition_at_corners_of_multi_edge());
         }
-        let starts = match self.settings.cycles.multi_edge_start {
-            Some(MultiEdgeStart::Edge) => Starts::Edge,
-            Some(MultiEdgeStart::Corner) => Starts::Corner,
-            None => {
-                return self.refuse_as_said(
-                    given.place_of(STA),
-                    codes::S9015::cycle79_whether_edge_or_corner_of_multi()
-                        .answer(Answer::key("cycles", "multi_edge_start")),
-                );
-            }
+        let Some(starts) = self.settings.cycles.multi_edge_start else {
+            let fault = codes::S9015::cycle79_whether_edge_or_corner_of_multi();
+            return self.refuse_as_said(given.place_of(STA), fault.answer(Answer::key("cycles", "multi_edge_start")));
         };
         let size = self.given.magnitude(SWL);
         let apothem = if edges % 2 == 0 {
@@ -96,7 +89,7 @@ impl CycleCall<'_> {
         let place = Place { at: self.reference_point(PA, PO), turn: Deg(given.or_zero(STA)) };
         let blank = self.blank(&[AP1])?;
         let width = self.width(MIDA, mill.radius)?;
-        self.mill_spigot(mill, place, Shape::Polygon { edges, apothem, starts }, blank, Some(width))
+        self.mill_spigot(mill, place, Shape::Polygon { edges, apothem, starts: starts.into() }, blank, Some(width))
     }
 
     /// Half of the blank along the first axis; roughing needs it.
