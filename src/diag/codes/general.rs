@@ -241,7 +241,8 @@ P4002 Error "output-limit" "program makes too many output blocks"
 "The output has more lines than `[limits] output_blocks` (50 million by default), head and end included, so it was given up: most often a \
 loop runs too many times, or \
 never ends. Check the loops and repeats around the marked block, or raise the limit." {
-    output_has_more_than_lines(most_lines) "the output has more than {most_lines} lines, head and end included";
+    output_has_more_than_lines(most_lines) "the output has more than {most_lines} lines, head and end included"
+        asks "look for a loop that does not end, or raise `[limits] output_blocks`";
 }
 
 P4003 Error "call-depth" "calls are nested too deep"

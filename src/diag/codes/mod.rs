@@ -30,6 +30,7 @@ mod sinumerik;
 mod sinumerik_arcs;
 mod sinumerik_unsupported;
 mod sinumerik_warnings;
+mod target;
 mod transformation;
 mod turning;
 mod turning_geometry;
@@ -60,6 +61,7 @@ pub use sinumerik::*;
 pub use sinumerik_arcs::*;
 pub use sinumerik_unsupported::*;
 pub use sinumerik_warnings::*;
+pub use target::*;
 pub use transformation::*;
 pub use turning::*;
 pub use turning_geometry::*;
@@ -235,6 +237,7 @@ pub fn all() -> Vec<&'static Code> {
         grooves::GROOVES,
         compensation::COMPENSATION,
         output::OUTPUT,
+        target::TARGET,
         pockets::POCKETS,
         shared_form::SHARED_FORM,
         shared_meaning::SHARED_MEANING,
