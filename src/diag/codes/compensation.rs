@@ -120,7 +120,7 @@ which the tool has to stand outside of it; the ways of other settings are not pu
         help "start or end farther away from the contour";
 }
 
-G3210 Warning "compensation-left-out" "elements are left out where the tool does not fit"
+G3210 Warning firm "compensation-left-out" "elements are left out where the tool does not fit"
 "A corner of the contour is too narrow for the tool. The program asks for the collision search of the control (HEIDENHAIN M120, SINUMERIK CDON and CDOF), \
 so the elements that are named were left out, and the path goes on where it meets a later one. Material stays there. The functions of their blocks happen at that point." {
     element_is_left_out(radius)
@@ -132,7 +132,7 @@ so the elements that are named were left out, and the path goes on where it meet
         help "check that the material may stay, or take a smaller tool";
 }
 
-G3211 Warning "compensation-damage" "tool damages the contour at a narrow place"
+G3211 Warning firm "compensation-damage" "tool damages the contour at a narrow place"
 "The path beside one element comes nearer to another element than the radius of the tool, although neighbours fit: a bottleneck. HEIDENHAIN controls \
 do not look for it without M120, SINUMERIK controls not without CDON. The path is printed as the control travels it. Take a smaller tool." {
     tool_damages_contour(radius)
@@ -141,7 +141,7 @@ do not look for it without M120, SINUMERIK controls not without CDON. The path i
         help "take a smaller tool";
 }
 
-G3212 Warning "compensation-stays" "tool stays beside the contour"
+G3212 Warning firm "compensation-stays" "tool stays beside the contour"
 "The block that ends the radius compensation does not move in the working plane. The tool stays where it is, beside the contour, and the next block in the plane starts there and moves \
 both axes. No available manual confirms this. End the compensation in a block that leads away from the contour in the plane." {
     radius_compensation_ends_in_block_that_leaves()

@@ -98,7 +98,7 @@ Where a short element has a corner at both ends, both have to fit on it." {
         help "make the corner smaller, or the short element longer";
 }
 
-G3025 Warning "corner-shortened" "chamfer or rounding was made smaller"
+G3025 Warning firm "corner-shortened" "chamfer or rounding was made smaller"
 "The corner would cut off more than a neighbouring element is long, so it was made as large as the element allows: because what is missing \
 is less than 0.001 mm, which a source rounded to three decimals loses, or because `[control] large_corners` asks for it. SINUMERIK controls \
 shorten such corners without a word, in a way that is not documented. Check that the part may be so." {
@@ -108,7 +108,7 @@ shorten such corners without a word, in a way that is not documented. Check that
     corner_before_left_nothing(corner) "the corner before the {corner} left nothing of the element; it is left out";
 }
 
-G3009 Warning "corner-straight" "nothing to round or chamfer"
+G3009 Warning firm "corner-straight" "nothing to round or chamfer"
 "The elements before and after continue in the same direction, so there is no corner. Nothing is inserted, and the path is the one \
 without the block. Check whether the right corner was meant, else delete the block." {
     there_is_no_corner(corner) "there is no corner to put a {corner} in";
@@ -144,7 +144,7 @@ start and end are as programmed. The largest shift is stated." {
     centre_of_this_arc_of_contour(shift) "the centre of this arc of the contour was adjusted by {shift:.4} mm";
 }
 
-G8101 Warning "center-moved-far" "arc centre was moved far"
+G8101 Warning firm "center-moved-far" "arc centre was moved far"
 "Start and end of the arc have slightly different distances from its centre, within the tolerance of the control, and lie so close together \
 that the point which fits both is more than ten times that tolerance away. The bow of the printed arc is the programmed one within the tolerance, \
 but its centre and direction are not: most often a coordinate is rounded too coarsely, or wrong." {
