@@ -16,9 +16,6 @@ use super::{Ask, Compensation, Feed, Frame, Function, Origin, Pos, Side, Tap};
 /// Farthest that a coordinate, centre or radius may lie, in mm: 100 km. Beyond, binary fractions are coarser than what
 /// the streams promise.
 pub const FARTHEST: f64 = 1e8;
-/// What is said of one that lies farther out, or so far that a corner or arc loses its digits.
-pub const TOO_LARGE: &str = "a number of this block is too large to compute with";
-pub const TOO_LARGE_HELP: &str = "check the coordinates, and the parameters that the block computes with";
 
 /// State that holds for many items; a new one is made only when something in it changes.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -398,7 +398,7 @@ look at the formula that makes it." {
         "{args}: argument {place} is {given}, and the cycle counts {count}" help "write a whole number";
 }
 
-S8130 Note "siemens-axis-left-out" "axis that is left out"
+S8130 Note firm "siemens-axis-left-out" "axis that is left out"
 "`[machine] axes` says that the target has no such axis. Its words are left out of every block; other words of the blocks are printed. See to it that \
 the axis stands where the program needs it." {
     axis_is_left_out(named) "the axis {named} is left out, as `[machine] axes` says";
