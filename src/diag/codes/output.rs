@@ -18,6 +18,8 @@ parameters that the block computes with." {
     axis_of_this_arc_starts_where_nothing() "an axis of this arc starts where nothing was printed for it";
     start_of_this_arc_was_not_printed() "the start of this arc was not printed";
     number_of_this_block_is_too_large() "a number of this block is too large to print";
+    number_of_this_block_is_too_large_to() "a number of this block is too large to compute with"
+        help "check the coordinates, and the parameters that the block computes with";
 }
 
 O1003 Error "thread-lead-not-positive" "thread without a lead or a length"
@@ -115,6 +117,7 @@ O9001 Error "word-unknown-to-target" "the target has no word for this"
 "The program asks for something that the selected target cannot express. Choose another target or change the program."
 
 O9002 Error "spindle-speed-negative" "spindle speed is negative"
+usual "the sense of rotation comes from M3 or M4, the speed is positive"
 "The sense of rotation comes from M3 or M4, the speed is positive. Look where the S word or its parameter is set." {
     spindle_speed(speed) "the spindle speed is {speed}";
     speed(num) "the speed is {num}";

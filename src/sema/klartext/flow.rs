@@ -367,11 +367,10 @@ impl Run<'_> {
         };
         let limit = self.job.settings.limits.call_depth;
         if depth > most {
-            return self
-                .too_deep(format!("{what} are nested deeper than {most} levels, which the control does not allow"));
+            return self.too_deep(codes::P4003::control_allows_no_deeper_nesting(&what, &most));
         }
         if self.levels.len() > limit {
-            return self.too_deep(format!("calls are nested deeper than {limit} levels"));
+            return self.too_deep(codes::P4003::calls_are_nested_deeper(&limit));
         }
         Ok(())
     }

@@ -482,7 +482,7 @@ impl Run<'_> {
         if self.st.position.is_lost(axis) {
             return Err(super::Reported);
         }
-        self.unknown_position(axis, span, format!("{what} needs the position of {}, which is not known", axis.letter()))
+        self.unknown_position(axis, span, |axis, why| codes::P2001::needs_position_of(&what, axis, why))
     }
 }
 

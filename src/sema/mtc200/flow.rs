@@ -197,7 +197,7 @@ impl Run<'_> {
     fn call_part(&mut self, program: usize, called_program: bool, to: Place) -> Outcome {
         let most = MOST_LEVELS.min(self.job.settings.limits.call_depth);
         if self.levels.len() > most {
-            return self.too_deep(format!("subroutines are nested deeper than {most} levels"));
+            return self.too_deep(codes::P4003::subroutines_are_nested_deeper(&most));
         }
         self.enter(program, to, Frame { called_program })
     }

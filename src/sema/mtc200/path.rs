@@ -160,11 +160,8 @@ impl Run<'_> {
             Err(Missing::Lost) => return Err(Reported),
             Err(Missing::Unknown) => {}
         }
-        let letter = axis.letter();
-        let usual = format!("program an absolute position of {letter} first");
         let unknown = Unknown { position: &self.st.position, axis, lack: &|| Lack::Nothing, otherwise: " here" };
-        let message = format!("the position of {letter} is not known");
-        self.position_unknown(codes::P2001, span, message, &usual, unknown)
+        self.position_unknown(span, unknown, codes::P2001::position_is_not_known)
     }
 
     /// Where a rotary axis goes in unbroken degrees: the short way.

@@ -339,7 +339,7 @@ impl Channel<'_> {
     pub(super) fn leaves_touched(&mut self, axes: AxisSet, rapid: bool) -> Outcome {
         let (position, here) = (&self.st.position, self.here.origin.loc);
         let left = if self.is_capturing() { AxisSet::EMPTY } else { position.left_by_calls() };
-        if let Some(found) = move_beside(codes::P2001, position, left, axes, &self.st.ctx.frame, here) {
+        if let Some(found) = move_beside(position, left, axes, &self.st.ctx.frame, here) {
             self.report(found);
             self.lose_all();
             return Err(Reported);
