@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::ir::function::Turn;
 use crate::lexer::klartext::{QKind, QRef, Value};
 use crate::machine::{Axis, Generation, Settings, Unit};
@@ -161,7 +161,9 @@ impl Run<'_> {
             Some(Slot::Lost) => Err(Reported),
             Some(&Slot::AtMachine(set)) => {
                 self.report(
-                    codes::P2023::is_set_by_control_at_machine_and_nothing(&q).at(self.loc(span)).also(set, "set here"),
+                    codes::P2023::is_set_by_control_at_machine_and_nothing(&q)
+                        .at(self.loc(span))
+                        .also(set, Label::SetHere),
                 );
                 Err(Reported)
             }

@@ -6,7 +6,7 @@
 //!
 //! Source: K 7.1 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::Deg;
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
@@ -229,8 +229,7 @@ impl Run<'_> {
     pub(super) fn end_basic_rotation(&mut self, m: &MWord) -> Outcome {
         if let Some(probed) = self.st.frames.probed() {
             self.lose_all();
-            let found =
-                codes::K9008::m143_ends_basic_rotation().at(self.loc(m.span)).also(probed, "this cycle is left out");
+            let found = codes::K9008::m143_ends_basic_rotation().at(self.loc(m.span)).also(probed, Label::CycleLeftOut);
             self.report(found);
             return Err(Reported);
         }

@@ -2,7 +2,7 @@
 //!
 //! Source: M 5, 6.1, 6.2, 8 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT};
 use crate::ir::contour::{
     Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path, Thread,
@@ -463,7 +463,7 @@ impl Run<'_> {
             self.report(
                 codes::M2016::block_behind_chamfer_or_rounding_is_no()
                     .at(self.loc(span))
-                    .also(loc, "the corner is programmed here"),
+                    .also(loc, Label::CornerProgrammed),
             );
             return Err(Reported);
         }

@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use crate::diag::{Answer, Diagnostic, Fault, Help, codes};
+use crate::diag::{Answer, Diagnostic, Fault, Help, Label, codes};
 use crate::ir::Pos;
 use crate::ir::frame::Frame;
 use crate::machine::settings::Datums;
@@ -114,14 +114,14 @@ pub struct Unknown<'a> {
     pub otherwise: &'a str,
 }
 
-fn label(by: By) -> &'static str {
+fn label(by: By) -> Label {
     match by {
-        By::ToolChange => "the tool changes here, and its tip stands elsewhere",
-        By::Edge => "another cutting edge is selected here, and its tip stands elsewhere",
-        By::Call => "what is called here moves the axis, as `[programs]` says",
-        By::Probe => "a probe moves the axis here, and what it does is left out",
-        By::Table => "a curve table names the axis here, and is left out",
-        By::Machine(_) => "the axis goes to a machine coordinate here",
+        By::ToolChange => Label::ToolChanges,
+        By::Edge => Label::EdgeChanges,
+        By::Call => Label::CallMoves,
+        By::Probe => Label::ProbeMoves,
+        By::Table => Label::CurveTableLeftOut,
+        By::Machine(_) => Label::MachineCoordinate,
     }
 }
 

@@ -5,7 +5,7 @@
 //!
 //! Source: S 6 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::parser::sinumerik::ast::Block;
 use crate::text::{Loc, Span};
 
@@ -153,7 +153,7 @@ impl Channel<'_> {
     fn is_set_beside<T>(&self, name: &str, at: Loc, span: Span) -> Outcome<T> {
         let found = codes::S9022::is_set_by_synchronized_action_in_line(&name, &at.line)
             .at(self.loc(span))
-            .also(at, "this action sets it");
+            .also(at, Label::ActionSets);
         self.report(found.help("let the program compute the value itself, and take it out of the action"));
         Err(super::Reported)
     }

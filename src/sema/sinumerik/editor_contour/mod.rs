@@ -11,7 +11,7 @@ mod material;
 mod rebuild;
 mod solve;
 
-use crate::diag::{Answer, Help, codes};
+use crate::diag::{Answer, Help, Label, codes};
 use crate::ir::Pos;
 use crate::ir::contour::{ArcShape, Corner, CornerShape, Path};
 use crate::ir::undercut::usual_pitch;
@@ -178,7 +178,7 @@ impl Run<'_> {
             let record = told.record(difference).and_then(|at| stored.record_places.get(at));
             let mut found = fault.at(place);
             if let Some(record) = record {
-                found = found.also(*record, "what was typed");
+                found = found.also(*record, Label::Typed);
             }
             self.report(found);
         }
