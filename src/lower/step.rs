@@ -115,7 +115,7 @@ pub fn exact_far_out(start: &Pos, mv: &Move, origin: Origin) -> Result<(), Box<D
     if !mv.end.exceeds(FARTHEST) && (straight || verify::element(start, mv).is_ok()) {
         return Ok(());
     }
-    Err(Box::new(at(origin, codes::O1002::number_of_this_block_is_too_large_to_compute())))
+    Err(Box::new(at(origin, codes::O1002::number_of_this_block_is_too_large_to())))
 }
 
 /// Checks steps between the passes: each starts where the one before ended, as long as the frame stays.

@@ -246,10 +246,16 @@ never ends. Check the loops and repeats around the marked block, or raise the li
 }
 
 P4003 Error "call-depth" "calls are nested too deep"
+usual "nest the calls less deeply"
 "Programs and subprograms call each other deeper than `[limits] call_depth`, or deeper than the selected control allows. \
 Often a program calls itself by way of another one." {
     program_calls_itself(number) "program {number} calls itself";
     calls_go_round(message, cycle) "{message}: {cycle}";
+    calls_are_nested_deeper(limit) "calls are nested deeper than {limit} levels";
+    subprograms_are_nested_deeper(limit) "subprograms are nested deeper than {limit} levels";
+    subroutines_are_nested_deeper(limit) "subroutines are nested deeper than {limit} levels";
+    control_allows_no_deeper_nesting(what, limit)
+        "{what} are nested deeper than {limit} levels, which the control does not allow";
     programs_repeats_are_nested_deeper(levels) "programs and repeats are nested deeper than {levels}" alarm 14012;
     texts_that_execute_texts_are_nested_too() "texts that execute texts are nested too deep" alarm 14012
         help "check for an EXECSTRING that executes itself";

@@ -28,6 +28,7 @@ mod shared_meaning;
 mod shared_others;
 mod sinumerik;
 mod sinumerik_arcs;
+mod sinumerik_left_out;
 mod sinumerik_unsupported;
 mod sinumerik_warnings;
 mod target;
@@ -59,6 +60,7 @@ pub use shared_meaning::*;
 pub use shared_others::*;
 pub use sinumerik::*;
 pub use sinumerik_arcs::*;
+pub use sinumerik_left_out::*;
 pub use sinumerik_unsupported::*;
 pub use sinumerik_warnings::*;
 pub use target::*;
@@ -88,6 +90,8 @@ pub struct Code {
     pub title: &'static str,
     /// Codes and names that it had before, when each language had its own; they are taken wherever a code is.
     pub was: &'static str,
+    /// What to do about most findings of it in Klartext, where a finding brings no help of its own; empty where nothing is usual.
+    pub usual: &'static str,
     /// The text of `partc explain`: what it means on the machine, how to mend it, where it comes from; empty without the feature
     /// `explain`.
     pub explain: &'static str,
@@ -156,7 +160,7 @@ pub(crate) const fn told_of(wordings: &'static [super::fault::Wording]) -> &'sta
 /// Behind the severity `off` says that a code is found where somebody asks for it only, and `firm` that nobody can ignore it.
 ///
 /// A fault is a name with its quantities, the message, the alarm of the control, and what to do: `help`, or `asks` where a key of
-/// `partc.toml` answers it.
+/// `partc.toml` answers it. Behind `+` stand helps that only the place can choose, and how a help goes on.
 macro_rules! codes {
     (@on) => { true };
     (@on firm) => { true };
@@ -182,10 +186,10 @@ macro_rules! codes {
             $crate::diag::fault::Asking::new($crate::diag::Fault::new(raised, format!($message)).help(format!($asks)))
         }
     };
-    (@entry $id:ident $severity:ident [$($mark:ident)?] $name:literal $title:literal [$($was:literal)?] $explain:literal
-        [$($example:literal)?] $({$(
+    (@entry $id:ident $severity:ident [$($mark:ident)?] $name:literal $title:literal [$($was:literal)?] [$($usual:literal)?]
+        $explain:literal [$($example:literal)?] $({$(
         $fault:ident ($($of:ident),*) $message:literal $(alarm $alarm:literal)? $(help $help:literal)? $(asks $asks:literal)?;
-    )*})?) => {
+    )* $(+ $more:ident ($($part:ident),*) $text:literal;)*})?) => {
         pub const $id: &$crate::diag::Code = &$crate::diag::Code {
             id: stringify!($id),
             name: $name,
@@ -195,6 +199,7 @@ macro_rules! codes {
             title: $title,
             of_rule: $crate::diag::codes::told($crate::diag::codes::codes!(@text $($example)?)),
             was: $crate::diag::codes::codes!(@text $($was)?),
+            usual: $crate::diag::codes::codes!(@text $($usual)?),
             explain: $crate::diag::codes::told($explain),
             wordings: $crate::diag::codes::told_of(&[$($($crate::diag::fault::Wording {
                 name: stringify!($fault),
@@ -210,13 +215,16 @@ macro_rules! codes {
                 $($crate::diag::codes::codes! {
                     @fault $id $fault ($($of),*) $message [$($alarm)?] [$($help)?] [$($asks)?]
                 })*
+                $(pub fn $more($($part: &dyn std::fmt::Display),*) -> String {
+                    format!($text)
+                })*
             }
         )?
     };
-    ($list:ident: $($id:ident $severity:ident $($mark:ident)? $name:literal $title:literal $(was $was:literal)? $explain:literal
-        $({$($faults:tt)*})?)*) => {
+    ($list:ident: $($id:ident $severity:ident $($mark:ident)? $name:literal $title:literal $(was $was:literal)?
+        $(usual $usual:literal)? $explain:literal $({$($faults:tt)*})?)*) => {
         $($crate::diag::codes::codes! {
-            @entry $id $severity [$($mark)?] $name $title [$($was)?] $explain [] $({$($faults)*})?
+            @entry $id $severity [$($mark)?] $name $title [$($was)?] [$($usual)?] $explain [] $({$($faults)*})?
         })*
         pub(super) const $list: &[&$crate::diag::Code] = &[$($id),*];
     };
@@ -248,6 +256,7 @@ pub fn all() -> Vec<&'static Code> {
         shared_others::SHARED_OTHERS,
         sinumerik::SINUMERIK,
         sinumerik_arcs::SINUMERIK_ARCS,
+        sinumerik_left_out::SINUMERIK_LEFT_OUT,
         sinumerik_warnings::SINUMERIK_WARNINGS,
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
         transformation::TRANSFORMATION,

@@ -18,7 +18,7 @@ parameters that the block computes with." {
     axis_of_this_arc_starts_where_nothing() "an axis of this arc starts where nothing was printed for it";
     start_of_this_arc_was_not_printed() "the start of this arc was not printed";
     number_of_this_block_is_too_large() "a number of this block is too large to print";
-    number_of_this_block_is_too_large_to_compute() "a number of this block is too large to compute with"
+    number_of_this_block_is_too_large_to() "a number of this block is too large to compute with"
         help "check the coordinates, and the parameters that the block computes with";
 }
 
@@ -149,6 +149,7 @@ O9001 Error "word-unknown-to-target" "the target has no word for this"
 "The program asks for something that the selected target cannot express. Choose another target or change the program."
 
 O9002 Error "spindle-speed-negative" "spindle speed is negative"
+usual "the sense of rotation comes from M3 or M4, the speed is positive"
 "The sense of rotation comes from M3 or M4, the speed is positive. Look where the S word or its parameter is set." {
     spindle_speed(speed) "the spindle speed is {speed}";
     speed(num) "the speed is {num}";

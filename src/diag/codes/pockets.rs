@@ -41,6 +41,7 @@ tool, the allowances and the infeeds." {
 S8230 Warning "siemens-milling-left-open" "argument of a milling cycle is left open"
 "The call leaves open what the control takes from elsewhere: the infeed in depth or in the plane, or the sense in which the spindle turns for climb \
 and conventional milling. The message says what is taken. Give the argument, or program M3 or M4 before the call." {
+    call_leaves_open(call, what) "{call}: {what}";
     mirrored_frame_turns_sense_around(asked, made)
         "a mirrored frame turns the sense around: {asked} is asked for, and {made} milling comes out"
         help "give the other `CDIR` where the sense is to stay on the mirrored part";

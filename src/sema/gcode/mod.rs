@@ -11,7 +11,7 @@ mod survey;
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, Diagnostic, Fault, codes};
+use crate::diag::{Answer, Diagnostic, Fault, Help, Label, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Arc, ArcShape, Coords, Ctx, CtxRef, Move, Path, Sink, Thread};
 use crate::ir::function::{PathControl, Spindle, Turn};
@@ -308,7 +308,8 @@ impl Run<'_> {
                              language of the program with --dialect";
                 let help = match fault.lacks {
                     Some(Lack::Place(axis)) => {
-                        self.start.help(Axis::ALL[axis], "program an absolute position first", at_change.is_some())
+                        let usual = Help::from("program an absolute position first");
+                        usual.or(self.start.or_say(Axis::ALL[axis], at_change.is_some()))
                     }
                     Some(Lack::Unit) => {
                         Answer::key("control", "unit").help("write G21 or G20 first, or set `[control] unit`")
@@ -339,7 +340,7 @@ impl Run<'_> {
             let span = Span { start: behind.at + start as u32, end: behind.at + end as u32 };
             let help = "delete it; or delete the `%` before it, if it belongs to the program";
             let found = codes::R1004::this_stands_after_that_ends_program().at(Loc { file, line: behind.line, span });
-            return self.report(found.help(help).also(loc, "the program ends here"));
+            return self.report(found.help(help).also(loc, Label::ProgramEnds));
         }
     }
 

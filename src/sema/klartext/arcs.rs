@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.3 to 2.5 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, arc, distance};
 use crate::ir::compensation::FeedAt;
 use crate::ir::contour::{Arc, ArcShape, Path};
@@ -31,7 +31,7 @@ impl Run<'_> {
             self.report(
                 codes::K2108::coordinate_system_changed_since_cc_was_programmed()
                     .at(self.here.origin.loc)
-                    .also(pole.set, "CC is programmed here"),
+                    .also(pole.set, Label::PoleProgrammed),
             );
         }
         Ok(pole)

@@ -3,7 +3,7 @@
 //! Everything is afterwards what it was, parameters included: when a control runs the blocks, and how often, depends on the
 //! cycle. Source: K 6.6 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{self, codes};
 use crate::ir::Side;
 use crate::ir::captured::{Captured, Unfit};
 use crate::lexer::klartext::QKind;
@@ -141,7 +141,7 @@ impl Run<'_> {
     pub(super) fn contour_fault<T>(&mut self, label: &Label, what: &str, help: &str) -> Outcome<T> {
         let mut found = codes::K2951::contour(&label, &what).at(self.here.origin.loc);
         if let Known::Given(named) = &self.contours.named {
-            found = found.also(named.loc, "the contours are named here");
+            found = found.also(named.loc, diag::Label::ContoursNamed);
         }
         self.report_cause(found.help(help));
         Err(Reported)
@@ -173,7 +173,7 @@ impl Run<'_> {
             ),
         };
         let found = codes::K2951::contour(&label, &what).at(origin.loc);
-        self.report(found.called(origin.call).also(cycle, "the cycle that takes it is defined here").help(help));
+        self.report(found.called(origin.call).also(cycle, diag::Label::CycleThatTakesDefined).help(help));
         Err(Reported)
     }
 }

@@ -4,7 +4,7 @@
 //! Others never write M6, and there TOOL CALL is the change. Which of the two a program does is looked up once in its
 //! text; what the run then meets has to fit to it, or is refused. Source: K 1.5 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos};
 use crate::machine::Axis;
@@ -164,7 +164,7 @@ impl Run<'_> {
             codes::K2801::tool_is_called(&number)
                 .answer(Answer::key("control", "tool_change").one_of(&["\"t\""]))
                 .at(self.here.origin.loc)
-                .also(from, "called here"),
+                .also(from, Label::CalledHere),
         );
         Err(Reported)
     }
@@ -177,7 +177,7 @@ impl Run<'_> {
             self.report(
                 codes::K2803::no_m6_follows_this_tool_call_before(&next, &number)
                     .at(from)
-                    .also(self.here.origin.loc, "the next TOOL CALL"),
+                    .also(self.here.origin.loc, Label::NextToolCall),
             );
         }
     }

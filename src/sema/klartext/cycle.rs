@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::ir::Function;
 use crate::ir::function::PathControl;
 use crate::lexer::klartext::QRef;
@@ -422,7 +422,7 @@ impl Run<'_> {
                         codes::P9010::cycle_is_not_supported_yet(&number, &what)
                             .at(here)
                             .here("called here")
-                            .also(loc, "defined here"),
+                            .also(loc, Label::DefinedHere),
                     );
                 }
                 let axis = self.st.axis();

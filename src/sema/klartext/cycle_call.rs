@@ -2,7 +2,7 @@
 //!
 //! Source: K 4.4, 6.0 (docs/sources.md). The parameters from Q200 on stay variables: a call takes what they hold then.
 
-use crate::diag::{Fault, codes};
+use crate::diag::{Fault, Label, codes};
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::AxisSet;
 use crate::sema::cycle::call::{Kind, Made, Refusal};
@@ -15,9 +15,6 @@ use super::cycles::data::{Contoured, Kept};
 use super::cycles::{DefinedCycle, Nature, Planned, Requires};
 use super::known::Known;
 use super::{Outcome, Reported, Run};
-
-/// What stands at the definition.
-const DEFINED: &str = "the cycle is defined here";
 
 impl Run<'_> {
     // The definition.
@@ -52,7 +49,7 @@ impl Run<'_> {
             return Ok(());
         }
         let fault = codes::K2947::cycle_is_called_in_program_of_another(&cycle.number);
-        self.report(fault.at(self.here.origin.loc).also(cycle.loc, DEFINED));
+        self.report(fault.at(self.here.origin.loc).also(cycle.loc, Label::CycleDefined));
         Err(Reported)
     }
 
@@ -212,7 +209,7 @@ impl Run<'_> {
             self.report(fault.at(cycle.loc));
         }
         for remark in call.remarks() {
-            let found = remark.fault.at(self.loc(remark.place)).also(cycle.loc, DEFINED);
+            let found = remark.fault.at(self.loc(remark.place)).also(cycle.loc, Label::CycleDefined);
             if remark.kind == Kind::Once { self.report_once(found) } else { self.report(found) }
         }
         (made, seen.instead.take())
@@ -257,7 +254,7 @@ impl Run<'_> {
     /// The heights that Q200, Q203 and Q204 give.
     pub(super) fn heights(&self, cycle: &DefinedCycle, given: &Given, shift: f64) -> Heights {
         if let Some(fault) = Heights::low_second(given) {
-            self.report(fault.at(self.here.origin.loc).also(cycle.loc, DEFINED));
+            self.report(fault.at(self.here.origin.loc).also(cycle.loc, Label::CycleDefined));
         }
         Heights::of(given, shift)
     }
@@ -278,7 +275,7 @@ impl Run<'_> {
             let help = check_the_values(cycle.mm, told);
             fault = fault.help(help);
         }
-        self.report_cause(fault.at(self.loc(place)).also(cycle.loc, DEFINED));
+        self.report_cause(fault.at(self.loc(place)).also(cycle.loc, Label::CycleDefined));
         Err(Reported)
     }
 

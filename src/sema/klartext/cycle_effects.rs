@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::ir::Pos;
 use crate::ir::cycle::drilling::{DeepHole, Method, Tap};
 use crate::ir::cycle::{Cycle, Drilling};
@@ -115,7 +115,7 @@ impl Run<'_> {
         self.report_once(
             codes::P8102::cycle_corner_radius_mm_of_cutter(&cycle.number, &shown(rounding), &shown(flat))
                 .at(self.here.origin.loc)
-                .also(cycle.loc, "the cycle is defined here"),
+                .also(cycle.loc, Label::CycleDefined),
         );
     }
 
@@ -153,7 +153,7 @@ impl Run<'_> {
         self.report(
             codes::P2001::block_needs_position(&axis.letter())
                 .at(self.here.origin.loc)
-                .also(cycle, "the cycle is defined here"),
+                .also(cycle, Label::CycleDefined),
         );
     }
 

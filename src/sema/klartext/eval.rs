@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::ir::function::Turn;
 use crate::lexer::klartext::{QKind, QRef, Value};
 use crate::machine::{Axis, Generation, Settings, Unit};
@@ -18,6 +18,10 @@ use super::{Outcome, Reported, Run};
 
 /// Largest value a parameter holds.
 const LARGEST: f64 = 1e10;
+
+/// The parameters of radius and length of the tool.
+const RADIUS: u32 = 108;
+const LENGTH: u32 = 114;
 
 /// Values that differ by less may differ by the rounding of what they were computed from.
 const ROUNDING: f64 = 1e-9;
@@ -77,31 +81,23 @@ impl Formulas for Run<'_> {
     }
 
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
-        let message = match fault {
-            Fault::Domain(f, x) | Fault::Open(f, x) => format!("{} of {x} does not exist", noun(f)),
+        let found = match fault {
+            Fault::Domain(f, x) | Fault::Open(f, x) => codes::P2022::function_of_value_does_not_exist(&noun(f), &x),
             Fault::OpenBetween(_, a, b) => {
-                self.report(
-                    codes::K2310::sign_of_result_is_not_documented(&a, &b)
-                        .answer(Answer::key("control", "modulo"))
-                        .at(self.loc(at.span)),
-                );
-                return Reported;
+                codes::K2310::sign_of_result_is_not_documented(&a, &b).answer(Answer::key("control", "modulo"))
             }
-            Fault::Outside(Operator::Power, a, b) => format!("{a} to the power of {b} does not exist"),
-            Fault::Outside(_, a, b) => format!("there is no result for {a} and {b}"),
-            Fault::Zero(a) => format!("{a} is divided by zero"),
+            Fault::Outside(Operator::Power, a, b) => codes::P2022::power_does_not_exist(&a, &b),
+            Fault::Outside(_, a, b) => codes::P2022::there_is_no_result(&a, &b),
+            Fault::Zero(a) => codes::P2022::value_is_divided_by_zero(&a),
             Fault::ZeroBy(a, by) => {
-                format!("{a} is divided by zero: {}", by.said(&self.job, self.here.origin.loc))
+                codes::P2022::value_is_divided_by_zero_that(&a, &by.said(&self.job, self.here.origin.loc))
             }
-            Fault::TooLarge | Fault::TooLargeInt => "the result is over 10 000 000 000".to_owned(),
-            Fault::Misfit(_) | Fault::Mismatch(..) => "a number is needed, not a text".to_owned(),
-            Fault::Missing => {
-                self.report(codes::P1004::value_is_missing().at(self.loc(at.span)));
-                return Reported;
-            }
-            Fault::Said(why) => why,
+            Fault::TooLarge | Fault::TooLargeInt => codes::P2022::result_is_over_10_000_000_000(),
+            Fault::Misfit(_) | Fault::Mismatch(..) => codes::P2022::number_is_needed_not_text(),
+            Fault::Missing => codes::P1004::value_is_missing(),
+            Fault::Said(found) => *found,
         };
-        self.report(Diagnostic::new(codes::P2022, self.loc(at.span), message));
+        self.say(at.span, found);
         Reported
     }
 }
@@ -165,7 +161,9 @@ impl Run<'_> {
             Some(Slot::Lost) => Err(Reported),
             Some(&Slot::AtMachine(set)) => {
                 self.report(
-                    codes::P2023::is_set_by_control_at_machine_and_nothing(&q).at(self.loc(span)).also(set, "set here"),
+                    codes::P2023::is_set_by_control_at_machine_and_nothing(&q)
+                        .at(self.loc(span))
+                        .also(set, Label::SetHere),
                 );
                 Err(Reported)
             }
@@ -208,9 +206,9 @@ impl Run<'_> {
     fn control_value(&mut self, number: u32, span: Span) -> Outcome<Option<f64>> {
         let mm = self.level().frame.unit.mm();
         Ok(match number {
-            108 => match self.st.tool.active().and_then(|tool| tool.effective_radius()) {
+            RADIUS => match self.st.tool.active().and_then(|tool| tool.effective_radius()) {
                 Some(radius) => Some(radius / mm),
-                None => return self.tool_data_missing(codes::P2004, "radius", span).map(Some),
+                None => return self.tool_data_missing(RADIUS, span).map(Some),
             },
             109 => Some(match self.st.tool.axis() {
                 None => -1.0,
@@ -233,37 +231,32 @@ impl Run<'_> {
                 Unit::Mm => 0.0,
                 Unit::Inch => 1.0,
             }),
-            114 => match self.st.tool.active().and_then(|tool| tool.length) {
+            LENGTH => match self.st.tool.active().and_then(|tool| tool.length) {
                 Some(length) => Some(length / mm),
-                None => return self.tool_data_missing(codes::P2005, "length", span).map(Some),
+                None => return self.tool_data_missing(LENGTH, span).map(Some),
             },
             _ => None,
         })
     }
 
-    /// Radius or length of the tool is needed and not known; a configured start value helps out.
-    fn tool_data_missing(&self, code: &'static crate::diag::Code, what: &'static str, span: Span) -> Outcome<f64> {
-        let q = QRef { kind: QKind::Q, number: if what == "radius" { 108 } else { 114 } };
+    /// Radius or length of the tool, which `q` holds, is needed and not known; a configured start value helps out.
+    fn tool_data_missing(&self, number: u32, span: Span) -> Outcome<f64> {
+        let q = QRef { kind: QKind::Q, number };
         if let Some(Slot::Number(value)) = self.vars.get(self.locals(), q) {
             return Ok(*value);
         }
-        match self.st.tool.active() {
-            Some(tool) => self.fail_help(
-                code,
-                span,
-                format!("the {what} of tool {} is not known", tool.called),
-                Answer::tool(&tool.called, what).help(format!(
-                    "add `[tools.{}]` with `{what} = …` to partc.toml, or a TOOL DEF block",
-                    tool.called
-                )),
-            ),
-            None => {
-                let message = format!("no tool is called, so {q} has no value: the {what} of the tool in the spindle");
-                let help =
-                    format!("program TOOL CALL first, or give the value in partc.toml: `[variables]` with `{q} = …`");
-                self.fail_help(code, span, message, Answer::variable(q, meanings::of_parameter(q.number)).help(help))
-            }
-        }
+        let is_radius = number == RADIUS;
+        let asking = match (self.st.tool.active(), is_radius) {
+            (Some(tool), true) => codes::P2004::radius_of_tool_is_not_known(&tool.called),
+            (Some(tool), false) => codes::P2005::length_of_tool_is_not_known(&tool.called),
+            (None, true) => codes::P2004::no_tool_is_called_so_it_has_no_value(&q),
+            (None, false) => codes::P2005::no_tool_is_called_so_it_has_no_value(&q),
+        };
+        let answer = match self.st.tool.active() {
+            Some(tool) => Answer::tool(&tool.called, if is_radius { "radius" } else { "length" }),
+            None => Answer::variable(q, meanings::of_parameter(number)),
+        };
+        self.refuse(span, asking.answer(answer))
     }
 
     /// Computes the formula of the block.

@@ -1,6 +1,6 @@
 //! Program flow: labels, subprograms, section repeats, jumps, called programs, the program frame.
 
-use crate::diag::{Answer, CallPath, Diagnostic, codes};
+use crate::diag::{self, Answer, CallPath, Diagnostic, codes};
 use crate::ir::Function;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Generation, RepeatCount, StandIn, Unit};
@@ -61,7 +61,7 @@ impl Run<'_> {
         {
             let first = first.loc;
             self.report(
-                codes::P1009::second_program_begins_in_this_file().at(loc).also(first, "the first one begins here"),
+                codes::P1009::second_program_begins_in_this_file().at(loc).also(first, diag::Label::FirstOneBegins),
             );
             return Err(Reported);
         }
@@ -74,7 +74,9 @@ impl Run<'_> {
         if self.level().frame.kind == FrameKind::Program
             && self.levels[..self.levels.len() - 1].iter().any(|level| level.frame.unit != unit)
         {
-            self.report(codes::K2209::called_program_has_another_unit().at(loc).also(call_site, "called here"));
+            self.report(
+                codes::K2209::called_program_has_another_unit().at(loc).also(call_site, diag::Label::CalledHere),
+            );
         }
         self.level().frame.unit = unit;
         Ok(())
@@ -89,7 +91,7 @@ impl Run<'_> {
             if !head.name.eq_ignore_ascii_case(name) {
                 let (begin, end) = (readable(&head.name).into_owned(), readable(name).into_owned());
                 self.report(
-                    codes::K1010::end_pgm_names(&end, &begin).at(here).also(head.loc, "the program begins here"),
+                    codes::K1010::end_pgm_names(&end, &begin).at(here).also(head.loc, diag::Label::ProgramBegins),
                 );
             }
         }
@@ -106,7 +108,7 @@ impl Run<'_> {
         }
         if let Some(head) = &self.program().known.head {
             let begin = head.loc;
-            self.report(codes::P1006::file_ends_without_end_pgm().at(loc).also(begin, "the program begins here"));
+            self.report(codes::P1006::file_ends_without_end_pgm().at(loc).also(begin, diag::Label::ProgramBegins));
         } else if self.in_called_program() {
             self.is_cut_off("END PGM", "END PGM");
         } else {
@@ -139,7 +141,7 @@ impl Run<'_> {
                     codes::K2850::program_ends_inside_this_label()
                         .at(call_site)
                         .here("called here")
-                        .also(label, "it begins here"),
+                        .also(label, diag::Label::BeginsHere),
                 );
                 // The caller of this label goes on nowhere.
                 self.levels.pop();
@@ -150,7 +152,7 @@ impl Run<'_> {
                     .answer(Answer::key("control", "open_subprogram").one_of(&["\"end\""]))
                     .at(call_site)
                     .here("called here")
-                    .also(label, "it begins here"),
+                    .also(label, diag::Label::BeginsHere),
             );
         }
         if self.level().frame.kind == FrameKind::Program {
@@ -236,9 +238,9 @@ impl Run<'_> {
             return self.leave().map(drop);
         }
         let found = match self.level().frame.passed.take() {
-            Some(label) => {
-                codes::K2210::program_runs_into_this_subprogram_without_call().at(label).also(here, "it ends here")
-            }
+            Some(label) => codes::K2210::program_runs_into_this_subprogram_without_call()
+                .at(label)
+                .also(here, diag::Label::EndsHere),
             None => codes::K2210::this_lbl_0_ends_no_subprogram().at(here),
         };
         self.report(found.help("put M30 or M2 before the subprograms, or skip this one with a jump"));
@@ -367,11 +369,10 @@ impl Run<'_> {
         };
         let limit = self.job.settings.limits.call_depth;
         if depth > most {
-            return self
-                .too_deep(format!("{what} are nested deeper than {most} levels, which the control does not allow"));
+            return self.too_deep(codes::P4003::control_allows_no_deeper_nesting(&what, &most));
         }
         if self.levels.len() > limit {
-            return self.too_deep(format!("calls are nested deeper than {limit} levels"));
+            return self.too_deep(codes::P4003::calls_are_nested_deeper(&limit));
         }
         Ok(())
     }
@@ -463,7 +464,7 @@ fn push_unless_known(job: &crate::sema::Job<'_>, found: Diagnostic) {
 
 /// The finding for a program whose head and end state different units.
 pub(super) fn other_unit(end: Loc, begin: Loc) -> Diagnostic {
-    codes::K1009::end_pgm_states_another_unit_than_begin().at(end).also(begin, "the program begins here")
+    codes::K1009::end_pgm_states_another_unit_than_begin().at(end).also(begin, diag::Label::ProgramBegins)
 }
 
 /// Warns about the first block behind END PGM, where the cursor stands.

@@ -3,7 +3,7 @@
 //! Comes in: the name as a block writes it. Goes out: what the entry says that the program leaves behind, or the file that
 //! runs in its place. A program that is found runs, whatever the entry says.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, Label, codes};
 use crate::ir::function::Turn;
 use crate::machine::{AxisSet, ChangeCall, Left, LeftSpindle, StandIn};
 use crate::sema::common::hidden::By;
@@ -140,7 +140,7 @@ impl Run<'_> {
         let FeedLeft { name, call, .. } = *left;
         let key = key_of(&name);
         let found = codes::K2414::this_cut_takes_feed_of_before(&name, &key).at(self.here.origin.loc);
-        self.report_once(found.also(call, "the call"));
+        self.report_once(found.also(call, Label::Call));
     }
 
     /// Says of a cut without a feed that a program which is left out leaves one that is not known.
@@ -150,7 +150,7 @@ impl Run<'_> {
         let is_of_call = self.st.feed.is_of_before_call();
         if is_of_call {
             let found = codes::P2002::leaves_feed_that_is_not_known(&name).at(self.here.origin.loc);
-            self.report(found.also(call, "the call"));
+            self.report(found.also(call, Label::Call));
         }
         is_of_call
     }

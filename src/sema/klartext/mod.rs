@@ -29,7 +29,6 @@ mod fk;
 mod flow;
 mod frames;
 mod global_def;
-mod help;
 mod known;
 mod labels;
 mod lane;
@@ -61,7 +60,7 @@ mod unexecuted;
 mod vars;
 mod words;
 
-use crate::diag::{CallPath, Code, Diagnostic, Help, codes};
+use crate::diag::{CallPath, Code, Fault, codes};
 use crate::ir::Function;
 use crate::ir::contour::{Move, Path, Sink};
 use crate::machine::{AxisSet, Proposed, Unit};
@@ -156,6 +155,7 @@ impl Language for Klartext {
     type Frame = Frame;
 
     const SPLIT: SplitRules = SPLIT;
+    const USUAL_HELP: bool = true;
 
     #[inline]
     fn parse(&mut self, text: &[u8], into: &mut Parsed<Block>, _: &mut Symbols, problems: &mut Vec<Problem>) {
@@ -178,10 +178,6 @@ impl Language for Klartext {
     #[inline]
     fn operations(block: &Block) -> usize {
         block.ops.len()
-    }
-
-    fn usual_help(code: &'static Code) -> Option<Help> {
-        help::usual_help(code)
     }
 
     /// A program without numbers has hundreds of such words: one finding says it all.
@@ -390,20 +386,19 @@ impl Run<'_> {
             Stmt::Fk(head) => self.fk_block(head, block, text),
             Stmt::Surface => {
                 let (name, span) = self.block_name(block, text, 1);
-                self.refuse_motion(codes::K9015, span, &format!("{name} blocks are not supported"))
+                self.refuse_motion(span, codes::K9015::blocks_are_not_supported(&name))
             }
             Stmt::Iso => {
                 let (name, span) = self.block_name(block, text, 1);
-                let message = format!("{name} is a DIN/ISO word and cannot stand in a Klartext program");
-                self.refuse_motion(codes::P9012, span, &message)
+                self.refuse_motion(span, codes::P9012::is_din_iso_word(&name))
             }
             Stmt::Refused(what, _) => self.refused(what, block, text),
         }
     }
 
     /// A block that would move is refused: afterwards no position is known.
-    fn refuse_motion(&mut self, code: &'static Code, span: Span, message: &str) -> Outcome {
-        self.report(Diagnostic::new(code, self.loc(span), message));
+    fn refuse_motion(&mut self, span: Span, fault: Fault) -> Outcome {
+        self.say(span, fault);
         self.lose_all();
         Err(Reported)
     }
@@ -480,7 +475,7 @@ impl Run<'_> {
         if left.is_empty() || self.is_capturing() {
             return false;
         }
-        let found = move_beside(codes::P2001, position, left, named, &self.st.ctx.frame, self.here.origin.loc);
+        let found = move_beside(position, left, named, &self.st.ctx.frame, self.here.origin.loc);
         let Some(found) = found else { return false };
         self.report(found);
         self.lose_all();

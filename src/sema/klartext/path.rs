@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.1, 2.6, 2.7, 2.13, 2.14 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::Point2;
 use crate::ir::contour::{Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path};
 use crate::ir::{Feed, Pos, Side};
@@ -361,10 +361,10 @@ impl Run<'_> {
         let change = format!("the compensation changes from {} to {}", word(made.side), word(side));
         let here = self.here.origin.loc;
         if !made.rounding {
-            self.report(codes::K2891::at_this_chamfer(&change).at(made.loc).also(here, "in this block"));
+            self.report(codes::K2891::at_this_chamfer(&change).at(made.loc).also(here, Label::InThisBlock));
         } else if side != Side::None {
             self.report(
-                codes::K2892::at_this_rounding_it_is_made_all(&change).at(made.loc).also(here, "in this block"),
+                codes::K2892::at_this_rounding_it_is_made_all(&change).at(made.loc).also(here, Label::InThisBlock),
             );
         } else if self.round_border("RND", true).is_err() {
             // A rounding from a compensated contour into R0 is the departure on an arc.

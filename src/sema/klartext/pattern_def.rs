@@ -4,7 +4,7 @@
 //! two places the tool retracts to where it stood in front of CYCL CALL PAT, or to the 2nd set-up clearance where that is
 //! higher.
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::geo::{Deg, Point2, Vec2};
 use crate::ir::contour::Path;
 use crate::ir::{Feed, Pos};
@@ -249,7 +249,7 @@ impl Run<'_> {
             self.report(
                 codes::K8105::cycl_call_pat_runs_cycle_nowhere()
                     .at(self.here.origin.loc)
-                    .also(places.loc, "it is selected here"),
+                    .also(places.loc, Label::SelectedHere),
             );
         }
         self.same_unit(&cycle)?;
@@ -259,8 +259,8 @@ impl Run<'_> {
             self.report(
                 codes::K2411::places_have_surface_z_of_their_own()
                     .at(self.here.origin.loc)
-                    .also(places.loc, "the pattern")
-                    .also(cycle.loc, "the cycle"),
+                    .also(places.loc, Label::Pattern)
+                    .also(cycle.loc, Label::Cycle),
             );
             return Err(Reported);
         }
@@ -312,7 +312,7 @@ impl Run<'_> {
         });
         let Some(fault) = wrong else { return Ok(()) };
         let found = fault.at(self.here.origin.loc);
-        self.report(found.also(places.loc, "the pattern").also(cycle.loc, "the cycle"));
+        self.report(found.also(places.loc, Label::Pattern).also(cycle.loc, Label::Cycle));
         Err(Reported)
     }
 

@@ -4,7 +4,9 @@
 //! lies. Machine coordinates are those of the spindle nose: the length of the tool does not count in them. Source: K 1.5
 //! and 4.2 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use std::fmt::Display;
+
+use crate::diag::{Answer, Fault, codes};
 use crate::ir::Pos;
 use crate::machine::{Axis, AxisSet};
 use crate::sema::common::hidden::By;
@@ -165,11 +167,15 @@ impl Run<'_> {
         Ok(end)
     }
 
-    /// An error where the position of an axis is needed and not known; `message` ends in front of why.
-    pub(super) fn unknown_position<T>(&self, axis: Axis, place: impl Into<Where>, message: String) -> Outcome<T> {
-        let usual = format!("program an absolute position of {} first", axis.letter());
+    /// An error where the position of an axis is needed and not known; `fault` makes it of the axis and why.
+    pub(super) fn unknown_position<T>(
+        &self,
+        axis: Axis,
+        place: impl Into<Where>,
+        fault: impl FnOnce(&dyn Display, &dyn Display) -> Fault,
+    ) -> Outcome<T> {
         let lack = || self.zero_in_machine(axis).err().unwrap_or(Lack::Nothing);
         let unknown = Unknown { position: &self.st.position, axis, lack: &lack, otherwise: " here" };
-        self.position_unknown(codes::P2001, place, message, &usual, unknown)
+        self.position_unknown(place, unknown, fault)
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.2 and 2.8 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::arc::{self, Closing};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT, Vec2, angle, distance};
 use crate::ir::Pos;
@@ -174,7 +174,7 @@ impl Run<'_> {
             codes::K2811::pa_is_missing()
                 .answer(Answer::key("control", "polar_missing"))
                 .at(self.loc(w.polar_radius_span))
-                .also(pole.set, "the pole"),
+                .also(pole.set, Label::Pole),
         );
         Err(Reported)
     }

@@ -3,7 +3,7 @@
 //! Source: K 1.3, 5.6, 6.9 (docs/sources.md). Q115 to Q199 take results in every cycle, further parameters where the block
 //! names them; the probe moves every axis, and datum, rotation and tool data may be others afterwards.
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Block, Stmt};
@@ -114,7 +114,8 @@ impl Run<'_> {
             return self.set_basic_rotation(&probe, span);
         }
         if !self.job.settings.control.klartext_choices.probing_left_out {
-            return self.refuse_motion(codes::K9005, span, "touch probe cycles run only at the machine");
+            let fault = codes::K9005::touch_probe_cycles_run_only_at_machine();
+            return self.refuse_motion(span, fault.answer(Answer::key("control", "probing")));
         }
         let setting = self.setting_of(&probe, span)?;
         let here = self.here.origin.loc;

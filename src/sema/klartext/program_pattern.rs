@@ -3,7 +3,7 @@
 //! What a place is to the program no manual at hand says; `[cycles] pattern_program` does. Source: K 4.3, 4.6
 //! (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::ir::Pos;
 use crate::ir::contour::Path;
 use crate::machine::Axis;
@@ -27,7 +27,7 @@ impl Run<'_> {
             self.report(
                 codes::P9010::cycl_call_pat_with_program(&name)
                     .at(self.here.origin.loc)
-                    .also(places.loc, "the pattern"),
+                    .also(places.loc, Label::Pattern),
             );
             return Err(Reported);
         }

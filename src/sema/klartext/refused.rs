@@ -41,7 +41,7 @@ impl Run<'_> {
                     self.lose_all();
                     return self.refuse(span, codes::P9011::is_not_supported(&name));
                 }
-                self.refuse_motion(codes::P9011, span, &format!("{name} is not supported"))
+                self.refuse_motion(span, codes::P9011::is_not_supported_3(&name))
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The words of a path block, evaluated once and sorted by what they mean.
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::ir::{Pos, Side};
 use crate::lexer::klartext::Value;
 use crate::machine::{Axis, AxisSet};
@@ -318,7 +318,7 @@ impl Run<'_> {
         let found = codes::P1002::repeats_word_of_this_block(&text).at(self.loc(word.span));
         let first = block.words.iter().find(|first| same_matter(first.addr, word.addr));
         let found = match first.filter(|first| first.span.start < word.span.start) {
-            Some(first) => found.also(self.loc(first.span), "the first one"),
+            Some(first) => found.also(self.loc(first.span), Label::FirstOne),
             None => found,
         };
         self.report(found);
@@ -452,7 +452,7 @@ impl Run<'_> {
                     self.report(
                         codes::P1005::m_contradicts_m(&b.number, &a.number)
                             .at(self.loc(b.span))
-                            .also(self.loc(a.span), "the other one"),
+                            .also(self.loc(a.span), Label::OtherOne),
                     );
                     return Err(super::Reported);
                 }
@@ -482,7 +482,7 @@ impl Run<'_> {
         if self.st.position.is_lost(axis) {
             return Err(super::Reported);
         }
-        self.unknown_position(axis, span, format!("{what} needs the position of {}, which is not known", axis.letter()))
+        self.unknown_position(axis, span, |axis, why| codes::P2001::needs_position_of(&what, axis, why))
     }
 }
 

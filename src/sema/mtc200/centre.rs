@@ -5,7 +5,7 @@
 //! arc whose start and end lie on one circle in one reading only decides; where both readings fit, the whole program
 //! is looked through once for arcs that speak against G90 or G91. Source: M 5.2 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, distance};
 use crate::machine::Axis;
 use crate::machine::options::mtc200::Centres;
@@ -162,7 +162,7 @@ impl Run<'_> {
                     Reading::Coordinates => codes::M2006::centre_fits_as_coordinates(),
                     Reading::Distances => codes::M2006::centre_fits_as_distances(),
                 };
-                self.report(fault.at(here).also(first, "the other arc"));
+                self.report(fault.at(here).also(first, Label::OtherArc));
                 Err(Reported)
             }
         }

@@ -4,7 +4,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::ir::Function;
 use crate::machine::AxisSet;
 use crate::parser::mtc200::{SPLIT, label_of};
@@ -56,7 +56,7 @@ impl Labels {
                 let loc = Loc { file, line: found.line, span: span.shifted(found.at) };
                 let first = Loc { file, line: first.line, span: Span::at(first.at, 1) };
                 let name = symbols.name(label);
-                job.diags.push(codes::P2010::label_is_set_twice(&name).at(loc).also(first, "first set here"));
+                job.diags.push(codes::P2010::label_is_set_twice(&name).at(loc).also(first, Label::FirstSetHere));
                 continue;
             }
             labels.0.insert(label, place);
@@ -197,7 +197,7 @@ impl Run<'_> {
     fn call_part(&mut self, program: usize, called_program: bool, to: Place) -> Outcome {
         let most = MOST_LEVELS.min(self.job.settings.limits.call_depth);
         if self.levels.len() > most {
-            return self.too_deep(format!("subroutines are nested deeper than {most} levels"));
+            return self.too_deep(codes::P4003::subroutines_are_nested_deeper(&most));
         }
         self.enter(program, to, Frame { called_program })
     }
@@ -320,7 +320,7 @@ impl Run<'_> {
         self.stop_run();
         if self.levels.len() > 1 {
             let site = self.level().site;
-            self.report(codes::M2207::subroutine_called_here_has_no_rts().at(site).also(loc, "the file ends here"));
+            self.report(codes::M2207::subroutine_called_here_has_no_rts().at(site).also(loc, Label::FileEnds));
             return;
         }
         match self.program().known.header {

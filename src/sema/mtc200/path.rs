@@ -2,7 +2,7 @@
 //!
 //! Source: M 5, 6.1, 6.2, 8 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT};
 use crate::ir::contour::{
     Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path, Thread,
@@ -160,11 +160,8 @@ impl Run<'_> {
             Err(Missing::Lost) => return Err(Reported),
             Err(Missing::Unknown) => {}
         }
-        let letter = axis.letter();
-        let usual = format!("program an absolute position of {letter} first");
         let unknown = Unknown { position: &self.st.position, axis, lack: &|| Lack::Nothing, otherwise: " here" };
-        let message = format!("the position of {letter} is not known");
-        self.position_unknown(codes::P2001, span, message, &usual, unknown)
+        self.position_unknown(span, unknown, codes::P2001::position_is_not_known)
     }
 
     /// Where a rotary axis goes in unbroken degrees: the short way.
@@ -466,7 +463,7 @@ impl Run<'_> {
             self.report(
                 codes::M2016::block_behind_chamfer_or_rounding_is_no()
                     .at(self.loc(span))
-                    .also(loc, "the corner is programmed here"),
+                    .also(loc, Label::CornerProgrammed),
             );
             return Err(Reported);
         }

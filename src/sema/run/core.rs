@@ -289,7 +289,7 @@ impl<L: Language> Core<'_, L> {
 
     #[cold]
     fn out_of_range(&mut self, ctx: &CtxRef, origin: &Origin) {
-        self.report(codes::O1002::number_of_this_block_is_too_large_to_compute().at(origin.loc));
+        self.report(codes::O1002::number_of_this_block_is_too_large_to().at(origin.loc));
         self.out.lost(ctx, origin);
     }
 

@@ -2,7 +2,7 @@
 //!
 //! Source: S 2.10 and 2.11 (docs/sources.md).
 
-use crate::diag::{self, codes};
+use crate::diag::{self, Label, codes};
 use crate::geo::open::{Coord, Data, Fault, NOT_FIXED, Rules, Start, solve};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT};
 use crate::ir::contour::{Coords, Corner, Move, Path};
@@ -100,7 +100,7 @@ impl Channel<'_> {
             let origin = self.st.pair.first.take().map(|pending| pending.origin);
             let found = codes::S2070::second_line_of_pair_has_no_ang().at(self.here.origin.loc);
             let found = match origin {
-                Some(origin) => found.also(origin.loc, "the first line"),
+                Some(origin) => found.also(origin.loc, Label::FirstLine),
                 None => found,
             };
             self.report(
@@ -117,7 +117,7 @@ impl Channel<'_> {
             ([true, true], Some(pending)) => self.second_line(pending, angle, &end, path, given.span),
             (_, Some(pending)) => {
                 let found = codes::S2070::second_line_of_pair_needs_both_end().at(self.loc(given.span));
-                self.report(found.also(pending.origin.loc, "the first line"));
+                self.report(found.also(pending.origin.loc, Label::FirstLine));
                 Err(Reported)
             }
             // The first line was refused.
@@ -178,7 +178,7 @@ impl Channel<'_> {
         let Some(pending) = self.st.pair.first.take() else { return Ok(()) };
         self.st.position.lose(AxisSet::MAIN);
         let found = codes::S2070::second_line_of_pair_is_no_straight().at(self.loc(span));
-        self.report(found.also(pending.origin.loc, "the first line").help("program G0 or G1 in both blocks of a pair"));
+        self.report(found.also(pending.origin.loc, Label::FirstLine).help("program G0 or G1 in both blocks of a pair"));
         Err(Reported)
     }
 
@@ -203,7 +203,7 @@ impl Channel<'_> {
 
     fn second_line(&mut self, pending: Box<FirstLine>, angle: Deg, end: &Pos, path: Path, span: Span) -> Outcome {
         let refuse = |run: &Self, fault: diag::Fault| -> Outcome {
-            run.report(fault.at(run.loc(span)).also(pending.origin.loc, "the first line"));
+            run.report(fault.at(run.loc(span)).also(pending.origin.loc, Label::FirstLine));
             Err(Reported)
         };
         let (Some(start), Some(to)) = (self.st.position.in_plane(pending.plane), end.in_plane(pending.plane)) else {
@@ -251,9 +251,7 @@ impl Channel<'_> {
         self.st.pair.lost = true;
         let found = codes::S2070::second_line_of_pair_is_missing().at(pending.origin.loc);
         self.report(
-            found
-                .also(self.loc(place), "this comes before it")
-                .help("write the second line after the first: X… Y… ANG=…"),
+            found.also(self.loc(place), Label::ComesBefore).help("write the second line after the first: X… Y… ANG=…"),
         );
         self.st.position.lose(AxisSet::MAIN);
         Err(Reported)

@@ -6,7 +6,7 @@
 //! Source: S 6 (docs/sources.md). The blocks between CTABDEF and CTABEND describe a table and move nothing; after it the
 //! state of the program is that of before.
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::machine::AxisSet;
 use crate::parser::sinumerik::ast::{Base, Block, Formula, Op, Stmt, Target, Value, Word};
 use crate::sema::common::hidden::By;
@@ -269,9 +269,8 @@ impl Run<'_> {
         table.refused = true;
         let begun = table.loc;
         self.lose_all();
-        let found = codes::P9010::in_curve_table_only_positions_of_axes()
-            .at(self.loc(span))
-            .also(begun, "the table begins here");
+        let found =
+            codes::P9010::in_curve_table_only_positions_of_axes().at(self.loc(span)).also(begun, Label::TableBegins);
         self.report(found.help("take the table out of the copy that is compiled"));
         Err(Reported)
     }

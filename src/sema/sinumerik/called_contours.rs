@@ -3,7 +3,7 @@
 //! The contour is run and checked, and the arguments are; then the cycle is refused by name, because its tracks are not
 //! published. Source: C 1.12, 5.2 to 5.6 and 7 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::geo::arc::Closing;
 use crate::geo::{Element, Plane};
 use crate::ir::captured::{Captured, CapturedKind};
@@ -228,7 +228,7 @@ impl Core<'_> {
                 CapturedKind::Cut => continue,
             };
             let found = fault.at(piece.origin.loc).called(piece.origin.call);
-            self.report(found.also(call.loc, "the contour is called here"));
+            self.report(found.also(call.loc, Label::ContourCalled));
             return Err(Reported);
         }
         if let Some((first, second)) = contour.crossing()
@@ -236,7 +236,7 @@ impl Core<'_> {
         {
             let alarm = if turned { 10931 } else { 61932 };
             let found = codes::S2091::contour_crosses_itself().alarm(alarm).at(b.origin.loc);
-            let found = found.called(b.origin.call).also(a.origin.loc, "it crosses the element of this block");
+            let found = found.called(b.origin.call).also(a.origin.loc, Label::Crosses);
             self.report(found.help("check the end points of both"));
             return Err(Reported);
         }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.6 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Diagnostic, Help, Label, codes};
 use crate::sema::run::{Wanted, no_root, not_opened, open_program};
 use crate::text::{FileError, Loc, Request, Span, Within};
 
@@ -193,7 +193,7 @@ impl Run<'_> {
             found = found.here(format!("as `{}`", files.join("` and `")));
         }
         for unit in places.iter().filter_map(|at| self.unit_at(at)) {
-            found = found.also(self.head_of(unit), "one of them");
+            found = found.also(self.head_of(unit), Label::OneOfThem);
         }
         let answer = Answer::key("control", "called_first").one_of(&["\"spf\"", "\"mpf\""]);
         found.help(answer.help(format!(
@@ -275,8 +275,8 @@ fn file_name(at: &At) -> Option<&str> {
     }
 }
 
-fn folder_of(unit: &Unit) -> String {
-    unit.folder.as_ref().map_or_else(|| "no line names its folder".to_owned(), |folder| format!("in `{folder}`"))
+fn folder_of(unit: &Unit) -> Label {
+    unit.folder.as_ref().map_or(Label::WithoutFolder, |folder| Label::InFolder(folder.clone()))
 }
 
 /// The name of a program without folder, `_N_` and `_SPF`.

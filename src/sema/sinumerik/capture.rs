@@ -3,7 +3,7 @@
 //! The executor runs them as any other blocks – variables, loops, calls, stored contours, angles and corners included –
 //! and afterwards everything is what it was, variables too: when the control runs them, and how often, depends on the cycle.
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::ir::Function;
 use crate::ir::captured::{Captured, Unfit};
 use crate::sema::run::{Counted, Where, step};
@@ -173,7 +173,7 @@ impl Core<'_> {
             Unfit::TooMany(origin) => {
                 let found =
                     codes::S4001::contour_has_more_than_elements(&MOST_ELEMENTS).at(origin.loc).called(origin.call);
-                self.report(found.also(call.loc, "called here").help("split it, or take splines of lines apart"));
+                self.report(found.also(call.loc, Label::CalledHere).help("split it, or take splines of lines apart"));
                 return Err(Reported);
             }
             Unfit::NoStart(origin) => (origin, codes::S2091::contour_has_no_start_point()),
@@ -182,7 +182,7 @@ impl Core<'_> {
             Unfit::Leaves(origin) => (origin, codes::S2091::block_of_contour_leaves_its_plane()),
         };
         let found = fault.at(origin.loc).called(origin.call);
-        self.report(found.also(call.loc, "called here"));
+        self.report(found.also(call.loc, Label::CalledHere));
         Err(Reported)
     }
 

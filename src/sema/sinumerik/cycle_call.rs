@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Code, Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::{Plane, Point2};
 use crate::ir::Pos;
 use crate::ir::contour::{Ctx, Path};
@@ -234,15 +234,12 @@ impl Channel<'_> {
                 ways.push(fault.message);
             }
         }
-        self.say_together(given, codes::S8230, &open, &helps.join("; "));
-        let help = "docs/cycles.md describes the path; compare with what the machine does";
-        self.say_together(given, codes::P8101, &ways, help);
-    }
-
-    fn say_together(&self, given: &Given, code: &'static Code, what: &[String], help: &str) {
-        if !what.is_empty() {
-            let message = format!("{}: {}", given.called, what.join("; "));
-            self.report_once(Diagnostic::new(code, self.loc(given.place), message).help(help));
+        if !open.is_empty() {
+            let fault = codes::S8230::call_leaves_open(&given.called, &open.join("; "));
+            self.say_once(given.place, fault.help(helps.join("; ")));
+        }
+        if !ways.is_empty() {
+            self.say_once(given.place, codes::P8101::ways_of_call(&given.called, &ways.join("; ")));
         }
     }
 

@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.1 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::parser::sinumerik::SPLIT;
 use crate::parser::sinumerik::ast::{Block, Formula, Stmt, TypeName, Variable};
 use crate::parser::sinumerik::parse_block;
@@ -91,7 +91,7 @@ impl Run<'_> {
         let known = if global { self.vars.get(Slot::Global(name)) } else { self.vars.of_level(name) };
         if let Some(first) = known.map(|var| var.defined).filter(|first| *first != defined) {
             let found = codes::S2016::is_defined_twice(&word).at(defined);
-            self.report(found.also(first, "the first definition").help("rename one of them"));
+            self.report(found.also(first, Label::FirstDefinition).help("rename one of them"));
             return Err(Reported);
         }
         let taken = match self.meaning(name) {

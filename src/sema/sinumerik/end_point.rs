@@ -106,7 +106,7 @@ impl Channel<'_> {
         if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
-        self.no_position(axis, place, "program the axis once in absolute coordinates before this block")
+        self.no_position(axis, place, codes::P2001::where_axis_stands_is_not_known)
     }
 }
 

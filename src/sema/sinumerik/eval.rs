@@ -5,7 +5,7 @@
 use std::borrow::Cow;
 use std::rc::Rc;
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::lexer::formula::Function;
 use crate::parser::sinumerik::ast::{Base, Block, Formula, Op};
 use crate::parser::symbols::Symbol;
@@ -147,19 +147,19 @@ impl Formulas for Run<'_> {
     }
 
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
-        let (code, message) = match fault {
-            Fault::Misfit(what) => (codes::P2024.alarm(12150), format!("the operator does not fit {what}")),
-            Fault::Mismatch(a, b) => (codes::P2024.alarm(12150), format!("{a} and {b} do not go together here")),
-            Fault::Missing => (codes::P2024.alarm(12150), "a value is missing".to_owned()),
-            Fault::Said(why) => (codes::S2030.alarm(14099), why),
+        let found = match fault {
+            Fault::Misfit(what) => codes::P2024::operator_does_not_fit(&what),
+            Fault::Mismatch(a, b) => codes::P2024::values_do_not_go_together(&a, &b),
+            Fault::Missing => codes::P2024::value_is_missing(),
+            Fault::Said(found) => *found,
             Fault::Zero(_) => return self.divided_by_zero(None, at),
             Fault::ZeroBy(_, by) => return self.divided_by_zero(Some(&by), at),
-            Fault::TooLargeInt => (codes::P2022.alarm(14051), "the result is too large for an INT".to_owned()),
+            Fault::TooLargeInt => codes::P2022::result_is_too_large_for_int(),
             Fault::TooLarge | Fault::Domain(..) | Fault::Open(..) | Fault::Outside(..) | Fault::OpenBetween(..) => {
-                (codes::P2022.alarm(14051), "the result is too large".to_owned())
+                codes::P2022::result_is_too_large().alarm(14051)
             }
         };
-        self.report(Diagnostic::new(code, self.loc(at.span), message));
+        self.say(at.span, found);
         Reported
     }
 }
@@ -167,18 +167,15 @@ impl Formulas for Run<'_> {
 impl Run<'_> {
     /// Names the divisor where it is a variable alone, and where it got its value.
     fn divided_by_zero(&self, by: Option<&Divisor>, at: At<'_>) -> Reported {
-        let message = match by {
-            Some(by) => format!("division by zero: {}", by.said(&self.job, self.here.origin.loc)),
-            None => "division by zero".to_owned(),
+        let mut fault = match by {
+            Some(by) => codes::P2022::division_by_zero_that(&by.said(&self.job, self.here.origin.loc)),
+            None => codes::P2022::division_by_zero(),
         };
-        let found = Diagnostic::new(codes::P2022.alarm(14051), self.loc(at.span), message);
-        self.report(match &self.warned.unset[..] {
-            [] => found.help(ZERO[usize::from(by.is_none())]),
-            [first, rest @ ..] => found.help(rest.iter().fold(
-                Answer::key("variables", first).help("give the values that the control keeps under [variables]"),
-                |help, name| help.and(Answer::key("variables", name)),
-            )),
-        });
+        if let [first, rest @ ..] = &self.warned.unset[..] {
+            let help = Answer::key("variables", first).help(codes::P2022::give_values_that_control_keeps());
+            fault = fault.help(rest.iter().fold(help, |help, name| help.and(Answer::key("variables", name))));
+        }
+        self.say(at.span, fault);
         Reported
     }
 
@@ -206,9 +203,6 @@ impl Run<'_> {
         }
     }
 }
-
-/// Behind a variable, and where none is named.
-const ZERO: [&str; 2] = ["give it another value before this block", "check what stands after `/`, DIV or MOD"];
 
 impl Run<'_> {
     /// The value of a formula.
@@ -510,7 +504,7 @@ impl Core<'_> {
         };
         text.extend_from_slice(&rest);
         if text.len() > MOST_JOINED {
-            return Err(Fault::Said("the joined text is too long".to_owned()).into());
+            return Err(codes::S2030::joined_text_is_too_long().into());
         }
         Ok(Val::Text(text.into()))
     }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.6, 7.1 and 7.2 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::parser::sinumerik::ast::{Block, TypeName, Variable};
 use crate::parser::symbols::Symbol;
 use crate::text::Loc;
@@ -71,7 +71,7 @@ impl Run<'_> {
         }
         let found = codes::S2021::is_declared_second_time_with_other_parameters(&self.symbols.name(name))
             .at(loc)
-            .also(first.loc, "the first declaration");
+            .also(first.loc, Label::FirstDeclaration);
         self.report(found.help("delete one of the two lines"));
         Err(Reported)
     }
@@ -91,7 +91,8 @@ impl Run<'_> {
         let Some(what) = difference(&known.parameters, &is) else { return };
         known.told = true;
         let found = codes::S2021::extern_does_not_fit_program(&name, &what).at(known.loc);
-        let found = found.also(self.loc(block.span), "its PROC").help("write the types of PROC into the EXTERN line");
+        let found =
+            found.also(self.loc(block.span), Label::ItsProc).help("write the types of PROC into the EXTERN line");
         self.report(found);
     }
 }

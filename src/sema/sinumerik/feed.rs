@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diag::{Answer, Help, codes};
+use crate::diag::{Answer, Help, Label, codes};
 use crate::ir::Feed;
 use crate::machine::{Axis, MachineKind, Settings};
 use crate::sema::run::Where;
@@ -222,7 +222,7 @@ impl Channel<'_> {
             "program F after {name}; or say under `[programs]` what it leaves: `feed = …` beside the rest of `{name} = {{ … }}`"
         );
         let found =
-            codes::S8171::this_cut_takes_feed_of_before(&name).at(self.loc(Where::Block)).also(left.call, "the call");
+            codes::S8171::this_cut_takes_feed_of_before(&name).at(self.loc(Where::Block)).also(left.call, Label::Call);
         self.report(found.help(help));
     }
 

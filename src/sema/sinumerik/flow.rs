@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.3 to 5.5 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::machine::tree::did_you_mean;
 use crate::parser::sinumerik::ast::{Arm, Block, Formula, Jump, JumpTarget, Search, Stmt, Target, When};
 use crate::parser::symbols::Symbol;
@@ -275,7 +275,7 @@ impl Run<'_> {
             (Some(mark), _) => {
                 let loc = self.mark_loc(mark);
                 let other = if jump.search == Search::Forward { "GOTOB" } else { "GOTOF" };
-                found.also(loc, "it stands here").help(format!("jump by {other} or GOTO"))
+                found.also(loc, Label::StandsHere).help(format!("jump by {other} or GOTO"))
             }
             (None, JumpTarget::Label(name)) => {
                 let wanted = self.symbols.name(name);

@@ -2,7 +2,7 @@
 //!
 //! Source: S 3 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::ir::Side;
 use crate::machine::AxisSet;
 use crate::text::Span;
@@ -79,7 +79,7 @@ impl Channel<'_> {
         }
         if let Some(origin) = self.st.pair.refuse_first() {
             let found = codes::S2070::plane_changes_between_two_lines_of_pair().at(origin.loc);
-            self.report(found.also(self.loc(span), "here").help("change the plane before the first line"));
+            self.report(found.also(self.loc(span), Label::Here).help("change the plane before the first line"));
             self.st.position.lose(AxisSet::MAIN);
             return Err(Reported);
         }
@@ -123,7 +123,7 @@ impl Core<'_> {
     pub(super) fn two_shapes(&self, a: GCode, first: Span, b: GCode, second: Span) -> Outcome {
         let (a, b) = (a.word(), b.word());
         let found = codes::S2009::cannot_stand_in_one_block(&a, &b).at(self.loc(second));
-        self.report(found.also(self.loc(first), "the other one").help("give each a block of its own"));
+        self.report(found.also(self.loc(first), Label::OtherOne).help("give each a block of its own"));
         Err(Reported)
     }
 }

@@ -3,7 +3,7 @@
 //! What such a variable holds when the program begins is known only where `[variables]` says it. Until the program writes an
 //! element, reading it is a guess, which is said. Source: S 5.1 (docs/sources.md).
 
-use crate::diag::{Answer, Help, codes};
+use crate::diag::{Answer, Help, Label, codes};
 use crate::parser::sinumerik::ast::TypeName;
 use crate::text::Span;
 
@@ -56,7 +56,7 @@ impl Run<'_> {
             "set it in the program: what the control keeps in it is not known here".into()
         };
         let found = codes::P2021::is_read_before_program_sets(&word).at(self.loc(span));
-        self.report(found.also(defined, "it is defined here").help(help));
+        self.report(found.also(defined, Label::IsDefinedHere).help(help));
     }
 }
 

@@ -41,34 +41,17 @@ impl Channel<'_> {
             return;
         }
         self.report_lost_change();
-        let goes_on = "and no M6 changes it in before the next cut: the tool before it goes on cutting";
-        let message = match &may {
-            MayChange::Chosen(number) => format!("T chose tool {number} before {name}, which is left out, {goes_on}"),
+        let key = Answer::key("programs", name);
+        let to_argument = key.clone().one_of(&[format!("{{ tool = {place} }}")]);
+        let fault = match may {
+            MayChange::Chosen(number) => codes::S8163::t_chose_tool_before_call(&number, &name)
+                .answers([key.one_of(&["{ change = true }"]), Answer::key("control", "tool_change")]),
             MayChange::Named(number, tool) => {
-                format!("{name}, which is left out, names tool {number}, \"{tool}\", {goes_on}")
+                codes::S8163::call_names_tool(&name, &number, &tool, &place).answer(to_argument)
             }
-            MayChange::Unknown(tool) => {
-                format!(
-                    "{name}, which is left out, may name a tool, \"{tool}\", and the program has changed none: it cuts with whatever is in the spindle"
-                )
-            }
+            MayChange::Unknown(tool) => codes::S8163::call_may_name_tool(&name, &tool, &place).answer(to_argument),
         };
-        let entry = Answer::key("programs", name);
-        let help = match may {
-            MayChange::Chosen(_) => {
-                let text = format!(
-                    "if {name} changes the tool, say so: `{name} = {{ change = true }}` under `[programs]`; if T itself does, \
-                     set `[control] tool_change = \"t\"`"
-                );
-                entry.one_of(&["{ change = true }"]).help(text).and(Answer::key("control", "tool_change"))
-            }
-            MayChange::Named(..) | MayChange::Unknown(_) => {
-                let change = format!("{{ tool = {place} }}");
-                let text = format!("if {name} changes the tool, say so: `{name} = {change}` under `[programs]`");
-                entry.one_of(&[change]).help(text)
-            }
-        };
-        let found = Diagnostic::new(codes::S8163, self.loc(span), message).help(help);
+        let found = fault.at(self.loc(span));
         let found = found.called(self.here.origin.call);
         self.change_left_out = Some(Box::new(LeftOut { number, found, cut: false }));
     }

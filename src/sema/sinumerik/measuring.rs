@@ -6,7 +6,7 @@
 //!
 //! Source: S 6, P 3.1 and 3.2 (docs/sources.md).
 
-use crate::diag::{Answer, Help, codes};
+use crate::diag::{Answer, Help, Label, codes};
 use crate::ir::Side;
 use crate::machine::{Axis, AxisSet, StandIn};
 use crate::parser::sinumerik::ast::{Block, Formula, Value, Word};
@@ -299,7 +299,7 @@ impl Channel<'_> {
         }
         let found = codes::S8169::is_0_in_line_touches_nothing(&key, &name, &at.line)
             .at(self.loc(span))
-            .also(at, "it is measured here");
+            .also(at, Label::Measured);
         self.report_once(found.help("check that the control goes the same way through the program"));
         Ok(Some(Val::Int(0)))
     }
@@ -307,11 +307,7 @@ impl Channel<'_> {
     /// G4, TRANS and their kin take no words of moves.
     pub(super) fn measures_beside(&self, probe: ProbeWord, span: Span) -> Outcome {
         let found = codes::S2013::needs_move(&probe.name).at(self.loc(probe.span));
-        self.report(
-            found
-                .also(self.loc(span), "this word moves no axis along a path")
-                .help("give it a block with G1 and an axis"),
-        );
+        self.report(found.also(self.loc(span), Label::MovesNoAxis).help("give it a block with G1 and an axis"));
         Err(Reported)
     }
 
@@ -339,7 +335,7 @@ impl Channel<'_> {
     pub(super) fn leaves_touched(&mut self, axes: AxisSet, rapid: bool) -> Outcome {
         let (position, here) = (&self.st.position, self.here.origin.loc);
         let left = if self.is_capturing() { AxisSet::EMPTY } else { position.left_by_calls() };
-        if let Some(found) = move_beside(codes::P2001, position, left, axes, &self.st.ctx.frame, here) {
+        if let Some(found) = move_beside(position, left, axes, &self.st.ctx.frame, here) {
             self.report(found);
             self.lose_all();
             return Err(Reported);
@@ -357,7 +353,7 @@ impl Channel<'_> {
         let letters = letters.join(" and ");
         let found = codes::S9023::this_block_moves(&letters)
             .at(self.here.origin.loc)
-            .also(touched.loc, "the measuring is left out here");
+            .also(touched.loc, Label::MeasuringLeftOut);
         self.report(found.help(format!("program {letters} in this block, in absolute coordinates")));
         self.lose_all();
         Err(Reported)
@@ -378,7 +374,7 @@ impl Channel<'_> {
         let Some((name, at)) = last else { return };
         let found = codes::S8169::of_variables_is_taken_for_what(&key, &value, &name, &at.line)
             .at(self.loc(span))
-            .also(*at, "it is measured here");
+            .also(*at, Label::Measured);
         if self.job.diags.first_text(codes::S8169, &found.message) {
             self.report(
                 found.help("one value stands for all measurings of the program: check that it is right for this one"),

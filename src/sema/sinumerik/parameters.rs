@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.6 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::parser::sinumerik::ast::{Args, Base, Block, Formula, Op, TypeName, Variable};
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
@@ -143,7 +143,7 @@ impl Run<'_> {
             let loc = arguments[block.variables.len()].loc;
             let count = block.variables.len();
             let found = codes::S2021::program_takes_arguments(&count).at(loc);
-            self.report(found.also(self.loc(block.span), "its parameters"));
+            self.report(found.also(self.loc(block.span), Label::ItsParameters));
             for variable in block.variables.clone() {
                 self.lose_parameter(variable);
             }

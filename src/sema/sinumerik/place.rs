@@ -3,7 +3,9 @@
 //! A work offset counts from the basic frame, and that from the machine zero; `[datums]` has both. Source: S 4.7 and 4.8
 //! (docs/sources.md).
 
-use crate::diag::codes;
+use std::fmt::Display;
+
+use crate::diag::Fault;
 use crate::ir::Pos;
 use crate::machine::{Axis, AxisSet};
 use crate::sema::common::hidden::By;
@@ -95,10 +97,14 @@ impl Channel<'_> {
     }
 
     /// An error where the position of an axis is needed and not known.
-    pub(super) fn no_position<T>(&self, axis: Axis, place: impl Into<Where>, usual: &str) -> Outcome<T> {
+    pub(super) fn no_position<T>(
+        &self,
+        axis: Axis,
+        place: impl Into<Where>,
+        fault: impl FnOnce(&dyn Display, &dyn Display) -> Fault,
+    ) -> Outcome<T> {
         let lack = || self.zero_in_machine(axis).err().unwrap_or(Lack::Nothing);
         let unknown = Unknown { position: &self.st.position, axis, lack: &lack, otherwise: "" };
-        let message = format!("where {} stands is not known", axis.letter());
-        self.position_unknown(codes::P2001, place, message, usual, unknown)
+        self.position_unknown(place, unknown, fault)
     }
 }

@@ -294,21 +294,20 @@ impl Run<'_> {
     fn refused_procedure(&mut self, name: &str, Refusal { what, code, .. }: Refusal, span: Span) -> Outcome {
         self.st.position.lose(AxisSet::ALL);
         self.lost();
-        let help = super::cycles::instead(name);
-        let help = if code.id != codes::P9010.id {
-            help.into()
+        let key = Answer::key("programs", name);
+        let instead = super::cycles::instead(name);
+        let fault = if code == codes::S9006 {
+            codes::S9006::procedure_is_not_supported(&name, &what).help(instead)
         } else if super::cycles::is_program(name) {
-            let file = format!("{{ file = \"stubs/{name}.SPF\" }}");
-            let text = format!("{help}; or say what runs instead: `[programs] {name} = {file}`");
-            Answer::key("programs", name).one_of(&[file]).help(text)
+            let file = key.one_of(&[format!("{{ file = \"stubs/{name}.SPF\" }}")]);
+            codes::P9010::cycle_is_not_supported_but_file_may_run(&name, &what, &instead).answer(file)
         } else if LEFT_OUT_BY_ENTRY.contains(&name) {
-            let text =
-                format!("leave it out, where the target manages its tools: `[programs] {name} = {{ ignore = true }}`");
-            Answer::key("programs", name).one_of(&["{ ignore = true }"]).help(text)
+            let ignored = key.one_of(&["{ ignore = true }"]);
+            codes::P9010::procedure_may_be_left_out(&name, &what).answer(ignored)
         } else {
-            "take it out of the copy that is compiled, or program what it does in blocks".into()
+            codes::P9010::procedure_is_not_supported(&name, &what)
         };
-        self.fail_help(code, span, format!("{name} ({what}) is not supported"), &help)
+        self.refuse(span, fault)
     }
 
     /// Words beside a procedure that has no effect.

@@ -1,6 +1,6 @@
 //! What is still open at the end of the run.
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::text::{FileId, Loc, Span};
 
 use super::Run;
@@ -17,7 +17,7 @@ impl Run<'_> {
         }
         if let Some(open) = self.open_modal_call() {
             let found = codes::S8038::program_ends_with_modal_call().at(self.here.origin.loc);
-            self.report(found.also(open, "MCALL stands here").help("write MCALL in a block of its own before the end"));
+            self.report(found.also(open, Label::ModalCall).help("write MCALL in a block of its own before the end"));
         }
         let unit = self.levels.first().map_or(0, |level| level.frame.unit);
         let _ = self.units.list_rest(&self.channel.core.job, &mut self.channel.core.programs);

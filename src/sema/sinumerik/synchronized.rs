@@ -5,7 +5,7 @@
 //!
 //! Source: S 6 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::parser::sinumerik::ast::Block;
 use crate::text::{Loc, Span};
 
@@ -107,20 +107,20 @@ impl Run<'_> {
     }
 
     fn says_left_out(&self, shown: &str, effects: &[Effect], loc: Loc) {
-        let mut message = format!("the synchronized action `{shown}` is left out");
         let functions: Vec<&str> = effects
             .iter()
             .filter_map(|effect| if let Effect::Function(text) = effect { Some(text.as_str()) } else { None })
             .collect();
-        if !functions.is_empty() {
-            message.push_str(&format!(", and with it {}", functions.join(", ")));
-        }
-        if effects.contains(&Effect::Pace) {
-            message.push_str("; feed and waits are not those of the control");
-        }
-        let found = Diagnostic::new(codes::S8165, loc, message);
+        let list = functions.join(", ");
+        let found = match (functions.is_empty(), effects.contains(&Effect::Pace)) {
+            (true, false) => codes::S8165::synchronized_action_is_left_out(&shown),
+            (false, false) => codes::S8165::synchronized_action_is_left_out_with(&shown, &list),
+            (true, true) => codes::S8165::synchronized_action_of_pace_is_left_out(&shown),
+            (false, true) => codes::S8165::synchronized_action_of_pace_is_left_out_with(&shown, &list),
+        };
+        let found = found.at(loc);
         if !self.job.diags.knows(&found) {
-            self.report(found.help("check that the target needs nothing of it"));
+            self.report(found);
         }
     }
 
@@ -153,7 +153,7 @@ impl Channel<'_> {
     fn is_set_beside<T>(&self, name: &str, at: Loc, span: Span) -> Outcome<T> {
         let found = codes::S9022::is_set_by_synchronized_action_in_line(&name, &at.line)
             .at(self.loc(span))
-            .also(at, "this action sets it");
+            .also(at, Label::ActionSets);
         self.report(found.help("let the program compute the value itself, and take it out of the action"));
         Err(super::Reported)
     }

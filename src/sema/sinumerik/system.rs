@@ -307,11 +307,7 @@ impl Channel<'_> {
             return Err(Reported);
         }
         let Some(value) = self.st.position.get(axis) else {
-            return self.no_position(
-                axis,
-                span,
-                "program the axis once in absolute coordinates before reading its position",
-            );
+            return self.no_position(axis, span, codes::P2001::where_axis_stands_is_not_known_2);
         };
         if axis.is_rotary() {
             return Ok(if self.st.machine.modulo.contains(axis) { super::rotary::reduced(value) } else { value });

@@ -2,7 +2,7 @@
 //!
 //! Source: S 0, 2.1, 7.2 and 7.3 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::ir::Pos;
 use crate::ir::contour::{Path, Thread};
 use crate::machine::{Axis, AxisSet};
@@ -206,8 +206,8 @@ impl Channel<'_> {
         } else {
             codes::S2081::axes_stand_in_chain()
         };
-        let found = fault.alarm(alarm).at(place).also(last, "the thread before");
-        self.report(found.also(self.loc(span), "the thread after"));
+        let found = fault.alarm(alarm).at(place).also(last, Label::ThreadBefore);
+        self.report(found.also(self.loc(span), Label::ThreadAfter));
         Err(Reported)
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 1.2 and 1.3 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Args, Block, Formula, Op, Target, Value, Word};
@@ -484,7 +484,7 @@ impl Words {
             let (a, b) = (first.word(), code.word());
             let found = codes::S2008::are_of_one_group(&a, &b).at(core.loc(span));
             core.report(
-                found.also(core.loc(other), "the other one").help("delete one of them; the control takes the last"),
+                found.also(core.loc(other), Label::OtherOne).help("delete one of them; the control takes the last"),
             );
             return Err(super::Reported);
         }

@@ -179,7 +179,7 @@ impl Run<'_> {
         }
         let limit = self.job.settings.limits.call_depth.min(DEEPEST);
         if self.levels.len() > limit {
-            return self.too_deep(format!("subprograms are nested deeper than {limit} levels"));
+            return self.too_deep(codes::P4003::subprograms_are_nested_deeper(&limit));
         }
         let number = self.next_number();
         let part = std::mem::replace(&mut self.sections.part, ProgramPart::Machining);

@@ -2,7 +2,7 @@
 //!
 //! Source: T 6.3 (docs/sources.md).
 
-use crate::diag::{Answer, Fault, codes};
+use crate::diag::{Answer, Fault, Label, codes};
 use crate::geo::Deg;
 use crate::geo::undercut::{Edge, Shape};
 use crate::machine::{Axis, RecessDepth, RecessWidth};
@@ -270,7 +270,7 @@ impl Run<'_> {
     /// Only one of the two can be meant.
     fn said_twice(&self, fault: Fault, first: crate::text::Loc) -> Outcome {
         let found = fault.at(self.here.origin.loc);
-        self.report(found.also(first, "the element or form that it was said for"));
+        self.report(found.also(first, Label::SaidFor));
         Err(Reported)
     }
 }

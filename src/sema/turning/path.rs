@@ -101,10 +101,8 @@ impl Run<'_> {
             Ok(v) => Ok(v),
             Err(Missing::Lost) => Err(Reported),
             Err(Missing::Unknown) => {
-                let usual = format!("program {} once as an absolute value after the tool change", axis.letter());
                 let unknown = Unknown { position: &self.st.position, axis, lack: &|| Lack::Nothing, otherwise: "" };
-                let message = format!("it is not known where the tool stands in {}", axis.letter());
-                self.position_unknown(codes::P2001, span, message, &usual, unknown)
+                self.position_unknown(span, unknown, codes::P2001::it_is_not_known_where_tool_stands)
             }
         }
     }

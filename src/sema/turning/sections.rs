@@ -1,6 +1,6 @@
 //! Sections of a program, header lines, units; which control a program was written for.
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::ir::Function;
 use crate::machine::{Settings, Unit};
 use crate::parser::turning::ast::{Block, Section, Stmt, Value};
@@ -162,7 +162,7 @@ impl Run<'_> {
         if let Some(nest) = self.level().frame.nests.last() {
             let loc = nest.loc;
             self.report(
-                codes::T1009::this_is_not_closed_when_next_section().at(loc).also(self.here.origin.loc, "the section"),
+                codes::T1009::this_is_not_closed_when_next_section().at(loc).also(self.here.origin.loc, Label::Section),
             );
             self.level().frame.nests.clear();
         }

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::rc::Rc;
 
-use crate::diag::{Answer, Fault, codes};
+use crate::diag::{Answer, Fault, Label, codes};
 use crate::geo::Vec2;
 use crate::ir::function::{CutterData, Spindle, Turn};
 use crate::ir::{self, Feed, Function, Side};
@@ -375,7 +375,7 @@ impl Run<'_> {
         {
             let (old, new) = (before.name(), oversize.name());
             let found = codes::T8017::from_here_on_changes_nothing(&old, &new).at(loc);
-            self.report(found.also(self.here.origin.loc, "what takes its place"));
+            self.report(found.also(self.here.origin.loc, Label::TakesItsPlace));
         }
         self.st.oversize = Some((oversize, self.here.origin.loc));
         Ok(())

@@ -1,6 +1,6 @@
 //! The words of a block by address, with their values computed.
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::lexer::turning::Addr;
 use crate::parser::turning::ast::{Block, Value, Word};
 use crate::text::Span;
@@ -213,7 +213,7 @@ impl Run<'_> {
     #[cold]
     fn twice(&self, word: &Word, first: Span) -> Outcome {
         let found = codes::P1002::word_stands_twice_in_block(&word.address.addr).at(self.loc(word.span));
-        self.report(found.also(self.loc(first), "the first one"));
+        self.report(found.also(self.loc(first), Label::FirstOne));
         Err(super::Reported)
     }
 }

@@ -1,5 +1,7 @@
 //! APPR: known when the first element of the contour is.
 
+use std::fmt::Display;
+
 use crate::diag::{Answer, codes};
 use crate::geo::{self, Point2, SAME_POINT, Vec2, distance, joint};
 use crate::ir::contour::Move;
@@ -229,9 +231,10 @@ impl Run<'_> {
             return self.refuse(a.span, codes::K9003::with_tool_axis_is_not_supported(&a.name));
         }
         let Some(from) = from else {
-            let message =
-                format!("{} moves the tool axis together with the plane, and where it starts is not known", a.name);
-            return self.unknown_position(self.st.axis(), a.span, message);
+            let fault = |axis: &dyn Display, why: &dyn Display| {
+                codes::P2001::moves_tool_axis_together_with_plane(&a.name, axis, why)
+            };
+            return self.unknown_position(self.st.axis(), a.span, fault);
         };
         if settings.klartext_choices.approach_depth.is_none() {
             self.report(

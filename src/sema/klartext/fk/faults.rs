@@ -1,6 +1,6 @@
 //! What is said of a free contour that has no solution, or more than one.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Diagnostic, Label, codes};
 use crate::geo::open::Solved;
 use crate::geo::open::window::{Fault, Item, Place, Serial, Shape};
 use crate::geo::{Point2, distance};
@@ -66,7 +66,7 @@ impl Run<'_> {
         let first = free.queue.iter().find(|waiting| matches!(waiting.kind, Kind::Element { .. }));
         let found = match first {
             Some(first) if !std::ptr::eq(first, waiting) => {
-                found.also(first.here.loc(&self.job, first.span), "solved together with the blocks from here on")
+                found.also(first.here.loc(&self.job, first.span), Label::SolvedTogether)
             }
             _ => found,
         };
@@ -117,7 +117,7 @@ impl Run<'_> {
         let [x, y] = self.letters();
         let found = codes::K3001::behind_it_lie_on_one_straight(&names[0], &names[1], &x, &y)
             .at(first.here.loc(&self.job, first.span))
-            .also(second.here.loc(&self.job, second.span), "goes on along the same straight");
+            .also(second.here.loc(&self.job, second.span), Label::SameStraight);
         self.say(free, first, found);
         Reported
     }

@@ -1,6 +1,6 @@
 //! The words of FL, FLT, FC and FCT.
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::geo::Point2;
 use crate::geo::open::window::{Base, EndAngle, Given, Item, Serial, Shape};
 use crate::machine::Axis;
@@ -375,7 +375,7 @@ impl Run<'_> {
             let loc = self.loc(begins.span);
             if let Some((_, open)) = free.closes.replace((free.window.next_serial(), loc)) {
                 self.report(
-                    codes::K8025::no_clsd_closes_contour_that_begins().at(open).also(loc, "another begins here"),
+                    codes::K8025::no_clsd_closes_contour_that_begins().at(open).also(loc, Label::AnotherBegins),
                 );
             }
         }

@@ -11,7 +11,7 @@ mod material;
 mod rebuild;
 mod solve;
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Help, Label, codes};
 use crate::ir::Pos;
 use crate::ir::contour::{ArcShape, Corner, CornerShape, Path};
 use crate::ir::undercut::usual_pitch;
@@ -173,18 +173,14 @@ impl Run<'_> {
         }
         if let Err(difference) = compared {
             let told = Told { axes: here, written, start, blocks: &stored.blocks, made: &made };
-            let (at, message) = told.difference(difference);
+            let (at, fault) = told.difference(difference);
             let place = at.and_then(|i| stored.places.get(i)).copied().unwrap_or(stored.begin);
             let record = told.record(difference).and_then(|at| stored.record_places.get(at));
-            let mut found = Diagnostic::new(codes::S8026, place, message);
+            let mut found = fault.at(place);
             if let Some(record) = record {
-                found = found.also(*record, "what was typed");
+                found = found.also(*record, Label::Typed);
             }
-            self.report(
-                found.help(
-                    "the blocks are compiled; if they were changed by hand, accept the contour in the editor again",
-                ),
-            );
+            self.report(found);
         }
         Ok(())
     }
