@@ -2,13 +2,14 @@
 
 use crate::geo::Plane;
 
-/// Words of a dialog.
+/// Words of a dialog, as they are printed, without the blanks around them.
 #[derive(Debug)]
 pub struct Dialog {
-    /// First and last block; the name of the program and the unit stand behind.
+    /// First block; the name of the program and its unit follow.
     pub begin: &'static str,
+    /// Last block, with the same after it.
     pub end: &'static str,
-    /// Millimetres, inches.
+    /// The unit of a program: millimetres, inches.
     pub units: [&'static str; 2],
     /// What F1 is in a program in inches, in mm/min.
     pub inch_feed: f64,
@@ -18,18 +19,19 @@ pub struct Dialog {
     pub uncompensated: &'static str,
     /// States the centre of the arcs behind it.
     pub center: &'static str,
-    /// An arc to its end.
+    /// An arc about that centre to its end.
     pub arc: &'static str,
+    /// An arc that goes along its third axis.
     pub helix: HelixWords,
-    /// Calls a tool, or states the speed alone.
+    /// Calls a tool with its axis and speed, or states the speed alone.
     pub tool: &'static str,
     /// The axis along which the tool is long.
     pub tool_axis: &'static str,
-    /// Brings a tool forth.
+    /// Brings the next tool forth.
     pub prepare: &'static str,
-    /// The block in front of the one that waits.
+    /// The block before the one that waits.
     pub dwell: &'static str,
-    /// The block in front of the one that says how far corners are rounded off.
+    /// The block before the one that says how far corners are rounded off.
     pub tolerance: &'static str,
     /// What stands in front of the number of a work offset and behind it, in lines of one block.
     pub offset: [&'static str; 2],
@@ -38,17 +40,18 @@ pub struct Dialog {
 /// An arc that goes along its third axis, by the angle that it turns.
 #[derive(Debug)]
 pub struct HelixWords {
+    /// Begins the block.
     pub word: &'static str,
-    /// The angle from the start.
+    /// In front of the angle from the start, degrees, counter-clockwise positive.
     pub angle: &'static str,
-    /// In front of an axis: its way.
+    /// In front of the letter of an axis: its number is the travel in this block.
     pub way: &'static str,
-    /// Places of the angle.
+    /// Places of the angle that are printed.
     pub places: u8,
-    /// Turns of one block.
+    /// Most turns of one block.
     pub most_turns: i64,
     /// Up to this radius in mm the last place of the angle moves the end by less than a thousandth.
     pub most_radius: f64,
-    /// Working planes.
+    /// Planes of the circle in which the target knows such an arc.
     pub planes: &'static [Plane],
 }
