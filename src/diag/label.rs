@@ -103,12 +103,16 @@ labels! {
     CurveTableLeftOut "a curve table names the axis here, and is left out";
     MachineCoordinate "the axis goes to a machine coordinate here";
 
-    // Of passes that have no words of their own here yet.
-    Said(text) "{text}";
-}
-
-impl From<&'static str> for Label {
-    fn from(text: &'static str) -> Label {
-        Label::Said(text.to_owned())
-    }
+    // Beside a corner and under compensation.
+    ElementBefore "element before";
+    ElementAfter "element after";
+    LineBefore "line before";
+    LineAfter "line after";
+    ThisElement "this element";
+    ThisBlock "this block";
+    LeftOut "left out";
+    CompensationBegins "compensation begins here";
+    EndsCompensation "this block ends the compensation";
+    ToolLeaves "the tool leaves the contour here";
+    Change "the change";
 }

@@ -3,7 +3,7 @@
 //! RS274 controls accept few things between G41 and G40. What must not stand there either ends the
 //! compensation first, or is refused: a contour that starts anew at its offset is another contour.
 
-use crate::diag::{Answer, Diagnostic, Fault, codes};
+use crate::diag::{Answer, Diagnostic, Fault, Label, codes};
 use crate::geo::Plane;
 use crate::ir::function::CutterData;
 use crate::ir::motion::{Move, Path};
@@ -91,7 +91,7 @@ impl Compensation {
             }
             let mut found = fault.at(origin.loc).called(origin.call);
             if let (Some(by), true) = (self.ended_by, mv.side != Side::None) {
-                found = found.also(by.loc, "this block ends the compensation");
+                found = found.also(by.loc, Label::EndsCompensation);
             }
             return Preparation::Refuse(Some(Box::new(found)));
         }

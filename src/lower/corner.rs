@@ -1,6 +1,6 @@
 //! Pass 2: chamfers and roundings between two elements. Holds back one element.
 
-use crate::diag::{Code, Diagnostic, Diags, Fault, codes};
+use crate::diag::{Code, Diagnostic, Diags, Fault, Label, codes};
 use crate::geo::corner::{self, Cut, NoCut, Size};
 use crate::geo::{Element, SAME_POINT, arc, distance};
 use crate::ir::contour::{ArcChamfer, Blocks, Corner, CornerShape, LargeCorner};
@@ -92,7 +92,7 @@ impl Corners {
         if let Some((_, first)) = self.corner {
             diags.push(
                 at(origin, codes::G3007::two_chamfers_or_roundings_follow_each_other())
-                    .also(first.loc, "the first one"),
+                    .also(first.loc, Label::FirstOne),
             );
             self.drop_corner(out);
             return;
@@ -197,7 +197,7 @@ impl Corners {
         }
         let what = if enters { "first" } else { "last" };
         let found = at(origin, codes::G3217::chamfer_or_rounding_stands_at_point(&what));
-        Some(found.also(before.origin.loc, "element before"))
+        Some(found.also(before.origin.loc, Label::ElementBefore))
     }
 
     /// Looks at the blocks between the corner and its elements that move nothing.
@@ -224,11 +224,11 @@ impl Corners {
         };
         if let Some((_, block)) = found.iter().find(|entry| !plain(entry)) {
             let found = at(origin, codes::G3007::block_that_does_not_move_stands_between());
-            return Err(Box::new(found.also(block.loc, "this block")));
+            return Err(Box::new(found.also(block.loc, Label::ThisBlock)));
         }
         if let Some((_, block)) = found.first() {
             let found = at(origin, codes::G3090::block_of_m_functions_stands_between_chamfer());
-            diags.push(found.also(block.loc, "this block"));
+            diags.push(found.also(block.loc, Label::ThisBlock));
         }
         Ok(())
     }
@@ -316,7 +316,7 @@ fn cut(
     };
     let refuse = |fault| {
         let found = at(origin, fault);
-        Err(Box::new(found.also(before.origin.loc, "element before").also(after.origin.loc, "element after")))
+        Err(Box::new(found.also(before.origin.loc, Label::ElementBefore).also(after.origin.loc, Label::ElementAfter)))
     };
     if before.ctx.frame != after.ctx.frame {
         return refuse(codes::G3019::coordinate_system_changes(name));

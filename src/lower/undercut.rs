@@ -1,6 +1,6 @@
 //! Pass 3, continued: undercuts in inside corners of a turned contour.
 
-use crate::diag::{self, Answer, Diagnostic, Diags, codes};
+use crate::diag::{self, Answer, Diagnostic, Diags, Label, codes};
 use crate::geo::undercut::{Corner, Fault, Orientation, Placed, Reference, place};
 use crate::geo::{Element, Plane, SAME_POINT, distance};
 use crate::ir::motion::{Arc, Path};
@@ -49,7 +49,7 @@ pub fn relieve(
     let plane = after.ctx.plane;
     let refuse = |fault| -> Refusal {
         let found = at(origin, fault);
-        Box::new(found.also(before.origin.loc, "line before").also(after.origin.loc, "line after"))
+        Box::new(found.also(before.origin.loc, Label::LineBefore).also(after.origin.loc, Label::LineAfter))
     };
     if before.ctx.frame != after.ctx.frame {
         return Err(refuse(codes::G3019::coordinate_system_changes(&"undercut")));

@@ -1,6 +1,6 @@
 //! Lines of functions: tool, spindle, coolant, dwell, comments.
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Origin, Side};
 use crate::machine::settings::ToolChange;
@@ -208,7 +208,7 @@ impl Printer<'_> {
         // Once is enough.
         self.spindle = HandChange::Stands;
         let found = codes::O9316::this_block_cuts().at(origin.loc).called(origin.call);
-        self.diags.push(found.also(change, "the change"));
+        self.diags.push(found.also(change, Label::Change));
     }
 
     fn coolant(&mut self, coolant: Coolant, origin: &Origin) {

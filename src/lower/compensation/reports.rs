@@ -1,6 +1,6 @@
 //! What is said about a contour that the tool cannot follow.
 
-use crate::diag::{Diagnostic, Diags, Fault, codes};
+use crate::diag::{Diagnostic, Diags, Fault, Label, codes};
 use crate::geo::{Element, Plane, Point2, distance, joint};
 use crate::ir::compensation::{Compensation, FeedAt};
 use crate::ir::motion::{Move, Path};
@@ -37,7 +37,7 @@ pub fn no_room(last: &Piece, next: &Piece) -> Refused {
         let (before, own) = (length(last.curve.length()), length(next.contour.length()));
         codes::G3202::tool_does_not_fit_into_corner(&radius, &before, &own)
     };
-    Box::new(at(next.origin, fault.alarm(next.rules.alarms.no_room)).also(last.origin.loc, "element before"))
+    Box::new(at(next.origin, fault.alarm(next.rules.alarms.no_room)).also(last.origin.loc, Label::ElementBefore))
 }
 
 pub fn start_unknown(origin: &Origin) -> Refused {
@@ -61,7 +61,7 @@ pub fn leaves_on_arc(arc: bool, origin: &Origin) -> Refused {
 
 pub fn no_contour(of: &Origin, origin: &Origin) -> Refused {
     let found = at(*origin, codes::G3204::radius_compensation_ends_before_contour_has_element());
-    Box::new(found.also(of.loc, "compensation begins here"))
+    Box::new(found.also(of.loc, Label::CompensationBegins))
 }
 
 pub fn never_ends(of: &Origin) -> Refused {
@@ -108,12 +108,12 @@ pub fn constant_at_start(origin: &Origin) -> Refused {
 
 pub fn no_feed(last: &Piece, next: &Piece) -> Refused {
     let found = at(next.origin, codes::G3206::arc_about_this_corner_lies_between_two());
-    Box::new(found.also(last.origin.loc, "element before"))
+    Box::new(found.also(last.origin.loc, Label::ElementBefore))
 }
 
 pub fn too_long(last: &Piece, next: &Piece, by: f64, most: f64) -> Refused {
     let found = at(last.origin, codes::G3207::elements_are_to_be_prolonged_by_mm(&length(by), &length(most)));
-    Box::new(found.also(next.origin.loc, "element after"))
+    Box::new(found.also(next.origin.loc, Label::ElementAfter))
 }
 
 pub fn around_otherwise(leaves: bool, origin: &Origin) -> Refused {
@@ -136,16 +136,16 @@ pub fn left_out<'p>(gone: impl Iterator<Item = &'p Piece>, last: &Piece, next: &
     };
     let mut found = at(next.origin, fault.alarm(next.rules.alarms.left_out));
     for piece in gone.iter().take(8) {
-        found = found.also(piece.origin.loc, "left out");
+        found = found.also(piece.origin.loc, Label::LeftOut);
     }
-    Box::new(found.also(last.origin.loc, "element before"))
+    Box::new(found.also(last.origin.loc, Label::ElementBefore))
 }
 
 pub fn damaged(path: &Origin, contour: &Origin, radius: f64, refuses: bool) -> Refused {
     let radius = length(radius);
     let fault =
         if refuses { codes::G3202::tool_damages_contour(&radius) } else { codes::G3211::tool_damages_contour(&radius) };
-    Box::new(at(*path, fault).also(contour.loc, "this element"))
+    Box::new(at(*path, fault).also(contour.loc, Label::ThisElement))
 }
 
 pub fn offset_stays(at_point: Option<Point2>, plane: Plane, origin: &Origin) -> Refused {
@@ -175,7 +175,7 @@ pub fn open_turn(last: &Piece, next: &Piece, diags: &Diags) {
     } else {
         codes::G3215::tool_goes_around_outside_corner(&degrees)
     };
-    diags.push(at(last.origin, fault.help(ask.help())).also(next.origin.loc, "element after"));
+    diags.push(at(last.origin, fault.help(ask.help())).also(next.origin.loc, Label::ElementAfter));
 }
 
 /// A corner that the block of `last` asks for, and that is none on the outside.
@@ -184,7 +184,7 @@ pub fn corner_without_effect(last: &Piece, next: &Piece, diags: &Diags) {
         return;
     }
     let found = at(last.origin, codes::G3218::m_function_for_corner_at_end_of_this_element());
-    diags.push(found.also(next.origin.loc, "element after"));
+    diags.push(found.also(next.origin.loc, Label::ElementAfter));
 }
 
 /// A corner that the last block of a contour asks for; `leaves` is the way off it.
@@ -193,7 +193,7 @@ pub fn last_corner(last: &Piece, leaves: &Origin, diags: &Diags) {
         return;
     }
     let found = at(last.origin, codes::G3218::m_function_for_corner_at_end());
-    diags.push(found.also(leaves.loc, "the tool leaves the contour here"));
+    diags.push(found.also(leaves.loc, Label::ToolLeaves));
 }
 
 /// What no manual says about the joint in front of `next`.
@@ -208,7 +208,7 @@ pub fn reading(last: &Piece, next: &Piece, diags: &Diags) {
         (true, _) => codes::G3213::arc_about_corner_takes_its_feed(),
         (false, true) => codes::G3213::what_stands_between_happens_before_arc(),
     };
-    diags.push_once(at(next.origin, fault).also(last.origin.loc, "element before"));
+    diags.push_once(at(next.origin, fault).also(last.origin.loc, Label::ElementBefore));
 }
 
 /// The start or end of the way lies between the contour and its path, where controls may see it as behind or not.
