@@ -247,8 +247,6 @@ struct Run<'a> {
     plain: bool,
 }
 
-runs_on!(Run.core: Core);
-
 impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Klartext;
 
@@ -258,7 +256,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn begin(&mut self, program: usize) -> Level<Frame> {
-        let settings = self.job.settings;
+        let settings = self.core.job.settings;
         let (vars, locals) = Vars::new(&settings.variables);
         self.vars = vars;
         self.refuse_entries_of_cycles();
@@ -295,8 +293,8 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     /// A block that is left out takes the lines along in which it goes on.
     fn forgive(&mut self, block: &Block) {
-        if self.job.skips(block.skip.then_some(0)) {
-            self.problems.retain(|problem| problem.code != codes::K1850);
+        if self.core.job.skips(block.skip.then_some(0)) {
+            self.core.problems.retain(|problem| problem.code != codes::K1850);
         }
     }
 
@@ -307,14 +305,14 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
 impl Run<'_> {
     fn execute_any(&mut self, block: &Block, text: &[u8]) {
-        if self.skips(block.skip.then_some(0)) {
+        if self.core.skips(block.skip.then_some(0)) {
             self.skip(block, text);
             return;
         }
         if self.skipped.is_some() && self.belongs_to_skipped(block) {
             return;
         }
-        if self.job.settings.output.comments
+        if self.core.job.settings.output.comments
             && let Some(comment) = block.comment
             && !matches!(block.stmt, Stmt::Cycle { .. } | Stmt::PatternDef)
         {
@@ -333,7 +331,7 @@ impl Run<'_> {
             self.finish_cycle();
         }
         if self.contour_waits()
-            && !fk::goes_on(block, &self.job.settings.control.tool_change_m)
+            && !fk::goes_on(block, &self.core.job.settings.control.tool_change_m)
             && self.close_contour().is_err()
         {
             self.lose_feed(block);
@@ -398,7 +396,7 @@ impl Run<'_> {
 
     /// A block that would move is refused: afterwards no position is known.
     fn refuse_motion(&mut self, span: Span, fault: Fault) -> Outcome {
-        self.say(span, fault);
+        self.core.say(span, fault);
         self.lose_all();
         Err(Reported)
     }
@@ -475,9 +473,9 @@ impl Run<'_> {
         if left.is_empty() || self.is_capturing() {
             return false;
         }
-        let found = move_beside(position, left, named, &self.st.ctx.frame, self.here.origin.loc);
+        let found = move_beside(position, left, named, &self.st.ctx.frame, self.core.here.origin.loc);
         let Some(found) = found else { return false };
-        self.report(found);
+        self.core.report(found);
         self.lose_all();
         true
     }
@@ -501,7 +499,7 @@ impl Run<'_> {
     }
 
     fn locals(&self) -> &Locals {
-        let locals = self.levels.iter().rev().find_map(|level| level.frame.locals.as_ref());
+        let locals = self.core.levels.iter().rev().find_map(|level| level.frame.locals.as_ref());
         locals.expect("the main level has locals")
     }
 
@@ -517,16 +515,16 @@ impl Run<'_> {
         self.forgotten_change();
         self.refuse_compensated("the program ends");
         if self.st.compensation.is_on() {
-            self.report(codes::P2041::program_ends_with_radius_compensation().at(self.here.origin.loc));
+            self.core.report(codes::P2041::program_ends_with_radius_compensation().at(self.core.here.origin.loc));
         }
         if !self.st.frames.transform().is_none() {
-            self.report(codes::K2502::program_ends_with_transformation_in_force().at(self.here.origin.loc));
+            self.core.report(codes::K2502::program_ends_with_transformation_in_force().at(self.core.here.origin.loc));
         }
     }
 
     /// A call level of kind Main or Program: the innermost program.
     fn in_called_program(&self) -> bool {
-        self.levels.iter().any(|level| level.frame.kind == FrameKind::Program)
+        self.core.levels.iter().any(|level| level.frame.kind == FrameKind::Program)
     }
 }
 

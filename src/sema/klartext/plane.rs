@@ -298,7 +298,7 @@ impl Run<'_> {
         if tilted {
             let angles = [angle(Axis::A), angle(Axis::B), turn];
             let [a, b, c] = angles;
-            self.say_here(if self.job.settings.control.klartext_choices.cycle_19_axes {
+            self.core.say_here(if self.core.job.settings.control.klartext_choices.cycle_19_axes {
                 codes::K9004::cycle_19_tilts_working_plane_by_b(&a, &b, &c)
             } else {
                 let normal = plane_normal::shown(&plane_normal::spatial(angles));
@@ -307,14 +307,16 @@ impl Run<'_> {
             return Err(Reported);
         }
         if turn != 0.0 {
-            if self.job.settings.control.klartext_choices.cycle_19_axes {
-                self.say_here(codes::K9004::cycle_19_sets_rotary_table_to_angle());
+            if self.core.job.settings.control.klartext_choices.cycle_19_axes {
+                self.core.say_here(codes::K9004::cycle_19_sets_rotary_table_to_angle());
                 return Err(Reported);
             }
-            self.job.diags.push_once(
-                codes::K8020::c_of_cycle_19_is_read(&turn)
-                    .answer(Answer::key("control", "cycle_19"))
-                    .at(self.here.origin.loc),
+            self.core.job.diags.push_once(
+                codes::K8020::c_of_cycle_19_is_read(&turn).answer(Answer::key("control", "cycle_19")).at(self
+                    .core
+                    .here
+                    .origin
+                    .loc),
             );
         }
         // Whether the rotary axes are positioned at once is up to the machine; the tool does not follow them.
@@ -334,17 +336,21 @@ impl Run<'_> {
         let before = self.st.frames.transform().turn.0;
         if moves || angle != 0.0 {
             if !self.st.stands_upright() {
-                return self.refuse_motion(self.block_span(), codes::K9004::moves_rotary_axes_turned_by_program(&name));
+                return self
+                    .refuse_motion(self.core.block_span(), codes::K9004::moves_rotary_axes_turned_by_program(&name));
             }
             if angle == 0.0 && before == 0.0 {
-                self.job.diags.push_once(codes::K2512::rotary_axes_are_taken_to_stand().at(self.here.origin.loc));
+                self.core
+                    .job
+                    .diags
+                    .push_once(codes::K2512::rotary_axes_are_taken_to_stand().at(self.core.here.origin.loc));
             }
         }
         if angle != 0.0 && self.st.axis() != Axis::Z {
             let fault = codes::K9004::turns_about_z(&name, &self.st.axis().letter());
-            return self.refuse_motion(self.block_span(), fault);
+            return self.refuse_motion(self.core.block_span(), fault);
         }
-        let here = self.here.origin.loc;
+        let here = self.core.here.origin.loc;
         for number in 120..=122 {
             // Which axis takes the turn, or none, is known at the machine.
             let q = QRef { kind: QKind::Q, number };
@@ -355,18 +361,18 @@ impl Run<'_> {
             return Ok(());
         }
         if self.st.frames.transform().shifted_in_turn && self.st.frames.transform().is_shifted_in_plane() {
-            self.say_here(codes::K2852::working_plane_turns_while_datum_shift_along());
+            self.core.say_here(codes::K2852::working_plane_turns_while_datum_shift_along());
             self.lose_all();
             return Err(Reported);
         }
         if self.st.frames.transform().turns_with_the_plane() {
-            self.say_here(codes::K2852::working_plane_turns_while_mirror_or_uneven());
+            self.core.say_here(codes::K2852::working_plane_turns_while_mirror_or_uneven());
             self.lose_all();
             return Err(Reported);
         }
         self.refuse_compensated("the working plane turns");
         if self.st.compensation.is_on() {
-            self.report(codes::P2041::turn_of_plane_ends_radius_compensation().at(here));
+            self.core.report(codes::P2041::turn_of_plane_ends_radius_compensation().at(here));
             self.st.end_compensation();
         }
         if angle != 0.0 {
@@ -376,7 +382,7 @@ impl Run<'_> {
                     format!("; {}, which tells the control how to turn its axes, has no effect here", ways.join(" "))
                 }
             };
-            self.report(codes::K2853::turns_coordinates_by_about_z(&name, &angle, &ways).at(here));
+            self.core.report(codes::K2853::turns_coordinates_by_about_z(&name, &angle, &ways).at(here));
         }
         let mut next = self.st.frames.transform().clone();
         next.turn = Deg(angle);
@@ -397,13 +403,13 @@ impl Run<'_> {
             return Ok(());
         }
         let Some(axis) = axes.iter().find(|axis| axis.is_rotary()) else { return Ok(()) };
-        self.refuse(span, codes::K9004::moves_while_coordinates_are_turned_about_z(&axis.letter()))
+        self.core.refuse(span, codes::K9004::moves_while_coordinates_are_turned_about_z(&axis.letter()))
     }
 
     /// M128: as long as the rotary axes stand at zero the tool tip is where it would be without.
     pub(super) fn follow_tip(&mut self, on: bool, span: Span) -> Outcome {
         if on && !self.st.stands_upright() {
-            return self.refuse(span, codes::K9008::m128_makes_control_follow_tool_tip());
+            return self.core.refuse(span, codes::K9008::m128_makes_control_follow_tool_tip());
         }
         if on {
             self.refuse_compensated("M128 begins");
@@ -420,7 +426,7 @@ impl Run<'_> {
         if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
-        self.refuse(w.axes_span, codes::K9008::under_m128_tool_tip_stays_while_turns(&axis.letter()))
+        self.core.refuse(w.axes_span, codes::K9008::under_m128_tool_tip_stays_while_turns(&axis.letter()))
     }
 }
 

@@ -113,12 +113,12 @@ impl Run<'_> {
         if probe.sets_rotation() {
             return self.set_basic_rotation(&probe, span);
         }
-        if !self.job.settings.control.klartext_choices.probing_left_out {
+        if !self.core.job.settings.control.klartext_choices.probing_left_out {
             let fault = codes::K9005::touch_probe_cycles_run_only_at_machine();
             return self.refuse_motion(span, fault.answer(Answer::key("control", "probing")));
         }
         let setting = self.setting_of(&probe, span)?;
-        let here = self.here.origin.loc;
+        let here = self.core.here.origin.loc;
         let run = if probe.fills_a_run() { RESULTS } else { 1 };
         let named = probe.parameters.iter().flat_map(|q| (q.number..q.number + run).map(|n| QRef { number: n, ..*q }));
         let own = (115..200).map(|number| QRef { kind: QKind::Q, number });
@@ -138,7 +138,7 @@ impl Run<'_> {
             return Ok(());
         }
         let what = if probe.measures_tools() { "the tool data" } else { "datum, rotation and results" };
-        self.report(codes::K2851::is_left_out(&name, &probe.number, &what).at(self.loc(span)));
+        self.core.report(codes::K2851::is_left_out(&name, &probe.number, &what).at(self.core.loc(span)));
         Ok(())
     }
 

@@ -121,7 +121,7 @@ impl Run<'_> {
 
     /// The datum of axes by the parameters of their places and of what they read then.
     fn datum(&mut self, probe: &Probe, list: &[(Axis, u32, u32)], span: Span) -> Outcome<Setting> {
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let mut reads = Vec::new();
         for &(axis, at, then) in list {
             if let (Some(at), Some(then)) = (self.probe_value(probe, at, span)?, self.probe_value(probe, then, span)?) {
@@ -153,7 +153,7 @@ impl Run<'_> {
         // 400 to 405 and 420 to 431 may end the one in force.
         if self.st.frames.transform().is_turned_as_a_whole() && matches!(number, 400..=405 | 420..=431) {
             self.lose_all();
-            return self.refuse(span, codes::K9005::ends_basic_rotation_or_goes_on(&number));
+            return self.core.refuse(span, codes::K9005::ends_basic_rotation_or_goes_on(&number));
         }
         let (axes, asking) = match setting {
             Setting::Nothing => return Ok(()),
@@ -169,20 +169,20 @@ impl Run<'_> {
         };
         let refused = asking.answer(Answer::key("control", "probing_datum").one_of(&["\"set\""]));
         let worked = self.worked_in(axes);
-        match self.job.settings.control.klartext_choices.probing_datum {
+        match self.core.job.settings.control.klartext_choices.probing_datum {
             Some(true) if worked.is_empty() => Ok(()),
             // A check of a tool between two tools is no datum.
             Some(true) if !matches!(setting, Setting::Unknown) => {
                 self.lose_all();
-                self.refuse(span, codes::K2856::moved_in_front_of_it_with_another(&refused.message, &worked))
+                self.core.refuse(span, codes::K2856::moved_in_front_of_it_with_another(&refused.message, &worked))
             }
             Some(false) => {
                 self.lose_all();
-                self.refuse(span, refused)
+                self.core.refuse(span, refused)
             }
             None | Some(true) => {
                 let asking = codes::K2854::blocks_in_front(&refused.message);
-                self.say(span, asking.answer(Answer::key("control", "probing_datum")));
+                self.core.say(span, asking.answer(Answer::key("control", "probing_datum")));
                 Ok(())
             }
         }
@@ -190,7 +190,7 @@ impl Run<'_> {
 
     /// Coordinates by axis, in the unit of the program.
     fn in_words(&self, reads: &[(Axis, f64, f64)], pick: fn(&(Axis, f64, f64)) -> f64) -> String {
-        let mm = self.levels.last().map_or(1.0, |level| level.frame.unit.mm());
+        let mm = self.core.levels.last().map_or(1.0, |level| level.frame.unit.mm());
         let shown = |value: f64| libm::round(value / mm * 1e4) / 1e4 + 0.0;
         let list: Vec<String> = reads.iter().map(|one| format!("{}{}", one.0.letter(), shown(pick(one)))).collect();
         list.join(" ")
@@ -206,21 +206,21 @@ impl Run<'_> {
     /// TCH PROBE 404: the basic rotation is a parameter. Nothing is measured, and nothing moves.
     pub(super) fn set_basic_rotation(&mut self, probe: &Probe, span: Span) -> Outcome {
         let Some(angle) = self.probe_value(probe, ANGLE, span)? else {
-            return self.refuse(span, codes::K2402::tch_probe_404_lacks_its_angle_q307());
+            return self.core.refuse(span, codes::K2402::tch_probe_404_lacks_its_angle_q307());
         };
         if self.probe_value(probe, ROW, span)?.unwrap_or(0.0) != 0.0 {
             self.lose_all();
-            return self.refuse(span, codes::K9005::writes_basic_rotation_into_preset_table());
+            return self.core.refuse(span, codes::K9005::writes_basic_rotation_into_preset_table());
         }
         if self.st.axis() != Axis::Z {
             self.lose_all();
-            return self.refuse(span, codes::K9005::turns_coordinates_about_z(&self.st.axis().letter()));
+            return self.core.refuse(span, codes::K9005::turns_coordinates_about_z(&self.st.axis().letter()));
         }
         self.refuse_compensated("the basic rotation changes");
         let mut next = self.st.frames.transform().clone();
         next.basic = Some(Deg(angle));
         if angle != 0.0 {
-            self.report(codes::K2853::tch_probe_404_turns_coordinates_by_about(&angle).at(self.loc(span)));
+            self.core.report(codes::K2853::tch_probe_404_turns_coordinates_by_about(&angle).at(self.core.loc(span)));
         }
         self.set_transformation(next)
     }
@@ -229,8 +229,9 @@ impl Run<'_> {
     pub(super) fn end_basic_rotation(&mut self, m: &MWord) -> Outcome {
         if let Some(probed) = self.st.frames.probed() {
             self.lose_all();
-            let found = codes::K9008::m143_ends_basic_rotation().at(self.loc(m.span)).also(probed, Label::CycleLeftOut);
-            self.report(found);
+            let found =
+                codes::K9008::m143_ends_basic_rotation().at(self.core.loc(m.span)).also(probed, Label::CycleLeftOut);
+            self.core.report(found);
             return Err(Reported);
         }
         let mut next = self.st.frames.transform().clone();
@@ -238,7 +239,7 @@ impl Run<'_> {
             Some(angle) if angle.0 != 0.0 => self.set_transformation(next),
             Some(_) => Ok(()),
             None => {
-                self.job.diags.push_once(codes::K2710::basic_rotation_of_preset().at(self.loc(m.span)));
+                self.core.job.diags.push_once(codes::K2710::basic_rotation_of_preset().at(self.core.loc(m.span)));
                 Ok(())
             }
         }

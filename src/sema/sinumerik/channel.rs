@@ -74,8 +74,6 @@ impl<'a> Channel<'a> {
     }
 }
 
-runs_on!(Channel.core: Core);
-
 impl Channel<'_> {
     pub(super) fn comment(&mut self, text: &[u8]) {
         if let Some(comment) = self.core.comment_of(text) {

@@ -51,8 +51,8 @@ impl Channel<'_> {
             }
             MayChange::Unknown(tool) => codes::S8163::call_may_name_tool(&name, &tool, &place).answer(to_argument),
         };
-        let found = fault.at(self.loc(span));
-        let found = found.called(self.here.origin.call);
+        let found = fault.at(self.core.loc(span));
+        let found = found.called(self.core.here.origin.call);
         self.change_left_out = Some(Box::new(LeftOut { number, found, cut: false }));
     }
 
@@ -82,7 +82,7 @@ impl Channel<'_> {
 
     /// The tool that has this name in the table or by `$TC_TP2`.
     fn number_of_tool_named(&self, name: &str) -> Option<u32> {
-        let tools = &self.job.settings.tools;
+        let tools = &self.core.job.settings.tools;
         let listed = || match tools.key_of_name(name, false)? {
             crate::machine::tools::ToolKey::Number(own, _) => Some(*own),
             crate::machine::tools::ToolKey::Name(_) => tools.by_name(name)?.0,
@@ -120,7 +120,7 @@ impl Channel<'_> {
     /// The tool that a left-out call may have changed in was not changed in before cuts: another one is chosen, or the program ends.
     pub(super) fn report_lost_change(&mut self) {
         let Some(lost) = self.change_left_out.take().filter(|left| left.cut) else { return };
-        self.change_was_reported();
-        self.job.diags.push_cause(lost.found);
+        self.core.change_was_reported();
+        self.core.job.diags.push_cause(lost.found);
     }
 }
