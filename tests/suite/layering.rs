@@ -261,6 +261,15 @@ fn languages_word_no_finding() {
     }
 }
 
+/// What an object of a language uses of another one it names: nothing is reached through it.
+#[test]
+fn nothing_of_a_language_is_reached_through_another() {
+    let sema = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/sema");
+    for (file, text) in sources(&sema) {
+        assert!(!text.contains("Deref for") && !text.contains("DerefMut for"), "{file}");
+    }
+}
+
 #[test]
 fn no_unsafe_code() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -28,7 +28,7 @@ use line::{Line, is_blank, without};
 use self::place::stand;
 use super::common::hidden::{By, because};
 use super::common::start::Start;
-use super::run::{self, Interpreter, Language, Level, OffsetName, Parsed, Where, runs_on};
+use super::run::{self, Interpreter, Language, Level, OffsetName, Parsed, Where};
 use super::{Job, Outcome};
 
 pub use attempt::first_refused;

@@ -77,7 +77,7 @@ pub use unexecuted::check_unexecuted;
 
 use super::run::place::move_beside;
 use super::run::unexecuted::Blocks;
-use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
+use super::run::{self, Interpreter, Language, Level, Parsed};
 use super::value::Machine;
 use super::{Job, Outcome, Reported};
 use cycle::Cycles;

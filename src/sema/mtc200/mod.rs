@@ -38,7 +38,7 @@ use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Span, SplitRules};
 
-use super::run::{self, Interpreter, Language, Level, Nowhere, Parsed, runs_on};
+use super::run::{self, Interpreter, Language, Level, Nowhere, Parsed};
 use super::value::Machine;
 use super::{Job, Outcome, Reported};
 use centre::Settled;

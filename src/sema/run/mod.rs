@@ -35,28 +35,6 @@ pub use self::report::Where;
 pub use self::site::Site;
 pub use self::source::{Parsed, Read};
 
-/// What `$run` does not have itself, it has from `$below`, on which it stands.
-macro_rules! runs_on {
-    ($run:ident . $field:ident: $below:ident) => {
-        impl<'a> std::ops::Deref for $run<'a> {
-            type Target = $below<'a>;
-
-            #[inline]
-            fn deref(&self) -> &$below<'a> {
-                &self.$field
-            }
-        }
-
-        impl<'a> std::ops::DerefMut for $run<'a> {
-            #[inline]
-            fn deref_mut(&mut self) -> &mut $below<'a> {
-                &mut self.$field
-            }
-        }
-    };
-}
-pub(super) use runs_on;
-
 /// How the text of a program becomes blocks. The value holds what reading needs besides the symbols: most languages
 /// need nothing.
 pub trait Language: Default {

@@ -7,7 +7,6 @@ use crate::ir::Function;
 use crate::ir::contour::Sink;
 use crate::machine::Proposed;
 use crate::sema::Job;
-use crate::sema::run::runs_on;
 use crate::text::Loc;
 
 use super::Core;

@@ -107,7 +107,7 @@ use crate::sema::run::Where;
 use crate::text::{Span, SplitRules};
 
 use super::run::unexecuted::Blocks;
-use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
+use super::run::{self, Interpreter, Language, Level, Parsed};
 use super::{Job, Outcome, Reported};
 use calls::Frame;
 use channel::Channel;

@@ -49,7 +49,7 @@ use crate::text::{Span, SplitRules};
 pub use cycles::signatures as cycle_signatures;
 pub use survey::survey;
 
-use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
+use super::run::{self, Interpreter, Language, Level, Parsed};
 use super::value::Machine;
 use super::{Job, Outcome, Reported};
 use calls::{Frame, Names};
