@@ -21,24 +21,19 @@ pub mod pattern;
 pub mod plane;
 pub mod profile;
 pub mod soft;
+pub mod tolerance;
 pub mod undercut;
 pub mod wall;
 
 pub use angle::Deg;
 pub use element::Element;
 pub use plane::Plane;
+pub use tolerance::{SAME as SAME_POINT, SAME_DIRECTION};
 
 /// A point of the working plane: first and second axis.
 pub type Point2 = nalgebra::Point2<f64>;
 /// A direction or distance in the working plane.
 pub type Vec2 = nalgebra::Vector2<f64>;
-
-/// Two points closer than this are the same point, in mm: less than the smallest circle a HEIDENHAIN
-/// control makes (0.0016 µm), and far above what double arithmetic loses on a machine's travel.
-pub const SAME_POINT: f64 = 1e-6;
-
-/// Two directions closer than this are parallel, in rad.
-pub const SAME_DIRECTION: f64 = 1e-9;
 
 /// Length of `v`.
 pub fn length(v: Vec2) -> f64 {

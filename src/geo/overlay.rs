@@ -13,9 +13,8 @@
 
 use super::area::{NEAR, is_counter_clockwise, passes, reversed, surrounds};
 use super::{Element, Point2, Vec2, cross, crossing, direction, distance, intersect};
+use crate::geo::tolerance;
 
-/// Points nearer than this are one, mm.
-const SAME: f64 = 1e-6;
 /// Sine of the angle under which two elements do not cross but touch.
 const TOUCHING: f64 = 0.01;
 
@@ -148,7 +147,7 @@ enum Place {
 fn place(element: &Element, p: Point2) -> Option<Place> {
     let ends = [element.from(), element.to()];
     if let Some(end) = ends.into_iter().find(|end| distance(*end, p) <= NEAR) {
-        return (distance(end, p) <= SAME).then_some(Place::On(Some(end)));
+        return (distance(end, p) <= tolerance::SAME).then_some(Place::On(Some(end)));
     }
     let way = element.way_to(p);
     let inside = way > 0.0 && way < element.length();
@@ -164,10 +163,11 @@ fn tangent(element: &Element, p: Point2) -> Option<Vec2> {
 
 /// The parts of an element between points on it.
 fn divided(element: &Element, points: &[Point2], parts: &mut Vec<Element>) {
-    let inner = |p: &Point2| distance(*p, element.from()) > SAME && distance(*p, element.to()) > SAME;
+    let inner =
+        |p: &Point2| distance(*p, element.from()) > tolerance::SAME && distance(*p, element.to()) > tolerance::SAME;
     let mut points: Vec<Point2> = points.iter().copied().filter(inner).collect();
     points.sort_by(|a, b| element.way_to(*a).total_cmp(&element.way_to(*b)));
-    points.dedup_by(|a, b| distance(*a, *b) <= SAME);
+    points.dedup_by(|a, b| distance(*a, *b) <= tolerance::SAME);
     let mut rest = *element;
     for p in points {
         parts.push(rest.ending_at(p));
@@ -183,8 +183,9 @@ fn linked(mut parts: Vec<Cut>) -> Result<Vec<Vec<Element>>, Touching> {
         let start = begun.from();
         let (mut last, mut chain) = (first, vec![begun]);
         let mut end = begun.to();
-        while distance(end, start) > SAME {
-            let next: Vec<usize> = (0..parts.len()).filter(|i| distance(parts[*i].1.from(), end) <= SAME).collect();
+        while distance(end, start) > tolerance::SAME {
+            let next: Vec<usize> =
+                (0..parts.len()).filter(|i| distance(parts[*i].1.from(), end) <= tolerance::SAME).collect();
             let [next] = next[..] else { return Err(Touching(first.min(last), first.max(last))) };
             let (of, element) = parts.swap_remove(next);
             last = of;

@@ -1,14 +1,12 @@
 //! Frames: from programmed coordinates to workpiece coordinates.
 
+use crate::geo::tolerance;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::geo::Plane;
 use crate::machine::axis::{AXES, Axis, AxisSet};
 
 use super::Pos;
-
-/// What arithmetic loses of a direction or a scale.
-const LOST: f64 = 1e-9;
 
 /// An affine map of X, Y and Z, in mm, plus an offset for every other axis, in mm or degrees.
 ///
@@ -93,13 +91,13 @@ impl Frame {
 
     /// Do lengths stay what they are? A tool has the size that it has.
     pub fn is_unscaled(&self) -> bool {
-        self.uniform_scale().is_some_and(|scale| (scale - 1.0).abs() <= LOST)
+        self.uniform_scale().is_some_and(|scale| (scale - 1.0).abs() <= tolerance::LOST)
     }
 
     /// Does the axis across the plane stay that of the machine, in its sense?
     pub fn keeps_axis_across(&self, plane: Plane) -> bool {
         let (first, second, third) = plane.axes();
-        let off = |a: usize, b: usize| self.linear[(a, b)].abs() > LOST;
+        let off = |a: usize, b: usize| self.linear[(a, b)].abs() > tolerance::LOST;
         let tilted = [first, second].iter().any(|axis| off(third, *axis) || off(*axis, third));
         !tilted && self.linear[(third, third)] > 0.0
     }

@@ -3,6 +3,7 @@
 //! A full circle is decided here, on the exact numbers (see [`arc::ONE_POINT`]); nobody derives it from
 //! rounded ones later.
 
+use crate::geo::tolerance;
 use core::f64::consts::TAU;
 
 use crate::diag::{Diagnostic, Diags, Fault, codes};
@@ -18,10 +19,6 @@ use super::step::{Step, plane_axes};
 
 /// Sideways distance under which a tangential end counts as straight ahead, in mm.
 const STRAIGHT: f64 = 1e-6;
-/// Largest angle in rad by which moving the centre may turn an arc at its start: 1.8 degrees, as controls allow.
-const MOST_TURN: f64 = 0.0316;
-/// Shifts of a centre up to this much are rounding of the source and not worth a note, in mm.
-const UNNOTED: f64 = 0.0005;
 /// Shifts above this many tolerances of the source are worth a warning: the arc is short and flat, or a coordinate wrong.
 const FAR: f64 = 10.0;
 
@@ -125,7 +122,7 @@ impl Moved {
 impl Adjusted {
     /// `tol` is what the source allows start and end to differ in their distance from the centre, in mm.
     fn note(&mut self, shift: f64, tol: f64, origin: Origin) {
-        if shift > UNNOTED {
+        if shift > tolerance::UNNOTED {
             let moved = if shift > FAR * tol { &mut self.far } else { &mut self.little };
             moved.add(shift, origin);
         }
@@ -337,7 +334,7 @@ fn by_center(
     let sweep = arc::sweep(from, to, moved, ccw);
     // With ends close together the line between them may lead the centre far away: the arc would shrink, or
     // start in another direction.
-    let same_size = (distance(from, moved) - r1).abs() <= tol && distance(moved, center) <= MOST_TURN * r1;
+    let same_size = (distance(from, moved) - r1).abs() <= tol && distance(moved, center) <= tolerance::MOST_TURN * r1;
     if same_size && deviation(from, moved, sweep, center, r1, r2) <= tol {
         adjusted.note(distance(moved, center), tol, step.origin);
         step.mv.path = ends.arc(moved, sweep);

@@ -204,6 +204,9 @@ pub enum Unit {
 }
 
 impl Unit {
+    /// Metres in a foot: the unit of cutting speeds in inch programs.
+    pub const FOOT: f64 = 0.3048;
+
     /// Millimetres in one unit.
     pub fn mm(self) -> f64 {
         match self {

@@ -1,5 +1,6 @@
 //! Arcs: centre, sense, turns, and every place on the way, whether an arc is printed in one block, in several, or as lines.
 
+use crate::geo::tolerance;
 use core::f64::consts::TAU;
 
 use crate::geo::distance;
@@ -15,10 +16,6 @@ use super::{Text, Validator, Why, is_rounding, plane};
 pub(super) const MOST_OFF: f64 = 1.5;
 /// By how many units the printed ends and the printed centre turn the ends of an arc about its centre.
 const TURNED: f64 = 6.0;
-/// How far from the circle a rounded place may be: half a unit on each axis.
-const ROUNDED: f64 = 0.7072;
-/// How far a printed arc may be from the circle on its way, besides, in mm.
-const LEAVES: f64 = 0.005;
 /// Places at which that is looked at.
 const LOOKS: u32 = 96;
 /// How far from the circle the middle of a line may be that stands for a part of it.
@@ -160,7 +157,8 @@ impl Validator {
 
     /// Is a place of the printed arc, which turns so far, away from the circle?
     fn leaves(&self, course: &Course, found: &read::Arc, turned: f64) -> bool {
-        let most = ROUNDED * self.unit + LEAVES * SCALE as f64 + 2.0 + course.radius * 1e-14;
+        let most =
+            tolerance::ROUNDED_POINT * self.unit + tolerance::LEAVES * SCALE as f64 + 2.0 + course.radius * 1e-14;
         let center = found.center.map(|c| c as f64);
         let about = |p: [i64; 2]| [p[0] as f64 - center[0], p[1] as f64 - center[1]];
         let (start, end) = (about(found.from), about(found.to));
@@ -211,7 +209,7 @@ impl Validator {
         let middle = libm::hypot((ax + bx) / 2.0, (ay + by) / 2.0);
         let beside = libm::hypot(bx, by) - course.radius;
         let slack = 2.0 + course.radius * 1e-14;
-        if beside.abs() > ROUNDED * self.unit + slack || course.radius - middle > self.chord + slack {
+        if beside.abs() > tolerance::ROUNDED_POINT * self.unit + slack || course.radius - middle > self.chord + slack {
             return Err(Why::new("a line leaves the arc that it stands for"));
         }
         Ok(libm::atan2(ax * by - ay * bx, ax * bx + ay * by))
@@ -242,7 +240,9 @@ impl Validator {
     ) -> Result<(), Why> {
         let at = self.reader.at();
         let [x, y] = [0, 1].map(|i| at[in_plane[i]] as f64 - course.center[i]);
-        if (libm::hypot(x, y) - course.radius).abs() > ROUNDED * self.unit + 2.0 + course.radius * 1e-14 {
+        if (libm::hypot(x, y) - course.radius).abs()
+            > tolerance::ROUNDED_POINT * self.unit + 2.0 + course.radius * 1e-14
+        {
             return Err(Why::new("a part of the arc ends beside it"));
         }
         let share = course.swept / course.sweep;

@@ -1,17 +1,14 @@
 //! Straight moves: where they end, how fast, on which side.
 
+use crate::geo::tolerance;
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Feed, Side};
 use crate::read::{self, AXES, Act, FeedKind, SCALE};
 
 use super::{Text, Validator, Why, is_rounding, plane};
 
-/// Ways along an axis of the machine that may be printed by themselves where a contour is carried out, in mm.
-const SMALL: f64 = 0.0005;
 /// The bit of Z.
 const ALONG_Z: u16 = 0b100;
-/// What sums of printed numbers lose.
-const LOST: f64 = 1e-9;
 
 impl Validator {
     /// Is the text what this move asks for?
@@ -267,12 +264,12 @@ impl Validator {
             };
             // Where it is split, the linear part is too short to matter.
             blocks += 1;
-            if blocks == 2 && linear > SMALL.max(self.unit / SCALE as f64) + LOST {
+            if blocks == 2 && linear > tolerance::STEP_ASIDE.max(self.unit / SCALE as f64) + tolerance::LOST {
                 return Err(Why::new("a way is split that is too long for that"));
             }
             let read = self.reader.feed().ok_or_else(|| Why::new("there is no feed"))?;
-            let near =
-                (read as f64 - meant * SCALE as f64).abs() <= self.grain.feed + 1.1 + meant * SCALE as f64 * LOST;
+            let near = (read as f64 - meant * SCALE as f64).abs()
+                <= self.grain.feed + 1.1 + meant * SCALE as f64 * tolerance::LOST;
             if !near || self.reader.modes().feed_kind != Some(FeedKind::PerMinute) {
                 return Err(Why::new("the contour is made at another feed"));
             }

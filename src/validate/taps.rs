@@ -1,6 +1,7 @@
 //! Holes that are tapped in step with the spindle: each stroke goes where it is meant to, at the pitch, the hand and the speed
 //! that are meant.
 
+use crate::geo::tolerance;
 use crate::ir::function::Turn;
 use crate::ir::motion::Place;
 use crate::ir::{Origin, Tap};
@@ -10,8 +11,6 @@ use super::{Text, Validator, Why, is_rounding};
 
 /// What a product of printed numbers loses, in units of the reader.
 const LOST: f64 = 2.0;
-/// The pitch that is printed leads this far beside the one that is meant along the whole hole, at most, in mm.
-const MOST_OFF: f64 = 0.005;
 
 /// How far the strokes of a tap were found in the text.
 struct Found {
@@ -187,7 +186,8 @@ impl Validator {
             Some(FeedKind::PerRevolution) => self.grain.feed_per_revolution,
             Some(FeedKind::PerMinute | FeedKind::InverseTime) | None => self.grain.feed / turns,
         };
-        let near = off <= grain.max(self.grain.lead) + LOST && off * tap.turns() <= MOST_OFF * SCALE as f64 + LOST;
+        let near = off <= grain.max(self.grain.lead) + LOST
+            && off * tap.turns() <= tolerance::PITCH_LEAVES * SCALE as f64 + LOST;
         if near { Ok(()) } else { Err(Why::new("the tapped thread has another pitch")) }
     }
 

@@ -2,6 +2,7 @@
 //! its programmed feed.
 
 use crate::diag::codes;
+use crate::geo::tolerance;
 use crate::ir::motion::Move;
 use crate::ir::{Feed, Origin};
 use crate::machine::axis::AXES;
@@ -11,10 +12,9 @@ use crate::target::Measure;
 use super::super::modal::FeedKind;
 use super::Printer;
 
-/// Where X goes little and the workpiece turns far, F is small. Below so many units of the last place it is too coarse;
+/// Where X goes little and the workpiece turns far, F is small. Below so many units of the last place it is too coarse; then a way of
+/// [`tolerance::STEP_ASIDE`], or of one unit, follows in a block of its own.
 const COARSE: i64 = 100;
-/// then a way of so many mm, or of one unit, follows in a block of its own.
-const SMALL: f64 = 0.0005;
 
 impl Printer<'_> {
     /// A part of `length` mm at `feed` along the contour. F is computed from the printed numbers.
@@ -48,7 +48,7 @@ impl Printer<'_> {
         let rotary: AxisSet = changed.iter().filter(|axis| axis.is_rotary()).collect();
         let linear = changed.without(rotary);
         let (way, turn) = (self.way(linear, &ends), self.way(rotary, &ends));
-        let small = (1.0 / self.places.scale()).max(SMALL);
+        let small = (1.0 / self.places.scale()).max(tolerance::STEP_ASIDE);
         let coarse =
             self.feed_places(FeedKind::PerMinute).units(feed * way / length).is_none_or(|units| units < COARSE);
         if turn > 0.0 && way > 0.0 && way <= small && coarse {

@@ -1,5 +1,6 @@
 //! Taps of a dialog: a cycle in one go, or one in steps, each with its call.
 
+use crate::geo::tolerance;
 use crate::ir::function::{Function, Turn};
 use crate::ir::{Origin, Tap};
 use crate::target::TapDialog;
@@ -8,8 +9,6 @@ use super::super::number::Places;
 use super::Printer;
 use super::taps::{Hole, Unfit};
 
-/// Two lengths of a program are one.
-const SAME: f64 = 1e-6;
 /// Factors on the speed of the way back that the cycle takes.
 const FACTORS: std::ops::RangeInclusive<f64> = 0.0001..=10.0;
 /// Parameters behind those of the plain cycle: depth of a step, way back in pitches, angle, factor on the speed.
@@ -62,7 +61,7 @@ impl Printer<'_> {
         let exact = |value: f64| {
             places
                 .units(value)
-                .is_some_and(|units| (units as f64 / places.scale() - value).abs() <= SAME / places.scale())
+                .is_some_and(|units| (units as f64 / places.scale() - value).abs() <= tolerance::SAME / places.scale())
         };
         // The last step is one in the printed numbers, too.
         let last = places.units(tap.surface).zip(places.units(tap.bottom())).zip(places.units(steps.way));
@@ -130,11 +129,12 @@ fn even_steps(tap: &Tap) -> Option<Steps> {
     let out = tap.outward();
     let deep = |height: f64| (tap.surface - height) * out;
     let way = deep(first.to);
-    let even = (1..).zip(others).all(|(step, stroke)| (deep(stroke.to) - way * f64::from(step)).abs() <= SAME);
+    let even =
+        (1..).zip(others).all(|(step, stroke)| (deep(stroke.to) - way * f64::from(step)).abs() <= tolerance::SAME);
     let rest = deep(tap.bottom()) - way * others.len() as f64;
     let leaves = others.iter().all(|stroke| stroke.back == tap.start);
     let back = (first.back - first.to) * out;
-    let alike = others.iter().all(|stroke| ((stroke.back - stroke.to) * out - back).abs() <= SAME);
-    let whole = even && way > 0.0 && rest > SAME && rest <= way + SAME && (leaves || alike);
+    let alike = others.iter().all(|stroke| ((stroke.back - stroke.to) * out - back).abs() <= tolerance::SAME);
+    let whole = even && way > 0.0 && rest > tolerance::SAME && rest <= way + tolerance::SAME && (leaves || alike);
     whole.then_some(Steps { way, back: (!leaves).then_some(back) })
 }

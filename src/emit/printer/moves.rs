@@ -1,5 +1,6 @@
 //! Moves: lines, threads, arcs, lines instead of arcs.
 
+use crate::geo::tolerance;
 use core::f64::consts::TAU;
 
 use crate::diag::codes;
@@ -17,10 +18,6 @@ use super::Printer;
 
 /// Most lines that replace an arc.
 const MOST_CHORDS: f64 = 1e6;
-/// What a printed arc may leave the programmed one by in mm, besides the rounding of a place.
-const LEAVES: f64 = 0.005;
-/// What rounding moves a place by at most, in units.
-const ROUNDED: f64 = 0.7072;
 /// Lines that stand for an arc leave it by at least so much of a unit.
 const LEAST_ROOM: f64 = 0.1;
 /// Such a line turns by a right angle at most: the cosine of half of it.
@@ -248,7 +245,7 @@ impl Printer<'_> {
             center: Point2::new(arc.center.x * scale, arc.center.y * scale),
             sweep: arc.sweep,
             radius: crate::geo::distance(arc.from, arc.center) * scale,
-            most_off: ROUNDED * grid.step as f64 + LEAVES * scale,
+            most_off: tolerance::ROUNDED_POINT * grid.step as f64 + tolerance::LEAVES * scale,
             tolerance: (words.tolerance * grid.step as f64).min(self.settings.arc_mismatch() * scale),
             least_radius: words.least_radius * scale,
             most_radius: words.most_radius * scale,
@@ -430,7 +427,7 @@ impl Printer<'_> {
         let most = f64::from(millionths) * 1e-6;
         // The printed places are rounded, too.
         let unit = 1.0 / self.places.scale();
-        let room = most - ROUNDED * unit;
+        let room = most - tolerance::ROUNDED_POINT * unit;
         if room < LEAST_ROOM * unit {
             return self.too_coarse(most - room, mv, origin);
         }
@@ -443,7 +440,7 @@ impl Printer<'_> {
     #[cold]
     fn off(&mut self, units: f64, arc: &Arc, feed: Feed, mv: &Move, origin: &Origin) {
         let unit = 1.0 / self.places.scale();
-        if unit > LEAVES {
+        if unit > tolerance::LEAVES {
             return self.too_coarse(units * unit, mv, origin);
         }
         self.chords(arc, feed, mv, origin);
@@ -462,7 +459,7 @@ impl Printer<'_> {
             codes::O4001::arc_is_too_small_for_its_printed_numbers()
         };
         self.say(origin, fault);
-        self.lines(arc, feed, mv, (0.5 / self.places.scale()).min(LEAVES), origin);
+        self.lines(arc, feed, mv, (0.5 / self.places.scale()).min(tolerance::LEAVES), origin);
     }
 
     /// Lines that leave the arc by so much at most.

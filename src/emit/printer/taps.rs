@@ -3,6 +3,7 @@
 use crate::diag::fault::Asking;
 use crate::diag::{Answer, Fault, codes};
 use crate::geo::Plane;
+use crate::geo::tolerance;
 use crate::ir::function::{Function, Spindle, Turn};
 use crate::ir::motion::{Path, Place};
 use crate::ir::{Origin, Side, Tap};
@@ -13,12 +14,8 @@ use crate::target::{RigidTap, TapCycle, TapPitch};
 use super::super::modal::FeedKind;
 use super::{HandChange, Printer};
 
-/// What the printed pitch may sum up to along the hole, in mm.
-const MOST_OFF: f64 = 0.005;
 /// Whole factors on the speed of the way back that a control takes.
 const FACTORS: std::ops::RangeInclusive<f64> = 1.0..=9.0;
-/// Two factors are one.
-const SAME: f64 = 1e-9;
 /// A detail for which many targets have no word.
 const ANGLE: &str = "the angle of the spindle at which it begins";
 
@@ -148,7 +145,7 @@ impl Printer<'_> {
     /// What a word leaves out that cannot wait, or goes back at its own speed.
     pub(super) fn lost_details(&self, tap: &Tap, dwell: bool, factor: bool) -> Vec<&'static str> {
         let waits = dwell && tap.strokes.iter().any(|stroke| stroke.dwell > 0.0);
-        let slower = factor && (tap.factor() - 1.0).abs() > SAME;
+        let slower = factor && (tap.factor() - 1.0).abs() > tolerance::LOST;
         let again = (0..tap.strokes.len()).any(|stroke| tap.resumes(stroke).is_some());
         let details = [
             (waits, "the dwell at the bottom"),
@@ -176,7 +173,7 @@ impl Printer<'_> {
             self.say(origin, codes::O1003::pitch_of_this_tap_prints_as_zero());
             return Err(None);
         };
-        if (units as f64 / places.scale() - tap.lead).abs() * tap.turns() > MOST_OFF {
+        if (units as f64 / places.scale() - tap.lead).abs() * tap.turns() > tolerance::PITCH_LEAVES {
             let asking = codes::O9341::target_has_no_word_for_this_pitch(&self.target.name);
             return Err(Some(asking.answers([])));
         }
@@ -205,7 +202,7 @@ impl Printer<'_> {
             let places = self.places_of(tap.axis);
             self.page.text.word(word).number(tap.axis.letter() as u8, *to, places);
             self.page.text.number(address, lead, self.measures.lead);
-            if (factor - 1.0).abs() > SAME
+            if (factor - 1.0).abs() > tolerance::LOST
                 && let Some(units) = self.measures.factor.units(factor)
             {
                 self.page.text.number(of_factor, units, self.measures.factor);
@@ -221,7 +218,7 @@ impl Printer<'_> {
         let word = self.cycle_word(tap, words)?;
         self.returns(hole, origin)?;
         let whole = libm::round(tap.factor());
-        let fits = words.factor.filter(|_| (tap.factor() - whole).abs() <= SAME && FACTORS.contains(&whole));
+        let fits = words.factor.filter(|_| (tap.factor() - whole).abs() <= tolerance::LOST && FACTORS.contains(&whole));
         let mut lost = self.lost_details(tap, words.dwell.is_none(), fits.is_none());
         lost.extend(tap.orient.map(|_| ANGLE));
         self.leaves_out(&lost, origin);
@@ -326,12 +323,12 @@ impl Printer<'_> {
             TapPitch::PerMinute => per_minute,
             TapPitch::PerRevolution => per_turn,
             TapPitch::Either => match (per_minute, per_turn) {
-                (Some(minute), Some(turn)) if turn.2 + SAME < minute.2 => Some(turn),
+                (Some(minute), Some(turn)) if turn.2 + tolerance::LOST < minute.2 => Some(turn),
                 (minute, turn) => minute.or(turn),
             },
         };
         match best {
-            Some((kind, units, off)) if off <= MOST_OFF => Ok((kind, units)),
+            Some((kind, units, off)) if off <= tolerance::PITCH_LEAVES => Ok((kind, units)),
             _ => Err(Some(codes::O9341::target_has_no_word_for_this_pitch_as_feed(&self.target.name).answers([]))),
         }
     }

@@ -1,5 +1,6 @@
 //! Arguments of face milling: a rectangle that is milled path by path, level by level.
 
+use crate::geo::tolerance;
 use core::fmt;
 
 use crate::geo::Point2;
@@ -10,8 +11,6 @@ use super::milling::{Mill, MillFault, Place, parts};
 
 /// Most paths of a level; more is a lost decimal point.
 const MOST_PATHS: f64 = 10_000.0;
-/// Ways below this are none, mm.
-const NOTHING: f64 = 1e-9;
 
 /// A face. Lengths in mm; its axes are those of `corner`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -155,7 +154,7 @@ impl Facing {
         let last = if side.walls[1] { side.length() - radius } else { side.length() + self.overrun.side - radius };
         let first = if side.walls[0] { radius } else { self.width - radius };
         // A face that is narrower than one cut; a wall holds the path back.
-        if last - first <= NOTHING {
+        if last - first <= tolerance::LOST {
             return vec![if side.walls[1] { first.min(last) } else { first }];
         }
         let count = parts(last - first, self.width);
@@ -264,11 +263,11 @@ impl Family for Facing {
             Err(FacingFault::Number)
         } else if self.size.contains(&0.0) || !self.size.iter().all(|v| v.is_finite()) {
             Err(FacingFault::Size)
-        } else if self.width <= 0.0 || self.width > 2.0 * self.mill.radius + NOTHING {
+        } else if self.width <= 0.0 || self.width > 2.0 * self.mill.radius + tolerance::LOST {
             Err(FacingFault::Width)
         } else if (side.length() + self.overrun.side) / self.width > MOST_PATHS {
             Err(FacingFault::TooManyPaths)
-        } else if side.walls == [true; 2] && side.length() < 2.0 * self.mill.radius - NOTHING {
+        } else if side.walls == [true; 2] && side.length() < 2.0 * self.mill.radius - tolerance::LOST {
             Err(FacingFault::Cutter)
         } else if cut.walls == [true; 2] {
             Err(FacingFault::NoEntry)

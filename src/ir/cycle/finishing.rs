@@ -1,5 +1,6 @@
 //! Arguments of finishing: one cut along a contour, and the ways to it and from it.
 
+use crate::geo::tolerance;
 use core::fmt;
 
 use crate::geo::offset::{self, NoParallel, OffsetElement};
@@ -13,8 +14,6 @@ use super::turning::{Towards, is_coordinate, is_point, is_positive};
 
 /// Most elements of a contour.
 pub const MOST_ELEMENTS: usize = 500;
-/// What arithmetic loses in a distance, mm.
-const SLACK: f64 = 1e-6;
 
 /// Finishing along a contour. Points are (Z, X) with X as a radius; all lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -240,7 +239,7 @@ impl Finishing {
         let (mut first, mut last) = (0.0_f64, 1.0_f64);
         let way = to - from;
         for (at, way, low, high) in [(from.x, way.x, low.x, high.x), (from.y, way.y, low.y, high.y)] {
-            let (low, high) = (low + SLACK, high - SLACK);
+            let (low, high) = (low + tolerance::SAME, high - tolerance::SAME);
             if way.abs() <= f64::EPSILON {
                 if at <= low || at >= high {
                     return false;
@@ -259,10 +258,10 @@ impl Finishing {
         let p = p - self.nose.tip * self.nose.radius;
         let (obstacles, left) = self.obstacles();
         let least = obstacles.iter().map(|element| gap::point_to(p, element)).fold(f64::INFINITY, f64::min);
-        let mut nearest = obstacles.iter().filter(|element| gap::point_to(p, element) <= least + SLACK);
+        let mut nearest = obstacles.iter().filter(|element| gap::point_to(p, element) <= least + tolerance::SAME);
         nearest.all(|element| {
             let side = gap::side_of(p, element);
-            if left { side > -SLACK } else { side < SLACK }
+            if left { side > -tolerance::SAME } else { side < tolerance::SAME }
         })
     }
 
@@ -280,7 +279,7 @@ impl Finishing {
             // Straight away from `p`: on the whole way as far as it has come.
             let free = |t: f64| {
                 let at = p + (to - p) * t;
-                self.clear(at, at) >= self.clearance * t + self.oversize.min(0.0) - SLACK
+                self.clear(at, at) >= self.clearance * t + self.oversize.min(0.0) - tolerance::SAME
             };
             let way_is_free = [1.0, 0.5, 0.25, 0.125].into_iter().all(free);
             let keeps_off = self.clear(p, to) >= self.oversize - offset::NEARER;

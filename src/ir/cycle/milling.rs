@@ -1,5 +1,6 @@
 //! What all milling cycles share: plane, heights, cutter, feeds, and the places where a shape is milled.
 
+use crate::geo::tolerance;
 use core::fmt;
 
 use crate::geo::{self, Deg, Plane, Point2, angle};
@@ -136,9 +137,6 @@ impl Mill {
     }
 }
 
-/// Heights that differ by less are one height, computed in two ways.
-const ROUNDED: f64 = 1e-9;
-
 impl Heights {
     /// # Errors
     /// The first fault.
@@ -150,7 +148,7 @@ impl Heights {
             Err(MillFault::Number)
         } else if out == 0.0 || (self.reference - self.depth) * out < 0.0 {
             Err(MillFault::ReferencePlane)
-        } else if (self.retract - self.safe()) * out < -ROUNDED {
+        } else if (self.retract - self.safe()) * out < -tolerance::LOST {
             Err(MillFault::RetractBelowStart)
         } else if self.allowance > 0.0 && self.allowance >= self.way() {
             Err(MillFault::FloorAllowance)

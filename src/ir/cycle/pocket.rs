@@ -1,5 +1,6 @@
 //! Arguments of pockets and slots: areas that are cleared from inside out, level by level.
 
+use crate::geo::tolerance;
 use core::fmt;
 
 use crate::geo::{Deg, Point2};
@@ -12,8 +13,6 @@ use super::milling::{MOST_LEVELS, Mill, MillFault, Place, parts};
 pub const MOST_RINGS: f64 = 10_000.0;
 /// Radius of the arc on which a wall is approached, mm.
 const APPROACH: f64 = 2.0;
-/// Rooms that differ by less are equal, mm.
-const SAME: f64 = 1e-9;
 
 /// A pocket or slot, at one or more places. Lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -328,14 +327,14 @@ impl Pocket {
             Shape::Slot { .. } | Shape::Bow { .. } => return false,
         };
         let beyond = [0, 1].map(|i| swept[i] - round - (cleared.half[i] - outer));
-        let fits = (0..2).all(|i| swept[i] <= cleared.half[i] + SAME);
+        let fits = (0..2).all(|i| swept[i] <= cleared.half[i] + tolerance::LOST);
         let in_corner = beyond.iter().all(|way| *way > 0.0);
-        fits && (!in_corner || libm::hypot(beyond[0], beyond[1]) + round <= outer + SAME)
+        fits && (!in_corner || libm::hypot(beyond[0], beyond[1]) + round <= outer + tolerance::LOST)
     }
 
     fn is_above_cleared(&self, cleared: &Cleared, height: f64) -> bool {
         let heights = &self.mill.heights;
-        (heights.reference - height) * heights.outward() <= cleared.depth + SAME
+        (heights.reference - height) * heights.outward() <= cleared.depth + tolerance::LOST
     }
 }
 
@@ -351,10 +350,11 @@ impl Family for Pocket {
         let cleared = self.cleared.map_or([0.0; 3], |cleared| [cleared.half[0], cleared.half[1], cleared.depth]);
         let finish = self.finish.map_or([0.0, 1.0], |finish| [finish.step, finish.feed.value()]);
         let numbers = sizes.into_iter().chain(cleared).chain(finish).chain([self.allowance]);
-        let fits = |distance: f64| self.shape.room(distance).least() >= -SAME;
+        let fits = |distance: f64| self.shape.room(distance).least() >= -tolerance::LOST;
         let round = match self.shape {
             Shape::Rectangle { half, corner } => {
-                (corner == 0.0 || corner >= radius - SAME) && corner <= half[0].min(half[1]) + SAME
+                (corner == 0.0 || corner >= radius - tolerance::LOST)
+                    && corner <= half[0].min(half[1]) + tolerance::LOST
             }
             Shape::Circle { .. } | Shape::Slot { .. } | Shape::Bow { .. } => true,
         };
@@ -380,7 +380,7 @@ impl Family for Pocket {
             (long, PocketFault::Length),
             (fits(radius) && (!self.rough || fits(self.rough_distance())), PocketFault::Cutter),
             (round, PocketFault::Corner),
-            (self.width > 0.0 && self.width <= 2.0 * radius + SAME, PocketFault::Width),
+            (self.width > 0.0 && self.width <= 2.0 * radius + tolerance::LOST, PocketFault::Width),
             (rings <= MOST_RINGS, PocketFault::TooManyRings),
             (self.insertion.ends(&self.mill), endless),
             (parts(self.mill.heights.way(), finish[0]) <= MOST_LEVELS, PocketFault::FinishingStep),

@@ -1,5 +1,6 @@
 //! Arguments of ruled surfaces: straight rows from one edge to the other, to and fro.
 
+use crate::geo::tolerance;
 use core::fmt;
 
 use crate::geo::{Point2, distance};
@@ -10,8 +11,6 @@ use super::milling::{Mill, MillFault};
 
 /// Most rows; more is a lost decimal point.
 pub const MOST_ROWS: u32 = 10_000;
-/// Rows whose ends lie nearer are none, mm.
-const NOTHING: f64 = 1e-9;
 
 /// A surface between two edges.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,7 +61,7 @@ impl fmt::Display for RuledFault {
 impl Corner {
     /// Is it the same place, to what arithmetic loses?
     pub fn is(&self, other: &Corner) -> bool {
-        distance(self.at, other.at) <= NOTHING && (self.height - other.height).abs() <= NOTHING
+        distance(self.at, other.at) <= tolerance::LOST && (self.height - other.height).abs() <= tolerance::LOST
     }
 
     fn towards(&self, other: &Corner, part: f64) -> Corner {

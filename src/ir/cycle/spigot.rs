@@ -1,5 +1,6 @@
 //! Arguments of spigots: a shape that stays, around which the tool goes in closed circuits, level by level.
 
+use crate::geo::tolerance;
 use core::fmt;
 
 use crate::geo::{Deg, Element, Point2, Vec2, arc};
@@ -13,8 +14,6 @@ use super::milling::{Mill, MillFault, Place, parts};
 pub const MOST_EDGES: u32 = 1000;
 /// Most circuits of a level; more is a lost decimal point.
 const MOST_CIRCUITS: f64 = 10_000.0;
-/// Sizes that differ by less are equal, mm.
-const SAME: f64 = 1e-9;
 
 /// A spigot. The tool goes down beside it on its first axis. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -270,7 +269,7 @@ impl Spigot {
         let outermost = self.distances().first().map_or(0.0, |distance| self.shape.reach() + distance);
         let Blank { reach, aside, .. } = self.blank;
         let clear = reach + self.mill.radius + aside;
-        let x = if clear > outermost + SAME { clear } else { outermost + 2.0 * aside };
+        let x = if clear > outermost + tolerance::LOST { clear } else { outermost + 2.0 * aside };
         Point2::new(x, 0.0)
     }
 
@@ -295,7 +294,9 @@ impl Family for Spigot {
         match self.shape {
             Shape::Circle { radius } if !positive(radius) => return Err(SpigotFault::Size),
             Shape::Rectangle { half, .. } if !half.into_iter().all(positive) => return Err(SpigotFault::Size),
-            Shape::Rectangle { half, corner } if !unsigned(corner) || corner > half[0].min(half[1]) + SAME => {
+            Shape::Rectangle { half, corner }
+                if !unsigned(corner) || corner > half[0].min(half[1]) + tolerance::LOST =>
+            {
                 return Err(SpigotFault::Corner);
             }
             Shape::Polygon { edges, .. } if !(3..=MOST_EDGES).contains(&edges) => return Err(SpigotFault::Edges),
@@ -303,7 +304,7 @@ impl Family for Spigot {
             Shape::Circle { .. } | Shape::Rectangle { .. } | Shape::Polygon { .. } => {}
         }
         match self.width {
-            Some(width) if width <= 0.0 || width > 2.0 * self.mill.radius + SAME => Err(SpigotFault::Width),
+            Some(width) if width <= 0.0 || width > 2.0 * self.mill.radius + tolerance::LOST => Err(SpigotFault::Width),
             Some(width) if stock.max(reach) / width > MOST_CIRCUITS => Err(SpigotFault::TooManyCircuits),
             Some(_) | None => Ok(()),
         }

@@ -1,6 +1,7 @@
 //! Arguments of thread milling: helices of one pitch, with a semicircle to them and from them; holes and countersinks that
 //! belong to them.
 
+use crate::geo::tolerance;
 use core::fmt;
 
 use crate::geo::{Point2, parts};
@@ -12,8 +13,6 @@ use super::milling::{Mill, MillFault, Place};
 
 /// Most turns or passes; more is a lost decimal point.
 const MOST: f64 = 10_000.0;
-/// A shorter way has no length, mm.
-const NOTHING: f64 = 1e-6;
 
 /// A milled thread. Lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -247,7 +246,7 @@ impl ThreadMilling {
     fn sinks_where_it_stands(&self) -> bool {
         let at = if self.side == Side::External { self.entry().x } else { 0.0 };
         self.stages().any(|stage| match stage {
-            Stage::Sink(sink) => sink.radius > 0.0 && (sink.radius - at).abs() < NOTHING,
+            Stage::Sink(sink) => sink.radius > 0.0 && (sink.radius - at).abs() < tolerance::SAME,
             Stage::Drill(_) => false,
         })
     }
@@ -288,7 +287,7 @@ impl Family for ThreadMilling {
         } else if self.mill.heights.way() / self.pitch > MOST || self.rests.is_empty() || self.rests.len() as f64 > MOST
         {
             Err(ThreadMillingFault::TooMany)
-        } else if (self.entry().x - self.radius(0.0)).abs() < NOTHING || self.sinks_where_it_stands() {
+        } else if (self.entry().x - self.radius(0.0)).abs() < tolerance::SAME || self.sinks_where_it_stands() {
             Err(ThreadMillingFault::Way)
         } else if let Some(fault) = self.stages().find_map(Stage::fault) {
             Err(fault)

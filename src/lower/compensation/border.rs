@@ -1,5 +1,6 @@
 //! The way to a contour, and from it.
 
+use crate::geo::tolerance;
 use crate::geo::{Element, Point2, Vec2, arc, distance, joint};
 use crate::ir::compensation::{Border, Compensation, Ends};
 use crate::ir::motion::{Move, Path};
@@ -10,9 +11,6 @@ use super::super::step::plane_axes;
 use super::piece::{Kind, Piece, aside, with_plane};
 use super::reports::{self, Refused};
 use super::{Compensator, Out, Stage, Way};
-
-/// Lengths below this, in mm, are none.
-const NOTHING: f64 = 1e-9;
 
 impl Compensator {
     /// The first block on a side: the way to the contour.
@@ -96,7 +94,7 @@ impl Compensator {
 
     /// Would the straight way between `far` and the point beside the border come nearer to the border than the radius?
     fn is_behind(&self, far: Point2, edge: Point2, heading: Vec2) -> bool {
-        (far - edge).dot(&joint::towards(heading, self.d)) < -NOTHING
+        (far - edge).dot(&joint::towards(heading, self.d)) < -tolerance::LOST
     }
 
     /// The circle about the border point between a tangent from or to `far` and `edge`.
@@ -206,7 +204,7 @@ impl Compensator {
                 let to = mv.end.in_plane(self.plane).map(|p| p + last.rules.nose);
                 match (to, last.contour.end_direction()) {
                     (Some(to), Some(heading))
-                        if distance(to, corner) > NOTHING && self.is_behind(to, edge, heading) =>
+                        if distance(to, corner) > tolerance::LOST && self.is_behind(to, edge, heading) =>
                     {
                         if (to - corner).dot(&joint::towards(heading, self.d)) > 0.0 {
                             out.diags.push(*reports::nearly_behind(true, origin));
@@ -280,7 +278,7 @@ impl Compensator {
         if first.kind == Kind::Gone {
             return Err(reports::arc_too_small(&first.contour, &first.rules, &first.origin));
         }
-        if distance(from, edge) > NOTHING {
+        if distance(from, edge) > tolerance::LOST {
             let round = first.rules.approach == Border::Around && (distance(from, corner) - self.d.abs()).abs() < 1e-6;
             let curve = if round {
                 Element::Arc { from, to: edge, center: corner, sweep: arc::sweep(from, edge, corner, self.d < 0.0) }

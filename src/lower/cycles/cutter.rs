@@ -1,5 +1,6 @@
 //! The cutter of a milling cycle: sends moves of a shape at its place, and knows where the tool stands.
 
+use crate::geo::tolerance;
 use std::rc::Rc;
 
 use crate::diag::Fault;
@@ -12,12 +13,8 @@ use crate::ir::{Compensation, Feed, Function, Pos, Side};
 
 use super::{CycleItem, Expand, Start};
 
-/// What arithmetic may lose at an arc that a cycle computed, mm.
-const ARC_TOLERANCE: f64 = 1e-6;
 /// Arcs with a shorter chord are lines, mm: what is printed would not tell them from full circles.
 const SHORTEST_ARC: f64 = 1e-3;
-/// Moves shorter than this are left out, mm.
-const NOTHING: f64 = 1e-9;
 
 /// Sends moves; points are those of the shape, heights those of the tool axis.
 pub struct Cutter<'a> {
@@ -81,19 +78,19 @@ impl<'a> Cutter<'a> {
     pub fn rise(&mut self) {
         let heights = &self.mill.heights;
         // Where the tool may stand anywhere, the retract height is the one that is free.
-        if !self.height.is_some_and(|height| (height - heights.retract) * heights.outward() >= -NOTHING) {
+        if !self.height.is_some_and(|height| (height - heights.retract) * heights.outward() >= -tolerance::LOST) {
             self.lift(heights.retract);
         }
     }
 
     /// Does the tool stand above `height`, out of the material?
     pub fn is_above(&self, height: f64) -> bool {
-        self.height.is_none_or(|at| (at - height) * self.mill.heights.outward() > NOTHING)
+        self.height.is_none_or(|at| (at - height) * self.mill.heights.outward() > tolerance::LOST)
     }
 
     /// Does the tool stand below `height`?
     pub fn is_below(&self, height: f64) -> bool {
-        self.height.is_some_and(|at| (at - height) * self.mill.heights.outward() < -NOTHING)
+        self.height.is_some_and(|at| (at - height) * self.mill.heights.outward() < -tolerance::LOST)
     }
 
     /// How every milling cycle ends a place.
@@ -104,7 +101,7 @@ impl<'a> Cutter<'a> {
 
     /// Along the tool axis at rapid traverse, out of the material or through what is cleared.
     pub fn lift(&mut self, height: f64) {
-        let Some(now) = self.height.filter(|now| (*now - height).abs() > NOTHING) else {
+        let Some(now) = self.height.filter(|now| (*now - height).abs() > tolerance::LOST) else {
             if self.height.is_none() {
                 (self.height, self.lifting) = (Some(height), Some(height));
             }
@@ -136,7 +133,7 @@ impl<'a> Cutter<'a> {
 
     /// Along the tool axis at `feed`.
     pub fn sink(&mut self, height: f64, feed: Feed) {
-        if self.height.is_none_or(|now| (now - height).abs() > NOTHING) {
+        if self.height.is_none_or(|now| (now - height).abs() > tolerance::LOST) {
             self.go_on();
             self.height = Some(height);
             self.send(None, Some(height), Path::Line(feed));
@@ -179,7 +176,7 @@ impl<'a> Cutter<'a> {
     pub fn arc(&mut self, to: Point2, center: Point2, ccw: bool, feed: Feed) {
         let end = self.place.point(to);
         let gap = self.at.map_or(f64::INFINITY, |at| distance(at, end));
-        if gap > NOTHING && gap < SHORTEST_ARC {
+        if gap > tolerance::LOST && gap < SHORTEST_ARC {
             return self.line(to, feed);
         }
         self.round(end, None, center, (ccw, 0), feed);
@@ -229,7 +226,7 @@ impl<'a> Cutter<'a> {
 
     /// Does the tool stand over this point?
     pub fn stands_at(&self, point: Point2) -> bool {
-        self.at.is_some_and(|at| distance(at, self.place.point(point)) <= NOTHING)
+        self.at.is_some_and(|at| distance(at, self.place.point(point)) <= tolerance::LOST)
     }
 
     /// Elements one after the other, the first one from where the tool stands.
@@ -248,7 +245,7 @@ impl<'a> Cutter<'a> {
             Way::Rapid => Path::Rapid,
             Way::Line(feed) => Path::Line(feed),
             Way::Arc { center, ccw, tol, feed } => {
-                let shape = ArcShape::Center { center: self.place.point(center), ccw, tol: tol + ARC_TOLERANCE };
+                let shape = ArcShape::Center { center: self.place.point(center), ccw, tol: tol + tolerance::SAME };
                 Path::Arc(Arc { plane: self.mill.plane, shape, turns: 0 }, feed)
             }
         };
@@ -259,7 +256,7 @@ impl<'a> Cutter<'a> {
 
     fn straight(&mut self, to: Point2, path: Path) {
         let end = self.place.point(to);
-        if self.at.is_some_and(|at| distance(at, end) <= NOTHING) {
+        if self.at.is_some_and(|at| distance(at, end) <= tolerance::LOST) {
             return;
         }
         self.go_on();
@@ -270,7 +267,7 @@ impl<'a> Cutter<'a> {
     /// To `end`, a point of the plane; the sense, and turns on top.
     fn round(&mut self, end: Point2, height: Option<f64>, center: Point2, (ccw, turns): (bool, u32), feed: Feed) {
         self.go_on();
-        let shape = ArcShape::Center { center: self.place.point(center), ccw, tol: ARC_TOLERANCE };
+        let shape = ArcShape::Center { center: self.place.point(center), ccw, tol: tolerance::SAME };
         self.at = Some(end);
         self.send(Some(end), height, Path::Arc(Arc { plane: self.mill.plane, shape, turns }, feed));
     }

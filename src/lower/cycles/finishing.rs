@@ -10,6 +10,7 @@
 use crate::diag::{Fault, codes};
 use crate::geo::offset::{NoParallel, OffsetElement};
 use crate::geo::profile::{Grown, Profile, elements};
+use crate::geo::tolerance;
 use crate::geo::{Element, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::Feed;
 use crate::ir::cycle::Family;
@@ -17,9 +18,6 @@ use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, 
 
 use super::track::{Strokes, Track, View};
 use super::{CycleItem, Expand, Start};
-
-/// What arithmetic loses in a distance, mm.
-const SLACK: f64 = 1e-6;
 
 impl Expand for Finishing {
     fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
@@ -172,7 +170,8 @@ impl Cutter<'_> {
         let clear = |a, b| self.finishing.clear(a, b);
         let least = self.finishing.clearance.min(clear(from, from)).min(clear(to, to));
         let mut at = from;
-        least > SLACK && way.iter().all(|to| clear(std::mem::replace(&mut at, *to), *to) >= least - SLACK)
+        least > tolerance::SAME
+            && way.iter().all(|to| clear(std::mem::replace(&mut at, *to), *to) >= least - tolerance::SAME)
     }
 }
 

@@ -2,6 +2,7 @@
 //!
 //! What lies between the two ways is made by the compensation pass, which also finds where the cutter has no room.
 
+use crate::geo::tolerance;
 use std::rc::Rc;
 
 use crate::diag::{Fault, codes};
@@ -16,8 +17,6 @@ use crate::ir::{Feed, Side};
 use super::cutter::{Beside, Cutter, Way};
 use super::{CycleItem, Expand, Start};
 
-/// Points closer than this are one, mm.
-const SAME: f64 = 1e-6;
 /// How much nearer than the radius a way may come, mm: what a contour of three decimals loses.
 const NEARER: f64 = 2e-3;
 
@@ -97,12 +96,12 @@ impl PathMilling {
     /// The straight way back must keep its distance from the contour.
     fn back_is_free(&self, comes: &Touch, goes: &Touch) -> Result<(), Fault> {
         let (from, to) = (goes.centre, comes.centre);
-        if !self.goes_back_deep() || distance(from, to) <= SAME {
+        if !self.goes_back_deep() || distance(from, to) <= tolerance::SAME {
             return Ok(());
         }
         let back = Element::Line { from, to };
         let free = self.side != Side::None
-            && self.contour.iter().all(|element| gap::between(&back, element) >= self.distance() - SAME);
+            && self.contour.iter().all(|element| gap::between(&back, element) >= self.distance() - tolerance::SAME);
         if free {
             return Ok(());
         }

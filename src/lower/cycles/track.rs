@@ -1,6 +1,7 @@
 //! What a turning cycle is made of: strokes in the plane of Z and X, and the view in which a cycle is
 //! computed.
 
+use crate::geo::tolerance;
 use crate::geo::{Element, Plane, Point2, Vec2};
 use crate::ir::contour::{self, ArcShape, Coords};
 use crate::ir::cycle::turning::Towards;
@@ -41,7 +42,7 @@ impl Move {
             Path::Rapid => contour::Path::Rapid,
             Path::Line { feed } => contour::Path::Line(feed),
             Path::Arc { center, ccw, feed } => {
-                let shape = ArcShape::Center { center, ccw, tol: ARC_TOLERANCE };
+                let shape = ArcShape::Center { center, ccw, tol: tolerance::SAME };
                 contour::Path::Arc(contour::Arc { plane: Plane::Zx, shape, turns: 0 }, feed)
             }
             Path::Thread { lead, along } => contour::Path::Thread(contour::Thread { lead, along: Some(along) }),
@@ -51,9 +52,6 @@ impl Move {
         contour::Move { end, path, side: Side::None, coords: Coords::Frame }
     }
 }
-
-/// What arithmetic may lose at an arc that a cycle computed, mm.
-const ARC_TOLERANCE: f64 = 1e-6;
 
 /// The axes as a cycle sees them: it always cuts along `x` and feeds in towards lower `y`.
 ///

@@ -7,6 +7,7 @@
 mod nose;
 
 use crate::diag::{self, codes};
+use crate::geo::tolerance;
 use crate::geo::undercut::{Allowance, Corner, Fault, Frame, Placed, Reference, Shape, place};
 use crate::geo::{Deg, Element, Plane, Point2, Vec2, gap, parts};
 use crate::ir::contour::{self, ArcShape, Coords, Move, Path};
@@ -18,10 +19,6 @@ use super::{CycleItem, Expand, Start};
 
 /// Most depth steps.
 const MOST_STEPS: f64 = 10_000.0;
-/// What arithmetic loses where the tool stands at the face.
-const SLACK: f64 = 1e-9;
-/// What arithmetic loses in a distance, mm.
-const NEAR: f64 = 1e-6;
 /// The face goes on above where a nose on the floor touches it by this at least, mm.
 const LEAST_FACE: f64 = 0.01;
 /// The cylinder and the face reach as far, mm: longer than any undercut, and not part of the cycle.
@@ -47,7 +44,7 @@ pub fn expand(cycle: &UndercutCycle, from: Point2, out: &mut dyn FnMut(&Move)) -
     let frame = Frame::new(cycle.corner, cycle.orientation, Reference::First, Allowance::default());
     let start = frame.inward(from);
     let radius = cycle.nose.radius;
-    if start.x - cycle.tip().x - radius < -SLACK {
+    if start.x - cycle.tip().x - radius < -tolerance::LOST {
         return Err(codes::G3046::tool_stands_behind_face_of_undercut());
     }
     let mut path = Track { frame, cycle, out };
@@ -206,7 +203,7 @@ fn outline(cycle: &UndercutCycle, step: &Step) -> Result<Outline, diag::Fault> {
     let end = match cycle.face_end {
         Some(x) => {
             let n = (x - cycle.corner.y) * cycle.orientation.second;
-            if step.finishes && n < placed.join.y - NEAR {
+            if step.finishes && n < placed.join.y - tolerance::SAME {
                 return Err(fault(UndercutFault::FaceEnd));
             }
             // Shallower undercuts reach higher up the face.
@@ -232,15 +229,16 @@ fn lift(cycle: &UndercutCycle, outline: &Outline, cut: &Cut) -> Result<Vec2, dia
     let cylinder = Element::Line { from: outline.begin, to: outline.begin + Vec2::new(LONG, 0.0) };
     // In front of the undercut there is no slope.
     let part = outline.elements.iter().skip(1).chain(core::iter::once(&cylinder));
-    let part: Vec<&Element> = part.filter(|element| element.length() > NEAR).collect();
+    let part: Vec<&Element> = part.filter(|element| element.length() > tolerance::SAME).collect();
     let ways = [(1.0, 0.0), (1.0, 1.0), (0.5, 1.0), (0.25, 1.0), (0.125, 1.0)];
     let ways = ways.map(|(s, n)| Vec2::new(s, n) * cycle.clearance);
     // The last of the path is the face.
     let path = cut.elements.split_last().map_or(&[][..], |(_, path)| path);
     let free = |way: &Vec2| {
         let way = Element::Line { from: center + *way * 0.05, to: center + *way };
-        let clear = part.iter().all(|element| gap::between(&way, element) > (radius - NEAR).max(NEAR));
-        clear && path.iter().all(|element| gap::between(&way.shifted(cycle.tip()), element) > NEAR)
+        let clear =
+            part.iter().all(|element| gap::between(&way, element) > (radius - tolerance::SAME).max(tolerance::SAME));
+        clear && path.iter().all(|element| gap::between(&way.shifted(cycle.tip()), element) > tolerance::SAME)
     };
     ways.into_iter().find(free).ok_or_else(codes::G3048::there_is_no_room_between_end)
 }

@@ -6,6 +6,7 @@
 
 mod way;
 
+use crate::geo::tolerance;
 use core::f64::consts::TAU;
 
 use crate::diag::{Answer, Diagnostic, Fault, codes};
@@ -24,8 +25,6 @@ pub const TOLERANCE: f64 = 0.005;
 pub const POLE: f64 = 0.01;
 /// Most parts of one way.
 const MOST_PARTS: u32 = 100_000;
-/// Coordinates this close are one, in mm.
-const STILL: f64 = 1e-9;
 
 /// Where a part of a way goes.
 type Send<'a> = dyn FnMut(&Move) + 'a;
@@ -132,7 +131,7 @@ impl Transformer {
         let from = self.at.in_plane(Plane::Xy);
         let to = mv.end.in_plane(Plane::Xy);
         let straight = !matches!(mv.path, Path::Arc(..));
-        let rests = straight && from.zip(to).is_some_and(|(from, to)| distance(from, to) <= STILL);
+        let rests = straight && from.zip(to).is_some_and(|(from, to)| distance(from, to) <= tolerance::LOST);
         if mv.axes.common(plane).is_empty() || rests {
             let axes = mv.axes.without(plane);
             if !axes.is_empty() {
@@ -156,7 +155,7 @@ impl Transformer {
         let way = Way::new(&self.at, mv);
         if let Path::Arc(arc, _) = &mv.path
             && arc.plane == Plane::Xy
-            && distance(arc.center, Point2::origin()) <= STILL
+            && distance(arc.center, Point2::origin()) <= tolerance::LOST
         {
             pole_is_far(distance(arc.from, arc.center), self.by.at_pole, origin)?;
             return self.send_part(mv, &way, 1, 1, angle + arc.sweep.to_degrees(), out);

@@ -9,6 +9,7 @@ mod arrival;
 mod departure;
 
 use crate::diag::{Answer, codes};
+use crate::geo::tolerance;
 use crate::geo::{Point2, SAME_DIRECTION, Vec2, left};
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::{Feed, Pos, Side};
@@ -22,8 +23,6 @@ use super::{Outcome, Run};
 
 pub(super) use arrival::{Approach, Held, MOST_HELD};
 
-/// How far a computed arc end may lie beside its circle, in mm.
-const CLOSE: f64 = 1e-6;
 /// M functions that have no place in an approach or departure.
 const FORBIDDEN: [u32; 9] = [6, 89, 91, 92, 97, 98, 99, 140, 197];
 
@@ -264,7 +263,7 @@ impl Run<'_> {
         if let Some(depth) = depth {
             end.set(Axis::ALL[plane.axes().2], depth);
         }
-        let shape = ArcShape::Center { center: on.center, ccw: on.ccw, tol: CLOSE };
+        let shape = ArcShape::Center { center: on.center, ccw: on.ccw, tol: tolerance::SAME };
         self.raw_move(end, Path::Arc(Arc { plane, shape, turns: 0 }, feed), side);
         Ok(())
     }

@@ -6,6 +6,7 @@
 use crate::diag::{self, codes};
 use crate::geo::area::{Relation, is_counter_clockwise, meet, passes, relation, surrounds};
 use crate::geo::overlay::{Area, Touching, overlay};
+use crate::geo::tolerance;
 use crate::geo::{Element, Point2, corner, grid};
 use crate::ir::Side;
 use crate::ir::captured::Captured;
@@ -14,9 +15,6 @@ use super::cycles::DefinedCycle;
 use super::cycles::data::NamedContours;
 use super::labels::Label;
 use super::{Outcome, Reported, Run};
-
-/// What arithmetic may add to an element that is all rounded away, mm.
-const TOLERANCE: f64 = 1e-6;
 
 /// Elements that turn by less go on into each other, rad: their points lie on a grid.
 const GOES_ON: f64 = 1e-6;
@@ -244,7 +242,7 @@ fn rounded(mut elements: Vec<Element>, radius: f64, turns: f64) -> Result<Vec<El
         if turn < -GOES_ON || turn <= GOES_ON && u.dot(&w) > 0.0 {
             continue;
         }
-        let cut = corner::rounding(&before, &after, radius, TOLERANCE).map_err(|_| ())?;
+        let cut = corner::rounding(&before, &after, radius, tolerance::SAME).map_err(|_| ())?;
         let Some((center, ccw)) = cut.arc else { return Err(()) };
         elements[at] = before.ending_at(cut.leave);
         elements[next] = after.starting_at(cut.join);
@@ -252,5 +250,5 @@ fn rounded(mut elements: Vec<Element>, radius: f64, turns: f64) -> Result<Vec<El
         made[at] = Some(Element::Arc { from: cut.leave, to: cut.join, center, sweep });
     }
     let parts = elements.into_iter().zip(made).flat_map(|(element, corner)| [Some(element), corner]).flatten();
-    Ok(parts.filter(|part| part.length() > TOLERANCE).collect())
+    Ok(parts.filter(|part| part.length() > tolerance::SAME).collect())
 }

@@ -8,15 +8,13 @@
 
 use crate::diag::{Answer, Label, codes};
 use crate::geo::Deg;
+use crate::geo::tolerance;
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
 
 use super::probing::Probe;
 use super::words::MWord;
 use super::{Outcome, Reported, Run};
-
-/// A datum that reads the same to within this is the same, mm.
-const SAME: f64 = 1e-6;
 
 /// Parameters by number: the row of the table that takes the datum, and which table it is.
 const ROW: u32 = 305;
@@ -130,7 +128,7 @@ impl Run<'_> {
         }
         if reads.len() < list.len() {
             reads.clear();
-        } else if reads.iter().all(|(_, at, then)| (at - then).abs() <= SAME) {
+        } else if reads.iter().all(|(_, at, then)| (at - then).abs() <= tolerance::SAME) {
             return Ok(Setting::Nothing);
         }
         let axes = list.iter().map(|(axis, ..)| *axis).collect();

@@ -23,9 +23,6 @@ const MOST_DWELL: f64 = 1e6;
 /// Blocks of a compensated contour that need not move in the plane.
 const MOST_WITHOUT_MOVE: u32 = 2;
 
-/// Metres in a foot.
-const FOOT: f64 = 0.3048;
-
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum When {
     Start,
@@ -365,7 +362,7 @@ impl Run<'_> {
         }
         let metres = match (self.st.inch, self.core.job.settings.control.mtc200.inch_speed) {
             (false, _) | (true, InchSpeed::Metres) => at.value,
-            (true, InchSpeed::Feet) => at.value * FOOT,
+            (true, InchSpeed::Feet) => at.value * Unit::FOOT,
             (true, InchSpeed::Refuse) => {
                 return self.core.refuse(
                     at.span,

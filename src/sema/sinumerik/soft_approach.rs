@@ -15,6 +15,7 @@
 use crate::diag::codes;
 use crate::geo::arc::tangent_at;
 use crate::geo::soft::{Shape, touch};
+use crate::geo::tolerance;
 use crate::geo::{Plane, Point2, SAME_DIRECTION, SAME_POINT, Vec2, cross, direction};
 use crate::ir::compensation::Border;
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
@@ -31,8 +32,6 @@ use super::{Channel, Outcome, Reported};
 
 /// Functions and comments between an approach and its contour.
 const MOST_HELD: usize = 256;
-/// How far a computed end may lie beside its circle, in mm.
-const CLOSE: f64 = 1e-6;
 
 /// A height along the tool axis.
 #[derive(Debug, Clone, Copy)]
@@ -529,7 +528,7 @@ impl Channel<'_> {
 /// The way at the contour: about a centre, or straight.
 fn path_of(plane: Plane, about: Option<Point2>, ccw: bool, feed: Feed) -> Path {
     let Some(center) = about else { return Path::Line(feed) };
-    let shape = ArcShape::Center { center, ccw, tol: CLOSE };
+    let shape = ArcShape::Center { center, ccw, tol: tolerance::SAME };
     Path::Arc(Arc { plane, shape, turns: 0 }, feed)
 }
 

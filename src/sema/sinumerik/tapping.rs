@@ -2,6 +2,7 @@
 //!
 //! Source: S 0, 2.1 and 7.3 (docs/sources.md).
 
+use crate::geo::tolerance;
 use std::rc::Rc;
 
 use crate::diag::codes;
@@ -19,9 +20,6 @@ use super::spindle_state::MAIN_SPINDLE;
 use super::vocabulary::Address;
 use super::words::{MWord, Words};
 use super::{Channel, Outcome};
-
-/// Farthest that an axis may stand off its programmed place and still not move, in mm.
-const STILL: f64 = 1e-9;
 
 /// The M function that may end the block in which a tap comes back.
 const COOLANT_OFF: u32 = 9;
@@ -260,7 +258,8 @@ impl Channel<'_> {
             self.st.taps.open = Some(Box::new(open));
             return Ok(());
         };
-        let same = open.tap.axis == axis && open.tap.turn == turn && (open.tap.lead - lead.abs()).abs() <= STILL;
+        let same =
+            open.tap.axis == axis && open.tap.turn == turn && (open.tap.lead - lead.abs()).abs() <= tolerance::LOST;
         let down = to - open.at();
         let deeper = down * (open.tap.strokes.first().map_or(open.at(), |stroke| stroke.to) - open.tap.start) > 0.0;
         let waits = open.inside.is_some_and(|(_, waits)| waits > 0.0);
@@ -285,7 +284,8 @@ impl Channel<'_> {
             return self.core.refuse(span, codes::S2081::g332_comes_back());
         };
         let from = open.tap.strokes.last().map_or(open.tap.start, |stroke| stroke.back);
-        let same = open.tap.axis == axis && open.tap.turn == turn && (open.tap.lead - lead.abs()).abs() <= STILL;
+        let same =
+            open.tap.axis == axis && open.tap.turn == turn && (open.tap.lead - lead.abs()).abs() <= tolerance::LOST;
         let alike = open.tap.strokes.is_empty() || open.speeds[1] == speed;
         if !same || !alike || (to - depth) * (from - depth) <= 0.0 {
             self.st.taps.open = None;
@@ -348,7 +348,7 @@ impl Channel<'_> {
     /// The tap follows one axis, which the frame leaves as it is.
     fn taps_along(&self, axis: Axis, end: &Pos, w: &Words, span: Span) -> Outcome {
         let moves = |other: &Axis| match (end.get(*other), self.st.position.get(*other)) {
-            (Some(to), Some(from)) => (to - from).abs() > STILL,
+            (Some(to), Some(from)) => (to - from).abs() > tolerance::LOST,
             (to, _) => to.is_some(),
         };
         if let Some(other) = w.axes.iter().filter(|other| *other != axis).find(moves) {

@@ -3,6 +3,7 @@
 //! Source: S 0, 2.1, 7.2 and 7.3 (docs/sources.md).
 
 use crate::diag::{Label, codes};
+use crate::geo::tolerance;
 use crate::ir::Pos;
 use crate::ir::contour::{Path, Thread};
 use crate::machine::{Axis, AxisSet};
@@ -12,9 +13,6 @@ use super::g_groups::{GCode, Group};
 use super::vocabulary::Address;
 use super::words::{Given, Mode, Words};
 use super::{Channel, Outcome, Reported};
-
-/// Farthest that an axis may stand off its programmed place and still not move, in mm.
-const STILL: f64 = 1e-9;
 
 /// Start angle of threads without SF= (SD 42000).
 pub(super) const START_ANGLE: &str = "$SC_THREAD_START_ANGLE";
@@ -99,7 +97,7 @@ impl Channel<'_> {
             (Some(to), Some(from)) => (to - from).abs(),
             _ => 0.0,
         };
-        if let Some(longer) = AxisSet::MAIN.iter().find(|other| way(*other) > way(axis) + STILL) {
+        if let Some(longer) = AxisSet::MAIN.iter().find(|other| way(*other) > way(axis) + tolerance::LOST) {
             return self.core.refuse(span, codes::S2081::lead_is_given_along(&axis.letter(), &longer.letter()));
         }
         if let Some((word, given)) = start_angle {
@@ -138,7 +136,7 @@ impl Channel<'_> {
         }
         let back = lead * start.value / 360.0;
         let (Some(to), Some(from)) = (end.get(axis), self.st.position.get(axis)) else { return Err(Reported) };
-        if (to - from).abs() <= STILL {
+        if (to - from).abs() <= tolerance::LOST {
             return self.core.refuse(start.span, codes::S2081::thread_does_not_move_along_its_lead());
         }
         // The start lies on the line of the thread, tapered ones included.

@@ -6,6 +6,7 @@
 use crate::diag::{Fault, codes};
 use crate::geo::corner::{self, NoCut};
 use crate::geo::open::{Rules, Solution, Solutions, Start};
+use crate::geo::tolerance;
 use crate::geo::{Element, Point2, SAME_POINT, arc, distance};
 use crate::text::Loc;
 
@@ -19,10 +20,6 @@ use super::undercuts::{self, Undercut};
 pub(super) const MOST_EDGES: usize = 1_000;
 /// Most elements of a contour.
 const MOST: usize = 10_000;
-/// Largest angle in rad by which moving the centre may turn an arc at its start, as in moves.
-const MOST_TURN: f64 = 0.0316;
-/// Shifts of a centre up to this much are rounding of the source and not worth a note, in mm.
-const UNNOTED: f64 = 0.0005;
 /// How much an element may fall short of a cut, in mm.
 const SHORT: f64 = 1e-6;
 
@@ -168,10 +165,10 @@ impl Builder {
         }
         let moved = arc::centered_between(solved.from, solved.to, center);
         let shift = distance(moved, center);
-        if shift > MOST_TURN * start {
+        if shift > tolerance::MOST_TURN * start {
             return refuse(codes::T3051::arc_is_nearly_full_circle(&(end - start).abs()));
         }
-        if shift > self.adjusted.map_or(UNNOTED, |(most, _)| most) {
+        if shift > self.adjusted.map_or(tolerance::UNNOTED, |(most, _)| most) {
             self.adjusted = Some((shift, mark.loc));
         }
         Ok(Solved { arc: Some((moved, ccw)), ..solved })

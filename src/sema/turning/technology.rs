@@ -18,9 +18,6 @@ use super::readings::Question;
 use super::words::{Fun, Num, Words};
 use super::{Outcome, Reported, Run};
 
-/// Metres in a foot.
-const FOOT: f64 = 0.3048;
-
 /// What S means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum SpeedMode {
@@ -189,7 +186,9 @@ impl Run<'_> {
             None => {
                 return self.core.refuse(num.span, codes::T2004::neither_g96_nor_g97_says_what_s());
             }
-            Some(SpeedMode::Cutting) if self.st.unit == Unit::Inch => self.st.spindle.speed = Some(num.value * FOOT),
+            Some(SpeedMode::Cutting) if self.st.unit == Unit::Inch => {
+                self.st.spindle.speed = Some(num.value * Unit::FOOT)
+            }
             Some(_) => self.st.spindle.speed = Some(num.value),
         }
         self.send_speed(num.span);

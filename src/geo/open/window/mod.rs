@@ -20,6 +20,7 @@ mod state;
 #[cfg(test)]
 mod tests;
 
+use crate::geo::tolerance;
 use std::collections::VecDeque;
 
 use super::Solved;
@@ -32,7 +33,7 @@ const AGREES: f64 = 0.001;
 /// The same for directions, in rad: 0.001°.
 const AGREES_TURN: f64 = 1.75e-5;
 /// Solutions that lie closer together are one, in mm.
-const ONE: f64 = 1e-6;
+const ONE: f64 = tolerance::SAME;
 /// Branches that are kept at most.
 pub const MOST_STATES: usize = 64;
 /// Elements that may wait at most.

@@ -13,6 +13,7 @@
 //! up through what its own stroke has opened.
 
 use crate::diag::{Fault, codes};
+use crate::geo::tolerance;
 use crate::geo::{Element, Point2};
 use crate::ir::cycle::Family;
 use crate::ir::cycle::grooving::{Grooving, Plunges};
@@ -29,12 +30,6 @@ const MOST_STROKES: u64 = 100_000;
 
 /// Share of the cutting width between strokes on a leaning wall.
 const WALL_SHARE: f64 = 0.5;
-
-/// A stroke that is less deep than this is left out, mm.
-const NO_DEPTH: f64 = 1e-6;
-
-/// What stands at a wall that is less thick than this is nothing, mm.
-const NOTHING: f64 = 1e-6;
 
 impl Expand for Grooving {
     fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
@@ -107,7 +102,7 @@ impl<'g> Groove<'g> {
             return Err(codes::G3045::tool_of_mm_width_does_not_reach(&tool.width));
         };
         let surface = view.height(grooving.surface);
-        if surface - plunged.floor <= NO_DEPTH {
+        if surface - plunged.floor <= tolerance::SAME {
             return Err(codes::G3041::allowance_on_floor_leaves_nothing_of_groove());
         }
         let gaps = infeed::steps(plunged.end(plunged.floor) - plunged.begin(plunged.floor), grooving.spacing);
@@ -170,7 +165,7 @@ impl<'g> Groove<'g> {
         };
         let positions = |from: f64, sense: f64, [wall, rim]: [f64; 2]| -> Vec<f64> {
             let places = spread(from, sense * wall).chain(spread(from + sense * wall, sense * rim));
-            places.filter(|x| self.depth(*x) > NO_DEPTH).collect()
+            places.filter(|x| self.depth(*x) > tolerance::SAME).collect()
         };
         let [first, second] = self.runs();
         [positions(begin, -1.0, first), positions(end, 1.0, second)]
@@ -182,7 +177,7 @@ impl<'g> Groove<'g> {
         // Beside the rim, where the round corner of the tool does not hang over it.
         let beside = (self.surface - self.grooving.tool.nose).max(self.rough.floor);
         let off = [begin - self.rough.begin(beside), self.rough.end(beside) - end];
-        [off[0].abs() > NOTHING || self.rims[0] > 0.0, off[1].abs() > NOTHING || self.rims[1] > 0.0]
+        [off[0].abs() > tolerance::SAME || self.rims[0] > 0.0, off[1].abs() > tolerance::SAME || self.rims[1] > 0.0]
     }
 
     /// Depth of the plunge at `x` below the surface.
@@ -234,7 +229,7 @@ impl<'g> Groove<'g> {
             }
         }
         // Steps on a wall are cut off.
-        if depth >= self.surface - self.plunged.floor - NO_DEPTH {
+        if depth >= self.surface - self.plunged.floor - tolerance::SAME {
             cutter.track.dwell(self.grooving.dwell);
         }
         cutter.lift();
@@ -253,7 +248,7 @@ impl<'g> Groove<'g> {
             }
             reached[here] = step.min(depths[here]);
             // What arithmetic leaves over is no step of its own.
-            if depths[here] - reached[here] < NO_DEPTH {
+            if depths[here] - reached[here] < tolerance::SAME {
                 reached[here] = depths[here];
             }
             cutter.above(places[here]);

@@ -1,5 +1,6 @@
 //! The area that the centre of the cutter may reach, as rings from inside out.
 
+use crate::geo::tolerance;
 use crate::geo::{Element, Point2, arc, turned};
 use crate::ir::cycle::milling::parts;
 use crate::ir::cycle::pocket::{Insertion, Pocket, Room, Shape, Strategy};
@@ -8,8 +9,6 @@ use crate::ir::cycle::pocket::{Insertion, Pocket, Room, Shape, Strategy};
 const WIDEST: f64 = 1.7;
 /// Between circles there is no corner.
 const WIDEST_ROUND: f64 = 1.95;
-/// Smaller rooms are lines or points, mm.
-const NOTHING: f64 = 1e-6;
 
 /// A closed path, in the sense in which the tool goes round.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,7 +80,7 @@ impl Area {
 
 /// A line about the origin, at most `stroke` long.
 fn shortened(line: &Element, stroke: f64) -> Element {
-    let part = (stroke / line.length().max(NOTHING)).min(1.0);
+    let part = (stroke / line.length().max(tolerance::SAME)).min(1.0);
     Element::Line { from: line.from() * part, to: line.to() * part }
 }
 
@@ -105,14 +104,14 @@ impl Path {
     }
 
     fn line(&mut self, to: Point2) {
-        if crate::geo::distance(self.at, to) > NOTHING {
+        if crate::geo::distance(self.at, to) > tolerance::SAME {
             self.elements.push(Element::Line { from: self.at, to });
             self.at = to;
         }
     }
 
     fn arc(&mut self, to: Point2, center: Point2, ccw: bool) {
-        if crate::geo::distance(self.at, center) > NOTHING {
+        if crate::geo::distance(self.at, center) > tolerance::SAME {
             let sweep = arc::sweep(self.at, to, center, ccw);
             self.elements.push(Element::Arc { from: self.at, to, center, sweep });
             self.at = to;
@@ -122,7 +121,7 @@ impl Path {
 
 /// Circles about the centre.
 fn circle(room: f64, most: f64) -> Area {
-    let count = if room > NOTHING { parts(room, most) } else { 0 };
+    let count = if room > tolerance::SAME { parts(room, most) } else { 0 };
     let ring = |i: usize| {
         let radius = room * i as f64 / count as f64;
         let from = Point2::new(radius, 0.0);
@@ -142,7 +141,7 @@ fn circle(room: f64, most: f64) -> Area {
 fn rectangle(half: [f64; 2], corner: f64, most: f64, radius: f64) -> Area {
     let upright = half[1] > half[0];
     let (long, short) = (half[0].max(half[1]).max(0.0), half[0].min(half[1]).max(0.0));
-    let count = if short > NOTHING { parts(short, most) } else { 0 };
+    let count = if short > tolerance::SAME { parts(short, most) } else { 0 };
     let step = if count == 0 { 0.0 } else { short / count as f64 };
     let ring = |j: usize| {
         let (x, y) = (long - j as f64 * step, short - j as f64 * step);
@@ -165,7 +164,7 @@ fn rectangle(half: [f64; 2], corner: f64, most: f64, radius: f64) -> Area {
     let line = |q: f64| standing(&Element::Line { from: Point2::new(-q, 0.0), to: Point2::new(q, 0.0) }, upright);
     Area {
         entry: Point2::origin(),
-        core: (q > NOTHING).then(|| line(q)),
+        core: (q > tolerance::SAME).then(|| line(q)),
         sway: line(if q > radius / 2.0 { q } else { (radius / 2.0).min(long) }),
         rings: (0..count).rev().map(ring).collect(),
     }
@@ -187,7 +186,7 @@ fn standing(element: &Element, upright: bool) -> Element {
 
 /// Rings about a middle line, round at its ends. They begin at the tip behind its end.
 fn along(core: Element, room: f64, most: f64) -> Area {
-    let count = if room > NOTHING { parts(room, most) } else { 0 };
+    let count = if room > tolerance::SAME { parts(room, most) } else { 0 };
     let ring = |i: usize| Ring { elements: about(&core, room * i as f64 / count as f64), half: [0.0; 2], corner: 0.0 };
     Area { entry: core.from(), core: Some(core), sway: core, rings: (1..=count).map(ring).collect() }
 }

@@ -4,6 +4,7 @@
 //! reached over the ring around both, and is cut from outside in.
 
 use crate::geo::area::reversed;
+use crate::geo::tolerance;
 use crate::geo::{Element, Point2, Vec2, direction, distance};
 use crate::ir::cycle::Region;
 
@@ -14,8 +15,6 @@ use super::walls::{Walls, nearest_on};
 
 /// Parts of rings that begin within so many radii follow each other.
 const LONGEST_LINK: f64 = 2.5;
-/// Lengths that differ by less are equal, mm.
-const EQUAL: f64 = 1e-6;
 /// How far a point beside a ring may lie from the ring there, mm.
 const BESIDE: f64 = 1e-3;
 
@@ -109,7 +108,7 @@ impl Planner<'_> {
             Some(link) if link.length <= short => Some(link),
             other => {
                 let along = self.ground.along_to(&self.last, &open);
-                other.into_iter().chain(along).reduce(|a, b| if b.length < a.length - EQUAL { b } else { a })
+                other.into_iter().chain(along).reduce(|a, b| if b.length < a.length - tolerance::SAME { b } else { a })
             }
         };
         if let Some(link) = on_floor {
@@ -178,7 +177,8 @@ impl Planner<'_> {
             self.is_cut(at);
         }
         let start = |chain: &Vec<Element>| chain.first().map_or_else(Point2::origin, Element::from);
-        let near = |at: Point2, to: Point2| distance(at, to) <= LONGEST_LINK * self.region.mill.radius + EQUAL;
+        let near =
+            |at: Point2, to: Point2| distance(at, to) <= LONGEST_LINK * self.region.mill.radius + tolerance::SAME;
         while !waiting.is_empty() {
             let next = self.at.and_then(|at| waiting.iter().position(|chain| near(at, start(chain))));
             let elements = waiting.remove(next.unwrap_or(0));

@@ -4,6 +4,7 @@
 //! its last part through what the ring that it leads to takes away.
 
 use crate::geo::area::reversed;
+use crate::geo::tolerance;
 use crate::geo::{Element, Point2, distance};
 
 use super::rooms::Room;
@@ -11,8 +12,6 @@ use super::walls::{Walls, point_at};
 
 /// How far beside the radius a way counts as cleared, mm.
 const SLACK: f64 = 1e-3;
-/// Lengths that differ by less are equal, mm.
-const EQUAL: f64 = 1e-6;
 /// By how many radii a way may be longer that leads to the joint of two elements: the ring is not divided there.
 const STRETCH: f64 = 0.5;
 /// Longest way along a ring, in radii: a longer one is shorter through the air.
@@ -70,7 +69,7 @@ impl<'a> Ground<'a> {
     fn sooner(&self, best: Option<Link>, next: Link) -> Link {
         let Some(best) = best else { return next };
         let depth = |link: &Link| self.room.rings[link.ring].depth;
-        let equal = (next.length - best.length).abs() <= EQUAL;
+        let equal = (next.length - best.length).abs() <= tolerance::SAME;
         let sooner = if equal { depth(&next) > depth(&best) } else { next.length < best.length };
         if sooner { next } else { best }
     }
@@ -81,7 +80,8 @@ impl<'a> Ground<'a> {
         let nearest = path.nearest(from);
         let longest = distance(from, nearest.1) + STRETCH * self.radius;
         let joints = path.joints().filter(|(_, p)| distance(from, *p) <= longest);
-        let joint = joints.reduce(|a, b| if distance(from, b.1) < distance(from, a.1) - EQUAL { b } else { a });
+        let joint =
+            joints.reduce(|a, b| if distance(from, b.1) < distance(from, a.1) - tolerance::SAME { b } else { a });
         let mut ends = joint.into_iter().chain([nearest]);
         let (element, to) = ends.find(|(_, to)| self.is_open(from, *to, ring))?;
         Some(Link { ring, element, to, way: Vec::new(), length: distance(from, to) })
@@ -146,7 +146,7 @@ impl<'a> Ground<'a> {
         let mut best: Option<(Point2, Link)> = None;
         for ring in rings {
             let Some((from, link)) = self.link_from_cut(*ring) else { continue };
-            let is_next = best.as_ref().is_none_or(|(_, best)| link.length < best.length - EQUAL);
+            let is_next = best.as_ref().is_none_or(|(_, best)| link.length < best.length - tolerance::SAME);
             if is_next {
                 best = Some((from, link));
             }

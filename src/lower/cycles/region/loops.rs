@@ -1,5 +1,6 @@
 //! Rings at a distance from the walls, and which lie in which.
 
+use crate::geo::tolerance;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use cavalier_contours::core::math::Vector2;
@@ -20,8 +21,6 @@ const MISSES: f64 = 1e-5;
 const NOTHING: f64 = 1e-7;
 /// Points nearer than this to the start of an element are that start, mm.
 const SNAPS: f64 = 1e-3;
-/// Lengths that differ by less are equal, mm.
-const EQUAL: f64 = 1e-6;
 /// Elements that meet under less go on into each other, rad.
 const SMOOTH: f64 = 1e-3;
 /// Largest sweep of a part of an arc.
@@ -101,7 +100,7 @@ impl Loop {
     pub fn nearest(&self, p: Point2) -> (usize, Point2) {
         let found = self.elements.iter().enumerate().map(|(at, element)| (at, nearest_on(p, element)));
         let nearer = |best: (usize, Point2), next: (usize, Point2)| {
-            if distance(next.1, p) < distance(best.1, p) - EQUAL { next } else { best }
+            if distance(next.1, p) < distance(best.1, p) - tolerance::SAME { next } else { best }
         };
         let Some((at, point)) = found.reduce(nearer) else { return (0, self.start()) };
         let next = (at + 1) % self.elements.len().max(1);
@@ -126,7 +125,7 @@ impl Loop {
 
     pub fn middle_of_longest(&self) -> Option<(usize, Point2)> {
         let elements = self.elements.iter().enumerate();
-        let longest = elements.reduce(|a, b| if b.1.length() > a.1.length() + EQUAL { b } else { a });
+        let longest = elements.reduce(|a, b| if b.1.length() > a.1.length() + tolerance::SAME { b } else { a });
         longest.map(|(at, element)| (at, element.middle()))
     }
 

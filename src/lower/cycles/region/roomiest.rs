@@ -1,5 +1,6 @@
 //! Where there is most room between walls.
 
+use crate::geo::tolerance;
 use crate::geo::{Point2, Vec2, grid, left};
 
 use super::peak::peak;
@@ -19,7 +20,7 @@ pub fn roomiest(walls: &Walls, low: Point2, high: Point2, room: impl Fn(Point2) 
     let mut squares: Vec<(Point2, f64)> = (0..CELLS)
         .flat_map(|i| (0..CELLS).map(move |j| (i, j)))
         .map(|(i, j)| Point2::new(low.x + middle(i), low.y + middle(j)))
-        .filter(|p| p.x - half <= high.x + EQUAL && p.y - half <= high.y + EQUAL)
+        .filter(|p| p.x - half <= high.x + tolerance::SAME && p.y - half <= high.y + tolerance::SAME)
         .map(|p| (p, room(p)))
         .collect();
     let highest = |squares: &[(Point2, f64)]| squares.iter().map(|(_, room)| *room).fold(f64::MIN, f64::max);
@@ -38,7 +39,7 @@ pub fn roomiest(walls: &Walls, low: Point2, high: Point2, room: impl Fn(Point2) 
         most = most.max(highest(&squares));
     }
     let best = squares.iter().copied().fold(None, |best: Option<(Point2, f64)>, square| match best {
-        Some(best) if square.1 <= best.1 + EQUAL => Some(best),
+        Some(best) if square.1 <= best.1 + tolerance::SAME => Some(best),
         _ => Some(square),
     })?;
     // From the middle of a square no peak in it is farther than half a diagonal.
@@ -48,13 +49,13 @@ pub fn roomiest(walls: &Walls, low: Point2, high: Point2, room: impl Fn(Point2) 
     squares.sort_by(|a, b| grid::before(a.0, b.0));
     squares.truncate(MOST_SQUARES);
     let first = |best: (Point2, f64), found: (Point2, f64)| {
-        let equal = found.1 >= best.1 - EQUAL && grid::before(found.0, best.0).is_lt();
-        if found.1 > best.1 + EQUAL || equal { found } else { best }
+        let equal = found.1 >= best.1 - tolerance::SAME && grid::before(found.0, best.0).is_lt();
+        if found.1 > best.1 + tolerance::SAME || equal { found } else { best }
     };
     let peaks = squares.iter().filter_map(|(p, _)| exactly(*p)).reduce(first);
-    let found = peaks.filter(|found| found.1 >= highest.1 - EQUAL).unwrap_or_else(|| {
+    let found = peaks.filter(|found| found.1 >= highest.1 - tolerance::SAME).unwrap_or_else(|| {
         let mut climbs = squares.iter().take(MOST_CLIMBS).map(|(p, _)| climbed(*p, half, &room));
-        slid(climbs.find(|(_, room)| *room >= highest.1 - EQUAL).unwrap_or(highest), half, &room)
+        slid(climbs.find(|(_, room)| *room >= highest.1 - tolerance::SAME).unwrap_or(highest), half, &room)
     });
     let p = grid::point(found.0);
     Some((p, room(p)))
@@ -64,8 +65,6 @@ pub fn roomiest(walls: &Walls, low: Point2, high: Point2, room: impl Fn(Point2) 
 const CELLS: usize = 12;
 /// Squares become smaller than this part of the box.
 const FINEST: f64 = 400.0;
-/// Rooms that differ by less are equal, mm.
-const EQUAL: f64 = 1e-6;
 /// Most squares that are looked at for a place with the smallest coordinates.
 const MOST_SQUARES: usize = 200;
 const MOST_CLIMBS: usize = 100;
@@ -75,7 +74,7 @@ fn slid((mut p, known): (Point2, f64), half: f64, room: &impl Fn(Point2) -> f64)
     for unit in [Vec2::x(), Vec2::y()] {
         let mut step = half;
         while step > 1e-9 {
-            if room(p - unit * step) >= known - EQUAL / 2.0 {
+            if room(p - unit * step) >= known - tolerance::SAME / 2.0 {
                 p -= unit * step;
             } else {
                 step /= 2.0;

@@ -1,13 +1,11 @@
 //! Rooms: what the centre of the cutter reaches without leaving the floor, with all its rings and the one place where it goes down.
 
+use crate::geo::tolerance;
 use crate::geo::{Point2, distance, grid};
 
 use super::loops::{Loop, Part, Peak};
 use super::roomiest::roomiest;
 use super::walls::Walls;
-
-/// Places whose rooms differ by less have the same room, mm.
-const EQUAL: f64 = 1e-6;
 
 /// What hangs together between the walls.
 #[derive(Debug)]
@@ -127,8 +125,8 @@ impl Tree {
     /// The leaf with most room, of equal ones the one whose place has the smallest coordinates.
     fn roomiest(&self) -> Option<(usize, Peak)> {
         let first = |best: (usize, Peak), next: (usize, Peak)| {
-            let equal = next.1.room >= best.1.room - EQUAL && grid::before(next.1.at, best.1.at).is_lt();
-            if next.1.room > best.1.room + EQUAL || equal { next } else { best }
+            let equal = next.1.room >= best.1.room - tolerance::SAME && grid::before(next.1.at, best.1.at).is_lt();
+            if next.1.room > best.1.room + tolerance::SAME || equal { next } else { best }
         };
         self.leaves().map(|(at, _, peak)| (at, peak)).reduce(first)
     }
@@ -151,7 +149,7 @@ impl Tree {
             self.leaves().flat_map(|(at, node, _)| node.part.loops().map(move |ring| (at, ring.nearest(from).1)));
         let free = rings.filter(|(_, place)| walls.is_free(from, *place, least));
         let nearer = |best: (usize, Point2), next: (usize, Point2)| {
-            if distance(next.1, from) < distance(best.1, from) - EQUAL { next } else { best }
+            if distance(next.1, from) < distance(best.1, from) - tolerance::SAME { next } else { best }
         };
         free.reduce(nearer).map(|(leaf, place)| (Some(place), leaf))
     }

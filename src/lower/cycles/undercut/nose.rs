@@ -2,10 +2,11 @@
 
 use crate::diag::{Fault, codes};
 use crate::geo::offset::{self, NoParallel};
+use crate::geo::tolerance;
 use crate::geo::{Element, Point2, Vec2, cross, distance, left};
 use crate::ir::cycle::UndercutCycle;
 
-use super::{NEAR, Outline};
+use super::Outline;
 
 /// A rounding that is larger than the nose by less is the nose's own, mm: what lies between them in a corner is less than half of it.
 const AS_LARGE: f64 = 1e-3;
@@ -28,7 +29,7 @@ pub(super) fn path(cycle: &UndercutCycle, outline: &Outline, finishes: bool) -> 
     let mut list: Vec<Element> = parallel.iter().map(|part| part.element).collect();
     let beside = outline.begin + left(outline.slope) * radius;
     if let Some(Element::Line { from, to }) = list.first().copied()
-        && (from - beside).dot(&(beside - to)) > NEAR
+        && (from - beside).dot(&(beside - to)) > tolerance::SAME
     {
         // What lies in front of the undercut and what lies in it.
         list.splice(0..1, [Element::Line { from, to: beside }, Element::Line { from: beside, to }]);
@@ -56,7 +57,7 @@ fn cornered(mut list: Vec<Element>, radius: f64, finishes: bool) -> Vec<Element>
             list[at - 1..=at + 1]
         {
             let larger = radius - distance(from, center);
-            if sweep < 0.0 && larger > -AS_LARGE && (larger < NEAR || !finishes) {
+            if sweep < 0.0 && larger > -AS_LARGE && (larger < tolerance::SAME || !finishes) {
                 let corner = corner(&before, from, center, sweep);
                 list.splice(at - 1..=at + 1, [before.ending_at(corner), after.starting_at(corner)]);
                 continue;

@@ -3,6 +3,7 @@
 //! Source: F B1 (docs/sources.md).
 
 use crate::diag::{Answer, codes};
+use crate::geo::tolerance;
 use crate::geo::{Deg, parts};
 use crate::ir::cycle::milling::{Feeds, Place};
 use crate::ir::cycle::{BoreMilling, Cycle};
@@ -38,8 +39,6 @@ pub(super) const ROWS: &[Row] = &[cycle(
     ],
 )];
 
-/// What arithmetic may lose at a size, mm.
-const SAME: f64 = 1e-9;
 /// A smaller circle of the centre is none: the tool goes straight down, mm.
 const STRAIGHT: f64 = 1e-5;
 
@@ -70,7 +69,7 @@ impl CycleCall<'_> {
     /// Radii of the circles of the centre, from inside out.
     fn circles_of_bore(&self, size: f64, radius: f64) -> Made<Vec<f64>> {
         let drilled = self.given.length(ROUGH_DIAMETER) / 2.0;
-        if size < radius - SAME {
+        if size < radius - tolerance::LOST {
             return self.refuse(codes::K2901::hole_is_smaller(&(2.0 * size), &(2.0 * radius)));
         }
         if drilled >= size {
@@ -82,7 +81,7 @@ impl CycleCall<'_> {
         let given = self.given.or_zero(OVERLAP) != 0.0;
         // Radius of what one circle leaves in the middle.
         let left = size - 2.0 * radius;
-        if !given && (left <= SAME || drilled > 0.0 && drilled >= left - SAME) {
+        if !given && (left <= tolerance::LOST || drilled > 0.0 && drilled >= left - tolerance::LOST) {
             return Ok(vec![size - radius]);
         }
         if !given && drilled == 0.0 {

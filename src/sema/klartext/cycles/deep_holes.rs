@@ -2,6 +2,7 @@
 //!
 //! Source: K 6.1, and B2 of the cycles (docs/sources.md).
 
+use crate::geo::tolerance;
 use core::fmt::Display;
 
 use crate::diag::fault::Asking;
@@ -18,9 +19,6 @@ use super::drilling::{
     ENTRY_SPEED, ENTRY_TURN, FEED_PERCENT, PLUNGE, PREPOSITION, RETRACT_FEED, ROUGH_DIAMETER,
 };
 use super::{CLEARANCE, Cut};
-
-/// What a hole by the diameter may be larger than its drill, mm.
-const SAME: f64 = 1e-9;
 
 impl CycleCall<'_> {
     /// Q343: does the diameter on the surface say how deep it goes?
@@ -44,7 +42,7 @@ impl CycleCall<'_> {
     fn depth_by_diameter(&self) -> Made<f64> {
         let diameter = self.required(DIAMETER)?.abs();
         let tool = self.st.state.tool.active().and_then(|tool| tool.effective_radius());
-        if let Some(radius) = tool.filter(|radius| *radius > 0.0 && diameter > 2.0 * radius + SAME) {
+        if let Some(radius) = tool.filter(|radius| *radius > 0.0 && diameter > 2.0 * radius + tolerance::LOST) {
             return self.refuse(codes::P2090::diameter_q344_is_larger_than_tool(&diameter, &(2.0 * radius)));
         }
         Ok(-self.tip_height(diameter / 2.0, codes::K2941::centring_by_diameter)?)

@@ -3,6 +3,7 @@
 //! Source: K 6.0, 6.5; F B4 (docs/sources.md).
 
 use crate::diag::{Answer, Fault, codes};
+use crate::geo::tolerance;
 use crate::geo::{Deg, Point2};
 use crate::ir::Feed;
 use crate::ir::cycle::milling::{Division, Feeds, Heights, Mill};
@@ -21,9 +22,6 @@ use super::milling::{
 
 /// Least and greatest factor of the overlap.
 pub(super) const OVERLAPS: std::ops::RangeInclusive<f64> = 0.1..=1.9999;
-
-/// What arithmetic may lose at a size, mm.
-const SAME: f64 = 1e-9;
 
 /// What Q215 asks for.
 #[derive(Debug, Clone, Copy)]
@@ -191,7 +189,7 @@ impl CycleCall<'_> {
 
     /// A wider `allowance` than `most` would leave stock between roughing and finishing.
     pub fn finishing_meets_roughing(&self, (allowance, most): (f64, f64), radius: f64) -> Made {
-        if allowance <= most + SAME {
+        if allowance <= most + tolerance::LOST {
             return Ok(());
         }
         let fault = codes::P2090::allowance_on_wall_is_mm(&shown(allowance), &shown(2.0 * radius), &shown(most));
@@ -201,7 +199,7 @@ impl CycleCall<'_> {
     /// The floor is finished in one cut, which goes no deeper than any other.
     pub fn floor_in_one_cut(&self, mill: &Mill) -> Made {
         let Heights { allowance, step, .. } = mill.heights;
-        if allowance <= step + SAME {
+        if allowance <= step + tolerance::LOST {
             return Ok(());
         }
         self.refuse(codes::P2090::floor_would_be_finished_in_one_cut(&shown(allowance), &shown(step)))

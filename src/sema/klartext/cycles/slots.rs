@@ -2,6 +2,7 @@
 //!
 //! Source: K 6.5; F B3 (docs/sources.md).
 
+use crate::geo::tolerance;
 use core::f64::consts::PI;
 
 use crate::diag::{Answer, codes};
@@ -63,9 +64,6 @@ pub(super) const ROWS: &[Row] = &[
     ),
 ];
 
-/// A wall that stands out by less is none, mm.
-const NOTHING: f64 = 1e-6;
-
 impl CycleCall<'_> {
     /// Cycle 210.
     pub fn reciprocating_slot(&self) -> Made<Planned> {
@@ -99,7 +97,7 @@ impl CycleCall<'_> {
         let wall = self.room(&shape, mill.radius)?;
         let size = 2.0 * mill.radius;
         let width = size + 2.0 * wall;
-        if size < width / 3.0 - NOTHING {
+        if size < width / 3.0 - tolerance::SAME {
             return self.refuse(codes::K2942::tool_is_below_third_of_width(&size, &shown(width)));
         }
         if size >= length / 2.0 {
@@ -108,7 +106,7 @@ impl CycleCall<'_> {
         }
         let step = self.given.length(FINISHING_INFEED);
         let operation = self.given.whole(OPERATION);
-        let finishes = operation != 1 && wall > NOTHING;
+        let finishes = operation != 1 && wall > tolerance::SAME;
         if operation == 2 && !finishes {
             self.say(codes::K8103::tool_is_as_wide_as_slot());
             return Ok(Planned::default());

@@ -4,6 +4,7 @@
 
 use crate::diag::{Answer, codes};
 use crate::geo::Deg;
+use crate::geo::tolerance;
 use crate::ir::Feed;
 use crate::ir::cycle::drilling::{Ahead, Levels, Method};
 use crate::ir::cycle::milling::{Feeds, Mill, Place};
@@ -25,8 +26,6 @@ use super::threads::{APPROACH_FEED, FRONT_DEPTH, FRONT_OFFSET, SINK_FEED, SINK_L
 /// Depth of a metric thread in pitches, of a hole and of a stud (ISO 68-1).
 const IN_HOLE: f64 = 0.541_266;
 const ON_STUD: f64 = 0.613_435;
-/// What arithmetic may lose at a size, mm.
-const SAME: f64 = 1e-9;
 
 impl CycleCall<'_> {
     /// Cycle 262.
@@ -84,7 +83,7 @@ impl CycleCall<'_> {
     pub fn thread_from_solid(&self) -> Made<Planned> {
         let Some(mut thread) = self.inside_thread(Turns::Continuous)? else { return Ok(Planned::default()) };
         let radius = thread.mill.radius;
-        if thread.nominal - radius > radius + SAME {
+        if thread.nominal - radius > radius + tolerance::LOST {
             return self.refuse(codes::K2942::tool_leaves_core(&(2.0 * thread.nominal), &(2.0 * radius)));
         }
         thread.counter_clockwise = thread.left_hand;
@@ -175,7 +174,7 @@ impl CycleCall<'_> {
             return self.refuse(codes::K2901::core_is_smaller(&(2.0 * radius), &(2.0 * thread.nominal)));
         }
         // A small tool first goes half of the way to the wall.
-        if 2.0 * radius < 2.0 * thread.nominal - 4.0 * thread.pitch - SAME {
+        if 2.0 * radius < 2.0 * thread.nominal - 4.0 * thread.pitch - tolerance::LOST {
             thread.ways.beside = Some((thread.nominal - radius) / 2.0);
         }
         Ok(Some(thread))
@@ -207,7 +206,7 @@ impl CycleCall<'_> {
     /// The way to the thread, or from it, goes no deeper than `floor`.
     fn keep_above(&self, thread: &mut ThreadMilling, floor: f64) -> Made {
         let room = thread.mill.heights.depth - floor;
-        if room < -SAME {
+        if room < -tolerance::LOST {
             return self.refuse(codes::P2090::depth_q356_is_less_than_depth());
         }
         let rises = thread.counter_clockwise != thread.left_hand;

@@ -5,6 +5,7 @@
 
 use crate::diag::codes;
 use crate::geo::arc::sweep;
+use crate::geo::tolerance;
 use crate::geo::{Element, Point2, Vec2, cross, direction, distance};
 use crate::ir::cycle::layers::{Allowance, Blank, Clearance, LayerFeeds, Layers, Limits, Relief, Segmentation, Trace};
 use crate::ir::cycle::turning::Towards;
@@ -14,9 +15,6 @@ use super::layers::{Side, rectangle};
 use super::names::{AMODE, EPD, EPL, FALX, FALZ, FF1, LAGE, MID, NR, RF1, RF2, RF3, SDIS, SPD, SPL, VARI, ZPD, ZPL};
 use crate::sema::cycle::call::Made;
 use crate::sema::cycle::row::Name;
-
-/// What arithmetic loses, mm.
-const SLACK: f64 = 1e-6;
 
 /// The corner: blank, end point and the point between, as (Z, X radius).
 #[derive(Debug, Clone, Copy)]
@@ -71,7 +69,7 @@ impl CycleCall<'_> {
         let axes = Vec2::new(self.given.magnitude(FALZ), self.given.magnitude(FALX));
         let depth = if along_z { way.y.abs() - axes.y } else { way.x.abs() - axes.x };
         // Facing in one cut leaves no step that a way up the end wall would remove.
-        let plain = !along_z && given.or_zero(NR) == 0.0 && depth <= most + SLACK;
+        let plain = !along_z && given.or_zero(NR) == 0.0 && depth <= most + tolerance::SAME;
         let out = if corner.inside { -clearance } else { clearance };
         let layers = Layers {
             contour,
@@ -111,14 +109,14 @@ impl CycleCall<'_> {
             if given.digit(AMODE, place) == 1 { blank.x + into.x * value.abs() } else { value }
         };
         let end = Point2::new(z(EPL, 1), x(EPD, 0));
-        if (end.y - blank.y) * into.y <= SLACK {
+        if (end.y - blank.y) * into.y <= tolerance::SAME {
             return self.no_material(EPD, "X1 does not lie in the material, seen from X0");
         }
-        if (end.x - blank.x) * into.x <= SLACK {
+        if (end.x - blank.x) * into.x <= tolerance::SAME {
             return self.no_material(EPL, "Z1 does not lie in the material, seen from Z0");
         }
         let between = if given.or_zero(NR) == 2.0 { Point2::new(z(ZPL, 3), x(ZPD, 2)) } else { end };
-        let outside = |a: f64, b: f64, v: f64| v < a.min(b) - SLACK || v > a.max(b) + SLACK;
+        let outside = |a: f64, b: f64, v: f64| v < a.min(b) - tolerance::SAME || v > a.max(b) + tolerance::SAME;
         if outside(blank.y, end.y, between.y) {
             return self.no_material(ZPD, "XM does not lie between X0 and X1");
         }
@@ -156,14 +154,14 @@ impl CycleCall<'_> {
             };
             // The edges on both sides are long enough.
             let ahead = at.map_or(0.0, |at| (from - at).dot(&(points[1] - points[0])));
-            let room = distance(points[1], to) <= distance(points[1], points[2]) + SLACK;
-            if ahead < -SLACK || !room {
+            let room = distance(points[1], to) <= distance(points[1], points[2]) + tolerance::SAME;
+            if ahead < -tolerance::SAME || !room {
                 return self.refuse_argument(
                     key,
                     codes::P2090::transition_is_larger_than_its_edge(&given.written(key), &given.argument(key)),
                 );
             }
-            if let Some(at) = at.filter(|at| distance(*at, from) > SLACK) {
+            if let Some(at) = at.filter(|at| distance(*at, from) > tolerance::SAME) {
                 contour.push(Element::Line { from: at, to: from });
             }
             contour.extend(piece);
@@ -177,12 +175,12 @@ impl CycleCall<'_> {
 /// room for one stands for itself; `None` where two points are one.
 fn transition_at(points: [Point2; 3], transition: Transition) -> Option<(Point2, Option<Element>, Point2)> {
     let [a, p, b] = points;
-    let (Some(back), Some(ahead)) = (direction(a - p, SLACK), direction(b - p, SLACK)) else {
+    let (Some(back), Some(ahead)) = (direction(a - p, tolerance::SAME), direction(b - p, tolerance::SAME)) else {
         return Some((p, None, p));
     };
     let size = transition.size;
     let turn = cross(-back, ahead);
-    if size <= 0.0 || turn.abs() <= SLACK {
+    if size <= 0.0 || turn.abs() <= tolerance::SAME {
         return Some((p, None, p));
     }
     if transition.chamfer {
@@ -193,6 +191,6 @@ fn transition_at(points: [Point2; 3], transition: Transition) -> Option<(Point2,
     let half = libm::acos(back.dot(&ahead).clamp(-1.0, 1.0)) / 2.0;
     let way = size / libm::tan(half);
     let (from, to) = (p + back * way, p + ahead * way);
-    let center = p + direction(back + ahead, SLACK)? * (size / libm::sin(half));
+    let center = p + direction(back + ahead, tolerance::SAME)? * (size / libm::sin(half));
     Some((from, Some(Element::Arc { from, to, center, sweep: sweep(from, to, center, turn > 0.0) }), to))
 }

@@ -10,14 +10,12 @@ use crate::ir::cycle::recess::RecessTool;
 use crate::ir::cycle::turning::Towards;
 use crate::ir::cycle::{Cycle, Family};
 use crate::ir::function::{Spindle, Turn};
+use crate::machine::Unit;
 use crate::machine::options::cycles::CutOffReference;
 
 use super::call::{Act, Acts, CycleCall, SpindleTold};
 use super::names::{AMODE, DIAG1, DIAG2, DIAGM, FF1, FF2, RC, SDAC, SDIS, SPD, SS2, SV1, SV2, VARI};
 use crate::sema::cycle::call::{Kind, Made};
-
-/// Metres in a foot: cutting speeds of inch programs.
-const FOOT: f64 = 0.3048;
 
 impl CycleCall<'_> {
     /// CYCLE92
@@ -121,7 +119,7 @@ impl CycleCall<'_> {
         self.master_is_main(given.place, "the speed of a cut-off")?;
         let highest =
             [Some(limit).filter(|n| *n > 0.0), self.st.spindles.limit()].into_iter().flatten().reduce(f64::min);
-        let metres = if self.st.feed_unit() == 1.0 { speed } else { speed * FOOT };
+        let metres = if self.st.feed_unit() == 1.0 { speed } else { speed * Unit::FOOT };
         let told = match (speed > 0.0, limit > 0.0) {
             (true, true) => Some(Spindle::CuttingSpeed { speed: metres, limit: highest }),
             (true, false) => Some(Spindle::Speed(self.within_limit(speed))),

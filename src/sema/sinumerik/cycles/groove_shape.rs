@@ -4,12 +4,10 @@
 //! the other one, points (Z, X) with X as a radius.
 
 use crate::geo::corner::{Cut, NoCut, Size, chamfer, chamfer_of_length, rounding};
+use crate::geo::tolerance;
 use crate::geo::{Deg, Element, Point2, Vec2, arc, distance};
 use crate::ir::cycle::grooving::GrooveAllowance;
 use crate::ir::cycle::turning::Towards;
-
-/// What an element may be shorter than its corners, mm: what arithmetic loses.
-const NOTHING: f64 = 1e-9;
 
 /// What a tool may be wider than a groove, mm.
 const TOO_WIDE: f64 = 1e-6;
@@ -138,7 +136,7 @@ impl GrooveShape {
                     (cut.leave, cut.join, Some(cut.arc))
                 }
             };
-            if at > 0 && distance(leave, before.from()) > NOTHING {
+            if at > 0 && distance(leave, before.from()) > tolerance::LOST {
                 list.push(Element::Line { from: before.from(), to: leave });
             }
             match round {
@@ -207,9 +205,9 @@ impl GrooveShape {
 
 fn cut(before: &Element, after: &Element, size: Size) -> Result<Cut, NoCut> {
     match size {
-        Size::Radius(radius) => rounding(before, after, radius, NOTHING),
-        Size::Side(side) => chamfer(before, after, side, NOTHING),
-        Size::Length(length) => chamfer_of_length(before, after, length, NOTHING),
+        Size::Radius(radius) => rounding(before, after, radius, tolerance::LOST),
+        Size::Side(side) => chamfer(before, after, side, tolerance::LOST),
+        Size::Length(length) => chamfer_of_length(before, after, length, tolerance::LOST),
     }
 }
 

@@ -15,7 +15,7 @@ use crate::sema::cycle::call::{Kind, Made, Refusal};
 use crate::sema::cycle::row::Name;
 
 /// The plane infeed as a part of the diameter of the cutter, where none is given.
-const USUAL_WIDTH: f64 = 0.8;
+pub(super) const USUAL_WIDTH: f64 = 0.8;
 
 /// More mm per revolution were probably meant per minute.
 const LARGE_PER_REVOLUTION: f64 = 10.0;

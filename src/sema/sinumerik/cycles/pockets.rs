@@ -12,7 +12,7 @@ use crate::ir::cycle::{Cycle, Family, LongHole};
 
 use super::super::value::whole;
 use super::call::{Act, Acts, CycleCall};
-use super::milling::{Around, CLASSIC};
+use super::milling::{Around, CLASSIC, USUAL_WIDTH};
 use super::names::{
     AD, AFSL, AP1, AP2, CDIAM, CPA, CPO, CRAD, DMODE, DP1, FAL, FALD, FFCP, FFP2, GMODE, INDA, LENG, MIDA, MIDF, NUM,
     PA, PO, PRAD, RAD, RAD1, SSF, STA, STA1, STA2, VARI, WID,
@@ -28,8 +28,6 @@ const CLASSIC_SLOT: usize = 22;
 const MOST_SLOTS: i32 = 1000;
 /// Smaller helices and strokes are none, mm.
 const SMALLEST_ARM: f64 = 0.1;
-/// The part of the cutter that is a cut's width where the cycle has no argument for it.
-const USUAL_WIDTH: f64 = 0.8;
 
 /// What the units of `_VARI` ask for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,6 +3,7 @@
 //! Source: T 7, 8.1 and 8.2 (docs/sources.md).
 
 use crate::diag::{Answer, Label, codes};
+use crate::geo::tolerance;
 use crate::geo::{Element, Point2, Vec2, distance};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::layers::{Allowance, Blank, Layers, Relief, Trace};
@@ -24,8 +25,6 @@ use super::{
 
 /// How far G81 and G82 lift off, mm.
 const RECTANGLE_LIFT: f64 = 1.0;
-/// What arithmetic loses in a position, mm.
-const SLACK: f64 = 1e-6;
 
 const DOWN: Parameter = number("Q", "down to the cut at 0 rapid, 1 feed").rule(Rule::OneOf(0, 1)).default("0");
 const BACK: Parameter = number("V", "1 returns to the start").rule(Rule::OneOf(0, 1)).default("0");
@@ -333,10 +332,10 @@ impl CycleCall<'_> {
         };
         for side in [into, cut] {
             let (word, tool, limit, free) = match side {
-                Towards::MinusX => ("X", 2.0 * at.y, 2.0 * radius, at.y >= radius - SLACK),
-                Towards::PlusX => ("X", 2.0 * at.y, 2.0 * bore, at.y <= bore + SLACK),
-                Towards::MinusZ => ("Z", at.x, right, at.x >= right - SLACK),
-                Towards::PlusZ => ("Z", at.x, right - length, at.x <= right - length + SLACK),
+                Towards::MinusX => ("X", 2.0 * at.y, 2.0 * radius, at.y >= radius - tolerance::SAME),
+                Towards::PlusX => ("X", 2.0 * at.y, 2.0 * bore, at.y <= bore + tolerance::SAME),
+                Towards::MinusZ => ("Z", at.x, right, at.x >= right - tolerance::SAME),
+                Towards::PlusZ => ("Z", at.x, right - length, at.x <= right - length + tolerance::SAME),
             };
             if !free {
                 let beyond = if matches!(side, Towards::MinusX | Towards::MinusZ) { "or more" } else { "or less" };

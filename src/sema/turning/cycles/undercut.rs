@@ -4,6 +4,7 @@
 //! Source: T 8.7 and the table of G85 in section 6.3 (docs/sources.md).
 
 use crate::diag::codes;
+use crate::geo::tolerance;
 use crate::geo::{Element, Plane, Point2, Vec2};
 use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::ir::undercut::{form_e, form_f};
@@ -19,8 +20,6 @@ use super::{CORNER_X, CORNER_Z, CycleCall, Need, Planned, Row, Step, word};
 
 /// How little a tool is off the cylinder that stands on it, mm.
 const ON: f64 = 1e-6;
-/// What arithmetic loses in a diameter, mm.
-const LOST: f64 = 1e-9;
 /// How far the lines beside the corner are taken to reach, in mm: what lies there is the programmer's.
 const REACH: f64 = 1e4;
 
@@ -115,13 +114,13 @@ impl CycleCall<'_> {
         let form = self.given.length_if(word::K);
         let of_table = form.is_none_or(|k| k == 0.0);
         let tables = &self.settings.undercut;
-        let limit = |range: &din509::Range| (range.upto - diameter).abs() <= LOST;
+        let limit = |range: &din509::Range| (range.upto - diameter).abs() <= tolerance::LOST;
         if of_table && !tables.says_sizes_by_diameter() && din509::PLUS_4110_G85.iter().any(limit) {
             self.depends_on(Question::UndercutLimit, self.given.place_of(word::X));
         }
         // A diameter at a limit belongs to the row below it or above it.
         let upper = self.settings.control.turning.undercut_upper == Some(true);
-        let sought = diameter + if upper { LOST } else { -LOST };
+        let sought = diameter + if upper { tolerance::LOST } else { -tolerance::LOST };
         if of_table && self.given.or_zero(word::I) != 0.0 {
             return self.refuse_argument(word::I, codes::T9007::wear_oversize_of_undercut_e_or_f());
         }
