@@ -32,7 +32,7 @@ const NOTES: &[(&str, Proof)] = &[
     ("K2408", Free(CYCLES, "205")),
     ("K2409", Free(CYCLES, "tap")),
     ("K2410", Free(CYCLES, "PAT")),
-    ("K2412", Same(&[("2 CYCL DEF 258 POLYGON STUD ~\n    Q573=+0\n", "")])),
+    ("K2412", Same(&[("2 CYCL DEF 225 ENGRAVING ~\n    Q573=+0\n", "")])),
     ("P8105", Same(&[("2 CYCL DEF 392 ATC\n", "")])),
     ("K2504", Worked),
     ("K2512", Same(&[("1 PLANE RESET TURN FMAX\n", "")])),
