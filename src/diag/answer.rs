@@ -128,6 +128,13 @@ impl Help {
         self.answers.push(answer);
         self
     }
+
+    /// The text goes on: what else may be done.
+    pub fn or(mut self, more: Help) -> Help {
+        self.text += &more.text;
+        self.answers.extend(more.answers);
+        self
+    }
 }
 
 impl From<String> for Help {

@@ -60,6 +60,15 @@ impl Fault {
         Fault { help: Some(help.into()), ..self }
     }
 
+    /// What else may be done, as its help goes on.
+    pub fn or(self, more: Help) -> Fault {
+        let help = match self.help {
+            Some(help) => help.or(more),
+            None => more,
+        };
+        Fault { help: Some(help), ..self }
+    }
+
     /// The number that the control shows, where the same fault has several.
     pub fn alarm(mut self, number: impl Into<Option<u32>>) -> Fault {
         self.raised = self.raised.code.alarm(number);

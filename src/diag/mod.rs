@@ -7,6 +7,7 @@ pub mod codes;
 pub mod decimals;
 pub mod fault;
 pub mod finding;
+pub mod label;
 pub mod render;
 pub mod report;
 pub mod selection;
@@ -26,6 +27,7 @@ pub use answer::{Answer, Help, Values};
 pub use codes::{Code, Raised};
 pub use fault::Fault;
 pub use finding::Finding;
+pub use label::Label;
 pub use selection::Selection;
 pub use trail::{CallPath, Trail};
 
@@ -51,7 +53,7 @@ impl Severity {
 
 /// A place with a word on what it has to do with the matter.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Label {
+pub struct Marked {
     pub loc: Loc,
     pub text: String,
 }
@@ -67,9 +69,9 @@ pub struct Diagnostic {
     /// What is wrong, in the user's words, values quoted.
     pub message: String,
     /// Where: the first label is the cause.
-    pub label: Label,
+    pub label: Marked,
     /// Places that explain it.
-    pub more: Vec<Label>,
+    pub more: Vec<Marked>,
     /// One action that mends it.
     pub help: Option<String>,
     /// What of a configuration would mend it.
@@ -88,7 +90,7 @@ impl Diagnostic {
             severity: code.severity,
             alarm,
             message: message.into(),
-            label: Label { loc, text: String::new() },
+            label: Marked { loc, text: String::new() },
             more: Vec::new(),
             help: None,
             answers: Vec::new(),
@@ -112,8 +114,9 @@ impl Diagnostic {
         self
     }
 
-    pub fn also(mut self, loc: Loc, text: impl Into<String>) -> Diagnostic {
-        self.more.push(Label { loc, text: text.into() });
+    /// A place that explains it.
+    pub fn also(mut self, loc: Loc, label: impl Into<Label>) -> Diagnostic {
+        self.more.push(Marked { loc, text: label.into().to_string() });
         self
     }
 

@@ -3,7 +3,7 @@
 //! RS274 controls accept few things between G41 and G40. What must not stand there either ends the
 //! compensation first, or is refused: a contour that starts anew at its offset is another contour.
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Diagnostic, Fault, Label, codes};
 use crate::geo::Plane;
 use crate::ir::function::CutterData;
 use crate::ir::motion::{Move, Path};
@@ -63,8 +63,8 @@ pub(super) struct Compensation {
 }
 
 /// The path of the tool centre answers.
-pub(super) fn resolve(help: &str) -> Help {
-    Answer::key("output", "compensation").one_of(&["\"resolve\""]).help(help)
+pub(super) fn resolved() -> Answer {
+    Answer::key("output", "compensation").one_of(&["\"resolve\""])
 }
 
 impl Compensation {
@@ -83,15 +83,15 @@ impl Compensation {
         } else if self.refused {
             return Preparation::Refuse(None);
         }
-        if let Some((message, help)) = self.obstacle(mv, selected, planes, way) {
+        if let Some(fault) = self.obstacle(mv, selected, planes, way) {
             self.refused = true;
             if mv.side == Side::None {
                 // What follows stands outside of the contour, whatever the target made of its end.
                 self.side = Side::None;
             }
-            let mut found = Diagnostic::new(codes::O9003, origin.loc, message).help(help).called(origin.call);
+            let mut found = fault.at(origin.loc).called(origin.call);
             if let (Some(by), true) = (self.ended_by, mv.side != Side::None) {
-                found = found.also(by.loc, "this block ends the compensation");
+                found = found.also(by.loc, Label::EndsCompensation);
             }
             return Preparation::Refuse(Some(Box::new(found)));
         }
@@ -100,12 +100,9 @@ impl Compensation {
             return Preparation::Nothing;
         }
         match self.too_short(mv.side, way) {
-            Some(message) => {
+            Some(fault) => {
                 self.refused = true;
-                let help =
-                    "begin farther from the contour, or end farther away, so that the whole tool stands beside it";
-                let found = Diagnostic::new(codes::O9100, origin.loc, message).help(help).called(origin.call);
-                Preparation::Refuse(Some(Box::new(found)))
+                Preparation::Refuse(Some(Box::new(fault.at(origin.loc).called(origin.call))))
             }
             None => Preparation::Switch,
         }
@@ -113,81 +110,54 @@ impl Compensation {
 
     /// The target refuses a way to the contour that is not longer than the radius. On a way from it that is shorter, the
     /// tool would end over the contour that it has just left.
-    fn too_short(&self, side: Side, way: Way) -> Option<String> {
+    fn too_short(&self, side: Side, way: Way) -> Option<Fault> {
         let (length, radius) = (way.length?, way.radius?);
-        let (what, short) = if side == Side::None {
-            ("leaves", length < radius - ROUNDED * way.unit)
+        if side == Side::None {
+            let short = length < radius - ROUNDED * way.unit;
+            short.then(|| codes::O9100::move_that_leaves_contour(&length, &radius))
         } else {
-            ("leads to", length <= radius + SAME_LENGTH)
-        };
-        short.then(|| format!("the move that {what} the compensated contour is {length:.4} mm long, and the tool radius is {radius:.4} mm"))
+            let short = length <= radius + SAME_LENGTH;
+            short.then(|| codes::O9100::move_that_leads_to_contour(&length, &radius))
+        }
     }
 
     /// What is wrong with `mv`, and what to do.
-    fn obstacle(&self, mv: &Move, selected: Plane, planes: &[Plane], way: Way) -> Option<(&'static str, Help)> {
+    fn obstacle(&self, mv: &Move, selected: Plane, planes: &[Plane], way: Way) -> Option<Fault> {
         let on = self.side != Side::None;
         if on != (mv.side != Side::None) && !way.in_plane {
             // The first move in the plane would become the way to or from the contour.
-            return Some((
-                "radius compensation begins or ends in a block that does not move in the working plane",
-                "begin and end it in a block that moves from beside the contour to it, or away".into(),
-            ));
+            return Some(codes::O9003::begins_or_ends_in_block_that_does_not_move());
         }
         if on && mv.side == Side::None && !self.has_element && !way.in_doubt {
             // Controls differ in where the tool stands then, and some raise an alarm.
-            return Some((
-                "radius compensation ends before the contour has an element: there is no direction to stand beside",
-                "program one element of the contour at least between the two blocks".into(),
-            ));
+            return Some(codes::O9003::ends_before_contour_has_element());
         }
-        let before = || resolve("end the compensation before this block, or set `[output] compensation = \"resolve\"`");
         if mv.side == Side::None {
             let arc = self.leaving || on;
-            return (arc && matches!(mv.path, Path::Arc(..))).then_some((
-                "the target needs a straight move to end its radius compensation, and this block is an arc",
-                "put a straight block without compensation before the arc".into(),
-            ));
+            return (arc && matches!(mv.path, Path::Arc(..))).then(codes::O9003::target_needs_straight_move_to_end);
         }
         if self.ended_by.is_some() {
-            return Some((
-                "radius compensation cannot go on after a tool change, work offset or plane change",
-                "end the compensation before that block and start it again after it".into(),
-            ));
+            return Some(codes::O9003::cannot_go_on_after_tool_change());
         }
         if !planes.contains(&mv.plane) {
-            return Some((
-                "the target does not compensate the tool radius in this working plane",
-                resolve("set `[output] compensation = \"resolve\"`, or take another target"),
-            ));
+            return Some(codes::O9003::target_does_not_compensate_in_this_plane().answer(resolved()));
         }
         if on && mv.side != self.side {
-            return Some((
-                "the side of the radius compensation changes while it is on",
-                "end the compensation before the side changes or the mirror begins".into(),
-            ));
+            return Some(codes::O9003::side_changes_while_it_is_on());
         }
         if on && mv.plane != selected {
-            return Some(("the working plane changes under radius compensation", before()));
+            return Some(codes::O9003::working_plane_changes().answer(resolved()));
         }
         if !on && matches!(mv.path, Path::Arc(..)) {
-            return Some((
-                "radius compensation cannot start in an arc",
-                "put a straight block with compensation before the arc".into(),
-            ));
+            return Some(codes::O9003::cannot_start_in_arc());
         }
-        if mv.machine {
-            return Some((
-                "a block in machine coordinates cannot run under the target's radius compensation",
-                before(),
-            ));
-        }
-        match &mv.path {
-            Path::Thread { .. } => Some(("a thread cannot be cut under the target's radius compensation", before())),
-            Path::Arc(arc, _) if arc.plane != mv.plane => {
-                Some(("an arc outside the working plane cannot run under the target's radius compensation", before()))
-            }
-            Path::Rapid | Path::Line(_) | Path::Arc(..) | Path::Carried { .. } => None,
-        }
+        let asking = match &mv.path {
+            _ if mv.machine => codes::O9003::block_in_machine_coordinates_cannot_run(),
+            Path::Thread { .. } => codes::O9003::thread_cannot_be_cut(),
+            Path::Arc(arc, _) if arc.plane != mv.plane => codes::O9003::arc_outside_working_plane_cannot_run(),
+            Path::Rapid | Path::Line(_) | Path::Arc(..) | Path::Carried { .. } => return None,
+        };
+        Some(asking.answer(resolved()))
     }
 
     /// Blocks that move nothing in the plane, between two moves of the contour: the target looks ahead over one.
@@ -211,8 +181,8 @@ impl Compensation {
         if std::mem::replace(&mut self.refused, true) {
             return None;
         }
-        let help = resolve("put it before the contour or after it, or set `[output] compensation = \"resolve\"`");
-        Some(codes::O9003::stop_stands_in_compensated_contour(&target).at(origin.loc).help(help).called(origin.call))
+        let fault = codes::O9003::stop_stands_in_compensated_contour(&target).answer(resolved());
+        Some(fault.at(origin.loc).called(origin.call))
     }
 
     /// A move in the plane is printed.

@@ -229,24 +229,20 @@ impl<'a> Page<'a> {
     #[cold]
     fn too_many_digits(&mut self, origin: &Origin) {
         let line = String::from_utf8_lossy(self.text.line());
-        let whole = match self.limits.whole {
-            0 => String::new(),
-            whole => format!(", {whole} of them before the point"),
+        let asking = match self.limits.whole {
+            0 => codes::O9314::target_reads_digits_of_number(&self.limits.digits, &line),
+            whole => codes::O9314::target_reads_digits_before_point(&self.limits.digits, &whole, &line),
         };
-        let found = codes::O9314::target_reads_digits_of_number(&self.limits.digits, &whole, &line)
-            .at(origin.loc)
-            .called(origin.call);
-        self.diags.push(found.help(
-            Answer::key("output", "decimals").help("check the value, or print fewer places with `[output] decimals`"),
-        ));
+        let fault = asking.answer(Answer::key("output", "decimals"));
+        self.diags.push(fault.at(origin.loc).called(origin.call));
     }
 
     #[cold]
     fn too_many(&mut self, origin: &Origin) {
         if !std::mem::replace(&mut self.full, true) {
-            let found = codes::P4002::output_has_more_than_lines(&self.most_lines).at(origin.loc).called(origin.call);
-            let help = "look for a loop that does not end, or raise `[limits] output_blocks`";
-            self.diags.push(found.help(Answer::key("limits", "output_blocks").help(help)));
+            let asking = codes::P4002::output_has_more_than_lines(&self.most_lines);
+            let fault = asking.answer(Answer::key("limits", "output_blocks"));
+            self.diags.push(fault.at(origin.loc).called(origin.call));
         }
     }
 
@@ -269,14 +265,8 @@ impl<'a> Page<'a> {
     fn too_long(&mut self, origin: &Origin) {
         let line = String::from_utf8_lossy(self.text.line());
         let most = self.limits.length;
-        let found = codes::O9330::target_reads_lines_of_characters(&most, &line, &line.len())
-            .at(origin.loc)
-            .called(origin.call);
-        self.diags.push(
-            found.help(
-                Answer::key("output", "decimals")
-                    .help("print fewer places with `[output] decimals`, or move fewer axes in one block"),
-            ),
-        );
+        let asking = codes::O9330::target_reads_lines_of_characters(&most, &line, &line.len());
+        let fault = asking.answer(Answer::key("output", "decimals"));
+        self.diags.push(fault.at(origin.loc).called(origin.call));
     }
 }

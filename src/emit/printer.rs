@@ -18,7 +18,7 @@ pub(crate) mod winding;
 
 use std::io;
 
-use crate::diag::{Answer, Code, Diagnostic, Diags, Fault, codes};
+use crate::diag::{Answer, Diags, Fault, codes};
 use crate::geo::Plane;
 use crate::ir::function::{CutterData, Turn};
 use crate::ir::motion::{Move, Path, Place, Sink};
@@ -208,10 +208,6 @@ impl<'a> Printer<'a> {
     #[cold]
     fn say(&self, origin: &Origin, fault: Fault) {
         self.diags.push(fault.at(origin.loc).called(origin.call));
-    }
-
-    fn report(&self, code: &'static Code, origin: &Origin, message: &str) {
-        self.diags.push(Diagnostic::new(code, origin.loc, message).called(origin.call));
     }
 
     #[inline(always)]

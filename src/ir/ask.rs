@@ -5,14 +5,18 @@ use crate::diag::{Answer, Help};
 /// A key of `partc.toml` that decides, and what to do. The passes behind the dialect raise it where the choice matters, and know no key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Ask {
+    /// Table of `partc.toml`, such as `control`.
     pub section: &'static str,
+    /// Key in that table.
     pub key: &'static str,
     /// The values that it takes; empty for any.
     pub values: &'static [&'static str],
+    /// What to do, in one sentence for the user.
     pub help: &'static str,
 }
 
 impl Ask {
+    /// A question that any value of the key answers.
     pub const fn key(section: &'static str, key: &'static str, help: &'static str) -> Ask {
         Ask { section, key, values: &[], help }
     }

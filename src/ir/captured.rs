@@ -14,27 +14,34 @@ const NEXT_TO_NOTHING: f64 = 0.01;
 /// The elements of a described contour, arcs resolved and corners cut, in the frame in which it was begun.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Captured {
+    /// The working plane; all points lie in it, in mm.
     pub plane: Plane,
     /// End of the first move: how the tool comes there is not part of the contour.
     pub start: Point2,
     /// The side that all its moves have; `None` where it changes.
     pub side: Option<Side>,
-    /// In the order of travel, each from where the one before ends.
+    /// In the order of travel, each from where the one before ends, none without length. At most as many as the
+    /// consumer asked for; there may be none.
     pub pieces: Vec<CapturedElement>,
 }
 
 /// An element of a described contour.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CapturedElement {
+    /// In coordinates of the plane, mm.
     pub element: Element,
+    /// How it was programmed.
     pub kind: CapturedKind,
+    /// The block that describes it; that of the corner for what a corner inserts.
     pub origin: Origin,
 }
 
 /// How an element of a contour was programmed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CapturedKind {
+    /// A line at rapid traverse.
     Rapid,
+    /// A line or an arc at a feed.
     Cut,
     /// A line in step with the spindle.
     Thread,
@@ -58,12 +65,12 @@ pub enum Unfit {
 }
 
 impl Captured {
-    /// Does it end where it starts?
+    /// Does it end where it starts, to [`CLOSED`]?
     pub fn is_closed(&self) -> bool {
         self.pieces.last().is_some_and(|last| distance(last.element.to(), self.start) <= CLOSED)
     }
 
-    /// Smallest and largest coordinates of its points, arcs counted by their whole way.
+    /// Smallest and largest coordinates of its points, those of arcs between their ends included.
     pub fn extent(&self) -> (Point2, Point2) {
         self.pieces.iter().flat_map(|piece| quarters(&piece.element)).map(|piece| piece.to()).fold(
             (self.start, self.start),
@@ -73,8 +80,8 @@ impl Captured {
         )
     }
 
-    /// The first two elements that cross, by their places. Neighbours meet in their common end, also with next to
-    /// nothing between them, and a closed contour meets itself in its start: that is no crossing.
+    /// The first two elements that cross, by their indices in `pieces`. Neighbours meet in their common end, also with
+    /// next to nothing between them, and a closed contour meets itself in its start: that is no crossing.
     pub fn crossing(&self) -> Option<(usize, usize)> {
         let count = self.pieces.len();
         for (j, b) in self.pieces.iter().enumerate() {

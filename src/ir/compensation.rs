@@ -10,13 +10,18 @@ use super::Ask;
 pub struct Compensation {
     /// Radius of the tool with its oversizes in mm, not below zero. No frame scales it.
     pub radius: f64,
-    /// Way from the programmed point to the centre of the nose, in the working plane of the workpiece; zero for a
+    /// From the programmed point to the centre of the nose, in mm, in the working plane of the workpiece; zero for a
     /// milling cutter.
     pub nose: Vec2,
+    /// The path to the start of the first contour element.
     pub approach: Border,
+    /// The path from the end of the last contour element.
     pub retract: Border,
+    /// At corners that turn away from the tool.
     pub outside: Outside,
+    /// At corners that turn towards the tool.
     pub inside: Inside,
+    /// Where neighbours do not meet.
     pub search: Search,
     /// What becomes of a border element that does not meet its neighbour.
     pub ends: Ends,
@@ -24,14 +29,16 @@ pub struct Compensation {
     pub constant: bool,
     /// Where the feed of an arc counts.
     pub feed: FeedAt,
-    /// A chamfer or rounding may stand beside the way to the contour or from it: the producer has looked at it.
+    /// A chamfer or rounding may lie beside the path to the contour or from it: the producer has looked at it.
     pub rounded_border: bool,
-    /// The element belongs to a way that a cycle makes to its contour, not to the contour: the path may come near to it.
+    /// The element belongs to a path that a cycle makes to its contour, not to the contour: the path may come near to
+    /// it.
     pub is_way: bool,
     /// The block asks for the corner at its end by itself: that nothing comes of it is worth a word.
     pub own_corner: bool,
     /// The manuals say which feed counts on the arc about a corner, and where blocks between two elements happen.
     pub joints_are_documented: bool,
+    /// Alarms of the control for what is reported.
     pub alarms: Alarms,
 }
 
@@ -71,23 +78,24 @@ pub enum FeedAt {
     CentreInstead(&'static Ask),
 }
 
-/// The way to the first contour element, or from the last one.
+/// The path to the first contour element, or from the last one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Border {
     /// Straight to the point beside the start of the element, at a right angle to its direction there.
     #[default]
     Perpendicular,
-    /// The same, but around the start of the contour on a circle where the tool stands behind it.
+    /// The same, but around the start of the contour on a circle where the straight path would come nearer to it than
+    /// the radius.
     Around,
-    /// Around it in another way, which the compiler does not make.
+    /// Around it by another path, which the compiler does not make.
     AroundOtherwise,
 }
 
 /// A corner that turns away from the tool.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Outside {
-    /// Up to this turn of the contour both offsets are prolonged until they meet, beyond it an arc leads about the
-    /// corner.
+    /// Up to this turn of the contour in degrees both offsets are prolonged until they meet, beyond it an arc leads
+    /// about the corner.
     pub prolonged: Deg,
     /// Turns above the first and up to the second are decided by a machine datum that nobody gave.
     pub open: Option<(Deg, Deg, &'static Ask)>,
@@ -135,6 +143,7 @@ pub struct Alarms {
     pub left_out: Option<u32>,
     /// The tool stands inside of the circle about the border point.
     pub start_inside: Option<u32>,
+    /// The same at the end of the contour.
     pub end_inside: Option<u32>,
     /// The plane changes.
     pub plane: Option<u32>,

@@ -16,20 +16,19 @@ use super::{Ask, Compensation, Feed, Frame, Function, Origin, Pos, Side, Tap};
 /// Farthest that a coordinate, centre or radius may lie, in mm: 100 km. Beyond, binary fractions are coarser than what
 /// the streams promise.
 pub const FARTHEST: f64 = 1e8;
-/// What is said of one that lies farther out, or so far that a corner or arc loses its digits.
-pub const TOO_LARGE: &str = "a number of this block is too large to compute with";
-pub const TOO_LARGE_HELP: &str = "check the coordinates, and the parameters that the block computes with";
 
 /// State that holds for many items; a new one is made only when something in it changes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Ctx {
     /// Working plane.
     pub plane: Plane,
+    /// From programmed to workpiece coordinates.
     pub frame: Frame,
     /// How the compiler compensates moves with a side; `None` leaves them to the target.
     pub compensation: Option<Rc<Compensation>>,
 }
 
+/// Shared by the items that came under the same state; a new one stands for a change.
 pub type CtxRef = Rc<Ctx>;
 
 /// A programmed path element. It starts where the item before left the tool; where that is not known the producer
@@ -39,10 +38,12 @@ pub struct Move {
     /// Programmed axes only, one at least, rotary ones in degrees; the others stay. Polar and incremental words are
     /// resolved.
     pub end: Pos,
+    /// How the move gets to its end.
     pub path: Path,
     /// Side of the compensation in force during the move. It may change at any move: what the target cannot switch
     /// there it refuses.
     pub side: Side,
+    /// In which system `end` counts.
     pub coords: Coords,
 }
 
@@ -89,6 +90,7 @@ impl Path {
         feed.map_or(Path::Rapid, Path::Line)
     }
 
+    /// Does the move go at rapid traverse?
     #[inline]
     pub fn is_rapid(&self) -> bool {
         matches!(self, Path::Rapid)
@@ -98,7 +100,7 @@ impl Path {
 /// A line cut in step with the spindle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Thread {
-    /// Way per turn of the spindle in mm, above zero.
+    /// Travel per turn of the spindle in mm, above zero.
     pub lead: f64,
     /// Axis along which `lead` counts; `None` for along the path.
     pub along: Option<Axis>,
@@ -108,24 +110,32 @@ pub struct Thread {
 /// stays.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arc {
+    /// Plane of the circle; its centre and points are coordinates in it.
     pub plane: Plane,
+    /// What the program gave of the circle.
     pub shape: ArcShape,
     /// Whole turns on top of what the shape says.
     pub turns: u32,
 }
 
+/// An arc by the data that the program gave. Points are absolute coordinates of the plane, mm; `ccw` is
+/// counter-clockwise, seen against the plane normal; tolerances are not below zero. Whether the arc exists is for lower
+/// to say.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ArcShape {
-    /// About `center` to the end point, which may miss the circle by `tol` mm. End on start: a full circle.
+    /// About `center` in the sense of `ccw` to the end point, which may miss the circle by `tol` mm. End on start: a
+    /// full circle.
     Center { center: Point2, ccw: bool, tol: f64 },
     /// About `center` by exactly `sweep` degrees, counter-clockwise positive, any number of turns. The end
     /// point is the one that follows from it.
     Sweep { center: Point2, sweep: Deg },
-    /// By radius, which is not zero; a negative one takes the longer arc. The end may lie `tol` mm too far.
+    /// By `radius` in mm, which is not zero, in the sense of `ccw`; a negative one takes the longer arc. The end may
+    /// lie `tol` mm too far.
     Radius { radius: f64, ccw: bool, tol: f64 },
-    /// By the angle between the radii to its ends: `sweep` degrees, counter-clockwise positive, below a turn.
+    /// By the angle between the radii to its ends: `sweep` degrees, counter-clockwise positive, not zero and below a
+    /// turn.
     Opening { sweep: Deg },
-    /// Through a point between its ends, in coordinates of the plane.
+    /// Through `point`, which lies between its ends.
     Via { point: Point2 },
     /// Tangential to the element before. That there is one with a direction is checked in lower.
     Tangent,
@@ -163,15 +173,19 @@ impl ArcShape {
 /// What happens at the corner between the element before and the next one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Corner {
+    /// What is inserted between the two elements.
     pub shape: CornerShape,
     /// Feed on the inserted element; `None` for the feed of the next element, or of the one before where that is rapid.
     pub feed: Option<Feed>,
-    /// What happens between the two elements comes in front of the inserted one, not behind it.
+    /// What happens between the two elements comes before the inserted one, not after it.
     pub early: bool,
     /// Asked for at every corner: where there is none, nothing is inserted and nothing is said.
     pub modal: bool,
+    /// What becomes of it where it cuts off more than a neighbour has.
     pub large: LargeCorner,
+    /// What becomes of a chamfer where a neighbour is an arc.
     pub at_arc: ArcChamfer,
+    /// What becomes of blocks between the two elements that move nothing.
     pub blocks: Blocks,
 }
 
@@ -208,13 +222,14 @@ pub enum LargeCorner {
     Shorten,
 }
 
+/// What is inserted at a corner. Sizes are finite; whether they fit is for lower to say.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CornerShape {
-    /// Arc of this radius in mm, above zero, tangential to both neighbours.
+    /// Arc of `radius` mm, above zero, tangential to both neighbours.
     Rounding { radius: f64 },
-    /// Chamfer by the length in mm cut off each neighbour, above zero.
+    /// Chamfer by the length `side` in mm that it cuts off each neighbour, above zero.
     Chamfer { side: f64 },
-    /// Chamfer by its own length in mm, above zero.
+    /// Chamfer by its own `length` in mm, above zero.
     ChamferLength { length: f64 },
     /// Relief of an inside corner of a turned part; in the plane ZX only.
     Undercut(Undercut),

@@ -10,7 +10,7 @@ use super::Pos;
 /// What arithmetic loses of a direction or a scale.
 const LOST: f64 = 1e-9;
 
-/// An affine map of X, Y and Z, plus an offset for every other axis.
+/// An affine map of X, Y and Z, in mm, plus an offset for every other axis, in mm or degrees.
 ///
 /// Immutable once an item refers to it. `workpiece = linear · programmed + shift`.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,8 +23,11 @@ pub struct Frame {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
+    /// Nothing is changed.
     Identity,
+    /// Offsets alone.
     Shift,
+    /// The main axes are turned, mirrored or scaled, too.
     Affine,
 }
 
@@ -46,7 +49,7 @@ impl Default for Frame {
 }
 
 impl Frame {
-    /// A frame; `None` if `linear` cannot be inverted or a value is not finite.
+    /// A frame of its map and its offsets by axis; `None` if `linear` cannot be inverted or a value is not finite.
     pub fn new(linear: Matrix3<f64>, shift: [f64; AXES]) -> Option<Frame> {
         let finite = linear.iter().chain(shift.iter()).all(|v| v.is_finite());
         let plain = linear == Matrix3::identity();
@@ -59,6 +62,7 @@ impl Frame {
         finite.then_some(Frame { linear, inverse, shift, kind })
     }
 
+    /// Are workpiece coordinates the programmed ones?
     pub fn is_identity(&self) -> bool {
         self.kind == Kind::Identity
     }
@@ -68,11 +72,12 @@ impl Frame {
         self.kind != Kind::Affine
     }
 
-    /// What the frame adds along `axis`.
+    /// What the frame adds along `axis`, in mm or degrees.
     pub fn shift_of(&self, axis: Axis) -> f64 {
         self.shift[axis.index()]
     }
 
+    /// Its map without the offsets: rows are workpiece axes, columns programmed ones.
     pub fn linear(&self) -> &Matrix3<f64> {
         &self.linear
     }

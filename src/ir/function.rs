@@ -10,7 +10,9 @@ pub use crate::machine::PathControl;
 /// Sense of rotation of a spindle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Turn {
+    /// M3: a tap for a right-hand thread goes in with it.
     Clockwise,
+    /// M4: a tap for a left-hand thread goes in with it.
     CounterClockwise,
 }
 
@@ -24,33 +26,36 @@ impl Turn {
     }
 }
 
-/// What a spindle does.
+/// What a spindle does. Numbers are finite, speeds not below zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Spindle {
+    /// It turns in this sense, at the speed that was said last.
     Start(Turn),
+    /// It stands.
     Stop,
     /// Speed in rev/min.
     Speed(f64),
-    /// Constant cutting speed in m/min, up to a speed in rev/min.
-    CuttingSpeed {
-        speed: f64,
-        limit: Option<f64>,
-    },
+    /// Constant cutting `speed` in m/min, up to the `limit` in rev/min; `None` for no limit.
+    CuttingSpeed { speed: f64, limit: Option<f64> },
     /// Stop at an angle in degrees.
     Orient(f64),
 }
 
+/// What the coolant does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Coolant {
+    /// M7.
     Mist,
+    /// M8.
     Flood,
+    /// M9: both are off.
     Off,
 }
 
 /// What radius compensation needs to know of the tool.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct CutterData {
-    /// Number of the tool whose radius the target looks up.
+    /// Number of the tool whose radius the target looks up, as it is printed; 0 for none.
     pub number: u32,
     /// Radius in mm where the program changes it (oversizes), so that the target's own must not be used.
     pub radius: Option<f64>,
@@ -64,9 +69,10 @@ pub struct CutterData {
 /// The material that a program begins with, in coordinates of the workpiece, mm. Each side is longer than nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Blank {
-    /// X, Y and Z of two corners.
+    /// X, Y and Z of two corners: `low` has the smaller coordinate of each axis, `high` the greater one.
     Cuboid { low: [f64; 3], high: [f64; 3] },
-    /// Round about the line through zero along an axis, on which it lies between two places. Without a bore that is 0.
+    /// Round about the line through zero along `axis`, on which it lies between the coordinates `low` and `high`;
+    /// `radius` outside, `bore` inside, which is 0 without a bore.
     Round { axis: Axis, radius: f64, bore: f64, low: f64, high: f64 },
 }
 
@@ -75,40 +81,39 @@ pub enum Blank {
 pub enum Remark {
     /// A block was refused: from here on the program is known in parts.
     Refused,
+    /// The program says with which material it begins.
     Blank(Blank),
 }
 
 /// Something other than a move.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Function {
-    /// Change to this tool; 0 empties the spindle.
-    ToolChange {
-        number: u32,
-    },
-    /// Tell the changer which tool comes next.
-    ToolPrepare {
-        number: u32,
-    },
+    /// Change to the tool `number`, as it is printed; 0 empties the spindle. Positions that were said before it no
+    /// longer hold.
+    ToolChange { number: u32 },
+    /// Tell the changer that the tool `number`, as it is printed, comes next.
+    ToolPrepare { number: u32 },
+    /// What radius compensation takes of the tool from here on.
     Cutter(CutterData),
+    /// The first spindle.
     Spindle(Spindle),
-    /// Another spindle than the first.
-    SpindleOf {
-        number: u8,
-        spindle: Spindle,
-    },
+    /// What a spindle other than the first does, `spindle`; `number` counts from 1.
+    SpindleOf { number: u8, spindle: Spindle },
     /// Feeds per revolution count the turns of this spindle from here on, 1 for the first. Lower carries it out.
     FeedSpindle(u8),
     /// The program sees other axes from here on, or again those of the machine. Lower carries it out.
     Transformation(Option<Transformation>),
+    /// Coolant on or off.
     Coolant(Coolant),
-    /// Wait, seconds.
+    /// Wait, seconds, not below zero.
     Dwell(f64),
-    /// Program stop.
+    /// Program stop, M0.
     Stop,
+    /// Stop where the operator has asked for it, M1.
     OptionalStop,
-    /// M function that is printed as it stands.
+    /// M function of this number that is printed as it stands.
     Aux(u32),
-    /// Work offset, 1 (G54) to 9 (G59.3), and on.
+    /// Work offset, 1 (G54) to 9 (G59.3), and on. Positions that were said before it no longer hold.
     WorkOffset(u8),
     /// Working plane, stated by the program.
     Plane(Plane),
@@ -116,9 +121,8 @@ pub enum Function {
     PathControl(Option<PathControl>),
     /// Text of the source, any bytes.
     Comment(Vec<u8>),
+    /// For those who show the program; nothing is printed of it.
     Remark(Remark),
-    /// End of the program.
-    End {
-        rewind: bool,
-    },
+    /// End of the program; with `rewind` back to its start (M30), else without (M2).
+    End { rewind: bool },
 }

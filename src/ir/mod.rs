@@ -33,16 +33,21 @@ pub use transformation::Transformation;
 /// Where an item comes from: the block, and how the program got there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Origin {
+    /// The block in its file, for findings and the source map.
     pub loc: Loc,
+    /// The calls that led to the block.
     pub call: CallPath,
 }
 
-/// Side on which a tool compensates its radius, seen in the direction of travel.
+/// Side of the contour on which the tool lies, seen in the direction of travel, while its radius is compensated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Side {
+    /// No compensation: the programmed point is on the contour.
     #[default]
     None,
+    /// G41.
     Left,
+    /// G42.
     Right,
 }
 
@@ -57,7 +62,7 @@ impl Side {
     }
 }
 
-/// Feed of a cutting move.
+/// Feed of a cutting move. What comes with a move is above zero and finite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Feed {
     /// mm/min (degrees/min for moves of rotary axes alone).
@@ -69,6 +74,7 @@ pub enum Feed {
 }
 
 impl Feed {
+    /// The number without its unit.
     pub fn value(self) -> f64 {
         match self {
             Feed::PerMinute(f) | Feed::PerRevolution(f) | Feed::InverseTime(f) => f,

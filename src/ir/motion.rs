@@ -12,12 +12,15 @@ use super::{Feed, Function, Origin, Pos, Side, Tap};
 /// A move from the end of the move before.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Move {
-    /// All axes whose position is known after the move. Those that are not in `axes` stand where they stood before it.
+    /// All axes whose position is known after the move, in workpiece coordinates. Those that are not in `axes` stand
+    /// where they stood before it.
     pub end: Pos,
     /// Axes this move is about: programmed ones, those a frame turned with them, and both of the plane of an arc or of an
     /// inserted corner. One at least, each with its place in `end`; whether it gets another coordinate is not said.
     pub axes: AxisSet,
+    /// How the move gets to its end.
     pub path: Path,
+    /// Side on which the target compensates the radius of its tool; [`Side::None`] where the compiler has done so.
     pub side: Side,
     /// Working plane, which compensation refers to. That of an arc may be another one: then a target cannot compensate it.
     pub plane: Plane,
@@ -26,19 +29,21 @@ pub struct Move {
     pub machine: bool,
 }
 
+/// How a move gets to its end, with the feed where it cuts.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Path {
+    /// A straight line as fast as the machine goes. What dog-legs it makes is for the machine.
     #[default]
     Rapid,
     /// A straight line; the feed is above zero and finite.
     Line(Feed),
-    /// The other axes go evenly along. The feed is above zero and finite.
+    /// An arc, evenly along the other axes: a helix. The feed is above zero and finite.
     Arc(Arc, Feed),
     /// A straight line in the axes of the machine by which it makes `length` mm of a contour that the program sees in other
     /// axes, at `feed` mm per minute along that contour. Both are above zero and finite. What F that is depends on what the
     /// target measures.
     Carried { feed: f64, length: f64 },
-    /// A line in step with the spindle: mm along the path per turn, above zero.
+    /// A line in step with the spindle: `lead` in mm along the path per turn, above zero.
     Thread { lead: f64 },
 }
 
@@ -59,21 +64,24 @@ impl Path {
     }
 }
 
-/// Arc or helix. `sweep` in rad, counter-clockwise positive seen against the plane normal; it is not zero and may exceed
-/// a turn. `from` is where the arc starts, so that no printer has to remember. Both ends lie on the circle, and the sweep
-/// leads from one to the other.
+/// An arc or helix, in workpiece coordinates, mm. Both ends lie on the circle, and the sweep leads from one to the
+/// other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arc {
+    /// Plane of the circle, which need not be the working plane.
     pub plane: Plane,
+    /// Where the arc starts, so that no printer has to remember.
     pub from: Point2,
+    /// Centre of the circle, absolute; neither end lies in it.
     pub center: Point2,
+    /// In rad, counter-clockwise positive seen against the plane normal; it is not zero and may exceed a turn.
     pub sweep: f64,
 }
 
 /// Where a tap begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
-    /// All axes whose position is known, that of the tap at its start.
+    /// All axes whose position is known, in workpiece coordinates, that of the tap at its start.
     pub at: Pos,
     /// Working plane.
     pub plane: Plane,
@@ -90,7 +98,9 @@ impl Place {
 
 /// Takes what a program does, in order. Each item comes with the block that caused it.
 pub trait Sink {
+    /// The next move. It starts where the one before ends.
     fn movement(&mut self, mv: &Move, origin: &Origin);
+    /// Happens after the move before and before the next one.
     fn function(&mut self, function: &Function, origin: &Origin);
     /// A hole is tapped, axis and spindle in step all the time. Who does not say otherwise gets it as its parts: lines in
     /// step with the spindle, and what the spindle does between them. Who hands items on hands this one on as it is.
@@ -112,7 +122,7 @@ pub trait Sink {
     /// A contour of a turned part, as (Z, radius), that the moves of a cycle before this cut down to, `into` the material: for
     /// pictures.
     fn finished(&mut self, _: &[Element], _into: Towards) {}
-    /// Axes stand here although no move said so.
+    /// Axes stand here, in workpiece coordinates, although no move said so.
     fn begins_at(&mut self, _: &Pos) {}
     /// What comes now is not taken any more, which was reported: the run may stop.
     fn full(&self) -> bool {

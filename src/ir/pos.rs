@@ -3,7 +3,8 @@
 use crate::geo::{Plane, Point2};
 use crate::machine::axis::{AXES, Axis, AxisSet};
 
-/// Coordinates by axis, mm or degrees, with the set of those that are known.
+/// Coordinates by axis, with the set of those that are known: mm for linear axes, degrees for rotary ones. In which
+/// system they count is for the one who has the position to say.
 ///
 /// What is stored for an unknown coordinate is never read.
 #[derive(Debug, Clone, Copy, Default)]
@@ -16,23 +17,26 @@ impl Pos {
     /// Nothing known.
     pub const UNKNOWN: Pos = Pos { values: [0.0; AXES], known: AxisSet::EMPTY };
 
-    /// X, Y and Z, of which those in `known` count; no other axis is known.
+    /// X, Y and Z in mm, of which those in `known` count; no other axis is known.
     #[inline(always)]
     pub fn of_main([x, y, z]: [f64; 3], known: AxisSet) -> Pos {
         Pos { values: [x, y, z, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], known: known.common(AxisSet::MAIN) }
     }
 
+    /// The coordinate along `axis`; `None` where it is unknown.
     #[inline]
     pub fn get(&self, axis: Axis) -> Option<f64> {
         self.known.contains(axis).then_some(self.values[axis.index()])
     }
 
+    /// Makes the coordinate along `axis` known.
     #[inline]
     pub fn set(&mut self, axis: Axis, value: f64) {
         self.values[axis.index()] = value;
         self.known.insert(axis);
     }
 
+    /// Makes the coordinate along `axis` unknown.
     pub fn forget(&mut self, axis: Axis) {
         self.known.remove(axis);
     }
@@ -43,6 +47,7 @@ impl Pos {
         self.known = AxisSet::EMPTY;
     }
 
+    /// The axes whose coordinates are known.
     #[inline]
     pub fn known(&self) -> AxisSet {
         self.known
@@ -89,7 +94,7 @@ impl Pos {
         self.in_plane(plane).is_some_and(|p| beyond(p.x) || beyond(p.y))
     }
 
-    /// First and second coordinate of a plane, if both are known.
+    /// First and second coordinate of a plane; `None` unless both are known.
     #[inline]
     pub fn in_plane(&self, plane: Plane) -> Option<Point2> {
         let (first, second, _) = plane.axes();

@@ -20,6 +20,7 @@ pub struct Remarks<'a> {
 }
 
 impl<'a> Remarks<'a> {
+    /// Remarks on the errors that `diags` gets from here on, and on those that it has.
     pub fn new(diags: &'a Diags, next: &'a mut dyn Sink) -> Remarks<'a> {
         Remarks { diags, next, said: false, describes: false }
     }

@@ -10,31 +10,37 @@ use crate::machine::Axis;
 
 use super::function::{Function, Spindle, Turn};
 
-/// A rigid tap. The tool stands at `start` of `axis`, over the hole, and no other axis moves.
+/// A rigid tap. The tool stands at `start` of `axis`, over the hole, and no other axis moves. Coordinates and lengths
+/// in mm; [`Tap::check`] holds for what is in a stream.
 ///
-/// The tap starts the spindle by itself, and after it the spindle stands, or turns as the target leaves it: the producer sends
-/// the state of the spindle, and its speed where `speed_in` or `speed_out` is given, before the next move.
+/// The tap starts the spindle by itself, and after it the spindle stands, or turns as the target leaves it: the
+/// producer sends the state of the spindle, and its speed where `speed_in` or `speed_out` is given, before the next
+/// move.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tap {
+    /// The tool axis: it alone moves, in step with the spindle.
     pub axis: Axis,
     /// Coordinate along `axis` where it begins.
     pub start: f64,
-    /// Surface of the workpiece, where depths count from; it lies between `start` and the first depth, or at `start`.
+    /// Coordinate of the surface of the workpiece, from which depths count; it lies between `start` and the first
+    /// depth, or at `start`.
     pub surface: f64,
     /// One at least; the last one ends the hole.
     pub strokes: Vec<Stroke>,
     /// mm per turn, over 0; the hand of the thread is in `turn`.
     pub lead: f64,
-    /// On the way in; out is the other way.
+    /// Sense of the spindle on the way in; out is the other one.
     pub turn: Turn,
-    /// Speeds in rev/min; `None` for the one in force.
+    /// Speed on the way in, rev/min, over 0; `None` for the one in force.
     pub speed_in: Option<f64>,
+    /// Speed on the way out, rev/min, over 0; `None` for that of the way in.
     pub speed_out: Option<f64>,
-    /// Angle of the spindle before, in degrees.
+    /// Angle in degrees at which the spindle stops before the tap; `None` where it stops nowhere.
     pub orient: Option<f64>,
-    /// Seconds between two strokes.
+    /// Seconds between two strokes, 0 or more.
     pub pause: f64,
-    /// Down through the thread that is cut, to so many mm above the last depth, it goes at the speed of the way out.
+    /// Down through the thread that is cut, to so many mm above the last depth, 0 or more, it goes at the speed of the
+    /// way out; `None`: at that of the way in.
     pub again: Option<f64>,
 }
 
@@ -43,29 +49,35 @@ pub struct Tap {
 pub struct Stroke {
     /// Coordinate of the depth.
     pub to: f64,
-    /// Where it comes back to: in the hole to break the chip, or out of it.
+    /// Coordinate to which it comes back: in the hole to break the chip, or out of it.
     pub back: f64,
-    /// Seconds at the depth, the spindle standing.
+    /// Seconds at the depth, the spindle standing; 0 or more.
     pub dwell: f64,
 }
 
 /// What a tap does, one after the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Part {
+    /// The spindle is told its angle, speed or sense.
     Spindle(Spindle),
+    /// Wait, seconds, over 0.
     Dwell(f64),
-    /// In step with the spindle to this coordinate.
+    /// In step with the spindle to this coordinate of the axis.
     To(f64),
 }
 
 /// Why something is no tap.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TapFault {
+    /// A coordinate or the angle is no finite number.
     Number,
+    /// The lead is not over 0.
     Lead,
+    /// A speed is not over 0.
     Speed,
+    /// A dwell, a pause or the distance of [`Tap::again`] is negative.
     Dwell,
-    /// A stroke leads not down, or not back.
+    /// There is no stroke, or one leads not in, or not back.
     Stroke,
 }
 
@@ -82,17 +94,17 @@ impl fmt::Display for TapFault {
 }
 
 impl Tap {
-    /// Where it ends.
+    /// Coordinate where it ends.
     pub fn end(&self) -> f64 {
         self.strokes.last().map_or(self.start, |stroke| stroke.back)
     }
 
-    /// The bottom of the hole.
+    /// Coordinate of the last depth.
     pub fn bottom(&self) -> f64 {
         self.strokes.last().map_or(self.start, |stroke| stroke.to)
     }
 
-    /// Direction out of the hole.
+    /// Direction out of the hole along the axis: 1 or -1.
     pub fn outward(&self) -> f64 {
         if self.start >= self.bottom() { 1.0 } else { -1.0 }
     }
@@ -105,7 +117,7 @@ impl Tap {
         }
     }
 
-    /// The longest way in the material, in turns of the spindle.
+    /// Turns of the spindle from the start to the farthest depth.
     pub fn turns(&self) -> f64 {
         self.strokes.iter().map(|stroke| (self.start - stroke.to).abs() / self.lead).fold(0.0, f64::max)
     }
@@ -140,7 +152,8 @@ impl Tap {
         if leads { Ok(()) } else { Err(TapFault::Stroke) }
     }
 
-    /// The place above the last depth where the way down goes on at the speed of the way in, where there is one.
+    /// Coordinate above the depth of the stroke before where the speed of the way in begins; `None` where all of the
+    /// stroke, counted from 0, has that speed.
     pub fn resumes(&self, stroke: usize) -> Option<f64> {
         let ahead = self.again.filter(|_| self.speed_out.is_some() && self.speed_out != self.speed_in)?;
         let last = self.strokes.get(stroke.checked_sub(1)?)?;

@@ -13,12 +13,15 @@ use super::{Ask, Pos};
 /// What the program works on, and the axis that turns it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transformation {
+    /// The surface that the program sees as a plane.
     pub surface: Surface,
+    /// The rotary axis of the workpiece, which turns about Z.
     pub rotary: Axis,
     /// What the user may choose where the tool passes the axis of rotation too closely.
     pub at_pole: &'static Ask,
 }
 
+/// The surface on which the program works.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Surface {
     /// The face: X and Y are Cartesian about the axis of rotation, X points to the tool where the rotary axis stands at 0.
@@ -33,8 +36,8 @@ impl Transformation {
         360.0 / (PI * diameter)
     }
 
-    /// The position that the program sees where the machine stands at `real`. Nothing is seen of X and Y where that is
-    /// not known or does not say one place.
+    /// The position that the program sees, in mm, where the machine stands at `real`, with the rotary axis in degrees.
+    /// Nothing is seen of X and Y where that is not known or does not say one place.
     pub fn seen(&self, real: &Pos) -> Pos {
         let mut seen = *real;
         seen.forget(Axis::Y);
@@ -61,8 +64,8 @@ impl Transformation {
         seen
     }
 
-    /// The position behind the transformation, which ends where the program sees `seen`. How often the workpiece has
-    /// turned is not said.
+    /// The position of the machine after the transformation, which ends where the program sees `seen`. How often the
+    /// workpiece has turned is not said.
     pub fn left(&self, seen: &Pos) -> Pos {
         let mut real = *seen;
         real.forget(Axis::Y);

@@ -18,7 +18,9 @@ const BORE: f64 = 0.25;
 /// Side of a turned part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Surface {
+    /// The outside: the contour rises from the corner, away from the turning centre.
     External,
+    /// A bore: the contour falls towards the turning centre.
     Internal,
 }
 
@@ -34,6 +36,7 @@ pub struct Undercut {
     pub surface: Option<Surface>,
     /// The slope lies on the face, not on the cylinder.
     pub on_face: bool,
+    /// What the cylinder and the face still carry, mm, not below zero.
     pub allowance: Allowance,
 }
 
@@ -92,6 +95,7 @@ impl ThreadForm {
         }
     }
 
+    /// The side of the part that the form is made for.
     pub fn surface(self) -> Surface {
         match self {
             ThreadForm::A | ThreadForm::B => Surface::External,
@@ -112,6 +116,7 @@ pub struct Doubts {
 }
 
 impl Doubts {
+    /// Is there any doubt?
     pub fn any(self) -> bool {
         self != Doubts::default()
     }
@@ -146,7 +151,7 @@ pub fn usual_pitch(tables: &Undercuts, surface: Surface, diameter: f64) -> Optio
     tables.threads().iter().map(|row| row.pitch).filter(fits).min_by(|a, b| off(*a).total_cmp(&off(*b)))
 }
 
-/// Depth of an internal thread undercut under the bore.
+/// Depth in mm of an internal thread undercut below the bore.
 pub fn internal_depth(rule: InternalDepth, row: &Row) -> f64 {
     match rule {
         InternalDepth::Core => (CORE * row.pitch + row.internal) / 2.0,
@@ -187,7 +192,7 @@ pub fn thread(tables: &Undercuts, row: &Row, form: ThreadForm, entry: Deg) -> (S
     (shape, doubts)
 }
 
-/// Length of a thread undercut from the corner to the start of its slope.
+/// Length in mm of a thread undercut from the corner to the start of its slope; `depth` in mm, `entry` over 0 degrees.
 pub fn thread_length(rule: ThreadLength, lengths: Lengths, depth: f64, entry: Deg) -> f64 {
     let (sin, cos) = entry.sin_cos();
     let slope = depth * cos / sin;

@@ -5,7 +5,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::diag::{Diagnostic, Diags, codes};
+use crate::diag::{Diagnostic, Diags, Fault, codes};
 use crate::geo::arc::{self, Closing, TangentArc};
 use crate::geo::{Element, Plane, Point2, SAME_POINT, Vec2, distance};
 use crate::ir::contour::{self, ArcShape};
@@ -13,8 +13,8 @@ use crate::ir::motion::{Arc, Path};
 use crate::ir::{Feed, Origin};
 use crate::machine::AxisSet;
 
+use super::at;
 use super::step::{Step, plane_axes};
-use super::{at, raised_at};
 
 /// Sideways distance under which a tangential end counts as straight ahead, in mm.
 const STRAIGHT: f64 = 1e-6;
@@ -138,10 +138,7 @@ impl Adjusted {
         }
         if let Some(origin) = self.far.origin {
             let Moved { count, largest, .. } = self.far;
-            diags.push(
-                at(origin, codes::G8101::arc_centres_were_moved_far(&count, &largest))
-                    .help("check start, end and centre of the arc in the source"),
-            );
+            diags.push(at(origin, codes::G8101::arc_centres_were_moved_far(&count, &largest)));
         }
     }
 }
@@ -224,29 +221,21 @@ fn resolve_arc(
     let (Some(from), Some(to)) = (step.start.in_plane(plane), step.mv.end.in_plane(plane)) else { return Err(None) };
     let ends = Ends { plane, from, to, feed };
     step.mv.axes = step.mv.axes.union(plane_axes(plane));
-    let refuse = |step: &Step, code, message: String| Err(Some(Box::new(raised_at(code, step.origin, message))));
     match shape.shape {
         ArcShape::Center { center, ccw, tol } => return by_center(step, &ends, (center, ccw), tol, adjusted),
         ArcShape::Sweep { center, sweep } => {
             if distance(from, center) <= SAME_POINT {
-                return refuse(step, codes::G3014, "the arc starts in its centre".to_owned());
+                return refuse(step, codes::G3014::arc_starts_in_its_centre());
             }
             step.mv.path = ends.arc(center, sweep.radians());
         }
         ArcShape::Radius { radius, ccw, tol } => {
             let d = distance(from, to);
             if arc::closing(to - from) == Closing::Closed {
-                return refuse(
-                    step,
-                    codes::G3003,
-                    "the arc ends where it starts, so its centre is not determined".to_owned(),
-                );
+                return refuse(step, codes::G3003::arc_ends_where_it_starts());
             }
             let Some(center) = arc::center_by_radius(from, to, radius, ccw, SAME_POINT, tol) else {
-                let help = format!("the radius has to be at least {:.4}", d / 2.0);
-                return Err(Some(Box::new(
-                    at(step.origin, codes::G3002::points_are_mm_apart(&d, &(2.0 * radius.abs()))).help(help),
-                )));
+                return refuse(step, codes::G3002::points_are_mm_apart(&d, &(2.0 * radius.abs()), &(d / 2.0)));
             };
             adjusted.note((d / 2.0 - radius.abs()).max(0.0), tol, step.origin);
             step.mv.path = ends.about(center, ccw);
@@ -254,8 +243,7 @@ fn resolve_arc(
         ArcShape::Opening { sweep } => {
             let sweep = sweep.radians();
             let Some(center) = arc::center_by_opening(from, to, sweep, SAME_POINT) else {
-                let message = "start and end of the arc are the same point, or its angle is no part of a turn";
-                return refuse(step, codes::G3003, message.to_owned());
+                return refuse(step, codes::G3003::start_and_end_of_arc_are_same_point());
             };
             step.mv.path = ends.arc(center, sweep);
         }
@@ -263,19 +251,16 @@ fn resolve_arc(
             Some((center, ccw)) => {
                 step.mv.path = ends.about(center, ccw);
             }
-            None => {
-                let message = "start, intermediate point and end lie on one line or are the same";
-                return refuse(step, codes::G3020, message.to_owned());
-            }
+            None => return refuse(step, codes::G3020::start_intermediate_point_and_end_lie()),
         },
         ArcShape::Tangent => {
             let Some(tangent) = last.tangent(plane) else {
-                let why = match last.why {
-                    Why::Start => "no element with a direction precedes the tangential arc",
-                    Why::Corner => "a chamfer or rounding directly before a tangential arc leaves its direction open",
-                    Why::OtherAxis => "the element before the tangential arc moves out of the plane",
+                let fault = match last.why {
+                    Why::Start => codes::G3004::no_element_with_direction_precedes(),
+                    Why::Corner => codes::G3004::chamfer_or_rounding_directly_before_leaves(),
+                    Why::OtherAxis => codes::G3004::element_before_moves_out_of_plane(),
                 };
-                return refuse(step, codes::G3004, why.to_owned());
+                return refuse(step, fault);
             };
             match arc::tangent_arc(from, tangent, to, SAME_POINT, STRAIGHT) {
                 TangentArc::Arc { center, ccw } => {
@@ -287,13 +272,15 @@ fn resolve_arc(
                     let word = at(step.origin, codes::G3006::end_lies_straight_ahead());
                     return Ok(Extra::Word(Box::new(word)));
                 }
-                TangentArc::Behind => {
-                    return refuse(step, codes::G3005, "the end point lies exactly behind the start".to_owned());
-                }
+                TangentArc::Behind => return refuse(step, codes::G3005::end_point_lies_exactly_behind_start()),
             }
         }
     }
     Ok(Extra::None)
+}
+
+fn refuse<T>(step: &Step, fault: Fault) -> Result<T, Refused> {
+    Err(Some(Box::new(at(step.origin, fault))))
 }
 
 fn add_turns(step: &mut Step, turns: u32) {
@@ -310,7 +297,7 @@ fn thread_path(thread: &contour::Thread, step: &Step) -> Result<Path, Refused> {
     let Some(along) = way(axis) else { return Err(None) };
     let length = AxisSet::MAIN.iter().filter_map(way).fold(0.0, libm::hypot);
     if along.abs() <= SAME_POINT {
-        return Err(Some(Box::new(at(step.origin, codes::G3021::lead_counts_along(&axis.letter())))));
+        return refuse(step, codes::G3021::lead_counts_along(&axis.letter()));
     }
     Ok(Path::Thread { lead: thread.lead * length / along.abs() })
 }
@@ -325,9 +312,11 @@ fn by_center(
 ) -> Result<Extra, Refused> {
     let Ends { plane, from, to, feed } = *ends;
     let (r1, r2) = (distance(from, center), distance(to, center));
-    if r1 <= SAME_POINT || r2 <= SAME_POINT {
-        let which = if r1 <= SAME_POINT { "the arc starts in its centre" } else { "the arc ends in its centre" };
-        return Err(Some(Box::new(raised_at(codes::G3014, step.origin, which))));
+    if r1 <= SAME_POINT {
+        return refuse(step, codes::G3014::arc_starts_in_its_centre());
+    }
+    if r2 <= SAME_POINT {
+        return refuse(step, codes::G3014::arc_ends_in_its_centre());
     }
     match arc::closing(to - from) {
         Closing::Closed => {
@@ -336,18 +325,13 @@ fn by_center(
             return Ok(Extra::None);
         }
         Closing::Unclear => {
-            let gap = distance(from, to);
-            let found = at(step.origin, codes::G3023::start_end_of_arc_are_mm_apart(&gap))
-                .help("for a full circle, program the start point again as the end point");
-            return Err(Some(Box::new(found)));
+            return refuse(step, codes::G3023::start_end_of_arc_are_mm_apart(&distance(from, to)));
         }
         Closing::Open => {}
     }
     let off = (r2 - r1).abs();
     if off > tol + 1e-9 {
-        let found = at(step.origin, codes::G3001::start_lies_mm_from_centre(&r1, &r2, &off, &tol))
-            .help("check start, centre and end of the arc");
-        return Err(Some(Box::new(found)));
+        return refuse(step, codes::G3001::start_lies_mm_from_centre(&r1, &r2, &off, &tol));
     }
     let moved = arc::centered_between(from, to, center);
     let sweep = arc::sweep(from, to, moved, ccw);

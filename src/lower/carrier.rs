@@ -143,8 +143,7 @@ impl FeedSpindle {
     fn per_minute(&self, path: &Path, origin: &Origin) -> Result<Path, Box<Diagnostic>> {
         let (Some(number), Some(Feed::PerRevolution(feed))) = (self.number, path.feed()) else { return Ok(*path) };
         let Some(speed) = self.speeds.get(&number).filter(|speed| **speed > 0.0) else {
-            let help = format!("program its speed before this block: S{number}=1000");
-            return Err(Box::new(at(*origin, codes::G3336::feed_counts_turns_of_spindle(&number)).help(help)));
+            return Err(Box::new(at(*origin, codes::G3336::feed_counts_turns_of_spindle(&number))));
         };
         let feed = Feed::PerMinute(feed * speed);
         Ok(match path {

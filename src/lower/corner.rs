@@ -1,6 +1,6 @@
 //! Pass 2: chamfers and roundings between two elements. Holds back one element.
 
-use crate::diag::{Code, Diagnostic, Diags, codes};
+use crate::diag::{Code, Diagnostic, Diags, Fault, Label, codes};
 use crate::geo::corner::{self, Cut, NoCut, Size};
 use crate::geo::{Element, SAME_POINT, arc, distance};
 use crate::ir::contour::{ArcChamfer, Blocks, Corner, CornerShape, LargeCorner};
@@ -10,7 +10,7 @@ use crate::ir::undercut::Undercut;
 use crate::ir::{Feed, Function, Origin, Side};
 
 use super::step::{Step, plane_axes};
-use super::{at, raised_at, undercut};
+use super::{at, undercut};
 
 /// How much an element may fall short of the cut, in mm: what rounding of the source loses.
 const SHORT: f64 = 1e-6;
@@ -92,7 +92,7 @@ impl Corners {
         if let Some((_, first)) = self.corner {
             diags.push(
                 at(origin, codes::G3007::two_chamfers_or_roundings_follow_each_other())
-                    .also(first.loc, "the first one"),
+                    .also(first.loc, Label::FirstOne),
             );
             self.drop_corner(out);
             return;
@@ -196,9 +196,8 @@ impl Corners {
             return None;
         }
         let what = if enters { "first" } else { "last" };
-        let found = at(origin, codes::G3217::chamfer_or_rounding_stands_at_point(&what))
-            .also(before.origin.loc, "element before");
-        Some(found.help("let the compensation begin and end in blocks without a chamfer or rounding"))
+        let found = at(origin, codes::G3217::chamfer_or_rounding_stands_at_point(&what));
+        Some(found.also(before.origin.loc, Label::ElementBefore))
     }
 
     /// Looks at the blocks between the corner and its elements that move nothing.
@@ -224,14 +223,12 @@ impl Corners {
             )
         };
         if let Some((_, block)) = found.iter().find(|entry| !plain(entry)) {
-            let found =
-                at(origin, codes::G3007::block_that_does_not_move_stands_between()).also(block.loc, "this block");
-            return Err(Box::new(found.help("write it before the two elements, or after them")));
+            let found = at(origin, codes::G3007::block_that_does_not_move_stands_between());
+            return Err(Box::new(found.also(block.loc, Label::ThisBlock)));
         }
         if let Some((_, block)) = found.first() {
-            let found =
-                at(origin, codes::G3090::block_of_m_functions_stands_between_chamfer()).also(block.loc, "this block");
-            diags.push(found.help("write the M function into the block of an element, or before them"));
+            let found = at(origin, codes::G3090::block_of_m_functions_stands_between_chamfer());
+            diags.push(found.also(block.loc, Label::ThisBlock));
         }
         Ok(())
     }
@@ -313,36 +310,33 @@ fn cut(
 ) -> Result<Pieces, Box<Diagnostic>> {
     let plane = after.ctx.plane;
     let name = match corner.shape {
-        CornerShape::Rounding { .. } => "rounding",
-        CornerShape::Chamfer { .. } | CornerShape::ChamferLength { .. } => "chamfer",
-        CornerShape::Undercut(_) => "undercut",
+        CornerShape::Rounding { .. } => &"rounding",
+        CornerShape::Chamfer { .. } | CornerShape::ChamferLength { .. } => &"chamfer",
+        CornerShape::Undercut(_) => &"undercut",
     };
-    let refuse = |code, message: String| {
-        let found = raised_at(code, origin, message);
-        Err(Box::new(found.also(before.origin.loc, "element before").also(after.origin.loc, "element after")))
+    let refuse = |fault| {
+        let found = at(origin, fault);
+        Err(Box::new(found.also(before.origin.loc, Label::ElementBefore).also(after.origin.loc, Label::ElementAfter)))
     };
     if before.ctx.frame != after.ctx.frame {
-        return refuse(codes::G3019, format!("the coordinate system changes at the {name}"));
+        return refuse(codes::G3019::coordinate_system_changes(name));
     }
     if before.plane() != plane || after.plane() != plane {
-        return refuse(codes::G3016, format!("the elements at the {name} lie in different planes"));
+        return refuse(codes::G3016::elements_lie_in_different_planes(name));
     }
     if before.mv.machine || after.mv.machine {
-        return refuse(codes::G3007, format!("a block in machine coordinates cannot be next to a {name}"));
+        return refuse(codes::G3007::block_in_machine_coordinates_cannot_be_next(name));
     }
     for (step, which) in [(before, "before"), (after, "after")] {
         if step.leaves(plane) {
-            return refuse(
-                codes::G3007,
-                format!("the block {which} the {name} moves an axis outside the working plane"),
-            );
+            return refuse(codes::G3007::block_moves_axis_outside_working_plane(&which, name));
         }
         if matches!(step.mv.path, Path::Thread { .. }) {
-            return refuse(codes::G3007, format!("the block {which} the {name} is a thread, whose end is its run-out"));
+            return refuse(codes::G3007::block_is_thread(&which, name));
         }
     }
     let (Some(a), Some(b)) = (before.element(plane), after.element(plane)) else {
-        return refuse(codes::G3007, format!("the start of the element before the {name} is not known"));
+        return refuse(codes::G3007::start_of_element_before_is_not_known(name));
     };
     let mut result = make(&a, &b, corner.shape, corner.at_arc);
     if result == Err(NoCut::TooLarge)
@@ -351,46 +345,41 @@ fn cut(
         result = make(&a, &b, shape, corner.at_arc);
         if result.is_ok() {
             let less = extent(corner.shape) - extent(shape);
-            let message = if less <= HAIR {
-                format!("the {name} is {less:.6} mm larger than its neighbours allow; it is made so much smaller")
+            let fault = if less <= HAIR {
+                codes::G3025::is_larger_than_its_neighbours_allow(name, &less)
             } else {
-                let made = length(extent(shape));
-                format!("{}; it is made with {made}", too_large(name, corner, &a, &b, trimmed))
+                let large = too_large(corner, &a, &b, trimmed).message;
+                codes::G3025::is_made_smaller(&large, &length(extent(shape)))
             };
-            diags.push(raised_at(codes::G3025, origin, message));
+            diags.push(at(origin, fault));
         }
     }
     let made = match result {
         Ok(made) => made,
         Err(NoCut::TooLarge) => {
-            let refused = refuse(codes::G3008, too_large(name, corner, &a, &b, trimmed));
-            return match corner.large {
-                LargeCorner::Ask(ask) => refused.map_err(|found| Box::new(found.help(ask.help()))),
-                LargeCorner::Refuse | LargeCorner::Shorten => refused,
-            };
+            let fault = too_large(corner, &a, &b, trimmed);
+            return refuse(match corner.large {
+                LargeCorner::Ask(ask) => fault.help(ask.help()),
+                LargeCorner::Refuse | LargeCorner::Shorten => fault,
+            });
         }
         Err(NoCut::Arc) => {
-            let refused = refuse(codes::G3010, "a chamfer is possible between straight lines only".to_owned());
-            return match corner.at_arc {
-                ArcChamfer::Ask(ask) => refused.map_err(|found| Box::new(found.help(ask.help()))),
-                ArcChamfer::Refuse | ArcChamfer::AcrossBisector | ArcChamfer::Along => refused,
-            };
+            let fault = codes::G3010::chamfer_is_possible_between_straight_lines();
+            return refuse(match corner.at_arc {
+                ArcChamfer::Ask(ask) => fault.help(ask.help()),
+                ArcChamfer::Refuse | ArcChamfer::AcrossBisector | ArcChamfer::Along => fault,
+            });
         }
-        Err(NoCut::Reversal) => return refuse(codes::G3017, format!("the contour turns back on itself at the {name}")),
+        Err(NoCut::Reversal) => return refuse(codes::G3017::contour_turns_back_on_itself(name)),
         Err(NoCut::Degenerate) if trimmed && corner.large == LargeCorner::Shorten => {
-            let message = format!("the corner before the {name} left nothing of the element; it is left out");
-            return refuse(codes::G3025, message);
+            return refuse(codes::G3025::corner_before_left_nothing(name));
         }
-        Err(NoCut::Degenerate) => {
-            return refuse(codes::G3007, format!("an element at the {name} has no length in the plane"));
-        }
-        Err(NoCut::Straight) => {
-            return refuse(codes::G3009, format!("there is no corner to put a {name} in"));
-        }
+        Err(NoCut::Degenerate) => return refuse(codes::G3007::element_has_no_length_in_plane(name)),
+        Err(NoCut::Straight) => return refuse(codes::G3009::there_is_no_corner(name)),
     };
     let feed = corner.feed.or(after.mv.path.feed()).or(before.mv.path.feed());
     if feed.is_none() && made.arc.is_some() {
-        return refuse(codes::G3024, format!("the {name} lies between two blocks at rapid traverse and has no feed"));
+        return refuse(codes::G3024::lies_between_two_blocks_at_rapid(name));
     }
     Ok(pieces(before, after, feed, origin, &made))
 }
@@ -447,21 +436,21 @@ fn extent(shape: CornerShape) -> f64 {
 
 /// What a corner would need, and what there is.
 #[cold]
-fn too_large(name: &str, corner: &Corner, before: &Element, after: &Element, trimmed: bool) -> String {
-    let (size, cut) = match corner.shape {
-        CornerShape::Rounding { radius } => (format!("of radius {}", length(radius)), Size::Radius(radius)),
-        CornerShape::Chamfer { side } => (format!("of {}", length(side)), Size::Side(side)),
-        CornerShape::ChamferLength { length: own } => (format!("of {}", length(own)), Size::Length(own)),
-        // Undercuts say themselves what they need.
-        CornerShape::Undercut(_) => return format!("the {name} does not fit between its neighbours"),
-    };
-    let rest = if trimmed { " after the corner before it" } else { "" };
+fn too_large(corner: &Corner, before: &Element, after: &Element, trimmed: bool) -> Fault {
     let (a, b) = (length(before.length()), length(after.length()));
-    let needs = match corner::cut_off(before, after, cut) {
-        Some(back) => format!("needs {} mm of each neighbour", length(back)),
-        None => "does not fit between its neighbours".to_owned(),
+    let (name, cut) = match corner.shape {
+        CornerShape::Rounding { radius } => (format!("rounding of radius {}", length(radius)), Size::Radius(radius)),
+        CornerShape::Chamfer { side } => (format!("chamfer of {}", length(side)), Size::Side(side)),
+        CornerShape::ChamferLength { length: own } => (format!("chamfer of {}", length(own)), Size::Length(own)),
+        // Undercuts say themselves what they need.
+        CornerShape::Undercut(_) => return codes::G3008::does_not_fit(&"undercut", &a, &b),
     };
-    format!("the {name} {size} {needs}: the element before has {a} mm{rest}, the one after {b} mm")
+    match (corner::cut_off(before, after, cut).map(length), trimmed) {
+        (Some(back), false) => codes::G3008::needs_mm_of_each_neighbour(&name, &back, &a, &b),
+        (Some(back), true) => codes::G3008::needs_mm_of_each_neighbour_after_corner(&name, &back, &a, &b),
+        (None, false) => codes::G3008::does_not_fit(&name, &a, &b),
+        (None, true) => codes::G3008::does_not_fit_after_corner(&name, &a, &b),
+    }
 }
 
 /// A length for a message: four decimals, no trailing zeros.

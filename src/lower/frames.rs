@@ -1,20 +1,17 @@
 //! Pass 3: from programmed to workpiece coordinates. A mirror turns arcs and compensation around.
 
-use crate::diag::{Code, codes};
+use crate::diag::{Fault, codes};
 use crate::geo::Point2;
 use crate::ir::frame::PlaneMap;
 use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::{Frame, Pos};
 use crate::machine::{Axis, AxisSet};
 
-/// What cannot be mapped: code, message and help.
-type Unmapped = (&'static Code, String, String);
-
 /// A move of `frame` in workpiece coordinates.
 ///
 /// # Errors
 /// An arc that is no arc any more, or an axis whose position is not known.
-pub fn workpiece(mv: &Move, frame: &Frame) -> Result<Move, Unmapped> {
+pub fn workpiece(mv: &Move, frame: &Frame) -> Result<Move, Fault> {
     let end = frame.apply(&mv.end);
     let axes = frame.touched(mv.axes);
     if !axes.without(end.known()).is_empty() {
@@ -24,11 +21,7 @@ pub fn workpiece(mv: &Move, frame: &Frame) -> Result<Move, Unmapped> {
         Path::Arc(arc, feed) => Path::Arc(map_arc(arc, frame)?, *feed),
         Path::Thread { lead } => match frame.uniform_scale() {
             Some(scale) => Path::Thread { lead: lead * scale },
-            None => {
-                let help = "give its axes the same factor";
-                let what = "the axes of this thread have different scaling factors";
-                return Err((codes::G3022, what.to_owned(), help.to_owned()));
-            }
+            None => return Err(codes::G3022::axes_of_this_thread_have_different_scaling()),
         },
         straight @ (Path::Rapid | Path::Line(_) | Path::Carried { .. }) => *straight,
     };
@@ -43,39 +36,21 @@ pub fn workpiece(mv: &Move, frame: &Frame) -> Result<Move, Unmapped> {
 
 /// Under a rotation the target depends on axes of which the program never said where they are.
 #[cold]
-fn position_missing(mv: &Move, frame: &Frame, axes: AxisSet) -> Unmapped {
+fn position_missing(mv: &Move, frame: &Frame, axes: AxisSet) -> Fault {
     let unknown = AxisSet::MAIN.without(mv.end.known());
     let missing = unknown
         .iter()
         .filter(|from| axes.iter().any(|to| to.is_main() && frame.linear()[(to.index(), from.index())] != 0.0));
     let missing: AxisSet = missing.collect();
     let list = |axes: AxisSet| axes.iter().map(|axis| axis.letter().to_string()).collect::<Vec<_>>().join(" and ");
-    let (programmed, missing) = (list(mv.axes), list(missing));
-    let message = format!(
-        "under this rotation the target of {programmed} also depends on {missing}, whose position is not known"
-    );
-    (codes::G3015, message, format!("program {missing} in this block or before it"))
+    codes::G3015::under_this_rotation_target_depends(&list(mv.axes), &list(missing))
 }
 
-fn map_arc(arc: &Arc, frame: &Frame) -> Result<Arc, Unmapped> {
+fn map_arc(arc: &Arc, frame: &Frame) -> Result<Arc, Fault> {
     let (plane, flips) = match frame.plane_map(arc.plane) {
         PlaneMap::Similar { plane, flips, .. } => (plane, flips),
-        PlaneMap::Uneven => {
-            let help = "give both axes of the plane the same factor";
-            return Err((
-                codes::G3011,
-                "the axes of this arc have different scaling factors".to_owned(),
-                help.to_owned(),
-            ));
-        }
-        PlaneMap::Tilted => {
-            let help = "reset the rotation before the arc";
-            return Err((
-                codes::G3012,
-                "the rotation turns this arc out of the main planes".to_owned(),
-                help.to_owned(),
-            ));
-        }
+        PlaneMap::Uneven => return Err(codes::G3011::axes_of_this_arc_have_different_scaling()),
+        PlaneMap::Tilted => return Err(codes::G3012::rotation_turns_this_arc_out_of_planes()),
     };
     let (_, _, third) = arc.plane.axes();
     let map = |p: Point2| {

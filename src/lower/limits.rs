@@ -19,10 +19,7 @@ pub fn check(mv: &Move, limits: &BTreeMap<Axis, (f64, f64)>, origin: Origin, dia
         let (least, most) = extent(mv, axis);
         if least < low || most > high {
             let value = if least < low { least } else { most };
-            diags.push(
-                at(origin, codes::G3018::is_beyond_travel_limits(&axis.letter(), &value, &low, &high))
-                    .help("check the datum and the program, or the limits of the machine in partc.toml"),
-            );
+            diags.push(at(origin, codes::G3018::is_beyond_travel_limits(&axis.letter(), &value, &low, &high)));
         }
     }
 }

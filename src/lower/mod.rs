@@ -22,7 +22,7 @@ pub mod undercut;
 
 use std::rc::Rc;
 
-use crate::diag::{Code, Diagnostic, Diags, Fault, codes};
+use crate::diag::{Diagnostic, Diags, Fault, codes};
 use crate::geo::{Element, Vec2};
 use crate::ir::captured::{Captured, Unfit};
 use crate::ir::contour::{self, Coords, Corner, CtxRef, Load, Sink};
@@ -272,7 +272,7 @@ impl<'a> Lower<'a> {
     fn transform(&mut self, by: Option<Transformation>, origin: &Origin) {
         self.flush();
         if !self.compensator.is_idle(Side::None) {
-            self.diags.push(*compensation::still_on(compensation::TRANSFORMED, origin));
+            self.diags.push(at(*origin, codes::G3204::transformation_begins_or_ends()));
             self.position_lost(origin);
         }
         let workpiece = self.ctx.frame.apply(&self.at);
@@ -302,11 +302,7 @@ impl<'a> Lower<'a> {
     fn rotary_stays(&self, ctx: &CtxRef, origin: &Origin) {
         let Some(rotary) = self.carrier.transformer.as_ref().map(|transformer| transformer.rotary()) else { return };
         if ctx.frame.shift_of(rotary) != 0.0 {
-            let letter = rotary.letter();
-            self.diags.push(
-                at(*origin, codes::G3339::frame_shifts(&letter))
-                    .help(format!("turn the plane by ROT instead of {letter}")),
-            );
+            self.diags.push(at(*origin, codes::G3339::frame_shifts(&rotary.letter())));
         }
     }
 
@@ -349,11 +345,7 @@ impl<'a> Lower<'a> {
     }
 
     fn cuts_nothing(&self, origin: &Origin) {
-        let message = "the cycle cuts nothing: it only travels there and back".to_owned();
-        if self.diags.first_text(codes::G3304, &message) {
-            let help = "compare the depth, or the blank, its allowances and the limits of the area, with the part";
-            self.diags.push(at(*origin, codes::G3304::cycle_cuts_nothing()).help(help));
-        }
+        self.diags.push_once(at(*origin, codes::G3304::cycle_cuts_nothing()));
     }
 
     #[inline]
@@ -534,8 +526,8 @@ impl Finish<'_> {
                 }
                 self.beside(&mv, &frame.apply(&step.start), step);
             }
-            Err((code, message, help)) => {
-                self.diags.push(raised_at(code, step.origin, message).help(help));
+            Err(fault) => {
+                self.diags.push(at(step.origin, fault));
                 // The move is missing, so the next one does not start where the last one ended.
                 self.compensator.lost(&step.origin, &mut self.out);
             }
@@ -560,34 +552,5 @@ impl Finish<'_> {
 
 /// A finding about a whole block.
 fn at(origin: Origin, fault: Fault) -> Diagnostic {
-    let usual = usual_help(fault.raised.code);
-    let is_silent = fault.help.is_none();
-    let found = fault.at(origin.loc).called(origin.call);
-    match usual.filter(|_| is_silent) {
-        Some(help) => found.help(help),
-        None => found,
-    }
-}
-
-/// The same of a fault whose words the place itself puts together.
-fn raised_at(code: &'static Code, origin: Origin, message: impl Into<String>) -> Diagnostic {
-    at(origin, Fault::new(code, message.into()))
-}
-
-/// What mends most findings of a code.
-#[cold]
-fn usual_help(code: &Code) -> Option<&'static str> {
-    Some(match code.id {
-        "G3003" => "program the centre of the circle, or two half circles",
-        "G3004" => "put a line or arc of the plane before the tangential arc",
-        "G3005" => "check the end point, or put a line in between",
-        "G3007" => "put the corner between two elements that move in the working plane",
-        "G3008" => "make the corner smaller, or the short element longer",
-        "G3010" => "program a rounding beside an arc",
-        "G3014" => "check the circle centre and the position before the arc",
-        "G3016" => "program the transition as elements of its own",
-        "G3017" => "check the end points on both sides of the corner",
-        "G3019" => "move the transformation before the corner or after the next element",
-        _ => return None,
-    })
+    fault.at(origin.loc).called(origin.call)
 }

@@ -2,13 +2,13 @@
 
 use crate::diag::{Diagnostic, codes};
 use crate::geo::{Element, Plane};
-use crate::ir::contour::{CtxRef, FARTHEST, TOO_LARGE, TOO_LARGE_HELP};
+use crate::ir::contour::{CtxRef, FARTHEST};
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Origin, Pos, verify};
 use crate::machine::{Axis, AxisSet};
 
+use super::at;
 use super::corner::Event;
-use super::raised_at;
 
 /// Coordinates up to here keep all digits that a step promises, in mm.
 pub const FAR: f64 = 1e4;
@@ -115,7 +115,7 @@ pub fn exact_far_out(start: &Pos, mv: &Move, origin: Origin) -> Result<(), Box<D
     if !mv.end.exceeds(FARTHEST) && (straight || verify::element(start, mv).is_ok()) {
         return Ok(());
     }
-    Err(Box::new(raised_at(codes::O1002, origin, TOO_LARGE).help(TOO_LARGE_HELP)))
+    Err(Box::new(at(origin, codes::O1002::number_of_this_block_is_too_large_to())))
 }
 
 /// Checks steps between the passes: each starts where the one before ended, as long as the frame stays.

@@ -1,13 +1,13 @@
 //! A tap without a compensating chuck: through the frame, along the axis of the tool alone.
 
-use crate::diag::{Code, codes};
+use crate::diag::{Fault, codes};
 use crate::ir::contour::{Coords, Move, Path, Thread};
 use crate::ir::motion::{self, Place};
 use crate::ir::tap::Stroke;
 use crate::ir::{Frame, Origin, Pos, Side, Tap};
 use crate::machine::Axis;
 
-use super::{Lower, compensation, limits, raised_at};
+use super::{Lower, at, compensation, limits};
 
 /// Moves that a stroke counts as: in and out.
 const STROKE: u64 = 2;
@@ -40,25 +40,18 @@ impl Lower<'_> {
                 self.last.forget();
                 self.out.tap(&tap, &place, origin);
             }
-            Err((code, message, help)) => {
-                let found = raised_at(code, *origin, message).help(help);
-                self.refuse(Some(Box::new(found)), &end, origin);
-            }
+            Err(fault) => self.refuse(Some(Box::new(at(*origin, fault))), &end, origin),
         }
     }
 
     /// The tap in workpiece coordinates.
-    fn placed(&self, tap: &Tap) -> Result<(Tap, Place), Unmapped> {
+    fn placed(&self, tap: &Tap) -> Result<(Tap, Place), Fault> {
         if self.carrier.transformer.is_some() {
-            let message = "a hole is tapped inside the transformation, which takes the spindle as an axis";
-            return Err((codes::G3339, message.to_owned(), "tap it outside of the transformation".to_owned()));
+            return Err(codes::G3339::hole_is_tapped_inside());
         }
         let frame = &self.ctx.frame;
         if !leaves_alone(frame, tap.axis) {
-            let message =
-                format!("the frame turns, mirrors or scales {}, along which the hole is tapped", tap.axis.letter());
-            let help = "end the frame before the tap, or turn and mirror the other axes only".to_owned();
-            return Err((codes::G3050, message, help));
+            return Err(codes::G3050::frame_turns_mirrors_or_scales(&tap.axis.letter()));
         }
         let mut stands = self.at;
         stands.set(tap.axis, tap.start);
@@ -84,9 +77,6 @@ impl Lower<'_> {
         }
     }
 }
-
-/// Code, message and help.
-type Unmapped = (&'static Code, String, String);
 
 /// Does the frame only shift this axis, whatever it does to the others?
 fn leaves_alone(frame: &Frame, axis: Axis) -> bool {

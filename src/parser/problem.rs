@@ -34,6 +34,11 @@ impl Problem {
         self.help = Some(help.into());
         self
     }
+
+    /// What is wrong, without its place.
+    pub fn fault(self) -> Fault {
+        Fault { raised: self.raised(), message: self.message, help: self.help }
+    }
 }
 
 impl Fault {

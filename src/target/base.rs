@@ -7,6 +7,7 @@ use super::{
     MFunctions, Measure, Motion, Numbers, PathWords, ProgramName, Sequence, SpindleWords, Target, ToolWords,
 };
 
+/// Without a name: never a target by itself. Every other table is made of it, or of one that is.
 pub(super) const BASE: Target = Target {
     name: "",
     about: "",

@@ -5,6 +5,7 @@ use super::{
     fanuc::TARGET as FANUC,
 };
 
+/// As [`FANUC`] but for what its post processors write otherwise.
 pub(super) const TARGET: Target = Target {
     name: "centroid",
     about: "Centroid mills (preview: after published post processors)",

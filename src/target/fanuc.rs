@@ -11,6 +11,7 @@ use super::{
 
 // Rotary axes (what F counts is a matter of parameters), feeds by time and G33 on a mill are options of the machine, M7 is
 // its builder's: none of them is printed.
+/// For mills; lathes have tables of their own.
 pub(super) const TARGET: Target = Target {
     name: "fanuc",
     about: "Fanuc mills (0i, 30i), and Mitsubishi, Brother and others that read them",
@@ -82,6 +83,7 @@ pub(super) const TARGET: Target = Target {
 
 // In steps (Q) it taps by parameters that nobody knows here: partc prints each step as a tap of its own. In one mode the axis stays in
 // step with the spindle, and parameter 5202 (bit 0) stops the spindle at its mark where the mode begins; that holds for the first step.
+/// The tapping cycle; other makes differ in single words.
 pub(super) const TAP: TapCycle = TapCycle {
     ready: Some("M29"),
     right: "G84",
@@ -98,6 +100,7 @@ pub(super) const TAP: TapCycle = TapCycle {
             of the spindle (parameter 5202)",
 };
 
+/// M functions that the control knows by itself, and what they do there.
 pub(super) const OWN: &[(u32, &str)] = &[
     (29, "begins tapping in step with the spindle"),
     (96, "begins or ends an interruption by a macro"),

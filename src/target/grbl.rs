@@ -2,6 +2,7 @@
 
 use super::{Arcs, Comments, Dwell, FeedWords, Flow, Frame, Line, MFunctions, Motion, Target, ToolWords, base::BASE};
 
+/// For a mill of three axes, or a lathe without diameters.
 pub(super) const TARGET: Target = Target {
     name: "grbl",
     about: "GRBL 1.1, as it is delivered",

@@ -2,6 +2,7 @@
 
 use super::{Arcs, Change, CoolantWords, Flow, Line, MFunctions, Target, ToolWords, Turns, grbl::TARGET as GRBL};
 
+/// As [`GRBL`] but for what the core of grblHAL adds.
 pub(super) const TARGET: Target = Target {
     name: "grblhal",
     about: "grblHAL, in the plain build of any driver",

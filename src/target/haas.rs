@@ -3,6 +3,7 @@
 use super::fanuc::{TAP, TARGET as FANUC};
 use super::{Comments, Frame, MoreOffsets, Motion, ProgramName, RigidTap, SpindleWords, TapCycle, TapPitch, Target};
 
+/// As [`FANUC`] but for program numbers, comments, tapping, more offsets and the cutting speed.
 pub(super) const TARGET: Target = Target {
     name: "haas",
     about: "Haas mills (NGC and classic)",

@@ -12,6 +12,7 @@ use super::{
 
 // What F counts where a rotary axis goes along is not confirmed, and what M136 counts differs by generation: neither is said.
 // A feed per revolution is said by FU.
+/// A dialog: blocks begin with what they do.
 pub(super) const TARGET: Target = Target {
     name: "heidenhain",
     about: "HEIDENHAIN Klartext (iTNC 530, TNC 320 to 640, TNC7): plain moves",

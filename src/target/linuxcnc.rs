@@ -8,6 +8,7 @@ use super::{
     Turns, base::BASE,
 };
 
+/// For mills and lathes, nine axes. The default.
 pub(super) const TARGET: Target = Target {
     name: "linuxcnc",
     about: "LinuxCNC (RS274/NGC)",

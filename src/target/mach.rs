@@ -9,6 +9,7 @@ use super::{
     PathWords, ProgramName, SpindleWords, Target, ToolWords, fanuc::TARGET as FANUC,
 };
 
+/// As [`FANUC`] without its line around a program, machine coordinates and taps.
 pub(super) const MACH3: Target = Target {
     name: "mach3",
     about: "Mach3 mills (preview: after published post processors)",
@@ -48,6 +49,7 @@ pub(super) const MACH3: Target = Target {
     ..FANUC
 };
 
+/// As [`MACH3`], with arcs in the plane XY alone, in quarters.
 pub(super) const UCCNC: Target = Target {
     name: "uccnc",
     about: "UCCNC mills (preview: after published post processors)",

@@ -3,6 +3,7 @@
 use super::fanuc::{TAP, TARGET as FANUC};
 use super::{Frame, Motion, RigidTap, SpindleWords, TapCycle, TapPitch, Target};
 
+/// As [`FANUC`] but for its tapping cycles.
 pub(super) const TARGET: Target = Target {
     name: "mazak",
     about: "Mazak mills in EIA/ISO (preview: after published post processors)",

@@ -5,8 +5,10 @@
 mod abilities;
 mod base;
 mod centroid;
+mod dialog_words;
 mod fanuc;
 mod fanuc_lathe;
+mod function_words;
 mod grbl;
 mod grblhal;
 mod haas;
@@ -14,12 +16,16 @@ mod heidenhain;
 mod linuxcnc;
 mod mach;
 mod mazak;
+mod move_words;
 mod okuma;
 mod printers;
 mod siemens;
 mod tap_words;
 mod words;
 
+pub use dialog_words::*;
+pub use function_words::*;
+pub use move_words::*;
 pub use tap_words::*;
 pub use words::*;
 

@@ -5,6 +5,7 @@ use super::{
     Numbers, PathWords, ProgramName, SpindleWords, Target, ToolWords, fanuc::TARGET as FANUC,
 };
 
+/// As [`FANUC`] but for words of two digits, offsets, lengths and waits.
 pub(super) const TARGET: Target = Target {
     name: "okuma",
     about: "Okuma mills, OSP (preview: after published post processors)",

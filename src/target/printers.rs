@@ -8,6 +8,7 @@ use super::{
     ToolWords, base::BASE, grbl::TARGET as GRBL,
 };
 
+/// Made of [`BASE`], with the arcs and comments of [`GRBL`]; no work offsets, no tool change.
 pub(super) const KLIPPER: Target = Target {
     name: "klipper",
     about: "Klipper with gcode_arcs (preview: after its source)",
@@ -30,6 +31,7 @@ pub(super) const KLIPPER: Target = Target {
     ..BASE
 };
 
+/// As [`KLIPPER`], without helices.
 pub(super) const MARLIN: Target = Target {
     name: "marlin",
     about: "Marlin 2 with ARC_SUPPORT (preview: after its source)",

@@ -11,6 +11,7 @@ use super::{
 };
 
 // Which axes F counts is a matter of the machine (FGROUP): no rotary ones. G96 would take the feed per revolution with it.
+/// For mills and lathes, X as a radius or a diameter.
 pub(super) const TARGET: Target = Target {
     name: "sinumerik",
     about: "SINUMERIK 840D sl, 828D, ONE: plain moves, no cycles",

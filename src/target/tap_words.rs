@@ -3,12 +3,14 @@
 /// How a hole is tapped without a compensating chuck.
 #[derive(Debug, Clone, Copy)]
 pub enum RigidTap {
-    /// A block that goes to the depth and back to where it began, with the addresses of the lead along the way and of the
-    /// factor on the speed of the way back. The spindle turns in front of it, and as before behind it.
+    /// A block that begins with `word`, goes to the depth and back to where it began, with the addresses of the `lead`
+    /// along the path and of the `factor` on the speed of the way back. The spindle turns before it, and as before
+    /// after it.
     Return { word: &'static str, lead: u8, factor: u8 },
     /// A drilling cycle along Z that ends in a word of its own.
     Cycle(TapCycle),
-    /// A block in and a block out. The spindle is an axis by then; the addresses of the lead are those of X, Y and Z.
+    /// A block in, which begins with `into`, and a block out with `out`. `ready` makes the spindle an axis and takes
+    /// its angle; the addresses of the lead, `leads`, are those of X, Y and Z.
     InAndOut { ready: &'static str, into: &'static str, out: &'static str, leads: [u8; 3] },
     /// A cycle of a dialog, and its call.
     Dialog(&'static TapDialog),
@@ -17,9 +19,11 @@ pub enum RigidTap {
 /// A tapping cycle of drilling cycles in words.
 #[derive(Debug, Clone, Copy)]
 pub struct TapCycle {
-    /// In a block of its own in front of the cycle, with the speed.
+    /// In a block of its own before the cycle, with the speed; `None` where the cycle needs none.
     pub ready: Option<&'static str>,
+    /// Taps a right-hand thread.
     pub right: &'static str,
+    /// Taps a left-hand thread; `None`: such a tap is refused.
     pub left: Option<&'static str>,
     /// States where the cycle returns to.
     pub level: Option<&'static str>,
@@ -29,10 +33,11 @@ pub struct TapCycle {
     pub begins: u8,
     /// That is the way from where the tool stands, not a coordinate.
     pub from_start: bool,
+    /// What F is in the cycle.
     pub pitch: TapPitch,
-    /// Address of the dwell at the bottom, in whole milliseconds.
+    /// Address of the dwell at the bottom, in whole milliseconds; `None` leaves it out.
     pub dwell: Option<u8>,
-    /// Address of a whole factor on the speed of the way back.
+    /// Address of a whole factor on the speed of the way back, 1 to 9; `None` leaves it out.
     pub factor: Option<u8>,
     /// While it is on, a depth alone taps on in the same hole.
     pub stays: bool,
@@ -54,14 +59,17 @@ pub enum TapPitch {
 /// The tapping cycles of a dialog: in one go, and in steps with more of its parameters.
 #[derive(Debug)]
 pub struct TapDialog {
+    /// Defines a tap in one go.
     pub plain: &'static str,
+    /// Defines a tap in steps, or with an angle or a factor.
     pub stepped: &'static str,
+    /// Calls the cycle where the tool stands.
     pub call: &'static str,
     /// Set-up clearance, depth, pitch, surface, second clearance; depth of a step, factor on the pitch for the way back, angle,
     /// factor on the speed: the parameter and what it is.
     pub parameters: [(&'static str, &'static str); 9],
-    /// Parameters of the plain cycle.
+    /// So many of them, from the first on, does the plain cycle take.
     pub of_plain: usize,
-    /// Places of the factors.
+    /// Places of the factors that are printed.
     pub places: u8,
 }

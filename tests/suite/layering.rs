@@ -138,6 +138,23 @@ fn no_key_of_a_dialect_is_named_behind_the_contour() {
     }
 }
 
+/// What is said stands in the catalogue, a function each: behind the dialects nobody makes a finding of a code and a text.
+#[test]
+fn the_catalogue_words_what_is_found_behind_the_contour() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let barred = ["Fault::new", "Asking::new", "Diagnostic::new", ".help(\"", ".help(format!"];
+    for folder in ["lower", "emit"] {
+        let mut raises = 0;
+        for (file, text) in sources(&root.join(folder)) {
+            let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+            raises += code.matches("codes::").count();
+            let found = barred.iter().find(|barred| code.contains(**barred));
+            assert!(found.is_none(), "{file}: {found:?}");
+        }
+        assert!(raises > 50, "{folder} was not read");
+    }
+}
+
 /// The files of a dialect that use each other in a circle, if any are meant to.
 const CIRCLES: &[&str] = &[];
 
@@ -230,6 +247,26 @@ fn cycles_plan_and_do_not_report() {
             }
         }
         assert!(rows > 5, "{dialect}: the cycles were not read");
+    }
+}
+
+/// What is wrong is worded in the catalogue of `diag::codes`: languages raise its faults and make none.
+#[test]
+fn languages_word_no_finding() {
+    let sema = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/sema");
+    for (file, text) in sources(&sema).into_iter().filter(|(file, _)| !file.ends_with("tests.rs")) {
+        let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+        let found = ["Diagnostic::new", "Fault::new", "Problem::new"].into_iter().find(|made| code.contains(made));
+        assert!(found.is_none(), "{file}: {found:?}");
+    }
+}
+
+/// What an object of a language uses of another one it names: nothing is reached through it.
+#[test]
+fn nothing_of_a_language_is_reached_through_another() {
+    let sema = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/sema");
+    for (file, text) in sources(&sema) {
+        assert!(!text.contains("Deref for") && !text.contains("DerefMut for"), "{file}");
     }
 }
 

@@ -37,6 +37,7 @@ mod cycle_digits;
 mod cycle_parameters;
 mod damage;
 mod diagnostics;
+mod documented;
 mod documents;
 mod editors;
 mod endless;

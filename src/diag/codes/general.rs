@@ -32,7 +32,7 @@ Get the program anew from where it was made." {
     nul_or_ctrl_z_stands_inside_block() "NUL or Ctrl-Z stands inside a block";
 }
 
-P0006 Warning "hole-between-blocks" "NUL or Ctrl-Z stands between the blocks of a program"
+P0006 Warning firm "hole-between-blocks" "NUL or Ctrl-Z stands between the blocks of a program"
 "Controls leave these bytes out where a paper tape or a transfer program has put them; partc does the same. They also stand where a memory card \
 or a transfer lost whole blocks: compare the program with the one that was sent. Before the first block and after the last one they are padding \
 and mean nothing." {
@@ -168,7 +168,7 @@ check the table, and say its unit in partc.toml, `[tools] unit = \"mm\"`. Its le
         asks "check the table; if its lengths are in {table}, say so in partc.toml: `[tools] unit = \"{table}\"`";
 }
 
-P0201 Warning "two-skip-levels" "two skip levels are switched on as one"
+P0201 Warning firm "two-skip-levels" "two skip levels are switched on as one"
 "`[control] skip_blocks` lists level 1 and not level 0, and the program has blocks with / and blocks with /1. Level 1 takes the plain / \
 along, as users count \
 who have one switch only; on a SINUMERIK / is level 0, the first of ten, and /1 is another switch. Both kinds are left out. Write `[0]` to \
@@ -241,14 +241,21 @@ P4002 Error "output-limit" "program makes too many output blocks"
 "The output has more lines than `[limits] output_blocks` (50 million by default), head and end included, so it was given up: most often a \
 loop runs too many times, or \
 never ends. Check the loops and repeats around the marked block, or raise the limit." {
-    output_has_more_than_lines(most_lines) "the output has more than {most_lines} lines, head and end included";
+    output_has_more_than_lines(most_lines) "the output has more than {most_lines} lines, head and end included"
+        asks "look for a loop that does not end, or raise `[limits] output_blocks`";
 }
 
 P4003 Error "call-depth" "calls are nested too deep"
+usual "nest the calls less deeply"
 "Programs and subprograms call each other deeper than `[limits] call_depth`, or deeper than the selected control allows. \
 Often a program calls itself by way of another one." {
     program_calls_itself(number) "program {number} calls itself";
     calls_go_round(message, cycle) "{message}: {cycle}";
+    calls_are_nested_deeper(limit) "calls are nested deeper than {limit} levels";
+    subprograms_are_nested_deeper(limit) "subprograms are nested deeper than {limit} levels";
+    subroutines_are_nested_deeper(limit) "subroutines are nested deeper than {limit} levels";
+    control_allows_no_deeper_nesting(what, limit)
+        "{what} are nested deeper than {limit} levels, which the control does not allow";
     programs_repeats_are_nested_deeper(levels) "programs and repeats are nested deeper than {levels}" alarm 14012;
     texts_that_execute_texts_are_nested_too() "texts that execute texts are nested too deep" alarm 14012
         help "check for an EXECSTRING that executes itself";

@@ -27,6 +27,7 @@ There is only one reading, and that is compiled; a control would refuse the bloc
 }
 
 K1007 Error "unit-missing" "BEGIN PGM states neither MM nor INCH"
+usual "write the unit after the name: `BEGIN PGM PART MM`"
 "The unit decides every length of the program: the difference is a factor of 25.4, and it cannot be guessed. The control writes it \
 after the name: `BEGIN PGM PART MM`. Add it." {
     begin_pgm_states_neither_mm_nor_inch() "BEGIN PGM states neither MM nor INCH";
@@ -40,6 +41,7 @@ partc.toml, or millimetres when that is not set. Setting it silences this warnin
 }
 
 K1009 Error "program-unit-mismatch" "BEGIN PGM and END PGM state different units"
+usual "correct the wrong one of the two"
 "The head says one unit, the end another. The control refuses to load such a file, and which one is right cannot be guessed: the \
 difference is a factor of 25.4. Correct the wrong one." {
     end_pgm_states_another_unit_than_begin() "END PGM states another unit than BEGIN PGM"
@@ -102,6 +104,7 @@ K2009 Warning "oversize-dropped" "TOOL CALL without DL/DR ends the oversizes in 
 }
 
 K2010 Error "tool-number" "tool number is not one a control knows"
+usual "check the number, or the parameter it comes from"
 "Tool numbers are whole, from 0 to 32767, with an optional index after a point (`5.2`). Check the number, or the parameter it comes \
 from." {
     is_no_tool_number(text) "{text} is no tool number";
@@ -191,6 +194,7 @@ the manuals do not say. Program CC again to be sure." {
 }
 
 K2109 Error "arc-without-end" "arc names no end"
+usual "write the end point of the arc"
 "The block has neither an end point nor an angle, so the arc is undetermined. Write the end point in the working plane (C, CR, CT), \
 PR or PA (LP, CTP), or PA or IPA (CP). A full circle is `C` with the start point as its end." {
     ct_names_no_end_point_in_working() "CT names no end point in the working plane";
@@ -280,6 +284,7 @@ in partc.toml how your control computes: `[control] modulo = \"truncate\"` keeps
 }
 
 K2401 Error "cycle-not-defined" "cycle call without a cycle"
+usual "put CYCL DEF of the machining cycle before it"
 "CYCL CALL, M99, M89 and the pattern cycles 220 and 221 run the machining cycle defined last, and there is none. Put CYCL DEF in \
 front, or remove the call: the control stops here." {
     calls_cycle(by) "{by} calls a cycle, and none is defined"
@@ -288,6 +293,7 @@ front, or remove the call: the control stops here." {
 }
 
 K2402 Error "cycle-incomplete" "cycle definition lacks a part"
+usual "program all parts of the cycle, one after the other"
 "A dotted cycle needs all its sub-blocks, in order and directly one after the other; a cycle with Q parameters needs their values." {
     cycle_14_names_contours(contours, most_contours) "cycle 14 names {contours} contours"
         help "write 1 to {most_contours} labels: `CYCL DEF 14.1 CONTOUR LABEL 1 /2`";

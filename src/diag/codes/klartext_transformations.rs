@@ -214,7 +214,7 @@ program; `[control] open_subprogram = \"end\"` says that it does. Nothing after 
         help "write M30, or LBL 0 after the last block of the subprogram";
 }
 
-K2851 Warning "probing-left-out" "touch probe cycle is left out"
+K2851 Warning firm "probing-left-out" "touch probe cycle is left out"
 "`[control] probing = \"leave-out\"` leaves touch probe cycles out. What they would have measured is unknown from there on: the \
 results in Q115 to Q199 and in the parameters they name, the positions of all axes, and the data of tools that were measured. A block \
 that needs one of these is refused, and so is a cut that does not name all axes. The target stays where it stood before the cycle, so a \
@@ -247,7 +247,7 @@ coordinates; on the part it is the same. The output has turned coordinates, and 
         help "the coordinates are printed turned: no rotation may be set on the target besides";
 }
 
-K2854 Warning "probing-sets-datum" "datum that a touch probe cycle sets is not set in the output"
+K2854 Warning firm "probing-sets-datum" "datum that a touch probe cycle sets is not set in the output"
 "On the control the coordinates after this cycle count from a datum, or along axes, that it has just set; the output leaves the cycle out and prints the blocks before it and \
 after it into one work offset. Where the offset of the target is set, before the program runs, as the cycle sets it, and nothing but the probe moved before it, that is right: say so by \
 `[control] probing_datum = \"set\"`. `\"refuse\"` compiles no such program. Nothing is said where the parameters of the cycle show that the feature reads what it read before, nor where the datum \

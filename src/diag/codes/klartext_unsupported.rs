@@ -3,6 +3,7 @@
 super::codes! { KLARTEXT_UNSUPPORTED:
 
 K9002 Error "fk-unsupported" "free contour (FK) that partc cannot construct"
+usual "write the end point of an element more"
 "The data of a free contour may be enough, but partc finds no element that it can construct from what is known, or too many elements or solutions wait for each other (64). Write an \
 end point more. Most controls can also convert an FK program to conventional blocks (CONVERT PROGRAM)." {
     too_many_blocks(name) "too many blocks from this {name} on, or too many solutions, are still open"
@@ -18,6 +19,7 @@ end point more. Most controls can also convert an FK program to conventional blo
 }
 
 K9003 Error "approach-unsupported" "this form of APPR or DEP is not supported"
+usual "program the approach and the departure as L and C blocks"
 "All eight forms are compiled onto a contour with RL or RR, and from it. Its first element has to have a direction of its own: a line, or an arc by centre or \
 radius; so has the last one. Not supported are scaling, an approach while RL or RR is active, R0 on newer controls, and LN where the target compensates. \
 Program the approach as L and C blocks." {
@@ -57,6 +59,7 @@ Program the approach as L and C blocks." {
 }
 
 K9004 Error "tilting-unsupported" "tilted working plane cannot be compiled for three axes"
+usual "have the CAM system put out the tilted work for the target machine"
 "PLANE functions and cycle 19 turn the coordinate system in space, unless all they do is a turn about the tool axis Z. The output has no word \
 for that on three axes. Have the CAM system put out the tilted work for the target machine." {
     moves_while_coordinates_are_turned_about_z(axis)
@@ -64,14 +67,61 @@ for that on three axes. Have the CAM system put out the tilted work for the targ
         help "leave the move out, or program the rotary axis without PLANE, cycle 19 and TCH PROBE 404";
     cycle_19_sets_rotary_table_to_angle()
         "cycle 19 sets the rotary table to an angle, which only the machine can turn into coordinates";
-    cycle_19_tilts_working_plane_by_b(a, b, c, points)
-        "cycle 19 tilts the working plane by A{a:+} B{b:+} C{c:+}{points}, which cannot be compiled for three axes";
+    cycle_19_tilts_working_plane_by_b(a, b, c)
+        "cycle 19 tilts the working plane by A{a:+} B{b:+} C{c:+}, which cannot be compiled for three axes";
+    cycle_19_tilts_working_plane_by_b_to(a, b, c, normal)
+        "cycle 19 tilts the working plane by A{a:+} B{b:+} C{c:+}: the tool axis points along {normal}, which cannot be \
+        compiled for three axes";
+    sets_rotary_table_to_angle(plane)
+        "{plane} sets the rotary table to an angle, which only the machine can turn into coordinates";
+    turns_about_another_axis(plane, axis)
+        "{plane} turns about another axis than Z, which is not compiled for the tool axis {axis}";
+    tilts_working_plane(plane, words)
+        "{plane} tilts the working plane by {words}, which cannot be compiled for three axes";
+    tilts_working_plane_to(plane, words, normal)
+        "{plane} tilts the working plane by {words}: the tool axis points along {normal}, which cannot be compiled for \
+        three axes";
+    turns_plane_by_unsettled_words(plane) "{plane} turns the plane by words whose sense no manual page settles";
+    holds_word_that_is_not_known(plane) "{plane} holds a word that is not known, so its plane is open";
+    retracts_tool_by_mb(plane) "{plane} retracts the tool by MB before it turns, which cannot be compiled";
+    needs_each_of_spa_spb_spc(plane)
+        "{plane} needs each of SPA, SPB and SPC once and no other angle, so its plane is open";
+    needs_each_of_eulpr_eulnu_eulrot(plane)
+        "{plane} needs each of EULPR, EULNU and EULROT once and no other angle, so its plane is open";
+    does_not_hold_words_of_this_plane(plane)
+        "{plane} does not hold the words that this kind of plane needs, so its plane is open";
+    moves_rotary_axes_turned_by_program(what) "{what} moves the rotary axes, and the program has turned them";
+    turns_about_z(what, axis) "{what} turns about Z, which tilts the plane of the tool axis {axis}";
 }
 
 K9005 Error "touch-probe" "touch probe cycles run only at the machine"
-"The block measures the workpiece or the tool; its result is known at the machine only. Remove it, or compile the part of the program after the setup."
+"The block measures the workpiece or the tool; its result is known at the machine only. Remove it, or compile the part of the program after the setup." {
+    touch_probe_cycles_run_only_at_machine() "touch probe cycles run only at the machine"
+        asks "remove the block, or set `[control] probing = \"leave-out\"` if the part is set up before the program";
+    ends_basic_rotation_or_goes_on(number)
+        "TCH PROBE {number} ends the basic rotation of TCH PROBE 404, or goes on with it: which is open"
+        help "end the basic rotation before it: TCH PROBE 404 with Q307=+0";
+    sets_datum_by_what_it_measures(number) "TCH PROBE {number} sets the datum by what it measures"
+        asks "`[control] probing_datum = \"refuse\"` compiles no such program";
+    sets_datum_at_known_place(number, lay, reads)
+        "TCH PROBE {number} sets the datum: what lay at {lay} reads {reads} from here on"
+        asks "`[control] probing_datum = \"refuse\"` compiles no such program";
+    turns_part_or_its_coordinates(number)
+        "TCH PROBE {number} turns the part or its coordinates by what it measures"
+        asks "`[control] probing_datum = \"refuse\"` compiles no such program";
+    is_cycle_of_machines_builder(number)
+        "TCH PROBE {number} is a cycle of the machine's builder and may set the datum"
+        asks "`[control] probing_datum = \"refuse\"` compiles no such program";
+    writes_basic_rotation_into_preset_table()
+        "TCH PROBE 404 writes the basic rotation into a row of the preset table (Q305), which only the machine has"
+        help "write Q305=+0, which sets the rotation at once, or turn the coordinates by cycle 10";
+    turns_coordinates_about_z(axis)
+        "TCH PROBE 404 turns the coordinates about Z, and the tool axis is {axis}"
+        help "turn the coordinates by cycle 10";
+}
 
 K9006 Error "file-function" "table and file functions run only at the control"
+usual "put the values into the program"
 "The block opens, reads or writes a file of the control. What it reads is not known here, and what it writes would be missing there. \
 Put the values into the program instead." {
     fn_works_on_table_of_control(number) "FN {number} works on a table of the control";
@@ -117,6 +167,7 @@ K9008 Error "m-function-unsupported" "M function changes the path in a way that 
 }
 
 K9010 Error "pattern-unsupported" "no pattern is in force"
+usual "put the points into the program: `PATTERN DEF POS1 (X+12 Y+20 Z+0)`"
 "CYCL CALL PAT runs over the places of PATTERN DEF, or of the point table that SEL PATTERN names, and neither stands before it in the program. The control may have a \
 table selected by hand. Put the points into the program: `PATTERN DEF POS1 (X+12 Y+20 Z+0)`, or select the table: `SEL PATTERN \"HOLES.PNT\"`." {
     cycl_call_pat_runs_over_pattern()
@@ -125,6 +176,7 @@ table selected by hand. Put the points into the program: `PATTERN DEF POS1 (X+12
 }
 
 K9012 Error "datum-table" "datum table is not available"
+usual "program the values: `CYCL DEF 7.1 X+60`"
 "A datum shift takes a row of a datum table, and no table is selected in the program; the control may have one selected by hand. Select it (`SEL TABLE \"NAME.D\"`), \
 name it in partc.toml (`[control] datum_table = \"NAME.D\"`), or program the values: `CYCL DEF 7.1 X+…`." {
     no_datum_table_is_selected() "no datum table is selected"
@@ -145,12 +197,16 @@ compiled. Program the feed in mm/min (F) or mm per revolution (FU)." {
 }
 
 K9014 Error "machine-function" "block talks to the machine"
+usual "remove the block if the part does not depend on it"
 "The block waits for, reads or sets a signal of the machine control. Leaving it out could start a motion too early, so it is refused." {
     fn_talks_to_machine(number) "FN {number} talks to the machine";
 }
 
 K9015 Error "spline-or-normal-vector" "3-D blocks with normal vectors or splines are not supported"
-"LN blocks carry surface normals for 3-D tool compensation, SPL blocks carry polynomials. Neither has a counterpart in plain G-code."
+usual "have the CAM system put out lines and arcs"
+"LN blocks carry surface normals for 3-D tool compensation, SPL blocks carry polynomials. Neither has a counterpart in plain G-code." {
+    blocks_are_not_supported(name) "{name} blocks are not supported";
+}
 
 K9016 Error "system-data" "system data is known only at the machine"
 "FN 18: SYSREAD asks for something the program text does not determine. Supported are the active tool (ID 20), tool data (ID 50, ID 200), \
@@ -165,6 +221,7 @@ transformations (ID 210, ID 220) and the programmed position (ID 270)." {
 }
 
 K9017 Error "string-function" "string function is not supported"
+usual "assign the text itself: `QS1 = \"TEXT\"`"
 "SYSSTR and CFGREAD read a text from the control, which is not known here; other names are no string function that partc knows. \
 Assign the text itself: `QS1 = \"TEXT\"`." {
     this_string_function_reads_from_control() "this string function reads from the control";
@@ -178,6 +235,7 @@ K9019 Error "rapid-arc" "arc at rapid traverse"
 }
 
 K9018 Error "contour-cycle" "contours that contour cycles (SL) cannot take yet"
+usual "program the roughing as blocks"
 "Cycles 21 to 24 mill the contours that cycle 14 names by their labels. The contours of SEL CONTOUR, CONTOUR DEF and DECLARE CONTOUR are not supported, \
 and without them material would stay or be lost. Name labels in cycle 14, or program the roughing as blocks." {
     contours_that_are_put_together_are_not(name) "{name}: contours that are put together are not supported";

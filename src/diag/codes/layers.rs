@@ -28,7 +28,8 @@ material. Set the limit in front of the blank, or machine the part in front of i
 G3304 Warning "cycle-cuts-nothing" "cycle cuts nothing"
 "No move of the cycle is at a feed: nothing is left to cut at this depth, or between the blank and the part within the limits of the area. A limit on the wrong side, a blank \
 smaller than the part or a wrong datum looks like this. Compare the arguments of the call with the contour." {
-    cycle_cuts_nothing() "the cycle cuts nothing: it only travels there and back";
+    cycle_cuts_nothing() "the cycle cuts nothing: it only travels there and back"
+        help "compare the depth, or the blank, its allowances and the limits of the area, with the part";
 }
 
 S8210 Note "siemens-relief-left" "relief cut is left standing"

@@ -10,6 +10,12 @@ The message names the argument. Look for a lost decimal point, take a smaller cu
         help "retract the tool at the end of the contour";
     way_to_contour() "the way to the contour, or from it, cuts into the contour elsewhere"
         help "give a smaller radius or length of the way, or another shape of it";
+    bore_makes_no_path(fault) "{fault}" help "check the sizes of the hole, the infeed and the cutter";
+    spigot_makes_no_path(fault) "{fault}" help "check the sizes of the spigot and the data of the cutter";
+    face_makes_no_path(fault) "{fault}" help "check the sizes of the face and the data of the cutter";
+    contour_makes_no_path(fault) "{fault}" help "check the contour, and the data of its approach";
+    surface_makes_no_path(fault) "{fault}" help "check the corners of the surface and the data of the cutter";
+    thread_makes_no_path(fault) "{fault}" help "check the sizes of the thread and the data of the cutter";
 }
 
 S8240 Warning "siemens-spigot-stock" "part of the blank of a spigot stays"

@@ -28,8 +28,10 @@ mod shared_meaning;
 mod shared_others;
 mod sinumerik;
 mod sinumerik_arcs;
+mod sinumerik_left_out;
 mod sinumerik_unsupported;
 mod sinumerik_warnings;
+mod target;
 mod transformation;
 mod turning;
 mod turning_geometry;
@@ -58,8 +60,10 @@ pub use shared_meaning::*;
 pub use shared_others::*;
 pub use sinumerik::*;
 pub use sinumerik_arcs::*;
+pub use sinumerik_left_out::*;
 pub use sinumerik_unsupported::*;
 pub use sinumerik_warnings::*;
+pub use target::*;
 pub use transformation::*;
 pub use turning::*;
 pub use turning_geometry::*;
@@ -80,10 +84,14 @@ pub struct Code {
     pub severity: Severity,
     /// Is it reported where nobody asks for it?
     pub on: bool,
+    /// Does it say, though no error, that the path, or what the machine does, is not what the blocks say?
+    pub firm: bool,
     /// One line: what it is about.
     pub title: &'static str,
     /// Codes and names that it had before, when each language had its own; they are taken wherever a code is.
     pub was: &'static str,
+    /// What to do about most findings of it in Klartext, where a finding brings no help of its own; empty where nothing is usual.
+    pub usual: &'static str,
     /// The text of `partc explain`: what it means on the machine, how to mend it, where it comes from; empty without the feature
     /// `explain`.
     pub explain: &'static str,
@@ -96,10 +104,6 @@ pub struct Code {
 /// The first case of each code in the golden books, written by the test suite.
 const EXAMPLES: &str = include_str!("examples.txt");
 
-/// Warnings and notes that say that the path, or what the machine does, is not what the blocks say.
-const FIRM: &[&str] =
-    &["G3009", "G3025", "G3210", "G3211", "G3212", "G8101", "K2851", "K2854", "P0006", "P0201", "S8130"];
-
 impl Code {
     /// Does its id, or one that it had before, begin so?
     pub fn begins_with(&self, prefix: &str) -> bool {
@@ -109,7 +113,7 @@ impl Code {
 
     /// Can nobody ignore it: is it an error, or does it say that the tool goes another way than programmed?
     pub fn is_firm(&self) -> bool {
-        self.severity == Severity::Error || FIRM.contains(&self.id)
+        self.severity == Severity::Error || self.firm
     }
 
     /// A program in which it is found: parts that begin with `-- ` and a name.
@@ -153,13 +157,16 @@ pub(crate) const fn told_of(wordings: &'static [super::fault::Wording]) -> &'sta
 }
 
 /// Writes a table of codes as constants plus the list of them all, and the faults that each code has, as functions of a type of its name.
-/// Behind the severity `off` says that a code is found where somebody asks for it only.
+/// Behind the severity `off` says that a code is found where somebody asks for it only, and `firm` that nobody can ignore it.
 ///
 /// A fault is a name with its quantities, the message, the alarm of the control, and what to do: `help`, or `asks` where a key of
-/// `partc.toml` answers it.
+/// `partc.toml` answers it. Behind `+` stand helps that only the place can choose, and how a help goes on.
 macro_rules! codes {
     (@on) => { true };
+    (@on firm) => { true };
     (@on off) => { false };
+    (@firm firm) => { true };
+    (@firm $(off)?) => { false };
     (@alarm) => { None };
     (@alarm $number:literal) => { Some($number) };
     (@text) => { "" };
@@ -179,18 +186,20 @@ macro_rules! codes {
             $crate::diag::fault::Asking::new($crate::diag::Fault::new(raised, format!($message)).help(format!($asks)))
         }
     };
-    (@entry $id:ident $severity:ident [$($off:ident)?] $name:literal $title:literal [$($was:literal)?] $explain:literal
-        [$($example:literal)?] $({$(
+    (@entry $id:ident $severity:ident [$($mark:ident)?] $name:literal $title:literal [$($was:literal)?] [$($usual:literal)?]
+        $explain:literal [$($example:literal)?] $({$(
         $fault:ident ($($of:ident),*) $message:literal $(alarm $alarm:literal)? $(help $help:literal)? $(asks $asks:literal)?;
-    )*})?) => {
+    )* $(+ $more:ident ($($part:ident),*) $text:literal;)*})?) => {
         pub const $id: &$crate::diag::Code = &$crate::diag::Code {
             id: stringify!($id),
             name: $name,
             severity: $crate::diag::Severity::$severity,
-            on: $crate::diag::codes::codes!(@on $($off)?),
+            on: $crate::diag::codes::codes!(@on $($mark)?),
+            firm: $crate::diag::codes::codes!(@firm $($mark)?),
             title: $title,
             of_rule: $crate::diag::codes::told($crate::diag::codes::codes!(@text $($example)?)),
             was: $crate::diag::codes::codes!(@text $($was)?),
+            usual: $crate::diag::codes::codes!(@text $($usual)?),
             explain: $crate::diag::codes::told($explain),
             wordings: $crate::diag::codes::told_of(&[$($($crate::diag::fault::Wording {
                 name: stringify!($fault),
@@ -206,13 +215,16 @@ macro_rules! codes {
                 $($crate::diag::codes::codes! {
                     @fault $id $fault ($($of),*) $message [$($alarm)?] [$($help)?] [$($asks)?]
                 })*
+                $(pub fn $more($($part: &dyn std::fmt::Display),*) -> String {
+                    format!($text)
+                })*
             }
         )?
     };
-    ($list:ident: $($id:ident $severity:ident $($off:ident)? $name:literal $title:literal $(was $was:literal)? $explain:literal
-        $({$($faults:tt)*})?)*) => {
+    ($list:ident: $($id:ident $severity:ident $($mark:ident)? $name:literal $title:literal $(was $was:literal)?
+        $(usual $usual:literal)? $explain:literal $({$($faults:tt)*})?)*) => {
         $($crate::diag::codes::codes! {
-            @entry $id $severity [$($off)?] $name $title [$($was)?] $explain [] $({$($faults)*})?
+            @entry $id $severity [$($mark)?] $name $title [$($was)?] [$($usual)?] $explain [] $({$($faults)*})?
         })*
         pub(super) const $list: &[&$crate::diag::Code] = &[$($id),*];
     };
@@ -235,6 +247,7 @@ pub fn all() -> Vec<&'static Code> {
         grooves::GROOVES,
         compensation::COMPENSATION,
         output::OUTPUT,
+        target::TARGET,
         pockets::POCKETS,
         shared_form::SHARED_FORM,
         shared_meaning::SHARED_MEANING,
@@ -243,6 +256,7 @@ pub fn all() -> Vec<&'static Code> {
         shared_others::SHARED_OTHERS,
         sinumerik::SINUMERIK,
         sinumerik_arcs::SINUMERIK_ARCS,
+        sinumerik_left_out::SINUMERIK_LEFT_OUT,
         sinumerik_warnings::SINUMERIK_WARNINGS,
         sinumerik_unsupported::SINUMERIK_UNSUPPORTED,
         transformation::TRANSFORMATION,

@@ -10,19 +10,38 @@ tool, the allowances and the infeeds." {
         help "give a larger angle";
     rings_along_contour_do_not_keep() "the rings along the contour do not keep their distance from it"
         help "move an end point of the contour a little, or take another infeed in the plane";
-    cutter_with_its_allowance_takes_mm(what, place, away)
-        "{what}: {place}, and the cutter with its allowance takes {away:.3} mm"
-        help "take a cutter or an allowance that is smaller, so that it passes there, or larger, so that it does not";
     from_start_point_no_straight_way_leads()
         "from the start point no straight way leads between the walls to where the rings begin"
         help "give a start point farther from the walls, or leave the choice to the cycle";
     cutter_finds_no_room_between_walls() "the cutter finds no room between the walls of the contour"
         help "take a smaller cutter, or a smaller allowance";
+    pocket_makes_no_path(fault) "{fault}" help "check the sizes of the pocket and the data of the cutter";
+    long_hole_makes_no_path(fault) "{fault}" help "check the sizes of the long hole and the data of the cutter";
+    region_makes_no_path(fault) "{fault}" help "check the contour, the data of the cutter, and the allowances";
+    pilot_holes_makes_no_path(fault) "{fault}"
+        help "check the contour, the data of the cutter that roughs it, and the allowances";
+    ring_can_only_be_reached_straight_down() "a ring of the pocket can only be reached straight down"
+        help "take a smaller cutter, or go straight down, which needs a cutter that can plunge";
+    walls_leave_no_room_for_helix() "the walls leave no room for the helix"
+        help "take a smaller cutter, or go straight down, which needs a cutter that can plunge";
+    walls_leave_no_room_for_strokes() "the walls leave no room for strokes to and fro"
+        help "take a smaller cutter, or go straight down, which needs a cutter that can plunge";
+    rings_do_not_keep_between_walls(x, y, width, takes)
+        "the rings along the contour do not keep their distance from it: the walls next to ({x:.3}, {y:.3}) are \
+        {width:.3} mm apart, and the cutter with its allowance takes {takes:.3} mm"
+        help "take a cutter or an allowance that is smaller, so that it passes there, or larger, so that it does \
+        not";
+    rings_do_not_keep_at_arc(x, y, radius, takes)
+        "the rings along the contour do not keep their distance from it: the arc about ({x:.3}, {y:.3}) has a radius \
+        of {radius:.3} mm, and the cutter with its allowance takes {takes:.3} mm"
+        help "take a cutter or an allowance that is smaller, so that it passes there, or larger, so that it does \
+        not";
 }
 
 S8230 Warning "siemens-milling-left-open" "argument of a milling cycle is left open"
 "The call leaves open what the control takes from elsewhere: the infeed in depth or in the plane, or the sense in which the spindle turns for climb \
 and conventional milling. The message says what is taken. Give the argument, or program M3 or M4 before the call." {
+    call_leaves_open(call, what) "{call}: {what}";
     mirrored_frame_turns_sense_around(asked, made)
         "a mirrored frame turns the sense around: {asked} is asked for, and {made} milling comes out"
         help "give the other `CDIR` where the sense is to stay on the mirrored part";

@@ -441,6 +441,8 @@ cuts matters." {
     cycle_finished_shape_is_as_programmed(cycle, what)
         "cycle {cycle} {what}: the finished shape is as programmed; entry, order of the cuts and approach are those \
         of partc";
+    ways_of_call(call, ways) "{call}: {ways}"
+        help "docs/cycles.md describes the path; compare with what the machine does";
     first_contour_is_pocket()
         "the first contour is the pocket, the others are islands; the rings, the points of insertion and the order \
         are those of partc";

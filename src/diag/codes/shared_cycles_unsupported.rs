@@ -3,6 +3,7 @@
 super::codes! { SHARED_CYCLES_UNSUPPORTED:
 
 P9010 Error "cycle-unsupported" "cycle is not supported" was "K9001 S9005 siemens-cycle T9006 turning-cycle"
+usual "program the moves of the cycle as blocks"
 "The cycle is known, and partc cannot make its path. A path without it would leave out material removal, so nothing is written.\n\n\
 Klartext: The cycle is read, but partc cannot compute its path yet, and a path without it would leave out material removal. Nothing is \
 written.\n\n\
@@ -130,6 +131,12 @@ HEIDENHAIN turning: The cycle is known, its parameters are checked, but partc do
     oscillation_moves_beside_path(name, axis)
         "{name} (oscillation) moves {axis} beside the path, and {axis} is in the output";
     is_not_supported(name, kind) "{name} ({kind}) is not supported";
+    procedure_is_not_supported(name, what) "{name} ({what}) is not supported"
+        help "take it out of the copy that is compiled, or program what it does in blocks";
+    procedure_may_be_left_out(name, what) "{name} ({what}) is not supported"
+        asks "leave it out, where the target manages its tools: `[programs] {name} = {{ ignore = true }}`";
+    cycle_is_not_supported_but_file_may_run(name, what, instead) "{name} ({what}) is not supported"
+        asks "{instead}; or say what runs instead: `[programs] {name} = {{ file = \"stubs/{name}.SPF\" }}`";
     lets_follow(name, spindle) "{name} lets {spindle} follow: a spindle that follows is never left out"
         help "program its speed and sense as blocks";
     lets_follow_and_is_in_output(name, axis)

@@ -127,6 +127,7 @@ guessed. Put the second function into a block of its own." {
 }
 
 P1003 Error "word-misplaced" "word has no place in this block" was "K1005 word-not-allowed M1006 mtc-word-not-allowed S2012 siemens-word-misfit T1003 turning-word-not-admitted"
+usual "remove the word, or put it into a block where it belongs"
 "The word exists, but means nothing beside the other words of the block. partc never drops a word: remove it, or put it where it belongs.\n\n\
 Klartext: The word exists in Klartext, but not in a block of this kind, so the control would refuse the block or ignore the word. partc \
 never drops a word: remove it, or put it where it belongs.\n\n\

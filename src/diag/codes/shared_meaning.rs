@@ -21,6 +21,33 @@ the program, after a tool change, and after a move in machine coordinates. Progr
     moves_axes_under_radius_compensation_as_programs(name)
         "{name} moves axes under radius compensation, as `[programs]` says"
         help "program G40 before the call";
+    needs_position_of(what, axis, why) "{what} needs the position of {axis}, which is not known{why}"
+        help "program an absolute position of {axis} first";
+    moves_tool_axis_together_with_plane(name, axis, why)
+        "{name} moves the tool axis together with the plane, and where it starts is not known{why}"
+        help "program an absolute position of {axis} first";
+    it_is_not_known_where_tool_stands(axis, why) "it is not known where the tool stands in {axis}{why}"
+        help "program {axis} once as an absolute value after the tool change";
+    position_is_not_known(axis, why) "the position of {axis} is not known{why}"
+        help "program an absolute position of {axis} first";
+    where_axis_stands_is_not_known(axis, why) "where {axis} stands is not known{why}"
+        help "program the axis once in absolute coordinates before this block";
+    where_axis_stands_is_not_known_2(axis, why) "where {axis} stands is not known{why}"
+        help "program the axis once in absolute coordinates before reading its position";
+    this_block_moves_without(letters, stand, why)
+        "this block moves without {letters}, and where {letters} {stand} is not known{why}"
+        help "program {letters} in absolute coordinates before this block, or in it";
+    + start_says_it_of_tool_before(axis)
+        ": `[start]` says {axis} of the tool before the first tool call, and the tip of another one stands elsewhere";
+    + or_say_where_it_stands_after_change(axis)
+        "; or say in partc.toml which {axis} the control shows for the new tool when the change is over: `[machine] \
+        after_tool_change = {{ {axis} = … }}`";
+    + or_say_where_it_stands_at_start(axis)
+        ", or say in partc.toml where {axis} stands before the program: `[start]` with `{axis} = …`";
+    + or_say_where_datum_lies(name)
+        "; or say where the datum lies, in machine coordinates: `[datums] {name} = {{ X = …, Y = …, Z = … }}`";
+    + or_give_length_of_tool(axis, number)
+        "; or give the length of the tool, which {axis} of the machine counts without: `[tools.{number}] length = …`";
 }
 
 P2002 Error "feed-missing" "cutting move without a feed" was "K2002 M2002 mtc-feed-missing S2040 siemens-feed-missing T2003 turning-feed-missing"
@@ -94,6 +121,9 @@ target compensate." {
     table_data_of_tool_is_not_known(key) "the table data of tool {key} is not known"
         asks "add `[tools.{key}]` to partc.toml, or name the tool table under `[tools] table`";
     no_tool_is_called() "no tool is called" help "program TOOL CALL first";
+    no_tool_is_called_so_it_has_no_value(q)
+        "no tool is called, so {q} has no value: the radius of the tool in the spindle"
+        asks "program TOOL CALL first, or give the value in partc.toml: `[variables]` with `{q} = …`";
     radius_of_tool_is_not_known(called) "the radius of tool {called} is not known"
         asks "add `[tools.{called}]` with `radius = …` to partc.toml, or a TOOL DEF block";
     tool_has_oversize_dr(called) "tool {called} has an oversize DR, and its radius is not known"
@@ -177,6 +207,11 @@ target; SUPD does the opposite. With `tool_length = \"G43\"` the length of the t
     control_goes_to_this_machine_coordinate(axis)
         "the control goes to this machine coordinate of {axis} with the tip of the tool (MD 10760 = 0), the target \
         with its spindle: the length of the tool is not known";
+    length_of_tool_is_not_known(called) "the length of tool {called} is not known"
+        asks "add `[tools.{called}]` with `length = …` to partc.toml, or a TOOL DEF block";
+    no_tool_is_called_so_it_has_no_value(q)
+        "no tool is called, so {q} has no value: the length of the tool in the spindle"
+        asks "program TOOL CALL first, or give the value in partc.toml: `[variables]` with `{q} = …`";
 }
 
 P2006 Warning "tool-not-in-table" "tool is not in the tool table" was "K2007 S8009 siemens-tool-not-listed"
@@ -235,6 +270,7 @@ MTC200: Two blocks set the same label, so a jump to it has two targets, and whic
 }
 
 P2011 Error "label-missing" "label does not exist" was "K2202 M2201 mtc-label-missing S2003 siemens-target-missing"
+usual "check the number, or the spelling of the name"
 "A jump, a call or a repetition names a label that is not there.\n\n\
 Klartext: A call or jump names a label that the program does not set. Labels belong to their file: one of a called program cannot be \
 reached from here. Check the number, or the spelling of the name.\n\n\
@@ -256,6 +292,7 @@ on." {
 }
 
 P2012 Error "recursive-call" "subprogram or program calls itself" was "K2204 T2012 turning-recursion"
+usual "repeat with `CALL LBL 1 REP 2` or a conditional jump instead"
 "The calls would never end.\n\n\
 Klartext: HEIDENHAIN controls do not allow a subprogram or a program to be called while it runs, and the call would never end. Repeat \
 with `CALL LBL n REP` or a conditional jump instead.\n\n\
@@ -266,6 +303,7 @@ HEIDENHAIN turning: A subprogram that calls itself, perhaps by way of another on
 }
 
 P2013 Error "called-program-ends" "called program ends the job" was "K2208 M2206 mtc-end-in-subprogram T2013 turning-job-end-in-subprogram"
+usual "end the called program with END PGM"
 "A called program returns to its caller; the end of the whole job stands in the main program.\n\n\
 Klartext: M2 or M30 in a called program ends the whole job on some controls and is an error on others. End a called program with END \
 PGM.\n\n\
@@ -279,6 +317,7 @@ HEIDENHAIN turning: A subprogram returns with RETURN. END or M30 inside it would
 }
 
 P2020 Error "variable-unset" "variable is read before it is set" was "K2301 parameter-undefined M2301 mtc-variable-unset T2008 turning-variable-unset"
+usual "assign a value before this block"
 "The variable has no value there, and guessing one could move the tool anywhere.\n\n\
 Klartext: The parameter is read before any block sets it. On the machine it might still hold a value from another program. Set it, or \
 give a start value in partc.toml: `[variables]` with `Q50 = 3.0`.\n\n\
@@ -309,6 +348,7 @@ counts as 0. Set it in the program or under [variables]." {
 }
 
 P2022 Error "no-result" "computation has no result" was "K2303 parameter-arithmetic M2302 mtc-arithmetic S2006 siemens-arithmetic T2009 turning-formula"
+usual "look where the parameters of the block get their values"
 "The value cannot be computed.\n\n\
 Klartext: Division by zero, root of a negative number, arc sine beyond 1, logarithm of zero or a result over 1e10: the control stops \
 here. Look where the parameters of the block get their values, and test them before.\n\n\
@@ -329,10 +369,26 @@ as the integer part of a negative number. The block is not executed." {
     value_is_divided_by_zero(a) "{a} is divided by zero";
     value_is_divided_by_zero_that(a, said) "{a} is divided by zero: {said}";
     result_is_too_large() "the result is too large";
+    result_is_too_large_for_int() "the result is too large for an INT" alarm 14051;
+    result_is_over_10_000_000_000() "the result is over 10 000 000 000";
+    division_by_zero() "division by zero" alarm 14051 help "check what stands after `/`, DIV or MOD";
+    division_by_zero_that(said) "division by zero: {said}" alarm 14051 help "give it another value before this block";
+    function_of_value_does_not_exist(name, x) "{name} of {x} does not exist";
+    power_does_not_exist(a, b) "{a} to the power of {b} does not exist";
+    there_is_no_result(a, b) "there is no result for {a} and {b}";
+    number_is_needed_not_text() "a number is needed, not a text";
+    number_is_needed() "a number is needed";
+    text_is_needed() "a text is needed";
+    text_parameter_is_needed() "a text parameter is needed";
+    is_no_position(n) "{n} is no position";
+    is_no_number(text) "`{text}` is no number";
+    text_is_longer(longest) "the text is longer than {longest} characters";
+    function_reads_from_control() "the function reads from the control";
     function_does_not_exist(name, x) "{name}({x}) does not exist";
     formula_divides_by_zero() "the formula divides by zero";
     formula_divides_by_zero_that(said) "the formula divides by zero: {said}";
     result_of_formula_is_too_large() "the result of the formula is too large";
+    + give_values_that_control_keeps() "give the values that the control keeps under [variables]";
 }
 
 P2023 Error "value-of-machine" "value is known on the machine only" was "K2304 parameter-from-machine S2028 siemens-machine-value T2010 turning-machine-variable"
@@ -370,6 +426,7 @@ HEIDENHAIN turning: The variable holds what the control measured or knows of the
 }
 
 P2024 Error "kinds-mixed" "kinds of values are mixed up" was "K2307 parameter-kind S2005 siemens-type"
+usual "TONUMB makes a number of a text, TOCHAR a text of a number"
 "The operation or the variable does not take a value of this kind.\n\n\
 Klartext: A string parameter (QS) stands where a number is needed, or a number where a text is needed. TONUMB turns a text into a \
 number, TOCHAR a number into a text.\n\n\
@@ -390,9 +447,13 @@ alarm 12150. Texts become numbers by NUMBER(…)." {
     frame_is_needed(what) "a frame is needed, this is {what}" alarm 12150;
     fills_array(name) "{name} fills an array and is no value of its own" alarm 12150;
     modaxval_takes_axis() "MODAXVAL takes an axis and an angle" alarm 12150;
+    operator_does_not_fit(what) "the operator does not fit {what}" alarm 12150;
+    values_do_not_go_together(a, b) "{a} and {b} do not go together here" alarm 12150;
+    value_is_missing() "a value is missing" alarm 12150;
 }
 
 P2025 Error "no-such-variable" "no variable has this number" was "K2308 parameter-number M2303 mtc-variable-number"
+usual "Q0 to Q1999, QL0 to QL499, QR0 to QR499 and QS0 to QS1999 exist"
 "The control refuses the number. Most often a digit is too many.\n\n\
 Klartext: Q0 to Q1999, QL0 to QL499, QR0 to QR499 and QS0 to QS1999 exist. The control refuses any other number. Most often a digit is \
 too many, or the blank after the number is missing.\n\n\
@@ -402,6 +463,7 @@ MTC200: Variables have three digits, `@000` to `@999`, so nothing can be read or
 }
 
 P2026 Error "program-stops-itself" "program stops with an error of its own" was "K2309 program-error-stop S2027 siemens-setal"
+usual "look at the condition before this block"
 "The program itself says that something is wrong with its data. Look at the condition before the block.\n\n\
 Klartext: The block FN 14 makes the control stop with an error text. The program itself says that something is wrong with its \
 parameters; look at the condition before it.\n\n\

@@ -255,6 +255,7 @@ partc takes it as the message says; compare with what the machine does." {
 }
 
 P9011 Error "function-unsupported" "function is not supported" was "K9011 M9001 mtc-g-unsupported S9001 siemens-unsupported T9001 turning-function"
+usual "remove the function if the path does not depend on it"
 "What the function does to the path cannot be compiled. Nothing is left out in silence.\n\n\
 Klartext: The block is a function of newer controls that partc reads by name but does not execute. It may influence the path, so it is \
 refused.\n\n\
@@ -280,6 +281,7 @@ in silence: the program is refused." {
         "`{word_text}` is a cutting speed, and partc does not compute the speed of the spindle from it"
         help "write the speed: S = 1000 · VC / (π · diameter of the tool)";
     is_not_supported_2(name, what) "{name} ({what}) is not supported";
+    is_not_supported_3(name) "{name} is not supported";
     ret_back_to_start_of_main_program() "RET back to the start of the main program is for ISO programs";
     turns_plane_by_solid_angles(word) "{word} turns the plane by solid angles, which is not supported"
         help "use ROT with angles about the axes";
@@ -321,11 +323,13 @@ in silence: the program is refused." {
 }
 
 P9012 Error "iso-block" "block of an ISO dialect" was "K9009 S9003 siemens-iso"
+usual "convert the block to L, C or CR"
 "Klartext: A G word stands in a Klartext program. Where such blocks occur the meaning of I and J differs between writers (centre or \
 offset), so the block is refused. Convert it to L, C or CR.\n\n\
 SINUMERIK: G291 and ISOCALL switch to ISO dialect, which is another language with other rules. Translate that part, or compile it by \
 itself." {
     is_din_iso_program(name) "`{name}` is a DIN/ISO program";
+    is_din_iso_word(name) "{name} is a DIN/ISO word and cannot stand in a Klartext program";
     isocall_calls_program_in_iso_dialect() "ISOCALL calls a program in ISO dialect"
         help "translate the program, or leave the call out";
     g291_switches_to_iso_dialect() "G291 switches to ISO dialect"

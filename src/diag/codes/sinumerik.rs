@@ -256,8 +256,8 @@ S2030 Error "siemens-text-length" "text is too long"
         help "a character has 8 bits: 'H00' to 'HFF'";
     text_of_macro_has_at_most_256() "the text of a macro has at most 256 characters" alarm 12280;
     text_has_characters_parameter_takes(text, shown, length)
-        "the text has {text} characters, parameter {shown} takes {length}" alarm 12210
-        help "shorten it";
+        "the text has {text} characters, parameter {shown} takes {length}" alarm 12210 help "shorten it";
+    joined_text_is_too_long() "the joined text is too long" alarm 14099;
 }
 
 S2031 Error "siemens-axis-needed" "an axis is needed"

@@ -26,6 +26,7 @@ S9004 Error "siemens-synchronized" "synchronized action"
 S9006 Error "siemens-transformation" "transformation is not supported"
 "TRAORI, TRAANG, CYCLE800 and others turn programmed coordinates into other axes, which needs the kinematics of the machine. TRANSMIT and TRACYL are \
 compiled where `[cycles] transmit` says how they are printed: \"polar\" with X and the rotary axis, \"cartesian\" as the program sees them." {
+    procedure_is_not_supported(name, what) "{name} ({what}) is not supported";
     gives_direction_of_tool(letter, number) "{letter}{number}= gives the direction of the tool"
         help "have the CAM system put out three axes, or the rotary axes themselves";
     retraction_fr_i() "the retraction `_FR_I` (argument 15) of CYCLE800 is below 0"

@@ -242,6 +242,26 @@ of the two was changed by hand. The blocks are compiled, as the control does." {
     element_runs_at_rapid_traverse(i)
         "element {i} runs at rapid traverse, which no record of the contour editor says"
         help "program G1 in the first element";
+    contour_starts_at(there, here, way)
+        "the contour starts at {there}, by the records of the contour editor at {here}: {way} apart"
+        help "the blocks are compiled; if they were changed by hand, accept the contour in the editor again";
+    contour_has_elements(there, here)
+        "the contour has {there} elements, but the records of the contour editor make {here}"
+        help "the blocks are compiled; if they were changed by hand, accept the contour in the editor again";
+    element_ends_at(i, there, here, way)
+        "element {i} ends at {there}, by the records of the contour editor at {here}: {way} apart"
+        help "the blocks are compiled; if they were changed by hand, accept the contour in the editor again";
+    element_is(i, there, here) "element {i} is {there}, by the records of the contour editor {here}"
+        help "the blocks are compiled; if they were changed by hand, accept the contour in the editor again";
+    element_is_about_another_centre(i, there, here, way)
+        "element {i} is {there}, by the records of the contour editor {here}: {way} apart"
+        help "the blocks are compiled; if they were changed by hand, accept the contour in the editor again";
+    element_has_another_radius(i, there, here, radius)
+        "element {i} is {there}, by the records of the contour editor {here} with radius {radius}"
+        help "the blocks are compiled; if they were changed by hand, accept the contour in the editor again";
+    corner_after_element_has(i, there, here)
+        "the corner after element {i} has {there}, by the records of the contour editor {here}"
+        help "the blocks are compiled; if they were changed by hand, accept the contour in the editor again";
 }
 
 S8027 Note "siemens-contour-unchecked" "records of a stored contour cannot be checked"
@@ -398,7 +418,7 @@ look at the formula that makes it." {
         "{args}: argument {place} is {given}, and the cycle counts {count}" help "write a whole number";
 }
 
-S8130 Note "siemens-axis-left-out" "axis that is left out"
+S8130 Note firm "siemens-axis-left-out" "axis that is left out"
 "`[machine] axes` says that the target has no such axis. Its words are left out of every block; other words of the blocks are printed. See to it that \
 the axis stands where the program needs it." {
     axis_is_left_out(named) "the axis {named} is left out, as `[machine] axes` says";
@@ -430,19 +450,7 @@ through such moves and is taken off in the next G0 or G1 with an axis of the pla
         plane";
 }
 
-S8163 Warning "siemens-change-left-out" "tool is chosen and never changed in"
-"T chose a tool, a call that `[programs]` leaves out follows, and no M6 changes the tool in. If the program after that call is the tool change of the machine, the \
-output cuts with the tool before it. Say what the call does: `TC = { change = true }` changes to the tool that T chose, `TC = { tool = 1 }` to the tool of its first argument. Where T \
-itself changes the tool (a turret), set `[control] tool_change = \"t\"`. A tool that an M6 changes in later is only chosen ahead, and nothing is reported; where T chooses it once more after \
-something was cut, that may have been the cut of this tool, and it is. The same holds for a call that names a tool in quotation marks: one of `[tools]` or `$TC_TP2`, or any name before the first tool."
 
-S8171 Warning "siemens-feed-of-before-call" "cut takes the feed of before a call that is left out"
-"Between the last F and this cut stands a call that `[programs]` leaves out or takes for a tool change. If its program leaves another feed on the control, \
-the output cuts at the wrong one. Program F after the call, or say what it leaves: `TC = { ignore = true, feed = 0.2 }`, in the unit that F \
-has there; `feed = \"lost\"` makes every cut without an F of its own an error. It is said once for each program that is called." {
-    this_cut_takes_feed_of_before(name)
-        "this cut takes the feed of before {name}, which is left out and may leave another one";
-}
 
 S8172 Warning "siemens-variable-unused" "value of `[variables]` is not used"
 "The program reads a value of the control that follows from the program itself or from the data of the tool, and `[variables]` gives another one. What partc computes goes first: \
@@ -529,55 +537,5 @@ as to any first position, and comes back there; on the control it may end where 
     where_tool_stands_is_not_known(args)
         "{args}: where the tool stands is not known: it goes to the front of the part first"
         help "position the tool in X and Z before the cycle";
-}
-
-S8165 Warning "siemens-action-left-out" "synchronized action is left out"
-"`[control] synchronized_actions = \"leave-out\"` leaves out actions that set outputs, markers, the feed or a wait only. The path is the same; when outputs come and how fast the \
-axes move is not. Actions that move an axis, act on the spindle or set a value that the program reads are refused all the same."
-
-S8166 Warning "siemens-coupling-left-out" "coupling or oscillation is left out"
-"`[control] couplings` and `oscillation` leave out words whose axis is left out by `[machine] axes`, and what ends a coupling that the output does not have. \
-Where an axis of the output follows or swings they are refused all the same." {
-    is_left_out(name, what) "{name} is left out: it {what}";
-}
-
-S8167 Warning "siemens-measuring-left-out" "measuring is left out"
-"`[control] probing = \"leave-out\"` leaves out measuring cycles, and blocks with MEAS together with their moves. Where the \
-probe left the axes is known at the machine only: increments and arcs after it are refused until the program says where the tool is. \
-MEAW and MEAWA go their whole way, so their moves are printed; so do all where `[control] probing_contact = \"none\"` says that the \
-probe touches nothing. What is measured is asked for by its name where the program reads it." {
-    is_left_out_what_it_measures(name, what)
-        "{name} is left out: what it measures is known at the machine only{what}";
-    its_block_moves_no_axis(name) "{name} is left out: its block moves no axis of the output"
-        help "check what follows: no move of the target stands for this one";
-    is_left_out_with_its_move(name, letters, stops)
-        "{name} is left out with its move: where {letters} {stops} is known at the machine only"
-        help "check what follows: no move of the target stands for this one";
-    probe_touches_nothing(name)
-        "{name} is left out, its move is not: the probe touches nothing, as `[control] probing_contact` says"
-        help "the block goes its whole way, whatever the probe does: check that nothing stands in it";
-    its_move_is_not_left_out(name)
-        "{name} is left out, its move is not: what it measures is known at the machine only"
-        help "the block goes its whole way, whatever the probe does: check that nothing stands in it";
-}
-
-S8168 Note "siemens-measuring-arguments" "arguments of measuring cycles are left out"
-"`_MVAR`, `_SETVAL`, `_KNUM` and others tell a measuring cycle what to do. They have no effect on anything else, and are left out with the cycle." {
-    arguments_of_measuring_cycles()
-        "the arguments of the measuring cycles, which the control keeps in its global data, are left out";
-}
-
-S8169 Warning "siemens-measured-value-given" "value of the configuration stands for a measured one"
-"The program computes with what a probe found, and `[variables]` gives a number for it. One number stands for all measurings of the program: check that it is right for the one that the message names. \
-`[control] probing_contact = \"none\"` does the same for `$AC_MEA`, which it makes 0." {
-    of_variables_is_taken_for_what(key, value, name, line)
-        "`{key}` = {value} of `[variables]` is taken for what {name} in line {line} finds";
-    is_0_in_line_touches_nothing(key, name, line)
-        "`{key}` is 0: {name} in line {line} touches nothing, as `[control] probing_contact` says";
-}
-
-S8170 Note "siemens-action-words" "words that act on synchronized actions are left out"
-"CANCEL, LOCK, UNLOCK and RESET end, hold, free and reset synchronized actions, none of which is in the output." {
-    acts_on_synchronized_actions(name) "{name} acts on synchronized actions, and is left out like them";
 }
 }

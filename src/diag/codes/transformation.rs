@@ -5,21 +5,48 @@ super::codes! { TRANSFORMATION:
 G3336 Error "feed-spindle-speed" "feed counts turns of a spindle without a speed"
 "A feed per revolution follows a spindle that is not the first one of the target. It is printed per minute, feed times speed, so the speed has to be \
 programmed before the cut." {
-    feed_counts_turns_of_spindle(number) "the feed counts turns of spindle {number}, whose speed is not known";
+    feed_counts_turns_of_spindle(number) "the feed counts turns of spindle {number}, whose speed is not known"
+        help "program its speed before this block: S{number}=1000";
 }
 
 G3337 Error "transformation-pole" "way passes the axis of rotation"
 "Where the tool passes the axis of rotation of a face closer than 0.01 mm, the workpiece would have to turn over at once. Controls have ways of their own \
-around this pole, which are not reproduced. Lead the tool around it."
+around this pole, which are not reproduced. Lead the tool around it." {
+    way_passes_axis_of_rotation(closest)
+        "the way passes the axis of rotation at {closest:.4} mm: the workpiece would turn over at once";
+}
 
 G3338 Error "transformation-start" "place inside a transformation is not known"
 "A cut on a face or mantle becomes a motion of X and the rotary axis, which depends on where it starts. Position the tool by G0 with all coordinates of the \
-face or mantle first, or say where the rotary axis stands before the transformation."
+face or mantle first, or say where the rotary axis stands before the transformation." {
+    this_block_cuts_from_place_not_known() "this block cuts from a place that is not known inside the transformation"
+        help "position the tool before it by G0 with X and Y (on a mantle Y), or the rotary axis before the \
+        transformation";
+    where_this_block_leads_depends() "where this block leads depends on X and Y, and one of them is not known"
+        help "program both in this block or before it";
+}
 
 G3339 Error "transformation-inside" "what a transformation cannot carry out"
 "Inside a transformation X and the rotary axis follow X and Y of the program. Machine coordinates, threads, the rotary axis itself, other axes beside them and \
 feeds per turn of the workpiece spindle cannot be carried out there." {
-    frame_shifts(letter) "the frame shifts {letter}, which the transformation moves";
+    frame_shifts(letter) "the frame shifts {letter}, which the transformation moves"
+        help "turn the plane by ROT instead of {letter}";
+    hole_is_tapped_inside() "a hole is tapped inside the transformation, which takes the spindle as an axis"
+        help "tap it outside of the transformation";
+    is_moved_by_transformation_and_block(letter) "{letter} is moved by the transformation and by this block"
+        help "program X and Y";
+    place_of_machine_is_approached() "a place of the machine is approached inside the transformation"
+        help "end the transformation first";
+    target_cannot_compensate_tool() "the target cannot compensate the tool inside the transformation"
+        asks "leave `[output] compensation` at \"resolve\"";
+    thread_in_step_with_spindle() "a thread in step with the spindle"
+        help "cut the thread outside of the transformation";
+    feed_counts_turns_of_first_spindle()
+        "the feed counts turns of the first spindle, which the transformation turns as an axis"
+        help "program a feed per minute (G94), or make the driven spindle the master";
+    another_axis_moves_together(axes) "another axis moves together with {axes}" help "move it in a block of its own";
+    this_way_takes_more_parts(most) "this way takes more than {most} parts"
+        help "keep the way farther from the axis of rotation, or divide it";
 }
 
 S2280 Error "siemens-transformation-call" "argument of a transformation"

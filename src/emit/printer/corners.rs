@@ -1,12 +1,12 @@
 //! How corners are taken: the head states it, and a line says where the program changes it.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, codes};
 use crate::ir::{Origin, Side};
 use crate::machine::{PathChoice, PathControl};
 use crate::target::{Form, PathBound};
 use crate::text::Loc;
 
-use super::super::compensation::resolve;
+use super::super::compensation::resolved;
 use super::super::number::Places;
 use super::Printer;
 
@@ -71,8 +71,7 @@ impl Printer<'_> {
     pub(super) fn path_control(&mut self, said: Option<PathControl>, origin: &Origin) {
         if self.settings.path_control == Some(PathChoice::None) {
             if said.is_some() && self.diags.first_time(codes::O4006, ()) {
-                self.diags
-                    .push(codes::O4006::how_program_takes_its_corners_is_left().at(origin.loc).called(origin.call));
+                self.say(origin, codes::O4006::how_program_takes_its_corners_is_left());
             }
             return;
         }
@@ -80,26 +79,14 @@ impl Printer<'_> {
         self.look_at_corners(said, mode, Some(origin));
         let Some(mode) = mode.filter(|mode| self.corners.printed != Some(*mode)) else { return };
         if self.compensation.side != Side::None && !self.target.path.under_compensation {
-            return self.stands_under_compensation(origin);
+            let asking = codes::O9003::how_corners_are_taken_changes_while_radius(&self.target.name);
+            return self.say(origin, asking.answer(resolved()));
         }
         if let Form::Dialog(dialog) = self.target.form {
             self.page.words(dialog.tolerance, origin);
         }
         self.corner_words(mode);
         self.page.end_line(origin);
-    }
-
-    #[cold]
-    fn stands_under_compensation(&self, origin: &Origin) {
-        let name = self.target.name;
-        let help =
-            resolve("let it change before the contour or after it, or set `[output] compensation = \"resolve\"`");
-        self.diags.push(
-            codes::O9003::how_corners_are_taken_changes_while_radius(&name)
-                .at(origin.loc)
-                .help(help)
-                .called(origin.call),
-        );
     }
 
     /// The words of a mode, on the line under construction.
@@ -153,39 +140,21 @@ impl Printer<'_> {
         let Some((origin, doubt)) = self.corners.doubt.take() else { return };
         let origin = origin.unwrap_or(*first);
         let (name, words) = (self.target.name, self.target.path);
-        let message = match doubt {
-            Doubt::Unbounded => {
-                let word = words.unbounded.unwrap_or_default();
-                format!(
-                    "the target {name} passes corners under {word}, and has no word for how far it may round them off"
-                )
-            }
-            Doubt::Unsaid => {
-                format!(
-                    "how far the target {name} rounds corners off is a setting of the machine: no word of it is printed"
-                )
-            }
-            Doubt::NoStop(mm) => {
-                format!(
-                    "the program stops in its corners; the target {name} has no word for that and rounds them off, by {mm} mm at most"
-                )
-            }
+        let word = words.unbounded.unwrap_or_default();
+        let asking = match (doubt, words.exact) {
+            (Doubt::Unbounded, Some(_)) => codes::O9338::target_passes_corners_under(&name, &word),
+            (Doubt::Unbounded, None) => codes::O9338::target_passes_all_corners_under(&name, &word),
+            (Doubt::Unsaid, Some(_)) => codes::O9338::how_far_target_rounds_corners_off(&name),
+            (Doubt::Unsaid, None) => codes::O9338::how_far_target_rounds_all_corners_off(&name),
+            (Doubt::NoStop(mm), _) => codes::O9338::program_stops_in_its_corners(&name, &mm),
         };
         let answer = Answer::key("output", "path_control");
-        let help = match (doubt, words.exact) {
-            (Doubt::NoStop(mm), _) => {
-                let tolerance = format!("{{ tolerance = {mm} }}");
-                let text = format!("where that will do, say so: `[output] path_control = {tolerance}`");
-                answer.one_of(&[tolerance]).help(text)
-            }
-            (_, Some(_)) => answer.one_of(&["\"exact\"", "\"none\""]).help(
-                "stop in every corner with `[output] path_control = \"exact\"`, or set it to \"none\" where the machine is set up for the part",
-            ),
-            (_, None) => {
-                answer.help("set `[output] path_control = \"none\"` where the machine is set up for the part")
-            }
+        let answer = match (doubt, words.exact) {
+            (Doubt::NoStop(mm), _) => answer.one_of(&[format!("{{ tolerance = {mm} }}")]),
+            (Doubt::Unbounded | Doubt::Unsaid, Some(_)) => answer.one_of(&["\"exact\"", "\"none\""]),
+            (Doubt::Unbounded | Doubt::Unsaid, None) => answer,
         };
-        self.diags.push(Diagnostic::new(codes::O9338, origin.loc, message).help(help).called(origin.call));
+        self.say(&origin, asking.answer(answer));
     }
 
     /// The configuration wants what the target cannot say.
@@ -199,14 +168,15 @@ impl Printer<'_> {
         if words.within.is_some() {
             choices.insert(0, "{ tolerance = 0.01 }");
         }
-        let what = match self.settings.path_control {
-            Some(PathChoice::Exact) => "a stop in every corner",
-            Some(PathChoice::Within(_) | PathChoice::None) | None => "how far corners may be rounded off",
+        let (name, list) = (&self.target.name, choices.join(" or "));
+        let asking = match self.settings.path_control {
+            Some(PathChoice::Exact) => codes::O9339::target_has_no_word_for_stop_in_every_corner(name, &list),
+            Some(PathChoice::Within(_) | PathChoice::None) | None => {
+                codes::O9339::target_has_no_word_for_how_far(name, &list)
+            }
         };
-        let help = format!("set `[output] path_control` to {}", choices.join(" or "));
-        let help = Answer::key("output", "path_control").one_of(&choices).help(help);
         let start = Loc { line: 1, ..Loc::default() };
-        self.diags.push(codes::O9339::path_control(&self.target.name, &what).at(start).help(help));
+        self.diags.push(asking.answer(Answer::key("output", "path_control").one_of(&choices)).at(start));
     }
 }
 

@@ -2,12 +2,11 @@
 
 use crate::ir::function::{Function, Turn};
 use crate::ir::{Origin, Tap};
-use crate::machine::Axis;
 use crate::target::TapDialog;
 
 use super::super::number::Places;
 use super::Printer;
-use super::taps::{Hole, Unfit, unfit};
+use super::taps::{Hole, Unfit};
 
 /// Two lengths of a program are one.
 const SAME: f64 = 1e-6;
@@ -27,12 +26,7 @@ struct Steps {
 impl Printer<'_> {
     pub(super) fn dialog_taps(&mut self, hole: &Hole<'_>, words: &TapDialog, origin: &Origin) -> Result<(), Unfit> {
         let tap = hole.tap;
-        if tap.axis != Axis::Z || tap.outward() < 0.0 {
-            return Err(unfit(
-                "a tap in another direction than down Z",
-                "set the part up so that Z goes into the hole",
-            ));
-        }
+        self.goes_down(tap)?;
         let factor = tap.factor();
         let taken = FACTORS.contains(&factor);
         self.leaves_out(&self.lost_details(tap, true, !taken), origin);
@@ -48,7 +42,7 @@ impl Printer<'_> {
             hole.strokes.clone()
         };
         if self.tap_speed(tap, true, origin)?.is_none() {
-            return Err(unfit("a tap at a speed that is not known", "program S before the hole"));
+            return Err(self.speed_not_known());
         }
         let factor = if taken { factor } else { 1.0 };
         let alone = strokes.len() == 1;

@@ -1,6 +1,6 @@
 //! Lines of functions: tool, spindle, coolant, dwell, comments.
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::ir::function::{Coolant, Spindle, Turn};
 use crate::ir::{Function, Origin, Side};
 use crate::machine::settings::ToolChange;
@@ -10,6 +10,7 @@ use crate::text::Loc;
 use super::super::comment;
 use super::super::modal::FeedKind;
 use super::super::number::Places;
+use super::refusals::in_millimetres;
 use super::{HandChange, Printer, ToolLength};
 
 impl Printer<'_> {
@@ -85,11 +86,7 @@ impl Printer<'_> {
     pub(super) fn tool_word(&mut self, number: u32, origin: &Origin) {
         let words = &self.target.tool;
         if number > words.most {
-            self.diags.push(
-                codes::O9306::tool_target_counts_tools(&number, &self.target.name, &words.most)
-                    .at(origin.loc)
-                    .called(origin.call),
-            );
+            self.say(origin, codes::O9306::tool_target_counts_tools(&number, &self.target.name, &words.most));
         }
         match self.target.form {
             Form::Words => drop(self.page.text.whole(words.address, u64::from(number))),
@@ -111,14 +108,9 @@ impl Printer<'_> {
                 Length::None => false,
             };
             if of_call {
-                let help = "leave `[output] tool_change` away: the target calls the tool itself";
-                let help = Answer::key("output", "tool_change").one_of(&["\"change\""]).help(help);
-                return self.lacks(
-                    codes::O9327,
-                    origin,
-                    "a change by hand, for a tool brings its length with its block",
-                    help,
-                );
+                let asking = codes::O9327::target_has_no_word_for_change_by_hand(&self.target.name);
+                let change = Answer::key("output", "tool_change").one_of(&["\"change\""]);
+                return self.deny(origin, asking.answer(change));
             }
             self.change_by_hand(number, origin);
         } else {
@@ -150,9 +142,9 @@ impl Printer<'_> {
                 return self.deny(origin, codes::O9305::target_has_no_word_for_tool_0(&self.target.name));
             }
             None => {
-                let help = "set `[output] tool_change = \"stop\"` to change by hand, or write one program a tool";
-                let help = Answer::key("output", "tool_change").one_of(&["\"stop\""]).help(help);
-                return self.lacks(codes::O9305, origin, "a tool change", help);
+                let asking = codes::O9305::target_has_no_word_for_tool_change(&self.target.name);
+                let stop = Answer::key("output", "tool_change").one_of(&["\"stop\""]);
+                return self.deny(origin, asking.answer(stop));
             }
         }
         self.page.end_line(origin);
@@ -170,9 +162,8 @@ impl Printer<'_> {
         }
         match self.target.tool.length {
             Length::None => {
-                let help = "leave `[output] tool_length` at \"off\", and set the length up on the target";
-                let help = Answer::key("output", "tool_length").one_of(&["\"off\""]).help(help);
-                self.lacks(codes::O9307, origin, "the length of a tool in its table", help);
+                let asking = codes::O9307::target_has_no_word_for_length_of_tool(&self.target.name);
+                self.deny(origin, asking.answer(Answer::key("output", "tool_length").one_of(&["\"off\""])));
             }
             Length::WithTool => {}
             Length::Words(words) if number == 0 => {
@@ -217,7 +208,7 @@ impl Printer<'_> {
         // Once is enough.
         self.spindle = HandChange::Stands;
         let found = codes::O9316::this_block_cuts().at(origin.loc).called(origin.call);
-        self.diags.push(found.also(change, "the change"));
+        self.diags.push(found.also(change, Label::Change));
     }
 
     fn coolant(&mut self, coolant: Coolant, origin: &Origin) {
@@ -277,14 +268,15 @@ impl Printer<'_> {
 
     #[cold]
     fn optional_stop_is_idle(&self, origin: &Origin) {
-        self.diags.push(codes::O9312::target_reads_optional_stop(&self.target.name).at(origin.loc).called(origin.call));
+        self.say(origin, codes::O9312::target_reads_optional_stop(&self.target.name));
     }
 
     fn m_function(&mut self, number: u32, origin: &Origin) {
         let words = &self.target.m;
         if !words.open {
-            let help = "take it out of `[output] pass_m`, and leave it out of the program";
-            return self.lacks(codes::O9313, origin, &format!("M{number}"), help);
+            // No value of the key answers it: what stands in it has to go.
+            let asking = codes::O9313::target_has_no_word_for_m_function(&self.target.name, &number);
+            return self.deny(origin, asking.answers([]));
         }
         if let Some((_, does)) = words.own.iter().find(|(own, _)| *own == number) {
             self.say(origin, codes::O2001::m_is_printed_as_listed_in_pass(&number, &does));
@@ -295,11 +287,7 @@ impl Printer<'_> {
 
     fn work_offset(&mut self, number: u8, origin: &Origin) {
         if !self.target.offsets_confirmed && !std::mem::replace(&mut self.doubted, true) {
-            self.diags.push(
-                codes::O2002::work_offsets_of_target_are_not_confirmed(&self.target.name)
-                    .at(origin.loc)
-                    .called(origin.call),
-            );
+            self.say(origin, codes::O2002::work_offsets_of_target_are_not_confirmed(&self.target.name));
         }
         match self.target.offset(number) {
             Some(word) => match self.target.form {
@@ -313,13 +301,12 @@ impl Printer<'_> {
             },
             None => {
                 // Every front end names its own word before.
-                let help = match self.target.offset_range() {
-                    Some(range) => format!("set the part up in one of {range}"),
-                    None => {
-                        "take the word out: positions count from where the part is set up on the machine".to_owned()
-                    }
+                let name = &self.target.name;
+                let fault = match self.target.offset_range() {
+                    Some(range) => codes::O9310::target_has_no_word_for_this_work_offset(name, &range),
+                    None => codes::O9310::target_has_no_word_for_any_work_offset(name),
                 };
-                self.lacks(codes::O9310, origin, "this work offset", &help);
+                self.deny(origin, fault);
             }
         }
         self.modal.forget_all();
@@ -359,8 +346,7 @@ impl Printer<'_> {
         }
         if let Some(number) = number {
             let Some(address) = words.other else {
-                let help = "program the first spindle, or take another target";
-                return self.lacks(codes::O9304, origin, &format!("spindle {number}"), help);
+                return self.deny(origin, codes::O9304::target_has_no_word_for_spindle(&self.target.name, &number));
             };
             self.page.text.whole(address, u64::from(number.saturating_sub(1)));
         }
@@ -490,10 +476,7 @@ impl Printer<'_> {
             return None;
         };
         if units == 0 && speed != 0.0 {
-            let help =
-                "program a higher speed, or give `[output] decimals.speed` where the target reads parts of a turn";
-            let help = Answer::key("output", "decimals").help(help);
-            self.diags.push(codes::O1004::speed_prints_as_zero(&speed).at(origin.loc).help(help).called(origin.call));
+            self.say(origin, codes::O1004::speed_prints_as_zero(&speed).answer(Answer::key("output", "decimals")));
             return None;
         }
         let exact = self.is_near("speed", speed, units, self.measures.speed, origin);
@@ -524,12 +507,13 @@ impl Printer<'_> {
 
     #[cold]
     fn lacks_cutting_speed(&mut self, origin: &Origin) {
-        if self.measures.inches {
-            let help = "set `[output] units = \"mm\"`, or program a constant speed with G97";
-            let help = Answer::key("output", "units").one_of(&["\"mm\""]).help(help);
-            return self.lacks(codes::O9319, origin, "a cutting speed in feet", help);
-        }
-        self.deny(origin, codes::O9323::target_has_no_word_for_constant_cutting(&self.target.name));
+        let name = &self.target.name;
+        let fault = if self.measures.inches {
+            codes::O9319::target_has_no_word_for_cutting_speed_in_feet(name).answer(in_millimetres())
+        } else {
+            codes::O9323::target_has_no_word_for_constant_cutting(name)
+        };
+        self.deny(origin, fault);
     }
 
     fn comment(&mut self, text: &[u8], origin: &Origin) {

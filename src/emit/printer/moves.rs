@@ -204,8 +204,13 @@ impl Printer<'_> {
                 Some(_) if matches!(self.target.form, Form::Dialog(_)) => {}
                 Some(word) => self.page.words(word, origin),
                 None => {
-                    let what = if kind == FeedKind::PerRevolution { "feed per revolution" } else { "feed by time" };
-                    self.lacks(codes::O9301, origin, what, "program the feed in mm/min, or take another target");
+                    let name = &self.target.name;
+                    let fault = if kind == FeedKind::PerRevolution {
+                        codes::O9301::target_has_no_word_for_feed_per_revolution(name)
+                    } else {
+                        codes::O9301::target_has_no_word_for_feed_by_time(name)
+                    };
+                    self.deny(origin, fault);
                 }
             }
         }
@@ -451,12 +456,12 @@ impl Printer<'_> {
             return;
         }
         let radius = crate::geo::distance(arc.from, arc.center);
-        let message = if radius > self.target.arcs.most_radius {
-            "the arc is flatter than the target computes exactly and is printed as lines"
+        let fault = if radius > self.target.arcs.most_radius {
+            codes::O4001::arc_is_flatter_than_target_computes()
         } else {
-            "the arc is too small for its printed numbers and is printed as lines"
+            codes::O4001::arc_is_too_small_for_its_printed_numbers()
         };
-        self.report(codes::O4001, origin, message);
+        self.say(origin, fault);
         self.lines(arc, feed, mv, (0.5 / self.places.scale()).min(LEAVES), origin);
     }
 

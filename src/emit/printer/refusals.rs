@@ -1,13 +1,13 @@
 //! What the target has no word for: each refused with its place, and with what to do.
 
-use crate::diag::{Answer, Code, Diagnostic, Fault, Help, codes};
+use crate::diag::{Answer, Fault, codes};
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Origin, Side};
 use crate::machine::settings::Quantity;
 use crate::machine::{Axis, AxisSet};
 use crate::text::Loc;
 
-use super::super::compensation::resolve;
+use super::super::compensation::resolved;
 use super::super::modal::FeedKind;
 use super::super::number::Places;
 use super::Printer;
@@ -19,8 +19,14 @@ const NOTICED: f64 = 0.01 + 1e-9;
 const NOTICED_A_TURN: f64 = 0.001 + 1e-9;
 const ANOTHER: f64 = 0.1 + 1e-9;
 
-fn in_millimetres(help: &str) -> Help {
-    Answer::key("output", "units").one_of(&["\"mm\""]).help(help)
+/// What helps where inches do not do.
+pub(super) fn in_millimetres() -> Answer {
+    Answer::key("output", "units").one_of(&["\"mm\""])
+}
+
+/// Where no block asks for something, but the configuration.
+fn at_start() -> Origin {
+    Origin { loc: Loc { line: 1, ..Loc::default() }, ..Origin::default() }
 }
 
 impl Printer<'_> {
@@ -28,57 +34,40 @@ impl Printer<'_> {
     #[cold]
     pub(super) fn deny(&mut self, origin: &Origin, fault: Fault) {
         self.page.text.drop_line();
-        self.diags.push(fault.at(origin.loc).called(origin.call));
-    }
-
-    /// The same, of what the target has no word for.
-    #[cold]
-    pub(super) fn lacks(&mut self, code: &'static Code, origin: &Origin, what: &str, help: impl Into<Help>) {
-        self.page.text.drop_line();
-        let message = format!("the target {} has no word for {what}", self.target.name);
-        self.diags.push(Diagnostic::new(code, origin.loc, message).help(help).called(origin.call));
+        self.say(origin, fault);
     }
 
     /// Diameters are a wish of the configuration: no block asks for them.
     #[cold]
     pub(super) fn lacks_diameters(&mut self) {
-        let start = Loc { line: 1, ..Loc::default() };
-        let help = "leave `[output] diameter` away: X is printed as a radius";
-        let help = Answer::key("output", "diameter").one_of(&["false"]).help(help);
-        self.lacks(codes::O9315, &Origin { loc: start, ..Origin::default() }, "X as a diameter", help);
+        let radius = Answer::key("output", "diameter").one_of(&["false"]);
+        self.deny(&at_start(), codes::O9315::target_has_no_word_for_x_as_diameter(&self.target.name).answer(radius));
     }
 
     /// The kind of machine is a wish of the configuration, too.
     #[cold]
     pub(super) fn lacks_machine(&mut self, lathe: bool) {
-        let start = Loc { line: 1, ..Loc::default() };
-        let diameters = Answer::key("output", "diameter").one_of(&["true"]);
+        let name = &self.target.name;
         let kind = Answer::key("machine", "kind");
-        let (what, help) = match (lathe, self.target.frame.lathe_diameter) {
-            (true, Some(_)) => {
-                ("X as a radius", diameters.help("leave `[output] diameter` away: X is printed as a diameter"))
-            }
-            (true, None) => {
-                let help = "take the target for lathes, or set `[machine] kind = \"mill\"`";
-                ("a lathe", kind.one_of(&["\"mill\""]).help(help))
-            }
-            (false, _) => {
-                let help = "take the target for mills, or set `[machine] kind = \"lathe\"`";
-                ("a mill", kind.one_of(&["\"lathe\""]).help(help))
-            }
+        let fault = match (lathe, self.target.frame.lathe_diameter) {
+            (true, Some(_)) => codes::O9317::target_has_no_word_for_x_as_radius(name)
+                .answer(Answer::key("output", "diameter").one_of(&["true"])),
+            (true, None) => codes::O9317::target_has_no_word_for_lathe(name).answer(kind.one_of(&["\"mill\""])),
+            (false, _) => codes::O9317::target_has_no_word_for_mill(name).answer(kind.one_of(&["\"lathe\""])),
         };
-        self.lacks(codes::O9317, &Origin { loc: start, ..Origin::default() }, what, help);
+        self.deny(&at_start(), fault);
     }
 
     /// The length of a tool that would begin in an arc or a thread, or degrees a minute where F counts inches.
     #[cold]
     pub(super) fn lacks_form(&mut self, mv: &Move, origin: &Origin) {
-        if self.length.waits {
-            self.deny(origin, codes::O9318::target_has_no_word_for_length(&self.target.name));
+        let name = &self.target.name;
+        let fault = if self.length.waits {
+            codes::O9318::target_has_no_word_for_length(name)
         } else {
-            let help = in_millimetres("set `[output] units = \"mm\"`");
-            self.lacks(codes::O9319, origin, "a rotary axis at a feed in inches", help);
-        }
+            codes::O9319::target_has_no_word_for_rotary_axis_in_inches(name).answer(in_millimetres())
+        };
+        self.deny(origin, fault);
         self.pretend(mv);
     }
 
@@ -95,20 +84,14 @@ impl Printer<'_> {
     #[cold]
     pub(super) fn lacks_radius(&mut self, oversize: bool, of_length: bool, mv: &Move, origin: &Origin) {
         if self.compensation.refuse_contour() {
-            let (what, help) = match (oversize, of_length) {
-                (true, _) => (
-                    "a tool radius with an oversize of the program",
-                    resolve("put the oversize into the tool table of the target, or set `[output] compensation = \"resolve\"`"),
-                ),
-                (false, true) => (
-                    "the radius of a tool whose D it does not print",
-                    Answer::key("output", "tool_length").one_of(&["\"off\""]).help(
-                        "call the tool in the program, and leave `[output] tool_length` away: D1 brings the radius, too",
-                    ),
-                ),
-                (false, false) => ("the radius of tool 0", "call a tool before the contour".into()),
+            let name = &self.target.name;
+            let fault = match (oversize, of_length) {
+                (true, _) => codes::O9308::target_has_no_word_for_tool_radius_with_oversize(name).answer(resolved()),
+                (false, true) => codes::O9308::target_has_no_word_for_radius_of_tool_without_d(name)
+                    .answer(Answer::key("output", "tool_length").one_of(&["\"off\""])),
+                (false, false) => codes::O9308::target_has_no_word_for_radius_of_tool_0(name),
             };
-            self.lacks(codes::O9308, origin, what, help);
+            self.deny(origin, fault);
         }
         self.pretend(mv);
     }
@@ -118,24 +101,20 @@ impl Printer<'_> {
     pub(super) fn lacks_end_of_compensation(&mut self, origin: &Origin) {
         self.compensation.switched(Side::None);
         if self.compensation.refuse_contour() {
-            self.diags.push(codes::O9003::radius_compensation_is_on_at_block().at(origin.loc).called(origin.call));
+            self.say(origin, codes::O9003::radius_compensation_is_on_at_block());
         }
     }
 
     /// An arc that the target cannot say, and that may not become lines either.
     #[cold]
     pub(super) fn lacks_arc(&mut self, helix: bool, mv: &Move, origin: &Origin) {
-        let what = match (helix, self.target.arcs.helices) {
-            (true, true) => "a helix in this plane",
-            (true, false) => "a helix, in every build",
-            (false, _) => "an arc in this plane",
+        let name = &self.target.name;
+        let asking = match (helix, self.target.arcs.helices) {
+            (true, true) => codes::O9328::target_has_no_word_for_helix_in_this_plane(name),
+            (true, false) => codes::O9328::target_has_no_word_for_helix_in_every_build(name),
+            (false, _) => codes::O9328::target_has_no_word_for_arc_in_this_plane(name),
         };
-        let help = "set `[output] arc_fallback_tolerance` in partc.toml: how far lines may leave it, in mm";
-        let help = Answer::key("output", "arc_fallback_tolerance").help(help);
-        self.page.text.drop_line();
-        self.diags.push(
-            codes::O9328::target_has_no_word(&self.target.name, &what).at(origin.loc).help(help).called(origin.call),
-        );
+        self.deny(origin, asking.answer(Answer::key("output", "arc_fallback_tolerance")));
         self.pretend(mv);
     }
 
@@ -145,45 +124,31 @@ impl Printer<'_> {
         let places = self.settings.places(Quantity::Length);
         let unit = if self.measures.inches { "an inch" } else { "a millimetre" };
         let more = (places + 1).to_string();
-        let help = format!("print more places: `[output] decimals = {more}`");
-        let help = Answer::key("output", "decimals").one_of(&[more]).help(help);
-        self.page.text.drop_line();
-        self.diags
-            .push(codes::O9335::printed_with_places(&places, &unit, &mm).at(origin.loc).help(help).called(origin.call));
+        let asking = codes::O9335::printed_with_places(&places, &unit, &mm, &more);
+        self.deny(origin, asking.answer(Answer::key("output", "decimals").one_of(&[more])));
         self.pretend(mv);
     }
 
     /// Inches are a wish of the configuration.
     #[cold]
     pub(super) fn lacks_inches(&mut self) {
-        let start = Loc { line: 1, ..Loc::default() };
-        let help = in_millimetres("set `[output] units = \"mm\"`, or leave the key away");
-        self.lacks(codes::O9332, &Origin { loc: start, ..Origin::default() }, "inches", help);
+        let asking = codes::O9332::target_has_no_word_for_inches(&self.target.name);
+        self.deny(&at_start(), asking.answer(in_millimetres()));
     }
 
     /// Rapid traverse goes at the last F, and nobody said at which.
     #[cold]
     pub(super) fn lacks_rapid_feed(&mut self, origin: &Origin) {
-        let help = "set `[output] rapid_feed` in mm/min, such as 3000";
-        let help = Answer::key("output", "rapid_feed").help(help);
-        self.diags.push(
-            codes::O9333::on_target_rapid_traverse_goes_at_last(&self.target.name)
-                .at(origin.loc)
-                .help(help)
-                .called(origin.call),
-        );
+        let asking = codes::O9333::on_target_rapid_traverse_goes_at_last(&self.target.name);
+        self.say(origin, asking.answer(Answer::key("output", "rapid_feed")));
     }
 
     /// May this M function of spindle, coolant or stops be printed? Some receivers have them as macros alone.
     pub(super) fn has_m(&mut self, number: u32, origin: &Origin) -> bool {
         let there = !self.target.m.listed || self.settings.pass_m.contains(&number);
         if !there {
-            self.diags.push(
-                codes::O9334::target_has_m_as_macro(&self.target.name, &number)
-                    .answer(Answer::pass_m(number))
-                    .at(origin.loc)
-                    .called(origin.call),
-            );
+            let asking = codes::O9334::target_has_m_as_macro(&self.target.name, &number);
+            self.say(origin, asking.answer(Answer::pass_m(number)));
         }
         there
     }
@@ -193,16 +158,9 @@ impl Printer<'_> {
         let Some(usual) = self.target.tool.most_offset else { return true };
         let most = self.settings.tool_offsets.unwrap_or(usual);
         if number > most {
-            self.page.text.drop_line();
             let (name, letter) = (self.target.name, letter as char);
-            let help = "say how many it has (`[output] tool_offsets`), or give the tool a smaller number (`number` in `[tools]`)";
-            let help = Answer::key("output", "tool_offsets").help(help);
-            self.diags.push(
-                codes::O9337::target_is_taken_to_have_offsets(&letter, &number, &name, &most)
-                    .at(origin.loc)
-                    .help(help)
-                    .called(origin.call),
-            );
+            let asking = codes::O9337::target_is_taken_to_have_offsets(&letter, &number, &name, &most);
+            self.deny(origin, asking.answer(Answer::key("output", "tool_offsets")));
         }
         number <= most
     }
@@ -210,20 +168,14 @@ impl Printer<'_> {
     /// What the number of a wait counts is a setting of the receiver.
     #[cold]
     pub(super) fn lacks_dwell_unit(&mut self, origin: &Origin) {
-        let help = "set `[output] dwell_unit` as the receiver is set";
-        let help = Answer::key("output", "dwell_unit").one_of(&["\"seconds\"", "\"milliseconds\""]).help(help);
-        self.diags.push(
-            codes::O9331::seconds_or_milliseconds(&self.target.name).at(origin.loc).help(help).called(origin.call),
-        );
+        let unit = Answer::key("output", "dwell_unit").one_of(&["\"seconds\"", "\"milliseconds\""]);
+        self.say(origin, codes::O9331::seconds_or_milliseconds(&self.target.name).answer(unit));
     }
 
     /// The target may choose a place farther along the contour as the end of its way there.
     pub(super) fn begins_at_rapid(&self, mv: &Move, origin: &Origin) {
         if mv.side != Side::None && matches!(mv.path, Path::Rapid) && self.diags.first_time(codes::O4005, ()) {
-            let help = resolve("lead to the contour at a feed, or set `[output] compensation = \"resolve\"`");
-            self.diags.push(
-                codes::O4005::radius_compensation_begins_in_rapid_move().at(origin.loc).help(help).called(origin.call),
-            );
+            self.say(origin, codes::O4005::radius_compensation_begins_in_rapid_move().answer(resolved()));
         }
     }
 
@@ -243,18 +195,17 @@ impl Printer<'_> {
         if another || self.diags.first_time(code, (what, units)) {
             let printed = units as f64 / places.power() as f64;
             let (percent, more) = (off.abs() * 100.0, if off > 0.0 { "more" } else { "less" });
-            let message =
-                format!("the {what} prints as {printed}, which is {percent:.1} % {more} than the program says");
             let key = match what {
                 "speed" => "decimals.speed",
                 "lead" => "decimals",
                 _ => "decimals.feed",
             };
-            let help = format!(
-                "print more places where the target reads them (`[output] {key}`), or program a {what} that can be said"
-            );
-            let help = Answer::key("output", "decimals").help(help);
-            self.diags.push(Diagnostic::new(code, origin.loc, message).help(help).called(origin.call));
+            let asking = if another {
+                codes::O1007::prints_as(&what, &printed, &percent, &more, &key)
+            } else {
+                codes::O1006::prints_as(&what, &printed, &percent, &more, &key)
+            };
+            self.say(origin, asking.answer(Answer::key("output", "decimals")));
         }
         !another
     }
@@ -262,22 +213,25 @@ impl Printer<'_> {
     /// A wait that is shorter than half of its last place.
     #[cold]
     pub(super) fn wait_is_lost(&mut self, seconds: f64, origin: &Origin) {
-        let help = if self.settings.waits_in_milliseconds() {
-            "the target counts whole milliseconds: program 0.001 s, or leave the wait out".into()
+        let fault = if self.settings.waits_in_milliseconds() {
+            codes::O1005::wait_of_s_prints_as_zero_milliseconds(&seconds)
         } else {
-            let help = "print more places (`[output] decimals = { time = 3 }`), or leave the wait out";
-            Answer::key("output", "decimals").one_of(&["{ time = 3 }"]).help(help)
+            codes::O1005::wait_of_s_prints_as_zero(&seconds)
+                .answer(Answer::key("output", "decimals").one_of(&["{ time = 3 }"]))
         };
-        self.diags.push(codes::O1005::wait_of_s_prints_as_zero(&seconds).at(origin.loc).help(help).called(origin.call));
+        self.say(origin, fault);
     }
 
     #[cold]
     pub(super) fn lacks_axes(&mut self, lacking: AxisSet, mv: &Move, origin: &Origin) {
         self.axes = self.axes.union(lacking);
         let letters: String = lacking.iter().map(Axis::letter).collect();
-        let what = format!("the {} {letters}", if lacking.len() == 1 { "axis" } else { "axes" });
-        let help = "turn the axis by hand between programs, or take another target";
-        self.lacks(codes::O9309, origin, &what, help);
+        let name = &self.target.name;
+        let fault = match lacking.len() {
+            1 => codes::O9309::target_has_no_word_for_axis(name, &letters),
+            _ => codes::O9309::target_has_no_word_for_axes(name, &letters),
+        };
+        self.deny(origin, fault);
         self.pretend(mv);
     }
 

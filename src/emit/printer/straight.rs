@@ -17,9 +17,13 @@ impl Printer<'_> {
     pub(super) fn may_be_straight(&mut self, mv: &Move, changed: AxisSet, origin: &Origin) -> bool {
         let fed = !matches!(mv.path, Path::Rapid);
         if mv.machine && (self.target.motion.machine.is_none() || fed && !self.target.motion.machine_feed) {
-            let what = if fed { "a move in machine coordinates at a feed" } else { "machine coordinates" };
-            let help = "go there at rapid traverse or by hand, or program the place in workpiece coordinates";
-            self.lacks(codes::O9321, origin, what, help);
+            let name = &self.target.name;
+            let fault = if fed {
+                codes::O9321::target_has_no_word_for_move_in_machine_coordinates_at_feed(name)
+            } else {
+                codes::O9321::target_has_no_word_for_machine_coordinates(name)
+            };
+            self.deny(origin, fault);
             self.pretend(mv);
             return false;
         }

@@ -1,6 +1,7 @@
 //! Holes that are tapped without a compensating chuck, each in the word of the target.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::fault::Asking;
+use crate::diag::{Answer, Fault, codes};
 use crate::geo::Plane;
 use crate::ir::function::{Function, Spindle, Turn};
 use crate::ir::motion::{Path, Place};
@@ -21,8 +22,8 @@ const SAME: f64 = 1e-9;
 /// A detail for which many targets have no word.
 const ANGLE: &str = "the angle of the spindle at which it begins";
 
-/// Why the target cannot tap a hole: what it would need, and the way out. `None` where something was said already.
-pub(super) type Unfit = Option<(String, &'static str)>;
+/// Why the target cannot tap a hole. `None` where something was said already.
+pub(super) type Unfit = Option<Fault>;
 
 /// A tap as it is printed: coordinates along its axis in units.
 pub(super) struct Hole<'t> {
@@ -53,9 +54,8 @@ impl Printer<'_> {
                 self.modal.forget_feed();
             }
             Err(unfit) => {
-                if let Some((what, help)) = unfit {
-                    let code = if self.target.motion.rigid_tap.is_some() { codes::O9341 } else { codes::O9340 };
-                    self.lacks(code, origin, &what, help);
+                if let Some(fault) = unfit {
+                    self.deny(origin, fault);
                 }
                 self.pretend(&place.along(tap, tap.end(), Path::Rapid));
             }
@@ -63,19 +63,18 @@ impl Printer<'_> {
     }
 
     fn tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) -> Result<(), Unfit> {
+        let name = &self.target.name;
         let Some(words) = self.target.motion.rigid_tap else {
-            let help = "tap with a compensating chuck where the target can, mill the thread, or take another target";
-            return Err(Some(("tapping without a compensating chuck".to_owned(), help)));
+            return Err(Some(codes::O9340::target_has_no_word_for_tapping_without_chuck(name)));
         };
         if self.compensation.side != Side::None {
-            return Err(unfit("a tap inside radius compensation", "end the compensation before the hole"));
+            return Err(Some(codes::O9341::target_has_no_word_for_tap_inside_compensation(name)));
         }
         if !self.axes.contains(tap.axis) || self.length.waits && tap.axis == Axis::Z {
-            return Err(unfit("a tap along an axis that was not moved", "move to the hole before the tap"));
+            return Err(Some(codes::O9341::target_has_no_word_for_tap_along_axis_not_moved(name)));
         }
         if self.modal.cuts_at_speed {
-            let help = "program a constant speed (G97 S) before the hole";
-            return Err(unfit("a tap under a constant cutting speed", help));
+            return Err(Some(codes::O9341::target_has_no_word_for_tap_at_cutting_speed(name)));
         }
         if let (true, Some(speed)) = (self.modal.cutting_speed, tap.speed_in) {
             self.print_function(&Function::Spindle(Spindle::Speed(speed)), origin);
@@ -88,7 +87,7 @@ impl Printer<'_> {
             RigidTap::Cycle(words) => self.tapping_cycles(&hole, &words, origin)?,
             RigidTap::InAndOut { ready, into, out, leads } => {
                 let Some(lead) = leads.get(tap.axis.index()).copied() else {
-                    return Err(unfit("a tap along this axis", "tap along X, Y or Z"));
+                    return Err(Some(codes::O9341::target_has_no_word_for_tap_along_this_axis(name)));
                 };
                 self.taps_in_and_out(&hole, (ready, into, out, lead), origin)?;
             }
@@ -123,30 +122,26 @@ impl Printer<'_> {
     pub(super) fn returns(&self, hole: &Hole<'_>, origin: &Origin) -> Result<(), Unfit> {
         let Some(((_, last), others)) = hole.strokes.split_last() else { return Err(None) };
         if *last != hole.start {
-            let help = "let the tap come back to where it began: G332 to the height where G331 began";
-            return Err(unfit("a tap that ends at another height than it began", help));
+            return Err(Some(codes::O9341::target_has_no_word_for_tap_that_ends_at_another_height(&self.target.name)));
         }
         if others.iter().any(|(_, back)| *back != hole.start) {
-            let message = "the chip is broken within the hole, and the target's tap always comes back to where it began: \
-                           each step leaves the hole";
-            self.told_of_tap(codes::O4007, message.to_owned(), origin);
+            self.told_of_tap(codes::O4007::chip_is_broken_within_hole(), origin);
         }
         Ok(())
     }
 
-    fn told_of_tap(&self, code: &'static crate::diag::Code, message: String, origin: &Origin) {
-        if self.settings.tapping_as_target || !self.diags.first_text(code, &message) {
-            return;
+    fn told_of_tap(&self, asking: Asking, origin: &Origin) {
+        if !self.settings.tapping_as_target {
+            let fault = asking.answer(Answer::key("output", "tapping"));
+            self.diags.push_once(fault.at(origin.loc).called(origin.call));
         }
-        let help = Answer::key("output", "tapping").help("where that is meant, set `[output] tapping = \"as-target\"`");
-        self.diags.push(Diagnostic::new(code, origin.loc, message).help(help).called(origin.call));
     }
 
     /// Details of a tap for which the target has no word, and which do not change the thread.
     pub(super) fn leaves_out(&self, details: &[&str], origin: &Origin) {
         if let [others @ .., last] = details {
             let list = if others.is_empty() { (*last).to_owned() } else { format!("{} and {last}", others.join(", ")) };
-            self.told_of_tap(codes::O4008, format!("the target's tap has no word for {list}, left out here"), origin);
+            self.told_of_tap(codes::O4008::tap_of_target_has_no_word(&list), origin);
         }
     }
 
@@ -182,7 +177,8 @@ impl Printer<'_> {
             return Err(None);
         };
         if (units as f64 / places.scale() - tap.lead).abs() * tap.turns() > MOST_OFF {
-            return Err(unfit("this pitch with all its places", "print more places of a pitch: `[output] decimals`"));
+            let asking = codes::O9341::target_has_no_word_for_this_pitch(&self.target.name);
+            return Err(Some(asking.answers([])));
         }
         Ok(units)
     }
@@ -222,7 +218,7 @@ impl Printer<'_> {
     /// A cycle for each stroke.
     fn tapping_cycles(&mut self, hole: &Hole<'_>, words: &TapCycle, origin: &Origin) -> Result<(), Unfit> {
         let tap = hole.tap;
-        let word = cycle_word(tap, words)?;
+        let word = self.cycle_word(tap, words)?;
         self.returns(hole, origin)?;
         let whole = libm::round(tap.factor());
         let fits = words.factor.filter(|_| (tap.factor() - whole).abs() <= SAME && FACTORS.contains(&whole));
@@ -230,10 +226,10 @@ impl Printer<'_> {
         lost.extend(tap.orient.map(|_| ANGLE));
         self.leaves_out(&lost, origin);
         if hole.strokes.len() > 1 {
-            self.steps_have_to_meet(hole.strokes.len(), words, origin);
+            self.told_of_tap(codes::O4009::hole_is_tapped_in_steps(&hole.strokes.len(), &words.meets), origin);
         }
         let Some(speed) = self.tap_speed(tap, words.ready.is_none(), origin)? else {
-            return Err(unfit("a tap at a speed that is not known", "program S before the hole"));
+            return Err(self.speed_not_known());
         };
         if !words.from_start {
             self.select_plane(Plane::Xy, origin);
@@ -261,15 +257,6 @@ impl Printer<'_> {
         self.page.words(words.off, origin);
         self.told.turn = None;
         Ok(())
-    }
-
-    /// Strokes of one hole cut one thread where all of them begin at the same angle of the spindle.
-    fn steps_have_to_meet(&self, count: usize, words: &TapCycle, origin: &Origin) {
-        let message = format!(
-            "the hole is tapped in {count} steps out of the hole, and they cut one thread only where the spindle begins each of them at the same angle: {}",
-            words.meets
-        );
-        self.told_of_tap(codes::O4009, message, origin);
     }
 
     /// The lines that begin a cycle.
@@ -345,10 +332,7 @@ impl Printer<'_> {
         };
         match best {
             Some((kind, units, off)) if off <= MOST_OFF => Ok((kind, units)),
-            _ => Err(unfit(
-                "this pitch with all its places",
-                "program another speed, or print more places of a feed: `[output] decimals.feed`",
-            )),
+            _ => Err(Some(codes::O9341::target_has_no_word_for_this_pitch_as_feed(&self.target.name).answers([]))),
         }
     }
 
@@ -363,7 +347,7 @@ impl Printer<'_> {
         let lead = self.tap_lead(tap, origin)?;
         let lead = if tap.turn == Turn::Clockwise { lead } else { -lead };
         let Some(speed_in) = self.tap_speed(tap, false, origin)? else {
-            return Err(unfit("a tap at a speed that is not known", "program S before the hole"));
+            return Err(self.speed_not_known());
         };
         let speed_out = match tap.speed_out {
             Some(speed) => self.speed_units(speed, origin).ok_or(None)?,
@@ -417,6 +401,28 @@ impl Printer<'_> {
         }
         self.page.end_line(origin);
     }
+
+    /// The word of a cycle for the hand of a tap down Z.
+    fn cycle_word(&self, tap: &Tap, words: &TapCycle) -> Result<&'static str, Unfit> {
+        self.goes_down(tap)?;
+        let word = match tap.turn {
+            Turn::Clockwise => Some(words.right),
+            Turn::CounterClockwise => words.left,
+        };
+        word.ok_or_else(|| Some(codes::O9341::target_has_no_word_for_left_hand_tap(&self.target.name)))
+    }
+
+    pub(super) fn goes_down(&self, tap: &Tap) -> Result<(), Unfit> {
+        if tap.axis == Axis::Z && tap.outward() >= 0.0 {
+            return Ok(());
+        }
+        Err(Some(codes::O9341::target_has_no_word_for_tap_in_another_direction(&self.target.name)))
+    }
+
+    #[cold]
+    pub(super) fn speed_not_known(&self) -> Unfit {
+        Some(codes::O9341::target_has_no_word_for_tap_at_speed_not_known(&self.target.name))
+    }
 }
 
 /// What is the same in all strokes of a hole that a cycle taps.
@@ -425,21 +431,4 @@ struct Cycle<'w> {
     speed: i64,
     feed: (FeedKind, i64),
     factor: Option<(u8, u64)>,
-}
-
-/// The word of a cycle for the hand of a tap down Z.
-fn cycle_word(tap: &Tap, words: &TapCycle) -> Result<&'static str, Unfit> {
-    if tap.axis != Axis::Z || tap.outward() < 0.0 {
-        return Err(unfit("a tap in another direction than down Z", "set the part up so that Z goes into the hole"));
-    }
-    let word = match tap.turn {
-        Turn::Clockwise => Some(words.right),
-        Turn::CounterClockwise => words.left,
-    };
-    word.ok_or_else(|| unfit("a left-hand tap", "cut the thread another way, or take another target"))
-}
-
-/// What the target would need, and the way out.
-pub(super) fn unfit(what: &str, help: &'static str) -> Unfit {
-    Some((what.to_owned(), help))
 }

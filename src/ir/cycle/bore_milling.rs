@@ -13,31 +13,38 @@ const MOST: f64 = 10_000.0;
 /// A rest of a turn whose chord is shorter is none, mm: what is printed would not tell it from a full circle.
 const SHORTEST: f64 = 1e-3;
 
-/// A hole that is milled on a helix.
+/// A hole that is milled on a helix. All lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoreMilling {
+    /// Its depth is the bottom of the hole; `step`, `division` and `allowance` of its heights play no part.
     pub mill: Mill,
-    /// Its middle.
+    /// The middle of the hole. Semicircles and lines to a circle run along its first axis.
     pub place: Place,
-    /// Radii of the circles of the centre, from inside out; none where the cutter has the size of the hole.
+    /// Radii of the circles of the cutter's centre, from inside out, each above 0; none where the cutter has the size
+    /// of the hole and plunges in its middle.
     pub circles: Vec<f64>,
-    /// Way down in a whole turn.
+    /// Infeed of the helix in a whole turn, above 0.
     pub pitch: f64,
+    /// Sense in which the tool goes round, seen against the plane normal.
     pub counter_clockwise: bool,
-    /// Where the helix begins: at the safety distance, or lower.
+    /// Height where the helix begins: at the safety distance, or lower, and above the depth.
     pub from: f64,
-    /// Straight to the wall and back, in place of semicircles.
+    /// From the middle to a circle and back on straight lines, in place of semicircles.
     pub straight: bool,
 }
 
 /// Arguments that make no hole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BoreMillingFault {
+    /// Plane, heights, cutter or feeds.
     Mill(MillFault),
+    /// The radius of a circle is not above 0.
     Number,
+    /// The infeed of a turn is not above 0.
     Pitch,
     /// The helix begins above the safety distance, or not above the depth.
     Start,
+    /// The helix has more than [`MOST`] turns, or there are more circles than that.
     TooMany,
 }
 
@@ -56,13 +63,15 @@ impl fmt::Display for BoreMillingFault {
 /// Turns of a helix.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turns {
+    /// Complete turns.
     pub whole: u32,
-    /// Part of a turn behind them, 0 to below 1.
+    /// Part of a turn after them, 0 to below 1.
     pub rest: f64,
 }
 
 impl BoreMilling {
-    /// The turns of the helix on a circle.
+    /// The turns of the helix on a circle of `radius` mm, from its start down to the depth. A rest whose chord is below
+    /// [`SHORTEST`] counts as none, or as one whole turn.
     pub fn turns(&self, radius: f64) -> Turns {
         let turns = (self.from - self.mill.heights.depth).abs() / self.pitch;
         let whole = libm::floor(turns);

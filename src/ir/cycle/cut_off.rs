@@ -15,36 +15,43 @@ use super::turning::{is_coordinate, is_length, is_positive};
 pub struct CutOff {
     /// Z of the face of the workpiece.
     pub face: f64,
-    /// Surface.
+    /// Surface of the workpiece where it is cut off, above 0.
     pub outer: f64,
-    /// From here on the feed is reduced and the speed fixed.
+    /// From here on the feed is reduced and the speed fixed; below `outer`.
     pub reduced: f64,
-    /// The cut ends here; below 0 beyond the centre.
+    /// The cut ends here, at `reduced` or below it; a value below 0 lies beyond the turning centre.
     pub end: f64,
+    /// Edge between the surface and the face; its foot, with the nose of the tool, does not reach below `reduced`.
     pub edge: CutEdge,
+    /// The cutting tool. Its corner towards +Z makes the face.
     pub tool: RecessTool,
-    /// Clear height above the surface, over 0.
+    /// Clear height above the surface, over 0: rapid traverse passes there, and the cycle ends there.
     pub clearance: f64,
+    /// From the surface to `reduced`, and around the edge; over 0.
     pub feed: Feed,
+    /// From `reduced` to `end`, over 0.
     pub reduced_feed: Feed,
-    /// What the spindle is told in front of the first cut.
+    /// What the spindle is told before the first cut; `None` leaves its speed as it is.
     pub speed: Option<Spindle>,
+    /// Sense in which the spindle is started before the first cut; `None` leaves it as it turns.
     pub turn: Option<Turn>,
-    /// And where the feed is reduced.
+    /// What the spindle is told where the feed is reduced.
     pub reduced_speed: Option<Spindle>,
 }
 
-/// What stands between the surface of the workpiece and its face; sizes over 0.
+/// What the corner between the surface of the workpiece and its face becomes; sizes in mm, over 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CutEdge {
+    /// It stays a corner, and no cut goes along it.
     Sharp,
+    /// A quarter of a circle of this radius, tangential to both.
     Round(f64),
-    /// At 45 degrees, with this on both sides.
+    /// A line at 45 degrees that takes so much of both.
     Chamfer(f64),
 }
 
 impl CutEdge {
-    /// What it takes of the surface and of the face.
+    /// What it takes of the surface and of the face, mm; 0 for a corner.
     pub fn size(self) -> f64 {
         match self {
             CutEdge::Sharp => 0.0,
@@ -58,10 +65,15 @@ impl CutEdge {
 pub enum CutOffFault {
     /// A coordinate is not a finite number.
     Point,
+    /// The cutting width is not over 0.
     Width,
+    /// The nose radius is negative or over half the cutting width.
     Nose,
+    /// The place of the cutting edge is no number.
     Edge,
+    /// The clearance is not over 0.
     Clearance,
+    /// A feed is not over 0.
     Feed,
     /// The diameters do not become smaller.
     Order,
@@ -112,16 +124,18 @@ impl Family for CutOff {
 }
 
 impl CutOff {
-    /// Where the edge is done, and the corner of the tool makes the face.
+    /// X as a radius where the edge is done: from here on the corner of the tool makes the face.
     pub fn foot(&self) -> f64 {
         self.outer - self.edge.size() - self.tool.nose
     }
 
+    /// X as a radius of the clear height above the surface.
     pub fn clear(&self) -> f64 {
         self.outer + self.clearance
     }
 
-    /// Z of the programmed point where the corner on the side of the workpiece stands `beside` the face, towards +Z.
+    /// Z of the programmed point where the corner on the side of the workpiece stands `beside` mm off the face, towards
+    /// +Z.
     pub fn place(&self, beside: f64) -> f64 {
         self.face + beside - self.tool.width - self.tool.edge
     }

@@ -9,128 +9,132 @@ use crate::machine::Axis;
 
 use super::Family;
 
-/// Most pecks of a hole; more is a lost decimal point.
+/// Most steps of a hole; more is a lost decimal point.
 pub const MOST_PECKS: usize = 10_000;
 
-/// A hole. Lengths in mm, heights along the drilling axis.
+/// A hole where the tool stands. Lengths in mm, heights are coordinates along the drilling axis in the programmed
+/// frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drilling {
+    /// The drilling axis.
     pub axis: Axis,
+    /// Surface, bottom, and the heights above. A hole whose bottom is the surface moves nothing.
     pub levels: Levels,
+    /// Feed down into the hole, above 0. A tap with a lead does not look at it.
     pub feed: Feed,
-    /// Where the tool goes from the start plane at another feed, before it drills.
+    /// Where the tool goes from the start plane at another feed before it drills; `None` drills from the start plane.
     pub entry: Option<Entry>,
+    /// What is done between the start plane and the bottom.
     pub method: Method,
 }
 
 /// The upper part of a hole that is open already.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Entry {
-    /// Between the start plane and the bottom.
+    /// Height at which drilling begins: at the start plane or lower, above the bottom.
     pub height: f64,
-    /// `None` for rapid.
+    /// Feed from the start plane to `height`; `None` for rapid.
     pub feed: Option<Feed>,
 }
 
-/// Heights of a hole.
+/// Heights of a hole: coordinates along the drilling axis, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Levels {
-    /// Where the tool goes in the end.
+    /// Retract height: here the tool stands in the end. Not on the side of the surface where the depth lies.
     pub retract: f64,
-    /// Surface of the workpiece.
+    /// Surface of the workpiece, from which depths count.
     pub reference: f64,
-    /// In front of the surface, 0 or more: here rapid traverse ends.
+    /// Safety distance above the surface, mm, 0 or more: rapid traverse ends there, at the start plane.
     pub clearance: f64,
     /// Bottom of the hole.
     pub depth: f64,
 }
 
+/// How a hole is made. The tool begins at the start plane, or at the height of the entry, and goes to the retract
+/// height in the end. Each dwell is in seconds, 0 or more.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Method {
-    /// To the depth, wait, out at rapid.
-    Drill {
-        dwell: f64,
-    },
-    /// To `height`, then to the depth at another feed, wait, out at rapid.
-    Through {
-        dwell: f64,
-        height: f64,
-        feed: Feed,
-    },
+    /// To the depth, wait for `dwell`, out at rapid.
+    Drill { dwell: f64 },
+    /// At the feed of the hole to `height`, which lies between the start plane and the bottom, then to the depth at
+    /// `feed`, wait for `dwell`, out at rapid.
+    Through { dwell: f64, height: f64, feed: Feed },
     /// In steps.
     Peck(Pecking),
+    /// A thread is cut by the tap in the spindle.
     Tap(Tap),
-    /// In with the spindle in a state of its own, which holds on the way out, too.
+    /// In with the spindle in a state of its own, which holds on the way out of the hole, too.
     Deep(DeepHole),
-    /// To the depth, wait, back to the start plane at another feed, out.
-    Ream {
-        dwell: f64,
-        back: Feed,
-    },
+    /// To the depth, wait for `dwell`, back to the start plane at the feed `back`, out at rapid.
+    Ream { dwell: f64, back: Feed },
     /// To the depth, wait, stop the spindle at an angle, lift off, out, back to the centre, spindle on.
     Bore(Bore),
-    /// To the depth, wait, spindle and program stop, out at rapid, spindle on.
-    BoreWithStop {
-        dwell: f64,
-        turn: Turn,
-    },
+    /// To the depth, wait for `dwell`, spindle and program stop, out at rapid, spindle on in the sense of `turn`.
+    BoreWithStop { dwell: f64, turn: Turn },
 }
 
-/// Drilling with a drill that is guided by the hole.
+/// Drilling with a drill that is guided by the hole. Speeds in rev/min, above 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DeepHole {
+    /// Seconds at the bottom, before the spindle changes.
     pub dwell: f64,
-    /// Speed and sense on the way in and out; no sense where the spindle stands.
+    /// Speed and sense of the spindle from the start plane to the entry, and out of the hole; no sense where the
+    /// spindle stands: then the speed plays no part.
     pub entry: (f64, Option<Turn>),
-    /// While it drills.
+    /// Speed and sense from the entry to the bottom.
     pub drilling: (f64, Turn),
-    /// Before it drills, and at the bottom.
+    /// What the coolant is told before it drills, and after the dwell at the bottom; `None` leaves it as it is.
     pub coolant: [Option<Coolant>; 2],
-    /// Feed to the start plane; `None` for rapid.
+    /// Feed from the bottom to the start plane; `None` for rapid.
     pub back: Option<Feed>,
 }
 
-/// Drilling in steps: chips are broken in the hole, or removed out of it.
+/// Drilling in steps: chips are broken in the hole, or removed out of it. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pecking {
-    /// Depth below the surface at which the first step begins, 0 or more.
+    /// Depth below the surface at which the first step begins, 0 or more, above the bottom.
     pub from: f64,
     /// First step, over 0.
     pub first: f64,
+    /// How the steps after the first become shorter.
     pub degression: Degression,
     /// Factor on the feed of the first step, over 0 to 1.
     pub first_feed: f64,
-    /// Seconds at the depth of each step, and at the bottom.
+    /// Seconds at the depth of each step but the last, 0 or more.
     pub dwell: f64,
+    /// Seconds at the bottom, 0 or more.
     pub dwell_at_bottom: f64,
+    /// After which steps the chip is broken in the hole; after the others it is removed.
     pub breaks: Breaks,
-    /// Way back to break the chip; 0 or more.
+    /// Retract within the hole that breaks the chip, 0 or more, at rapid.
     pub way: f64,
+    /// How a chip is removed out of the hole.
     pub removal: Removal,
 }
 
-/// How steps become shorter.
+/// How steps become shorter. Amounts in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Degression {
     /// By this amount each, down to the amount itself; over 0.
     Amount(f64),
-    /// By this factor each, over 0 to 1, but none below `least`. A last step that ends just at the bottom is halved.
+    /// By `factor` each, over 0 to 1, but none below `least`. A last step that ends just at the bottom is halved.
     Factor { factor: f64, least: f64 },
-    /// By this amount each, down to `least`; the last step is what remains.
+    /// By `less` each, 0 or more, down to `least`; the last step is what remains.
     Plain { less: f64, least: f64 },
     /// All steps alike; the last two are halves of the rest where the last would be shorter than `least`.
     Even { least: f64 },
 }
 
-/// Where chips are broken; after the other steps they are removed.
+/// After which steps chips are broken; after the others they are removed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Breaks {
+    /// After no step.
     Never,
     /// After every step.
     Always,
-    /// After so many steps one after the other, before chips are removed again.
+    /// After so many steps one after the other; then chips are removed once.
     Times(u32),
-    /// Within a step, whenever this way is drilled; over 0.
+    /// Within a step, each time after so many mm; over 0.
     Every(f64),
 }
 
@@ -139,29 +143,31 @@ pub enum Breaks {
 pub struct Removal {
     /// Feed out of the hole; `None` for rapid.
     pub back: Option<Feed>,
-    /// Seconds at the start plane.
+    /// Seconds at the start plane, 0 or more.
     pub dwell: f64,
+    /// Where rapid traverse back into the hole ends.
     pub ahead: Ahead,
-    /// The last way out stops at the start plane, too; at this feed, `None` for rapid.
+    /// After the last step, too, the tool stops at the start plane, which it reaches at this feed, at rapid with
+    /// `None`; without the outer value it goes to the retract height at once.
     pub last: Option<Option<Feed>>,
 }
 
-/// Distance in front of the last depth, where rapid traverse back into the hole ends.
+/// Distance above the depth reached where rapid traverse back into the hole ends, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Ahead {
     /// [`usual_ahead`] of the depth reached.
     ByDepth,
-    /// After the first step, and before the last one; evenly between.
+    /// The distance after the first step and the one before the last step, each 0 or more; evenly between.
     Evenly([f64; 2]),
 }
 
-/// The distance in front of a depth that old controls keep: 0.6 mm down to 30 mm, then a fiftieth of the depth, at most
-/// 7 mm (standard cycle CYCLE83, V06.02.09; HEIDENHAIN TNC 407, cycle 1).
+/// The distance above a depth, both in mm, that old controls keep: 0.6 mm down to 30 mm, then a fiftieth of the depth,
+/// at most 7 mm (standard cycle CYCLE83, V06.02.09; HEIDENHAIN TNC 407, cycle 1).
 pub fn usual_ahead(depth: f64) -> f64 {
     if depth <= 30.0 { 0.6 } else { (depth / 50.0).min(7.0) }
 }
 
-/// Tapping. The spindle turns one way in and the other way out.
+/// Tapping. The spindle turns one way on the way in and the other way on the way out. Speeds in rev/min, above 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tap {
     /// Without a compensating chuck: axis and spindle go in step all the time. Wants a lead, and no dwell after the reversal.
@@ -171,20 +177,21 @@ pub struct Tap {
     pub lead: Option<f64>,
     /// On the way in; out is the other way.
     pub turn: Turn,
-    /// Seconds at the bottom.
+    /// Seconds at the bottom, and at the depth of each step, 0 or more.
     pub dwell: f64,
-    /// The dwell comes after the spindle was reversed, not before.
+    /// The dwell comes after the reversal of the spindle, not before it.
     pub dwell_reversed: bool,
-    /// Speeds in rev/min; `None` for the one in force.
+    /// Speed on the way in; `None` for the one in force.
     pub speed_in: Option<f64>,
+    /// Speed on the way out; `None` for that of the way in.
     pub speed_out: Option<f64>,
-    /// Angle of the spindle before.
+    /// Angle in degrees at which the spindle stops before the tap; `None` where it stops nowhere.
     pub orient: Option<f64>,
-    /// Tapping in steps.
+    /// Steps of the tap; `None` for one stroke to the bottom.
     pub step: Option<TapStep>,
-    /// State of the spindle afterwards.
+    /// What the spindle does after the tap.
     pub after: Spindle,
-    /// Speed afterwards, where a speed was given.
+    /// Speed after the tap; `None` leaves the last one.
     pub speed_after: Option<f64>,
 }
 
@@ -207,13 +214,13 @@ impl Tap {
     }
 }
 
-/// Between two steps of a tap.
+/// What removes the chip between two steps of a tap; lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Chip {
-    /// Back by this, 0 or more, at the speed of the way out.
+    /// Retract by `back`, 0 or more, at the speed of the way out, not beyond the start plane.
     Break { back: f64 },
-    /// Out to the start plane, a dwell as at the bottom, and down at the speed of the way out to this above the depth
-    /// reached.
+    /// Out to the start plane, a dwell as at the bottom, and down at the speed of the way out to `ahead` above the
+    /// depth reached, 0 or more.
     Remove { ahead: f64 },
 }
 
@@ -228,27 +235,31 @@ impl Chip {
 /// Steps of a tap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TapStep {
-    /// Depth of the first step, over 0.
+    /// Depth of the first step below the surface, mm, over 0.
     pub way: f64,
+    /// How the steps after the first become shorter.
     pub degression: Degression,
     /// What removes the chip between two steps.
     pub chip: Chip,
 }
 
+/// Boring with a tool whose edge is lifted off the wall before it leaves the hole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bore {
+    /// Seconds at the bottom, 0 or more.
     pub dwell: f64,
-    /// Of the spindle, on again afterwards.
+    /// Sense in which the spindle is started again after the tool has left the hole.
     pub turn: Turn,
-    /// Angle of the spindle at which the edge can be lifted off.
+    /// Angle of the spindle in degrees at which it stops at the bottom, so that the edge can be lifted off.
     pub orient: f64,
-    /// Feed to the start plane; `None` for rapid.
+    /// Feed from the bottom to the start plane; `None` for rapid.
     pub back: Option<Feed>,
-    /// Lift-off along the first, second and third axis of the plane.
+    /// Lift-off along the first, second and third axis of the plane, mm, signed, from the centre and the bottom; 0
+    /// lifts off along no axis.
     pub lift: [f64; 3],
 }
 
-/// How far the tip of a drill lies in front of where it has this radius; `tip` is the angle at the tip.
+/// Length in mm of the tip of a drill up to where it has this `radius` in mm; `tip` is the whole angle at the tip.
 pub fn tip_height(radius: f64, tip: Deg) -> f64 {
     let (sin, cos) = Deg(tip.0 / 2.0).sin_cos();
     radius * cos / sin
@@ -267,6 +278,7 @@ pub enum DrillingFault {
     Entry,
     /// The retract height lies below the start plane, so that the tool would rest in the clearance.
     RetractBelowStart,
+    /// A dwell is negative.
     Dwell,
     /// A peck, its amount or its factor is out of range.
     Peck,
@@ -298,9 +310,10 @@ impl fmt::Display for DrillingFault {
     }
 }
 
-/// What the two ways to give a depth come to.
+/// What an absolute and a relative depth come to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resolved {
+    /// With the depth that counts. Whether the retract height lies above the start plane was not looked at.
     pub levels: Levels,
     /// An absolute depth was given too, says something else and is not used.
     pub overridden: bool,
@@ -335,18 +348,19 @@ impl Levels {
         }
     }
 
-    /// Direction out of the hole: 1 if it goes down; 0 for a hole without depth.
+    /// Direction out of the hole along the drilling axis: 1 where the hole goes down, -1 where it goes up; 0 for a hole
+    /// without depth.
     pub fn outward(&self) -> f64 {
         let way = self.reference - self.depth;
         if way == 0.0 { 0.0 } else { way.signum() }
     }
 
-    /// Where rapid traverse ends.
+    /// Height at which rapid traverse ends: the safety distance above the surface.
     pub fn start_plane(&self) -> f64 {
         self.reference + self.clearance * self.outward()
     }
 
-    /// Depth of the hole, from the surface.
+    /// Depth of the bottom below the surface, mm, 0 or more.
     pub fn way(&self) -> f64 {
         (self.reference - self.depth).abs()
     }
@@ -383,8 +397,9 @@ impl Pecking {
         }
     }
 
-    /// The first step from an absolute depth, or from a relative one that wins; `None` where neither is given, or
-    /// the absolute one does not lie between the surface and the bottom (alarm 61107).
+    /// The first step in mm from an absolute depth, or from a relative one that wins, at most the depth of the hole;
+    /// `None` where neither is given, or the absolute one does not lie between the surface and the bottom (alarm
+    /// 61107).
     pub fn first_step(levels: &Levels, absolute: Option<f64>, relative: Option<f64>) -> Option<f64> {
         let total = levels.way();
         match (relative.filter(|way| *way != 0.0), absolute) {

@@ -13,26 +13,30 @@ const MOST_PATHS: f64 = 10_000.0;
 /// Ways below this are none, mm.
 const NOTHING: f64 = 1e-9;
 
-/// A face.
+/// A face. Lengths in mm; its axes are those of `corner`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Facing {
+    /// Plane, heights, cutter and feeds.
     pub mill: Mill,
     /// The corner from which the sizes count; its axes are those of the face.
     pub corner: Place,
-    /// Of the face, from the corner along its two axes; below 0 against them, none 0.
+    /// Sizes of the face, from the corner along its two axes; below 0 against them, none 0.
     pub size: [f64; 2],
-    /// Axis of the face along which the tool cuts: 0 or 1.
+    /// Axis of the face along which the tool cuts: 0 or 1. Paths lie side by side along the other one.
     pub along: usize,
-    /// To and fro; else all paths in one sense.
+    /// Every other path is cut back; else all paths are cut in one sense.
     pub alternates: bool,
+    /// How the tool gets from path to path and from level to level.
     pub links: Links,
     /// Greatest width of a cut; above 0, at most the diameter of the cutter.
     pub width: f64,
+    /// How far the cutter leaves the face at sides that are no walls.
     pub overrun: Overrun,
     /// Sides of the face that are walls: of each axis the one towards minus, and the one towards plus.
     pub walls: [[bool; 2]; 2],
+    /// Roughing in levels, or finishing of the allowance.
     pub kind: Kind,
-    /// The allowance is cut in a last level of its own at this feed.
+    /// After roughing, the allowance is cut in a last level of its own at this feed; `None` leaves it.
     pub last: Option<Feed>,
 }
 
@@ -51,7 +55,7 @@ pub enum Links {
 /// How far the cutter leaves the face, mm; 0 or more.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Overrun {
-    /// At the ends of a path.
+    /// At the ends of a path, from the edge of the cutter.
     pub ends: f64,
     /// Beyond the side where the last path lies.
     pub side: f64,
@@ -62,18 +66,22 @@ pub struct Overrun {
 pub enum Kind {
     /// Down to the allowance, in levels.
     Rough,
-    /// The allowance in one level; the tool is lifted by this way behind each path.
+    /// The allowance in one level; the tool is lifted by `lift` mm, 0 or more, after each path.
     Finish { lift: f64 },
 }
 
 /// Arguments that make no face.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FacingFault {
+    /// Plane, heights, cutter or feeds.
     Mill(MillFault),
+    /// An overrun or the lift is below 0 or no number, or `along` names no axis.
     Number,
     /// A size is 0.
     Size,
+    /// The width of a cut is not above 0, or larger than the cutter.
     Width,
+    /// A level has more than [`MOST_PATHS`] paths.
     TooManyPaths,
     /// The cutter does not fit between two walls.
     Cutter,
@@ -98,8 +106,9 @@ impl fmt::Display for FacingFault {
 /// The cut along the wall at which the paths end: between them cusps stand there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AlongWall {
+    /// From start to end, in the axes of the face, mm.
     pub path: [Point2; 2],
-    /// It begins outside of the face; else where the last path lies.
+    /// It begins outside of the face, where the tool may go down at rapid; else where the last path lies.
     pub from_outside: bool,
 }
 
@@ -153,7 +162,8 @@ impl Facing {
         (0..=count).map(|i| first + (last - first) * i as f64 / count as f64).collect()
     }
 
-    /// The paths of a level, each from where the tool begins it, in the axes of the face.
+    /// The paths of the cutter's centre on a level, in the axes of the face, each from where the tool begins it; what
+    /// the links change is in [`Facing::paths_of`].
     pub fn paths(&self) -> Vec<[Point2; 2]> {
         let [cut, _] = self.ways();
         let clear = self.mill.radius + self.overrun.ends;
@@ -226,7 +236,7 @@ impl Facing {
         self.alternates && (self.kind == Kind::Rough || !cut.walls[1])
     }
 
-    /// The levels of the face.
+    /// Heights of the levels, from the first cut to the last.
     pub fn levels(&self) -> Vec<f64> {
         match self.kind {
             Kind::Rough => {

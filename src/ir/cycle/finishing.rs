@@ -21,28 +21,34 @@ const SLACK: f64 = 1e-6;
 pub struct Finishing {
     /// In the order of cutting.
     pub contour: Vec<Element>,
-    /// The whole finished contour around it, in its own order, with the tool left of it or right: the ways to the
-    /// contour and from it keep clear of all that. Empty where nothing else is known.
+    /// The whole finished contour around it, in its own order: the paths to the contour and from it keep clear of all
+    /// that. Empty where nothing else is known; then they keep clear of `contour`.
     pub around: Vec<Element>,
+    /// The tool is left of `around`, seen in its order.
     pub around_left: bool,
     /// Infeed direction: what goes this way is a descending element.
     pub into: Towards,
-    /// The tool is left of the contour, seen in the order of cutting.
+    /// The tool is left of `contour`, seen in the order of cutting.
     pub left: bool,
+    /// The nose that runs along the contour; its programmed point is what is sent.
     pub nose: Nose,
-    /// Left on the contour, at right angles to it; a negative one goes deeper.
+    /// Allowance on the contour, at right angles to it; a negative one goes deeper, by the nose radius at most.
     pub oversize: f64,
-    /// Moves the whole contour.
+    /// Moves the whole contour, along Z and X (radius).
     pub shift: Vec2,
     /// Away from the part at both ends, -1, 0 or 1 along Z and X. Where that is not free, another quadrant is taken.
     pub away: Vec2,
-    /// Way along each axis between the contour and where the tool comes down to it and lifts off it, over 0.
+    /// Along each axis from the contour to where the tool comes down to it and lifts off it, over 0.
     pub clearance: f64,
     /// Lower and upper corner of the blank from which nothing was cut yet: the approach does not pass through it.
     pub blank: Option<(Point2, Point2)>,
+    /// Of the cut, of the last part of the approach and of the lift-off; over 0.
     pub feed: Feed,
+    /// What becomes of elements that descend into the material.
     pub descending: Descending,
+    /// Whether arcs have a feed limit of their own.
     pub arcs: ArcFeed,
+    /// Where the tool stands after the cut.
     pub end: FinishingEnd,
 }
 
@@ -58,7 +64,7 @@ impl Finishing {
 /// What becomes of descending elements.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Descending {
-    /// They are cut at this feed.
+    /// They are cut at `feed`, over 0.
     Cut { feed: Feed },
     /// They are left out: the cut goes on level until the contour rises again.
     Left,
@@ -69,7 +75,8 @@ pub enum Descending {
 pub enum ArcFeed {
     /// That of lines.
     Same,
-    /// So low that the spindle turns this often on an arc. `speed`: revolutions per minute, for a feed per minute.
+    /// So low that the spindle turns `turns` times on an arc at least. `speed`: revolutions per minute, for a feed per
+    /// minute; without it such a feed stays as it is.
     Turns { turns: f64, speed: Option<f64> },
 }
 
@@ -80,17 +87,20 @@ pub enum FinishingEnd {
     Stay,
     /// Lifted off it.
     Lift,
-    /// Lifted off, then at a point.
+    /// Lifted off, then at `to`, (Z, X) with X as a radius, which is reached as `way` says.
     Point { to: Point2, way: Way },
-    /// Lifted off, then back where it came from.
+    /// Lifted off, then back where it came from, as `way` says.
     Start { way: Way },
 }
 
 /// How a point is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Way {
+    /// Straight, at rapid traverse.
     Diagonal,
+    /// First along X, then along Z, at rapid traverse.
     XThenZ,
+    /// First along Z, then along X, at rapid traverse.
     ZThenX,
     /// Straight, at the feed of the cut.
     AtFeed,
@@ -99,13 +109,21 @@ pub enum Way {
 /// An argument that describes no finishing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FinishingFault {
+    /// No contour element, or more than [`MOST_ELEMENTS`].
     Elements,
+    /// A coordinate of the contour, of what is around it, or of the end point is no number.
     Point,
+    /// Neighbouring elements do not meet.
     Gap,
+    /// The nose radius is negative, or its programmed point does not lie on the nose.
     Nose,
+    /// A negative allowance exceeds the nose radius, or it or the shift is no number.
     Oversize,
+    /// The direction away from the part is none of the eight.
     Away,
+    /// The clearance is not over 0.
     Clearance,
+    /// A feed is not over 0.
     Feed,
 }
 
@@ -185,10 +203,7 @@ impl Finishing {
         self.nose.radius + self.oversize
     }
 
-    /// The way of the programmed point along `contour`.
-    ///
-    /// # Errors
-    /// See [`NoParallel`].
+    /// The path of the programmed point along `contour`, shift, allowance and nose included, in the order of cutting.
     pub fn path(&self, contour: &[Element]) -> Result<Vec<OffsetElement>, NoParallel> {
         let contour = offset::shifted(contour, self.shift);
         let side = if self.left { 1.0 } else { -1.0 };
@@ -209,7 +224,8 @@ impl Finishing {
         (offset::shifted(list, self.shift), left)
     }
 
-    /// Least distance of the nose from the finished contour on a straight way of the programmed point.
+    /// Least distance in mm of the nose from the finished contour while the programmed point goes straight `from` one
+    /// point `to` another; below 0 where the nose would cut into it.
     pub fn clear(&self, from: Point2, to: Point2) -> f64 {
         let center = -self.nose.tip * self.nose.radius;
         let leg = Element::Line { from: from + center, to: to + center };
@@ -218,7 +234,7 @@ impl Finishing {
         obstacles.iter().fold(f64::INFINITY, near) - self.nose.radius
     }
 
-    /// Does a straight way of the programmed point lead through the blank?
+    /// Does a straight path of the programmed point lead through the blank? Along its outline is not through it.
     pub fn through_blank(&self, from: Point2, to: Point2) -> bool {
         let Some((low, high)) = self.blank else { return false };
         let (mut first, mut last) = (0.0_f64, 1.0_f64);

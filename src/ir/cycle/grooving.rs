@@ -18,65 +18,78 @@ pub struct Grooving {
     /// The finished groove from rim to rim: it falls to its floor and rises again, seen from the tool. It begins at
     /// the rim of the reference point: there the tool stands afterwards.
     pub contour: Vec<Element>,
-    /// How far the chamfer or rounding at the first rim and at the last one reaches below the surface; 0 for a sharp rim.
+    /// How far the chamfer or rounding at the first rim of `contour` and at the last one reaches below the surface; 0
+    /// for a sharp rim.
     pub rims: [f64; 2],
+    /// Infeed direction: the plunges go this way.
     pub into: Towards,
+    /// The grooving tool.
     pub tool: RecessTool,
-    /// Height of the surface on the infeed axis (X radius or Z); nothing stands above it.
+    /// Coordinate of the surface on the infeed axis (X radius or Z); both rims lie on it and nothing stands above it.
     pub surface: f64,
+    /// What roughing leaves on the contour, and finishing takes off.
     pub allowance: GrooveAllowance,
     /// Greatest distance of two plunges, over 0 and at most the cutting width.
     pub spacing: f64,
+    /// Whether a plunge breaks its chip.
     pub plunges: Plunges,
-    /// Wait of each plunge that reaches the floor, seconds.
+    /// Dwell of each plunge that reaches the floor, in seconds, 0 or more.
     pub dwell: f64,
+    /// Roughing, finishing or both; all of it groove by groove.
     pub operation: Operation,
     /// Clear height above the surface, over 0; the tool travels there.
     pub clearance: f64,
+    /// Each over 0.
     pub feeds: GrooveFeeds,
+    /// How many equal grooves there are, and where the others lie.
     pub copies: Copies,
 }
 
-/// What roughing leaves: `around` everywhere; in addition the walls are moved together and all of it is raised. A wall that
-/// leans may be moved outwards, because raising the floor moves it, too.
+/// What roughing leaves, in mm: `around` everywhere; in addition the walls are moved together and all of it is raised.
+/// A wall that leans may be moved outwards, because raising the floor moves it, too.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct GrooveAllowance {
     /// Square to the contour, not negative.
     pub around: f64,
-    /// How far the first wall and the last one of the contour move towards each other along the surface.
+    /// How far the first wall and the last one of the contour move towards each other along the surface; a negative one
+    /// moves away.
     pub walls: [f64; 2],
     /// How far all of it rises; not negative.
     pub depth: f64,
 }
 
-/// How deep each plunge goes at once.
+/// How deep each plunge goes at once. Lengths in mm, over 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Plunges {
     /// To its full depth.
     Whole,
-    /// In equal steps of at most `most`, with a retract between them that breaks the chip.
+    /// In equal steps of at most `most`, with a lift by `retract` between them that breaks the chip, at rapid.
     Steps { most: f64, retract: f64 },
     /// The two in the middle in turns, each step `most` deeper than the last one beside it; the others to their full
-    /// depth. A single one as [`Plunges::Steps`].
+    /// depth. A single one as [`Plunges::Steps`], with the same `retract`.
     Alternating { most: f64, retract: f64 },
 }
 
+/// Feeds of grooving.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GrooveFeeds {
+    /// Of the plunges that rough.
     pub plunge: Feed,
+    /// Along the finished contour.
     pub finish: Feed,
 }
 
 /// Equal grooves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Copies {
-    /// How many, from 1.
+    /// How many, from 1 to [`MOST_GROOVES`]; the first one is the contour as it is given.
     pub count: u32,
-    /// From one to the next on the cutting axis, signed.
+    /// From one to the next on the cutting axis, mm, signed.
     pub distance: f64,
 }
 
 impl Copies {
+    /// A single groove.
     pub const ONE: Copies = Copies { count: 1, distance: 0.0 };
 }
 
@@ -93,18 +106,23 @@ pub enum GrooveFault {
     Width,
     /// The nose radius is negative or over half the width.
     Nose,
+    /// The place of the cutting edge is no number.
     Edge,
     /// The rims do not lie on the surface.
     Surface,
+    /// An allowance is negative where it must not be, or no number.
     Allowance,
     /// The distance of plunges is not over 0 or over the cutting width.
     Spacing,
     /// A step or a retract is not over 0.
     Plunges,
+    /// The dwell is negative.
     Dwell,
+    /// The clearance is not over 0.
     Clearance,
     /// A feed is not over 0.
     Feed,
+    /// There is no groove, or more than [`MOST_GROOVES`], or their distance is no number.
     Copies,
 }
 
@@ -195,7 +213,7 @@ impl Grooving {
         last < first
     }
 
-    /// The clear height on the infeed axis.
+    /// Coordinate of the clear height on the infeed axis (X radius or Z).
     pub fn clear(&self) -> f64 {
         match self.into {
             Towards::MinusX | Towards::MinusZ => self.surface + self.clearance,

@@ -15,7 +15,7 @@ use super::turning::{Towards, is_coordinate, is_length, is_point, is_positive};
 /// Most elements of a contour.
 pub const MOST_ELEMENTS: usize = 1000;
 
-/// How deep a relief cut is at least, mm: what the rounding of stored contours makes is none.
+/// Least depth of a relief cut, mm: what the rounding of stored contours makes is none.
 pub const LEAST_DIP: f64 = 0.005;
 
 /// Stock removal in layers. Points are (Z, X) with X as a radius; all lengths in mm.
@@ -23,41 +23,53 @@ pub const LEAST_DIP: f64 = 0.005;
 pub struct Layers {
     /// The finished contour, from the side where the cuts begin to the other.
     pub contour: Vec<Element>,
+    /// Infeed direction.
     pub into: Towards,
     /// Sense of the cutting axis in which the cuts run, 1 or -1.
     pub along: f64,
+    /// The nose of the tool; its programmed point is what is sent.
     pub nose: Nose,
+    /// The stock that is removed down to the contour.
     pub blank: Blank,
-    /// Left by roughing.
+    /// Allowance that roughing leaves on the contour.
     pub allowance: Allowance,
-    /// Greatest depth of a cut, over 0.
+    /// Greatest depth of a cut, over 0; finishing alone does not look at it.
     pub most: f64,
+    /// Where the levels of the cuts lie.
     pub segmentation: Segmentation,
+    /// What becomes of the steps between the cuts.
     pub trace: Trace,
+    /// Interruptions of long cuts; `None` for cuts in one go.
     pub chips: Option<ChipBreaking>,
+    /// Whether what falls behind a higher part is cut.
     pub relief: Relief,
+    /// Borders beyond which nothing is machined.
     pub limits: Limits,
+    /// Roughing, finishing or both.
     pub operation: Operation,
-    /// Finishing runs from the far end of the contour to where the cuts begin.
+    /// Finishing runs from the far end of the contour to the end where the cuts begin.
     pub finish_backwards: bool,
+    /// How far the tool lifts off, and where a cut begins.
     pub clearance: Clearance,
+    /// Each over 0.
     pub feeds: LayerFeeds,
-    /// Where the cycle begins and ends, clear of the blank.
+    /// Where the cycle begins and ends, (Z, X) with X as a radius, clear of the blank; [`Layers::parked`] says where
+    /// the programmed point is then.
     pub home: Point2,
 }
 
 /// The stock above the contour.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Blank {
-    /// Its outline, in either direction.
+    /// Its outline, in either direction; one element at least.
     Outline(Vec<Element>),
-    /// This much on the contour along Z and X (radius).
+    /// This much on the contour along Z and X (radius), mm, 0 or more.
     On(Vec2),
     /// All between the contour and the place where the cycle begins.
     Corner(Corner),
 }
 
-/// What roughing leaves on the contour; the parts add up.
+/// What roughing leaves on the contour, in mm, 0 or more; the parts add up.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Allowance {
     /// Along Z and X (radius).
@@ -69,7 +81,7 @@ pub struct Allowance {
 /// Where the levels of the cuts lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Segmentation {
-    /// At equal distances.
+    /// At equal distances, all of them at most the greatest depth of a cut.
     #[default]
     Uniform,
     /// At the edges of the contour, equal between them.
@@ -90,68 +102,88 @@ pub enum Trace {
     None,
 }
 
-/// What interrupts a long cut, each time after the way `every`.
+/// What interrupts a long cut to break the chip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ChipBreaking {
+    /// From one interruption to the next, in mm of the cut, over 0.
     pub every: f64,
+    /// What the tool does there.
     pub by: Interruption,
 }
 
+/// How a cut is interrupted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Interruption {
-    /// The tool waits, seconds.
+    /// The tool waits so many seconds.
     Dwell(f64),
-    /// The tool goes back, mm.
+    /// The tool goes back so many mm at rapid, not beyond the start of the cut, and on at the feed.
     Retract(f64),
 }
 
-/// What becomes of parts that fall behind higher ones.
+/// What becomes of parts of the contour that fall behind higher ones, seen along the cuts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Relief {
     /// They are left standing, level with the higher one.
     #[default]
     Left,
+    /// They are cut from their falling side after the other cuts, where they are deeper than [`LEAST_DIP`].
     Cut,
 }
 
-/// Borders of the area that is machined, absolute, where they are given.
+/// Borders of the area that is machined: coordinates in mm, `None` where there is no border. Of a pair the order does
+/// not matter. One alone comes with external cuts towards -Z only: the first one is then the border in front (Z) or the
+/// smaller radius (X), the second one the other border.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Limits {
-    /// Along Z, in either order.
+    /// Along Z.
     pub z: [Option<f64>; 2],
     /// Along X (radius).
     pub x: [Option<f64>; 2],
 }
 
-/// Distances of the tool, over 0.
+/// Distances of the tool in mm, over 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clearance {
-    /// Along both axes when it lifts off.
+    /// Along both axes when it lifts off the contour.
     pub lift: f64,
     /// In front of the blank where a cut begins.
     pub entry: f64,
 }
 
+/// Feeds of stock removal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LayerFeeds {
+    /// Of roughing, lift-off included.
     pub rough: Feed,
     /// Down the falling side of a relief cut.
     pub plunge: Feed,
+    /// Along the finished contour.
     pub finish: Feed,
 }
 
 /// An argument that describes no stock removal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LayersFault {
+    /// No contour element, or more than [`MOST_ELEMENTS`].
     Elements,
+    /// A coordinate of the contour, a limit or the place where the cycle begins is no number, or the sense of the cuts
+    /// is none.
     Point,
+    /// Neighbouring elements do not meet.
     Gap,
+    /// The nose radius is negative, or its programmed point does not lie on the nose.
     Nose,
+    /// The blank has no outline, an allowance below 0, or an infeed that is not over 0.
     Blank,
+    /// The greatest depth of a cut is not over 0, and there is roughing.
     Most,
+    /// An allowance is negative.
     Allowance,
+    /// A clearance is not over 0.
     Clearance,
+    /// A feed is not over 0.
     Feed,
+    /// The distance of interruptions is not over 0.
     Chips,
 }
 
@@ -211,14 +243,14 @@ impl Family for Layers {
 }
 
 impl Layers {
-    /// Where the programmed point of the tool begins and ends. A nose that reaches lower than its programmed point stands
-    /// as much higher.
+    /// Where the programmed point of the tool begins and ends, (Z, X) with X as a radius. A nose that reaches lower
+    /// than its programmed point stands as much higher.
     pub fn parked(&self) -> Point2 {
         let into = self.into.unit();
         self.home - into * (self.nose.radius * (1.0 - self.nose.tip.dot(&into)))
     }
 
-    /// The way of the cuts.
+    /// Direction of the cuts as (Z, X), of length 1.
     pub fn side_of_cuts(&self) -> Vec2 {
         if self.into.is_radial() { Vec2::new(self.along, 0.0) } else { Vec2::new(0.0, self.along) }
     }
@@ -248,7 +280,8 @@ impl Layers {
         self.contour.iter().map(element).collect()
     }
 
-    /// Where the contour falls behind a higher part: places along the cutting axis.
+    /// Where the contour falls behind a higher part: coordinates of both ends along the cutting axis, the one where the
+    /// cuts come from first.
     pub fn reliefs(&self) -> Vec<(f64, f64)> {
         let chain = self.seen();
         let Some(start) = chain.first().map(Element::from) else { return Vec::new() };
@@ -257,7 +290,8 @@ impl Layers {
         dips.iter().map(|dip| (dip.left * self.along, dip.right * self.along)).collect()
     }
 
-    /// Angle to the way of the cuts at which the contour falls most steeply, degrees.
+    /// Angle to the direction of the cuts at which the contour falls most steeply, in degrees; 0 where it does not
+    /// fall.
     pub fn steepest_fall(&self) -> f64 {
         let falls = |element: &Element| element.from().y - element.to().y > LEAST_DIP;
         let steep = |way: Option<Vec2>| way.map_or(0.0, |way| libm::atan2(-way.y, way.x).to_degrees());

@@ -8,19 +8,22 @@ use crate::ir::Pos;
 use super::Family;
 use super::milling::{Mill, MillFault};
 
-/// Long holes.
+/// Long holes, milled one after the other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LongHole {
+    /// Its levels are one stroke each; `feeds.depth` leads from level to level.
     pub mill: Mill,
-    /// Both ends of the path of the cutter's centre, one pair a hole.
+    /// Both ends of the path of the cutter's centre, in coordinates of the plane, mm; one pair a hole, one hole at
+    /// least.
     pub holes: Vec<[Point2; 2]>,
-    /// Over this point of the plane the tool stands in the end; none: over the end of the last way.
+    /// Over this point of the plane the tool stands in the end; `None`: over the end of the last stroke.
     pub home: Option<Point2>,
 }
 
 /// Arguments that make no long hole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LongHoleFault {
+    /// Plane, heights, cutter or feeds.
     Mill(MillFault),
     /// An end is not a number, or there is no hole.
     Number,
@@ -36,7 +39,8 @@ impl fmt::Display for LongHoleFault {
 }
 
 impl LongHole {
-    /// The holes, each from its end that is nearer to where the tool comes from.
+    /// The holes in their order, each from its end that is nearer to where the tool comes from. `from` is where the
+    /// tool stands; `None` takes the first hole as it is given.
     pub fn in_order(&self, from: Option<Point2>) -> Vec<[Point2; 2]> {
         // Every level is one way.
         let back = self.mill.heights.levels().len().is_multiple_of(2);

@@ -9,45 +9,51 @@ use crate::machine::Axis;
 /// Most levels of a cycle; more is a lost decimal point.
 pub const MOST_LEVELS: usize = 10_000;
 
-/// Into how many equal parts of at most `most` a way is divided: at least one.
+/// Into how many equal parts of at most `most` mm a length of `way` mm is divided: one at least, one where `most` is 0.
 pub fn parts(way: f64, most: f64) -> usize {
     if most > 0.0 && way > most { geo::parts::count(way, most).clamp(1.0, 1e9) as usize } else { 1 }
 }
 
-/// What every milling cycle takes.
+/// What every milling cycle takes. Lengths are in mm, heights are coordinates along the tool axis in the programmed
+/// frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mill {
-    /// The plane of the shape; the tool stands along its third axis.
+    /// The plane of the shape; its third axis is the tool axis.
     pub plane: Plane,
+    /// Heights of the tool, and how the depth is divided into levels.
     pub heights: Heights,
-    /// Of the cutter, above 0.
+    /// Radius of the cutter in mm, above 0.
     pub radius: f64,
+    /// Both are above 0; a cycle for finishing may have a feed of its own beside them.
     pub feeds: Feeds,
 }
 
 /// Feeds of a milling cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Feeds {
-    /// In the plane.
+    /// Of cuts in the plane.
     pub plane: Feed,
-    /// Into the depth.
+    /// Of infeeds along the tool axis into the material.
     pub depth: Feed,
 }
 
-/// Heights along the tool axis, and how the depth is divided.
+/// Heights along the tool axis, in mm, and how the depth is divided. Heights are coordinates in the programmed frame;
+/// `retract` and `depth` lie on the two sides of `reference`, and either of them may be the greater coordinate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Heights {
-    /// Where the tool travels between places, and stands in the end.
+    /// Retract height: here the tool travels between places and stands in the end. Not below [`Heights::safe`].
     pub retract: f64,
-    /// Surface of the workpiece.
+    /// Surface of the workpiece, from which depths and infeeds count.
     pub reference: f64,
-    /// In front of the surface, 0 or more: here rapid traverse ends.
+    /// Safety distance above the surface, mm, 0 or more: rapid traverse ends there.
     pub clearance: f64,
+    /// The finished floor.
     pub depth: f64,
-    /// Greatest infeed in depth; 0 for one level.
+    /// Greatest infeed in depth, mm; 0 for one level.
     pub step: f64,
+    /// How the depth becomes infeeds of at most `step`.
     pub division: Division,
-    /// What roughing leaves on the floor.
+    /// Allowance on the floor that roughing leaves, mm; 0 or more, and less than the depth.
     pub allowance: f64,
 }
 
@@ -61,24 +67,31 @@ pub enum Division {
     Whole,
 }
 
-/// Where a shape lies: its own origin, and its own first axis.
+/// Where a shape lies in the plane: its own origin, and its own first axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
+    /// Origin of the shape, in coordinates of the plane, mm.
     pub at: Point2,
+    /// From the first axis of the plane to that of the shape, counter-clockwise positive.
     pub turn: Deg,
 }
 
 /// Arguments that make no milling cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MillFault {
+    /// A height is no finite number, or the clearance, the infeed or the allowance is below 0.
     Number,
-    /// Retract height and depth do not lie on the two sides of the surface.
+    /// Retract height and depth do not lie on the two sides of the surface, or all three are one.
     ReferencePlane,
+    /// The retract height lies below the surface plus the safety distance.
     RetractBelowStart,
     /// The allowance on the floor is as large as the depth.
     FloorAllowance,
+    /// The radius of the cutter is not above 0.
     Radius,
+    /// A feed is not above 0.
     Feed,
+    /// The infeed asks for more than [`MOST_LEVELS`] levels.
     TooManyLevels,
 }
 
@@ -116,7 +129,7 @@ impl Mill {
         Axis::ALL[self.plane.axes().2]
     }
 
-    /// The tool stands above `end`, in the programmed frame.
+    /// The tool stands at the retract height above `end`, a point of the plane in the programmed frame.
     pub fn leaves_above(&self, end: Point2, at: &mut Pos) {
         at.set_in_plane(self.plane, end);
         at.set(self.axis(), self.heights.retract);
@@ -155,7 +168,7 @@ impl Heights {
         if way == 0.0 { 0.0 } else { way.signum() }
     }
 
-    /// Where rapid traverse ends above the surface.
+    /// Height at which rapid traverse ends: the safety distance above the surface.
     pub fn safe(&self) -> f64 {
         self.above(self.reference)
     }
@@ -171,22 +184,22 @@ impl Heights {
         if (made - safe) * self.outward() > 0.0 { safe } else { made }
     }
 
-    /// Depth, from the surface.
+    /// Depth of the floor below the surface, mm, 0 or more.
     pub fn way(&self) -> f64 {
         (self.reference - self.depth).abs()
     }
 
-    /// The floor that roughing leaves.
+    /// Height of the floor that roughing leaves: the allowance above the depth.
     pub fn rough_floor(&self) -> f64 {
         self.depth + self.allowance * self.outward()
     }
 
-    /// Levels from the surface down to what roughing leaves on the floor.
+    /// Heights of the levels from the surface down to what roughing leaves on the floor, which is the last one.
     pub fn levels(&self) -> Vec<f64> {
         self.levels_to(self.rough_floor(), self.step)
     }
 
-    /// Levels with infeeds of at most `step` from the surface down to `floor`, which is the last one.
+    /// Heights of levels with infeeds of at most `step` mm from the surface down to `floor`, which is the last one.
     pub fn levels_to(&self, floor: f64, step: f64) -> Vec<f64> {
         let way = self.reference - floor;
         let count = parts(way.abs(), step).min(MOST_LEVELS);
@@ -199,10 +212,10 @@ impl Heights {
 }
 
 impl Place {
-    /// In the coordinates of the plane.
+    /// The shape is given in the coordinates of the plane.
     pub const HERE: Place = Place { at: Point2::new(0.0, 0.0), turn: Deg(0.0) };
 
-    /// A point of the shape in the plane.
+    /// A point of the shape, in coordinates of the plane.
     pub fn point(&self, p: Point2) -> Point2 {
         angle::rotated(Point2::new(self.at.x + p.x, self.at.y + p.y), self.at, self.turn)
     }

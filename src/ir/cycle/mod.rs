@@ -51,7 +51,10 @@ pub use thread_milling::ThreadMilling;
 use turning::Towards;
 pub use undercut::UndercutCycle;
 
-/// What the resolved arguments of all cycles can say.
+/// What the resolved arguments of all cycles can say. Numbers are in mm, degrees and seconds, in the programmed frame.
+///
+/// A dialect may send arguments that make no cycle: `lower::cycles` calls [`Family::check`] before the first move and
+/// reports the fault. After that call the rules of `check` hold.
 pub trait Family {
     /// Why arguments make no cycle.
     type Fault: fmt::Display;
@@ -65,12 +68,12 @@ pub trait Family {
     /// Moves `at`, where the cycle starts, to where it leaves the tool, in the programmed frame.
     fn leaves(&self, at: &mut Pos);
 
-    /// What the spindle does afterwards, where the cycle changes it.
+    /// What the spindle does after the cycle; `None` where the cycle leaves it as it is.
     fn spindle_after(&self) -> Option<Spindle> {
         None
     }
 
-    /// About how many moves it makes, where one call can ask for very many.
+    /// About how many moves it makes, so that one call cannot ask for very many; 0 for a cycle of few moves.
     fn moves(&self) -> f64 {
         0.0
     }

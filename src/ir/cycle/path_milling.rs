@@ -12,18 +12,23 @@ use super::milling::{Mill, MillFault};
 /// A contour that is milled.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PathMilling {
+    /// Plane, heights, cutter and feeds. Its radius is that of the cutter, not its distance from the contour.
     pub mill: Mill,
-    /// In the order of travel, each element from where the one before ends; none without length.
+    /// In the order of travel, each element from where the one before ends, in coordinates of the plane, mm; one at
+    /// least, none without length.
     pub contour: Vec<Element>,
     /// Side of the cutter; none: its centre is on the contour.
     pub side: Side,
     /// How the path of the centre follows from the contour; its radius is the distance between the two, with what is left on
     /// the contour.
     pub rules: Compensation,
+    /// How the cutter comes to the start of the contour.
     pub approach: Way,
+    /// How the cutter leaves the end of the contour.
     pub leave: Way,
     /// Down to the floor, not only to its allowance.
     pub finishes_floor: bool,
+    /// How the tool gets from one level to the next.
     pub between: Between,
     /// Every second level is milled backwards, from where the one before ends.
     pub alternates: bool,
@@ -32,18 +37,21 @@ pub struct PathMilling {
 /// A way to the contour, or from it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Way {
+    /// What it is made of. A centre on the contour takes a soft line, a tangent or nothing.
     pub form: Form,
-    /// Radius or length of the path of the centre; for a soft line the distance of the cutter's edge. Above 0.
+    /// Radius or length of the path of the centre in mm; for a soft line the distance of the cutter's edge. Above 0,
+    /// and not looked at where there is no such path.
     pub size: f64,
-    /// It falls onto the level by the safety distance, or rises from it.
+    /// It falls onto the level by the safety distance at the feed for the depth, or rises from it.
     pub spatial: bool,
 }
 
 /// What a way is made of.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Form {
+    /// A line, a quadrant or a semicircle of the centre that goes on in the direction of the contour.
     Soft(Shape),
-    /// An arc by this angle that touches the contour.
+    /// An arc by this angle that touches the contour, over 0 to below 360.
     Arc(Deg),
     /// A line on in the direction of the contour.
     Tangent,
@@ -56,8 +64,10 @@ pub enum Form {
 /// From the end of one level to the start of the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Between {
+    /// How far the tool is lifted.
     pub lift: Lift,
-    /// At rapid traverse without one.
+    /// Feed to the start of the next level; rapid traverse without one. Not lifted at all, the tool goes at the feed of
+    /// the plane.
     pub feed: Option<Feed>,
 }
 
@@ -68,18 +78,22 @@ pub enum Lift {
     Retract,
     /// To the safety distance above the surface.
     Surface,
-    /// By the safety distance.
+    /// By the safety distance above the level; at rapid traverse to the one above the surface.
     Clearance,
+    /// Not at all: the tool goes back on the level.
     None,
 }
 
 /// Arguments that make no path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PathFault {
+    /// Plane, heights, cutter or feeds.
     Mill(MillFault),
+    /// The contour has no element.
     Empty,
     /// An element without length or with a coordinate that is no number.
     Element,
+    /// The radius, length or angle of a path to or from the contour is out of range.
     Way,
     /// A way from beside a contour on which the centre lies.
     Round,
@@ -98,7 +112,7 @@ impl fmt::Display for PathFault {
 }
 
 impl PathMilling {
-    /// Distance between the contour and the path of the centre.
+    /// Distance between the contour and the path of the centre, mm; 0 for a centre on the contour.
     pub fn distance(&self) -> f64 {
         if self.side == Side::None { 0.0 } else { self.rules.radius }
     }
@@ -118,12 +132,13 @@ impl PathMilling {
         Some((last.to(), last.end_direction()?))
     }
 
-    /// The way to the contour: backwards along it its sides are swapped.
+    /// The path to the start of the contour; `None` for a contour without direction.
     pub fn comes(&self) -> Option<Touch> {
         let (at, heading) = self.start()?;
         Some(self.approach.touch(at, -heading, -self.left(), self.distance()))
     }
 
+    /// The path from the end of the contour; `None` for a contour without direction.
     pub fn goes(&self) -> Option<Touch> {
         let (at, heading) = self.end()?;
         Some(self.leave.touch(at, heading, self.left(), self.distance()))
@@ -140,11 +155,12 @@ impl PathMilling {
         PathMilling { contour, side, approach: self.leave, leave: self.approach, ..self.clone() }
     }
 
-    /// Sense of a round way.
+    /// Sense of an arc to the contour or from it.
     pub fn turns_counter_clockwise(&self) -> bool {
         self.side == Side::Left
     }
 
+    /// Heights of the levels, from the first cut to the last.
     pub fn levels(&self) -> Vec<f64> {
         let heights = &self.mill.heights;
         if self.finishes_floor { heights.levels_to(heights.depth, heights.step) } else { heights.levels() }

@@ -13,13 +13,16 @@ use super::{Family, drilling};
 pub struct PilotHoles {
     /// As it will be roughed, by the cutter that roughs it.
     pub pocket: Box<Region>,
+    /// Drilled at each place, along the tool axis of the pocket.
     pub hole: Drilling,
 }
 
 /// Arguments that make no holes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PilotFault {
+    /// The pocket that will be roughed.
     Pocket(RegionFault),
+    /// The hole that is drilled.
     Hole(DrillingFault),
 }
 

@@ -15,88 +15,84 @@ const APPROACH: f64 = 2.0;
 /// Rooms that differ by less are equal, mm.
 const SAME: f64 = 1e-9;
 
-/// A pocket or slot, at one or more places.
+/// A pocket or slot, at one or more places. Lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pocket {
+    /// Plane, heights, cutter and feeds.
     pub mill: Mill,
+    /// The finished outline, about its own origin.
     pub shape: Shape,
     /// One at least; the shape is milled at one after the other.
     pub places: Vec<Place>,
-    /// Sense in which the tool goes round.
+    /// Sense in which the tool goes round, seen against the plane normal.
     pub counter_clockwise: bool,
-    /// What roughing leaves on the wall.
+    /// Allowance on the wall that roughing leaves, 0 or more.
     pub allowance: f64,
     /// Greatest width of a cut; above 0, at most the diameter of the cutter.
     pub width: f64,
+    /// How roughing gets to a level, and finishing to the floor where [`Finish::inserts`] says so.
     pub insertion: Insertion,
+    /// Level by level, or on helices down to the floor; the latter for circles only.
     pub strategy: Strategy,
+    /// The pocket is roughed down to the allowances. Without it `finish` is given.
     pub rough: bool,
+    /// The finishing cuts after roughing; `None` for none.
     pub finish: Option<Finish>,
-    /// What was cleared before.
+    /// A pocket within this one that was cleared before; `None` where all is solid.
     pub cleared: Option<Cleared>,
     /// Feed on the arc from place to place at the retract height; straight at rapid traverse without one.
     pub transfer: Option<Feed>,
+    /// How the tool gets from one level to the insertion of the next.
     pub between: Between,
-    /// Over this point of the plane the tool stands in the end; none: over the entry.
+    /// Over this point of the plane, mm, the tool stands in the end; `None`: over the entry of the last place.
     pub home: Option<Point2>,
 }
 
 /// From the end of one level to the insertion of the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Between {
-    /// On the level, at the feed.
+    /// Straight on the level, at the feed of the plane.
     Straight,
     /// Off the wall on an arc, up by the safety distance, and over cleared ground at rapid traverse.
     Lifted,
 }
 
-/// The finished outline, about its own origin.
+/// The finished outline, about its own origin. Lengths in mm, in the axes of the place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
-    /// Half sizes, and the radius of the corners; 0 for corners of the cutter.
-    Rectangle {
-        half: [f64; 2],
-        corner: f64,
-    },
-    Circle {
-        radius: f64,
-    },
-    /// Along the first axis between the centres of its round ends.
-    Slot {
-        from: f64,
-        to: f64,
-        width: f64,
-    },
-    /// About the origin from the first axis on, counter-clockwise, between the centres of its round ends.
-    Bow {
-        radius: f64,
-        sweep: Deg,
-        width: f64,
-    },
+    /// Half the sizes along both axes, `half`, and the radius of the corners, `corner`: 0 for corners of the cutter,
+    /// else not below its radius nor above half of the smaller size.
+    Rectangle { half: [f64; 2], corner: f64 },
+    /// About the origin by `radius`.
+    Circle { radius: f64 },
+    /// Along the first axis between the centres of its round ends: coordinates `from` and `to`, the latter the greater
+    /// one; `width` across.
+    Slot { from: f64, to: f64, width: f64 },
+    /// About the origin at the distance `radius`, from the first axis on by `sweep`, counter-clockwise, over 0 and
+    /// below 360 degrees, between the centres of its round ends; `width` across, less than twice the radius.
+    Bow { radius: f64, sweep: Deg, width: f64 },
 }
 
 /// How the tool gets to a level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Insertion {
-    /// At rapid traverse into a hole that was drilled before.
+    /// At rapid traverse into a hole that was drilled before at the entry.
     Predrilled,
+    /// Straight down into the material.
     Vertical,
-    /// On a helix; radius and greatest pitch.
-    Helix {
-        radius: f64,
-        pitch: f64,
-    },
-    /// To and fro, falling by at most this angle; 0 for one stroke. Along slots, else on the long axis as far as there is room.
+    /// On a helix about the entry: `radius` of the centre's path in mm at most, 0 or more, as far as there is room, and
+    /// the greatest `pitch` in mm, over 0.
+    Helix { radius: f64, pitch: f64 },
+    /// To and fro, falling by at most `angle`, below 90 degrees; 0 for one stroke. Along slots, else on the long axis
+    /// as far as there is room.
     Sway {
         angle: Deg,
-        /// Length of a stroke; that of the long axis without one.
+        /// Greatest length of a stroke, mm; that of the long axis without one. A slot does not look at it.
         stroke: Option<f64>,
     },
-    /// To and fro along the middle line of a slot down to its floor, at the feed of the plane: whole falls by so much a stroke,
-    /// and the rest at last.
-    Strokes {
-        fall: f64,
-    },
+    /// To and fro along the middle line of a slot down to its floor, at the feed of the plane: whole falls by `fall` mm
+    /// a stroke, over 0, and the rest at last.
+    Strokes { fall: f64 },
 }
 
 /// The way down.
@@ -108,16 +104,20 @@ pub enum Strategy {
     Helix,
 }
 
-/// The finishing cuts.
+/// The finishing cuts: the wall first, then the floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Finish {
+    /// The wall is cut, down to what roughing leaves on the floor.
     pub wall: bool,
+    /// The floor is cut to its depth.
     pub floor: bool,
-    /// In the plane.
+    /// Feed in the plane, above 0.
     pub feed: Feed,
-    /// Greatest infeed in depth along the wall; 0 for one cut.
+    /// Greatest infeed in depth along the wall, mm; 0 for one cut.
     pub step: f64,
+    /// Speeds of the spindle around the finishing cuts; `None` leaves the one in force.
     pub speed: Option<Speed>,
+    /// How the cut along the wall begins and ends.
     pub onto: Onto,
     /// The floor is entered as roughing enters a level; else straight down.
     pub inserts: bool,
@@ -126,9 +126,9 @@ pub struct Finish {
 /// How a finishing cut comes to the wall and leaves it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Onto {
-    /// On quarters of the usual radius, mm.
+    /// On quarters of a circle of the usual radius, [`APPROACH`], as far as there is room.
     Usual,
-    /// On quarters of this radius, or of the allowance where that is larger.
+    /// On quarters of a circle of this radius in mm, or of the allowance where that is larger, as far as there is room.
     Quarter(f64),
     /// On semicircles from the middle line of a slot.
     Semicircle,
@@ -137,31 +137,36 @@ pub enum Onto {
 /// Speeds of the spindle in rev/min: while it finishes, and afterwards where that is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Speed {
+    /// From before the first finishing cut.
     pub finishing: f64,
+    /// After the last finishing cut; `None` leaves the one for finishing.
     pub after: Option<f64>,
 }
 
-/// A pocket of the same form about the same centre that was cleared before.
+/// A pocket of the same form about the same centre that was cleared before. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cleared {
+    /// Half the sizes along both axes; for a circle its radius in both.
     pub half: [f64; 2],
-    /// Below the surface.
+    /// Depth below the surface, 0 or more.
     pub depth: f64,
 }
 
 /// The paths of the cutter's centre lie within this, seen from the middle line of the shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Room {
-    /// Half sizes.
+    /// Half sizes along both axes, mm.
     Rectangle([f64; 2]),
-    /// To both sides of the middle line, or of the centre.
+    /// This distance in mm to both sides of the middle line, or around the centre.
     Around(f64),
 }
 
 /// Arguments that make no pocket.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PocketFault {
+    /// Plane, heights, cutter or feeds.
     Mill(MillFault),
+    /// A size, an allowance or an infeed is no number or below 0.
     Number,
     /// The cutter with the allowance is larger than the pocket.
     Cutter,
@@ -177,6 +182,7 @@ pub enum PocketFault {
     FinishingStep,
     /// The middle line is shorter than nothing, or turns about itself.
     Length,
+    /// A level has more than [`MOST_RINGS`] rings.
     TooManyRings,
     /// Nothing is asked for.
     Nothing,
@@ -203,7 +209,7 @@ impl fmt::Display for PocketFault {
 }
 
 impl Shape {
-    /// What is left for the centre of the cutter at `distance` from the wall; below 0 where there is no room.
+    /// What is left for the centre of the cutter at `distance` mm from the wall; below 0 where there is no room.
     pub fn room(&self, distance: f64) -> Room {
         match *self {
             Shape::Rectangle { half, .. } => Room::Rectangle(half.map(|size| size - distance)),
@@ -212,7 +218,7 @@ impl Shape {
         }
     }
 
-    /// Where the tool is inserted, and over which it stands in the end.
+    /// Where the tool is inserted, and over which it stands in the end, in the axes of the shape.
     pub fn entry(&self) -> Point2 {
         match *self {
             Shape::Rectangle { .. } | Shape::Circle { .. } => Point2::origin(),
@@ -221,7 +227,7 @@ impl Shape {
         }
     }
 
-    /// The middle of the middle line.
+    /// The middle of the middle line, in the axes of the shape.
     pub fn middle(&self) -> Point2 {
         match *self {
             Shape::Rectangle { .. } | Shape::Circle { .. } => Point2::origin(),
@@ -230,7 +236,7 @@ impl Shape {
         }
     }
 
-    /// Radius of a helix about the entry that stays in the room.
+    /// Largest radius in mm of a helix about the entry whose centre's path keeps `distance` mm from the wall.
     pub fn helix_room(&self, distance: f64) -> f64 {
         self.room(distance).least()
     }
@@ -263,7 +269,7 @@ impl Insertion {
 }
 
 impl Room {
-    /// The smaller half.
+    /// The smaller half, mm.
     pub fn least(self) -> f64 {
         match self {
             Room::Rectangle([x, y]) => x.min(y),
@@ -273,18 +279,18 @@ impl Room {
 }
 
 impl Pocket {
-    /// Distance of the cutter's centre from the wall while roughing.
+    /// Distance of the cutter's centre from the wall while roughing, mm.
     pub fn rough_distance(&self) -> f64 {
         self.mill.radius + self.allowance
     }
 
-    /// The radius of the helix: it stays in the pocket, and leaves no core.
+    /// The radius of the helix in mm, of `asked`: it stays in the pocket, and leaves no core.
     pub fn helix_radius(&self, asked: f64) -> f64 {
         let radius = self.mill.radius;
         asked.min(radius).min(self.shape.helix_room(self.rough_distance())).max(0.0)
     }
 
-    /// Half of the longest way to and fro.
+    /// Half of the longest stroke to and fro, mm.
     pub fn sway_room(&self) -> f64 {
         match (self.shape, self.shape.room(self.rough_distance())) {
             (Shape::Slot { from, to, .. }, _) => (to - from) / 2.0,
@@ -294,7 +300,7 @@ impl Pocket {
         }
     }
 
-    /// The radius of the arc on which the finishing cut comes to the wall.
+    /// Radius in mm of the arc on which the finishing cut comes to the wall; at most the room that the cutter has.
     pub fn approach_radius(&self) -> f64 {
         let room = self.shape.room(self.mill.radius).least();
         let asked = match self.finish.map(|finish| finish.onto) {
@@ -310,7 +316,7 @@ impl Pocket {
         matches!(self.insertion, Insertion::Strokes { .. }) && self.rough && self.finish.is_none()
     }
 
-    /// Was all cleared before at `height` that the cutter reaches from a ring with these half sizes and corners?
+    /// Was all cleared before at `height` that the cutter reaches from a ring with these half sizes and corners, in mm?
     pub fn is_cleared(&self, half: [f64; 2], corner: f64, height: f64) -> bool {
         let Some(cleared) = self.cleared.filter(|cleared| self.is_above_cleared(cleared, height)) else { return false };
         let radius = self.mill.radius;

@@ -21,36 +21,43 @@ pub struct RecessTurning {
     /// The finished groove from rim to rim: it falls to its floor and rises again, seen from the tool. The
     /// order of the elements says at which wall the work begins.
     pub contour: Vec<Element>,
+    /// Infeed direction: plunges go this way, turned cuts across.
     pub into: Towards,
+    /// The recessing tool.
     pub tool: RecessTool,
-    /// Height of the blank on the infeed axis (X radius or Z) where the groove is cut into it.
+    /// Coordinate of the blank on the infeed axis (X radius or Z) where the groove is cut into it; above the floor of
+    /// the groove.
     pub blank: f64,
     /// Greatest depth of a cut, over 0.
     pub most: f64,
     /// Left on the contour along Z and X (radius), not negative.
     pub oversize: Vec2,
-    /// How much less far a turned cut ends at a wall, each time it is followed by a plunge there; 0 for none.
-    /// Made smaller where the sum would exceed 80 % of the effective cutting width or half of the floor.
+    /// How much less far a turned cut ends at a wall, each time it is followed by a plunge there; 0 for none. Made
+    /// smaller where the sum would exceed 80 % of the effective cutting width or half of the floor.
     pub offset_width: f64,
     /// Height at which the floor is turned in finishing, above the floor: the tool bends under the side load. Below it where it is
     /// negative.
     pub compensation: f64,
+    /// Whether the groove is turned, and in which sense, or only plunged.
     pub passes: Passes,
+    /// Roughing, finishing or both.
     pub operation: Operation,
     /// Clear height above the blank, over 0; the tool travels there.
     pub clearance: f64,
+    /// Each over 0.
     pub feeds: RecessFeeds,
+    /// Where the tool stands after the cycle.
     pub end: RecessEnd,
 }
 
 /// A recessing tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RecessTool {
-    /// Cutting width, over 0.
+    /// Cutting width in mm, over 0.
     pub width: f64,
-    /// Nose radius at both corners, at most half the width.
+    /// Nose radius at both corners in mm, 0 to half the width.
     pub nose: f64,
-    /// From the programmed point to the edge that lies towards minus on the cutting axis: 0 where that edge is
+    /// From the programmed point to the edge that lies towards minus on the cutting axis, mm: 0 where that edge is
     /// programmed, `-width` where the other one is, `-width / 2` for the middle.
     pub edge: f64,
 }
@@ -58,8 +65,11 @@ pub struct RecessTool {
 /// Feeds; each is the one that the control takes for these moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RecessFeeds {
+    /// Of plunges into the material.
     pub plunge: Feed,
+    /// Of turned cuts along the groove.
     pub turn: Feed,
+    /// Along the finished contour.
     pub finish: Feed,
 }
 
@@ -80,11 +90,15 @@ pub enum Passes {
     Strokes { width: f64, dwell: f64 },
 }
 
+/// What a cycle of turning does of its two parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Operation {
+    /// Roughing, and finishing after it.
     #[default]
     RoughAndFinish,
+    /// Roughing alone; the allowance stays.
     Rough,
+    /// Finishing alone.
     Finish,
 }
 
@@ -113,15 +127,21 @@ pub enum RecessFault {
     Width,
     /// The nose radius is negative or over half the width.
     Nose,
+    /// The place of the cutting edge is no number.
     Edge,
+    /// The height of the blank is no number.
     Blank,
     /// The greatest infeed is not over 0.
     Most,
+    /// The allowance is negative.
     Oversize,
+    /// The offset width is negative.
     OffsetWidth,
+    /// The height of the floor for turning is no number.
     Compensation,
     /// The distance of strokes is not over 0 or over the effective cutting width, or the dwell is negative.
     Strokes,
+    /// The clearance is not over 0.
     Clearance,
     /// A feed is not over 0.
     Feed,
@@ -205,7 +225,7 @@ impl RecessTurning {
         }
     }
 
-    /// The clear height on the infeed axis.
+    /// Coordinate of the clear height on the infeed axis (X radius or Z).
     pub fn clear(&self) -> f64 {
         match self.into {
             Towards::MinusX | Towards::MinusZ => self.blank + self.clearance,

@@ -13,60 +13,75 @@ use super::pocket::{Finish, Insertion, MOST_RINGS};
 /// Largest radius of an arc of a contour, mm; more is a line, or a lost decimal point.
 const LARGEST_ARC: f64 = 10_000.0;
 
-/// Pockets along contours.
+/// Pockets along contours. Lengths in mm, contours in coordinates of the plane.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Region {
+    /// Plane, heights, cutter and feeds.
     pub mill: Mill,
     /// Of each pocket: closed, each element from where the one before ends, in either sense; apart from each other and not in one
     /// another. They are milled one after the other.
     pub outlines: Vec<Vec<Element>>,
     /// Closed, inside the outlines and apart from each other.
     pub islands: Vec<Vec<Element>>,
-    /// Sense in which the tool goes round along the outlines; around islands it is the other one.
+    /// Sense in which the tool goes round along the outlines, seen against the plane normal; around islands it is the
+    /// other one.
     pub counter_clockwise: bool,
-    /// What roughing leaves on the walls.
+    /// Allowance on the walls that roughing leaves, 0 or more.
     pub allowance: f64,
-    /// What finishing leaves on the walls.
+    /// Allowance on the walls that finishing leaves, 0 or more.
     pub left: f64,
-    /// Is the pocket roughed already? Else finishing goes down to its floor at the feed.
+    /// Is the pocket roughed already, down to the allowance on its floor? Else finishing goes down to its floor at the
+    /// feed.
     pub cleared: bool,
-    /// Greatest width of a cut.
+    /// Greatest width of a cut; above 0, at most the diameter of the cutter.
     pub width: f64,
+    /// How the tool gets to a level; never [`Insertion::Strokes`].
     pub insertion: Insertion,
-    /// Of the way down; that for the depth without one.
+    /// Feed of the insertion, above 0; the feed for the depth without one.
     pub insertion_feed: Option<Feed>,
-    /// The cutter that roughed before: only what it left is roughed.
+    /// The cutter that roughed before: only what it left is roughed. `None` where all is solid.
     pub coarse: Option<Box<Coarse>>,
-    /// Where the tool is inserted, if it can be.
+    /// Where the tool is to be inserted; `None` leaves the place to the cycle.
     pub start: Option<Point2>,
+    /// The pockets are roughed down to the allowances. Without it `finish` is given.
     pub rough: bool,
+    /// The finishing cuts after roughing; `None` for none.
     pub finish: Option<Finish>,
     /// From one insertion to the next over the retract height, not over the safety distance.
     pub lifts_high: bool,
 }
 
-/// What a coarser cutter roughed down to the same floor.
+/// What a coarser cutter roughed down to the same floor. Lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coarse {
-    /// Above that of the cutter after it.
+    /// Radius of that cutter, above the one of the cutter after it.
     pub radius: f64,
+    /// What it left on the walls.
     pub allowance: f64,
     /// As those of the pockets, with the inside corners that it left.
     pub outlines: Vec<Vec<Element>>,
+    /// As the islands of the pockets.
     pub islands: Vec<Vec<Element>>,
 }
 
 /// Arguments that make no pocket.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RegionFault {
+    /// Plane, heights, cutter or feeds.
     Mill(MillFault),
+    /// An allowance, an infeed or a point is out of range, or the cutter before is not larger.
     Number,
+    /// The width of a cut is not above 0, or larger than the cutter.
     Width,
+    /// The pitch of the helix or a feed is not above 0, the angle not below 90 degrees, or the pocket is no slot.
     Insertion,
     /// The helix falls by so little that its turns do not end.
     Pitch,
+    /// The outlines are so large that a level may have more than [`MOST_RINGS`] rings.
     TooManyRings,
+    /// An arc has a radius above [`LARGEST_ARC`].
     LargeArc,
+    /// Nothing is asked for, or there is no outline.
     Nothing,
 }
 
@@ -94,7 +109,7 @@ fn radius_of(element: &Element) -> f64 {
 }
 
 impl Region {
-    /// Outlines and islands.
+    /// The elements of outlines and islands, contour by contour.
     pub fn walls(&self) -> impl Iterator<Item = &Element> {
         self.outlines.iter().chain(&self.islands).flatten()
     }
@@ -103,7 +118,7 @@ impl Region {
         size(&self.outlines)
     }
 
-    /// The same with its sizes on the grid of contours, on which outlines and islands lie already.
+    /// The same with its sizes rounded to the grid of contours, on which outlines and islands lie already.
     #[must_use]
     pub fn on_grid(&self) -> Region {
         let on = grid::on_grid;

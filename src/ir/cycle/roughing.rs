@@ -15,7 +15,7 @@ const LEAST_CUT: f64 = 1e-3;
 /// A round tool nose and its programmed point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Nose {
-    /// Not negative; 0 for a tool that is taken as a point.
+    /// Nose radius in mm, not negative; 0 for a tool that is taken as a point.
     pub radius: f64,
     /// From the centre of the nose to the programmed point, in radii along Z and X: each -1, 0 or 1.
     pub tip: Vec2,
@@ -30,7 +30,8 @@ pub struct Corner {
     pub back: bool,
 }
 
-/// Sense of the cutting axis from a tool at `begin` to the contour; `None` where it stands above it.
+/// Sense of the cutting axis, 1 or -1, from a tool at `begin`, (Z, X) with X as a radius, to the contour; `None` where
+/// it stands above it.
 pub fn sense_of_cuts(contour: &[Element], into: Towards, begin: Point2) -> Option<f64> {
     let pieces = contour.iter().flat_map(quarters);
     let ends = pieces.flat_map(|e| [e.from(), e.to()]).map(|p| into.cutting_coordinate(p));
@@ -47,8 +48,9 @@ pub fn sense_of_cuts(contour: &[Element], into: Towards, begin: Point2) -> Optio
 }
 
 impl Layers {
-    /// Equal cuts from the tool at `home` down to a contour in either direction; `None` where it stands above the contour. The
-    /// tool lifts off by `lift` and goes back to where it stands.
+    /// Equal cuts from the tool at `home`, (Z, X) with X as a radius, of at most `most` mm down to a contour in either
+    /// direction; `None` where it stands above the contour. The tool lifts off by `lift` mm and goes back to where it
+    /// stands.
     pub fn from_corner(
         contour: &[Element],
         into: Towards,
@@ -96,8 +98,8 @@ impl Layers {
         Layers::from_corner(&contour, into, home, most, lift, feed)
     }
 
-    /// Greatest height of stock, on the infeed axis, that roughing from a corner leaves between two places of the cutting axis; `None`
-    /// where its cuts do not pass all of it.
+    /// Greatest coordinate of stock on the infeed axis (X radius or Z) that roughing from a corner leaves between two
+    /// coordinates of the cutting axis; `None` where its cuts do not pass all of it.
     pub fn leaves_standing(&self, from: f64, to: f64) -> Option<f64> {
         let chain = self.seen();
         let (near, far) = ((from * self.along).min(to * self.along), (from * self.along).max(to * self.along));

@@ -16,28 +16,33 @@ const NOTHING: f64 = 1e-9;
 /// A surface between two edges.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ruled {
-    /// Its surface is the highest corner, its depth the lowest one.
+    /// The surface of its heights is the highest corner, their depth the lowest one.
     pub mill: Mill,
-    /// Where the first row begins and ends, and the last one.
+    /// Where the first row begins and ends, and where the last one does; the other rows lie evenly between.
     pub corners: [[Corner; 2]; 2],
-    /// Two at least.
+    /// From 2 to [`MOST_ROWS`].
     pub rows: u32,
-    /// Feed of the first row, and of the way down to it.
+    /// Feed of the first row, and of the infeed to it, above 0; the other rows take that of the plane.
     pub first: Feed,
 }
 
 /// A point of the plane, and its height.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Corner {
+    /// In coordinates of the plane, mm.
     pub at: Point2,
+    /// Coordinate along the tool axis, mm.
     pub height: f64,
 }
 
 /// Arguments that make no surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RuledFault {
+    /// Plane, heights, cutter or feeds.
     Mill(MillFault),
+    /// A coordinate of a corner is no finite number.
     Number,
+    /// Less than 2 rows, or more than [`MOST_ROWS`].
     Rows,
     /// First and last row are points.
     Size,
@@ -55,7 +60,7 @@ impl fmt::Display for RuledFault {
 }
 
 impl Corner {
-    /// Is it the same place?
+    /// Is it the same place, to what arithmetic loses?
     pub fn is(&self, other: &Corner) -> bool {
         distance(self.at, other.at) <= NOTHING && (self.height - other.height).abs() <= NOTHING
     }
@@ -66,7 +71,7 @@ impl Corner {
 }
 
 impl Ruled {
-    /// A row, from where the tool begins it.
+    /// A row, counted from 0, from where the tool begins it: every other one leads back.
     pub fn row(&self, index: u32) -> [Corner; 2] {
         let [first, last] = &self.corners;
         let part = f64::from(index) / f64::from(self.rows - 1);

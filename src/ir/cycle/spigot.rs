@@ -16,71 +16,73 @@ const MOST_CIRCUITS: f64 = 10_000.0;
 /// Sizes that differ by less are equal, mm.
 const SAME: f64 = 1e-9;
 
-/// A spigot. The tool starts on its first axis.
+/// A spigot. The tool goes down beside it on its first axis. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spigot {
+    /// Plane, heights, cutter and feeds.
     pub mill: Mill,
-    /// Its middle, and its own first axis.
+    /// The middle of the spigot, and its own first axis.
     pub place: Place,
+    /// The finished outline.
     pub shape: Shape,
-    /// Sense in which the tool goes round.
+    /// Sense in which the tool goes round, seen against the plane normal.
     pub counter_clockwise: bool,
-    /// What is left on the wall.
+    /// Allowance on the wall that roughing leaves, 0 or more.
     pub allowance: f64,
+    /// The stock around the finished outline.
     pub blank: Blank,
-    /// Greatest width of a cut; one circuit without it.
+    /// Greatest width of a cut, above 0, at most the diameter of the cutter; one circuit without it.
     pub width: Option<f64>,
-    /// Down to the floor, not only to its allowance.
+    /// Roughing goes down to the floor, not only to the allowance on it.
     pub finishes_floor: bool,
+    /// The blank is roughed down to the allowances.
     pub rough: bool,
+    /// The finishing cuts after roughing; `None` for none.
     pub finish: Option<Finish>,
 }
 
-/// What is cut behind roughing.
+/// What is cut after roughing: the wall first, then the floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Finish {
+    /// The wall is cut, down to what roughing leaves on the floor.
     pub wall: bool,
+    /// The floor is cut to its depth, in the circuits of roughing.
     pub floor: bool,
+    /// Feed in the plane, above 0.
     pub feed: Feed,
-    /// Greatest infeed in depth along the wall; 0 for one cut.
+    /// Greatest infeed in depth along the wall, mm; 0 for one cut.
     pub step: f64,
 }
 
-/// What stands around the finished outline.
+/// What stands around the finished outline. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Blank {
-    /// How far it reaches along the first axis, from the middle.
+    /// How far it reaches along the first axis, from the middle of the spigot, 0 or more.
     pub reach: f64,
     /// How far it stands out beyond the outline where that is most; 0 or less for not at all.
     pub stock: f64,
-    /// Beside it the tool goes down so far away.
+    /// The edge of the cutter goes down so far beside it, 0 or more.
     pub aside: f64,
 }
 
-/// How far a rectangular blank stands out beyond a rectangle with round corners where that is most: at its corner, where it reaches
-/// `over` further along both axes.
+/// How far a rectangular blank stands out in mm beyond a rectangle with round corners where that is most: at its
+/// corner, where it reaches `over` mm further along both axes; `corner` is the radius of the rounding.
 pub fn stock_at_corner(over: [f64; 2], corner: f64) -> f64 {
     let [x, y] = over;
     if x > -corner && y > -corner { libm::hypot(x + corner, y + corner) - corner } else { x.max(y) }
 }
 
-/// The finished outline about its middle.
+/// The finished outline about its middle. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
-    Circle {
-        radius: f64,
-    },
-    /// Half sizes, and the radius of the corners.
-    Rectangle {
-        half: [f64; 2],
-        corner: f64,
-    },
-    /// Equal edges at a distance of `apothem` from the middle.
-    Polygon {
-        edges: u32,
-        apothem: f64,
-        starts: Starts,
-    },
+    /// By `radius`, above 0.
+    Circle { radius: f64 },
+    /// Half the sizes along both axes, `half`, above 0, and the radius of the corners, `corner`, 0 to half of the
+    /// smaller size.
+    Rectangle { half: [f64; 2], corner: f64 },
+    /// So many equal `edges`, 3 to [`MOST_EDGES`], at a distance of `apothem` from the middle, above 0; `starts` says
+    /// how it is turned.
+    Polygon { edges: u32, apothem: f64, starts: Starts },
 }
 
 /// What of a polygon lies on the first axis.
@@ -88,6 +90,7 @@ pub enum Shape {
 pub enum Starts {
     /// The middle of an edge.
     Edge,
+    /// A corner.
     Corner,
 }
 
@@ -103,12 +106,19 @@ impl From<MultiEdgeStart> for Starts {
 /// Arguments that make no spigot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SpigotFault {
+    /// Plane, heights, cutter or feeds.
     Mill(MillFault),
+    /// The allowance or the blank is below 0 or no number.
     Number,
+    /// The spigot has no size.
     Size,
+    /// The radius of the corners is larger than half of a side.
     Corner,
+    /// Less than 3 edges, or more than [`MOST_EDGES`].
     Edges,
+    /// The width of a cut is not above 0, or larger than the cutter.
     Width,
+    /// A level has more than [`MOST_CIRCUITS`] circuits.
     TooManyCircuits,
 }
 
@@ -127,7 +137,7 @@ impl fmt::Display for SpigotFault {
 }
 
 impl Shape {
-    /// How far it reaches along the first axis.
+    /// How far it reaches along the first axis, from the middle, mm.
     pub fn reach(&self) -> f64 {
         match *self {
             Shape::Circle { radius } => radius,
@@ -137,7 +147,7 @@ impl Shape {
         }
     }
 
-    /// Distance of its flat sides from the middle.
+    /// Distance of its nearest side from the middle, mm.
     pub fn least(&self) -> f64 {
         match *self {
             Shape::Circle { radius } => radius,
@@ -146,7 +156,8 @@ impl Shape {
         }
     }
 
-    /// The circuit at `distance` from the outline, counter-clockwise from the first axis on.
+    /// The circuit at `distance` mm from the outline, counter-clockwise from the first axis on, in the axes of the
+    /// spigot.
     pub fn circuit(&self, distance: f64) -> Vec<Element> {
         match *self {
             Shape::Circle { radius } => {
@@ -240,12 +251,12 @@ impl Round {
 }
 
 impl Spigot {
-    /// Distances of the circuits from the finished outline, from outside in.
+    /// Distances of the circuits of the cutter's centre from the finished outline, in mm, from outside in.
     pub fn distances(&self) -> Vec<f64> {
         self.distances_to(self.allowance)
     }
 
-    /// The same, down to this allowance.
+    /// The same, down to this allowance on the wall.
     pub fn distances_to(&self, allowance: f64) -> Vec<f64> {
         let innermost = allowance + self.mill.radius;
         let Some(width) = self.width else { return vec![innermost] };
@@ -254,7 +265,7 @@ impl Spigot {
         (0..count).rev().map(|j| innermost + way * j as f64 / count as f64).collect()
     }
 
-    /// Where the tool goes down, beside the blank, on the first axis.
+    /// Where the tool goes down, beside the blank, on the first axis of the spigot.
     pub fn entry(&self) -> Point2 {
         let outermost = self.distances().first().map_or(0.0, |distance| self.shape.reach() + distance);
         let Blank { reach, aside, .. } = self.blank;
@@ -263,6 +274,7 @@ impl Spigot {
         Point2::new(x, 0.0)
     }
 
+    /// Heights of the levels of roughing, from the first cut to the last.
     pub fn levels(&self) -> Vec<f64> {
         let heights = &self.mill.heights;
         if self.finishes_floor { heights.levels_to(heights.depth, heights.step) } else { heights.levels() }

@@ -22,22 +22,24 @@ pub struct Thread {
     pub into: Towards,
     /// Depth from the reference surface, measured along the infeed axis; over 0.
     pub depth: f64,
+    /// How the depth without the last cut is divided into cuts.
     pub infeed: Infeed,
+    /// Where the cuts above the last one lie along the thread.
     pub flank: Flank,
-    /// Left for the last cut, 0 if there is none; under `depth`.
+    /// Depth left for a last cut of its own, 0 if there is none; under `depth`.
     pub finish: f64,
-    /// Cuts repeated at full depth.
+    /// So many cuts are repeated at full depth after the last one.
     pub air_cuts: u32,
-    /// Way in front of the start on the extension of the first part, measured along the cutting axis.
+    /// Length before the start on the extension of the first part, measured along the cutting axis, 0 or more.
     pub run_in: f64,
-    /// Way behind the end on the extension of the last part, measured along the cutting axis.
+    /// Length after the end on the extension of the last part, measured along the cutting axis, 0 or more.
     pub run_out: f64,
     /// With a flank infeed only the start of a pass is shifted; otherwise its end moves along.
     pub fixed_end: bool,
     /// Number of starts, 1 or more. A part's `lead` is that of one start.
     pub starts: u32,
-    /// Spindle angle of the first start. The target cannot start at an angle, so the way of the angle is
-    /// added to the run-in: `angle / 360 · lead`.
+    /// Spindle angle of the first start, not negative. The target cannot start at an angle, so the length of the angle
+    /// is added to the run-in: `angle / 360 · lead`.
     pub start_angle: Deg,
     /// Coordinate on the infeed axis (X radius or Z) at which the tool returns; clear of the whole thread.
     pub retract: f64,
@@ -48,15 +50,18 @@ pub struct Thread {
 /// A piece of a thread with one lead.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThreadPart {
+    /// End of the part on the reference surface, (Z, X) with X as a radius; the parts all advance along the cutting
+    /// axis in one sense, and lean out of it by 45 degrees at most.
     pub end: Point2,
     /// mm per revolution along the cutting axis; over 0.
     pub lead: f64,
 }
 
-/// How the depth is divided into cuts.
+/// How the depth is divided into cuts. Lengths in mm, over 0; numbers of cuts from 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Infeed {
-    /// Cut k stands at `first · √k`, so that each removes the same area; the last one ends at the depth.
+    /// Cut k lies at `first · √k` below the reference surface, so that each removes the same area; `first` is the depth
+    /// of the first one, and the last one ends at the depth.
     ConstantArea { first: f64 },
     /// Equal cuts of at most `most`.
     Equal { most: f64 },
@@ -76,21 +81,21 @@ pub enum Infeed {
 /// cut, `A` the angle.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Flank {
-    /// All at the same place.
+    /// All at the same place: infeed along the infeed axis alone.
     #[default]
     Radial,
-    /// Ahead of the last one by `(depth - d) · tan A`.
+    /// Ahead of the last one by `(depth - d) · tan A`; A is `angle`, 0 to below 90 degrees.
     Ahead { angle: Deg },
-    /// Behind the last one by `(depth - d) · tan A`.
+    /// Behind the last one by `(depth - d) · tan A`; A is `angle`.
     Behind { angle: Deg },
-    /// The first ahead, the second behind, and so on, by `(depth - d) · tan A`.
+    /// The first ahead, the second behind, and so on, by `(depth - d) · tan A`; A is `angle`.
     Alternating { angle: Deg },
-    /// Every cut ahead of the crest by `d · tan A`.
+    /// Every cut ahead of the crest by `d · tan A`; A is `angle`.
     FromCrest { angle: Deg },
 }
 
 impl Flank {
-    /// The angle between the infeed and the infeed axis.
+    /// The angle between the infeed and the infeed axis; `None` for an infeed along it.
     pub fn angle(self) -> Option<Deg> {
         match self {
             Flank::Radial => None,
@@ -123,9 +128,13 @@ pub enum ThreadFault {
     Finish,
     /// The flank angle is not in 0 to under 90 degrees.
     Angle,
+    /// The run-in is negative.
     RunIn,
+    /// The run-out is negative.
     RunOut,
+    /// The thread has no start.
     Starts,
+    /// The angle of the first start is negative.
     StartAngle,
     /// The return way is not clear of the thread.
     Retract,
@@ -224,7 +233,7 @@ impl Thread {
         if is_coordinate(self.retract) && self.retract * out > top { Ok(()) } else { Err(ThreadFault::Retract) }
     }
 
-    /// The point `way` behind `to` on the line from `from`, measured along the cutting axis.
+    /// The point `way` mm beyond `to` on the line from `from`, measured along the cutting axis.
     pub fn extended(&self, from: Point2, to: Point2, way: f64) -> Point2 {
         let line = to - from;
         let along = if self.into.is_radial() { line.x } else { line.y };

@@ -15,100 +15,131 @@ const MOST: f64 = 10_000.0;
 /// A shorter way has no length, mm.
 const NOTHING: f64 = 1e-6;
 
-/// A milled thread.
+/// A milled thread. Lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ThreadMilling {
-    /// The clearance is also that beside an external thread; the depth is the end of the thread.
+    /// The clearance is also that beside an external thread, and the depth is the end of the thread.
     pub mill: Mill,
-    /// Its middle, and where the helix begins, on the first axis.
+    /// The middle of the thread; on its first axis each helix begins.
     pub place: Place,
+    /// In a bore or on a stud.
     pub side: Side,
-    /// Radius of the finished thread at its crest and at its root: the one with the greater radius is the nominal one.
+    /// Greater radius of the finished thread: the root of an internal one, the crest of an external one.
     pub nominal: f64,
+    /// Smaller radius of the finished thread, above 0: the crest of an internal one, the root of an external one. Equal
+    /// to `nominal` only where `ways.beside` is given.
     pub core: f64,
+    /// Along the tool axis in a turn, above 0.
     pub pitch: f64,
+    /// The thread is left-hand. Together with `counter_clockwise` this says which way the helix leads along the tool
+    /// axis.
     pub left_hand: bool,
-    /// Sense in which the tool goes round.
+    /// Sense in which the tool goes round the thread, seen against the plane normal.
     pub counter_clockwise: bool,
+    /// How many turns a helix has, and how many helices there are.
     pub turns: Turns,
-    /// What each pass leaves of the depth of the thread, from the first one on.
+    /// What each pass leaves of the depth of the thread, as a difference of radii, from the first pass on; one at
+    /// least, each 0 or more.
     pub rests: Vec<f64>,
+    /// How the cutter comes to the thread and leaves it.
     pub ways: Ways,
-    /// Before the thread is cut, and afterwards.
+    /// What is made before the thread is cut.
     pub before: Vec<Stage>,
+    /// What is made after it.
     pub after: Vec<Stage>,
 }
 
-/// How a thread is made of turns.
+/// How a thread is made of turns of the cutter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Turns {
     /// One after the other over the whole depth.
     Continuous,
-    /// One for each strip that so many teeth cut at once.
+    /// One for each strip that so many teeth cut at once, 1 or more.
     Strips(u32),
     /// One at the depth.
     Once,
 }
 
-/// Ways to the thread and from it.
+/// Paths to the thread and from it: semicircles in the plane that climb or fall. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ways {
-    /// Where they begin, on the first axis; `None`: the middle, or beside an external thread as far as the clearance asks.
+    /// Coordinate on the first axis, from the middle, where they begin; `None`: the middle, or beside an external
+    /// thread as far as the clearance asks.
     pub beside: Option<f64>,
-    /// Feed of the way to the thread.
+    /// Feed of the path to the thread, above 0; the path from it takes that of the plane.
     pub onto: Feed,
-    /// Along the tool axis on the way to the thread, and on the way from it.
+    /// Travel along the tool axis on the path to the thread, and on the path from it, in the sense of the helix.
     pub along: [f64; 2],
-    /// The thread itself begins or ends at the depth, and the way to it or from it lies beyond.
+    /// The thread itself begins or ends at the depth, and the path to it or from it lies beyond; else nothing lies
+    /// beyond the depth.
     pub beyond: bool,
-    /// Straight to the safety distance over the middle, or beside the stud, and from there on so.
+    /// How the tool goes where it does not cut, from the safety distance on, to which it goes straight over the middle
+    /// or beside the stud. `None`: from the retract height as in every milling cycle, down at rapid traverse, and back
+    /// at the feed for the depth.
     pub positioning: Option<Positioning>,
 }
 
 /// How the tool goes where it does not cut.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Positioning {
+    /// At this feed.
     At(Feed),
+    /// At rapid traverse.
     Rapid,
 }
 
 /// What is made in the same place beside the thread.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Stage {
+    /// A hole where the tool goes down, for an internal thread in its middle.
     Drill(Drilling),
+    /// A countersink.
     Sink(Sink),
 }
 
-/// A countersink: down in the middle or beside the thread, and round.
+/// A countersink: down in the middle or beside the thread, and round. Heights are coordinates along the tool axis, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sink {
-    /// Height where the feed for the depth ends.
+    /// Height down to which the feed for the depth holds, or the positioning of the thread.
     pub approach: f64,
+    /// Height of the circle.
     pub height: f64,
-    /// Of the circle, which a semicircle leads to and from; 0 for none.
+    /// Radius of the circle of the centre, mm, which a semicircle leads to and from; 0 for no circle.
     pub radius: f64,
+    /// Sense of the circle, seen against the plane normal.
     pub counter_clockwise: bool,
+    /// From the approach to the height, and round; above 0.
     pub feed: Feed,
 }
 
+/// On which side of the material a thread is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
+    /// In a bore: the cutter is inside of the thread.
     Internal,
+    /// On a stud: the cutter is around it.
     External,
 }
 
 /// Arguments that make no thread.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ThreadMillingFault {
+    /// Plane, heights, cutter or feeds.
     Mill(MillFault),
+    /// A radius of the thread is not above 0, a pass leaves less than nothing, or a number of a countersink is out of
+    /// range.
     Number,
+    /// The pitch is not above 0, or a strip has no teeth.
     Pitch,
+    /// The core is not smaller than the nominal radius.
     Depth,
     /// The cutter does not fit into the core.
     Cutter,
     /// A way to the thread has no length.
     Way,
+    /// A hole that belongs to the thread.
     Hole(DrillingFault),
+    /// There is no pass, or there are more than [`MOST`] passes or turns.
     TooMany,
 }
 
@@ -127,21 +158,23 @@ impl fmt::Display for ThreadMillingFault {
     }
 }
 
-/// A helix along the tool axis.
+/// A helix along the tool axis: heights are coordinates along it, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Helix {
-    /// Where the way to it begins.
+    /// Where the path to it begins.
     pub start: f64,
-    /// Where the thread begins and ends.
+    /// Where the thread begins.
     pub first: f64,
+    /// Where the thread ends.
     pub last: f64,
-    /// Where the way from it ends.
+    /// Where the path from it ends.
     pub end: f64,
+    /// Whole turns from `first` to `last`.
     pub turns: u32,
 }
 
 impl Ways {
-    /// Half a pitch on each, none of it beyond the depth.
+    /// Half of `pitch`, in mm, on each of both, none of it beyond the depth, and the path to the thread at `feed`.
     pub fn of_half_a_pitch(pitch: f64, feed: Feed) -> Ways {
         Ways { beside: None, onto: feed, along: [pitch / 2.0; 2], beyond: false, positioning: None }
     }
@@ -153,7 +186,7 @@ impl ThreadMilling {
         if self.counter_clockwise == self.left_hand { -1.0 } else { 1.0 }
     }
 
-    /// Radius of the path of the centre, by what the pass leaves.
+    /// Radius of the path of the centre in mm, by what the pass leaves.
     pub fn radius(&self, rest: f64) -> f64 {
         match self.side {
             Side::Internal => self.nominal - self.mill.radius - rest,
@@ -161,7 +194,7 @@ impl ThreadMilling {
         }
     }
 
-    /// Where the tool goes up and down: in the middle, or beside the thread.
+    /// Where the tool goes up and down: in the middle, or beside the thread on its first axis.
     pub fn entry(&self) -> Point2 {
         match self.side {
             _ if self.ways.beside.is_some() => Point2::new(self.ways.beside.unwrap_or(0.0), 0.0),
@@ -174,7 +207,8 @@ impl ThreadMilling {
         }
     }
 
-    /// The helices one after the other: more than one where the edge has fewer teeth than the thread turns.
+    /// The helices in the order in which they are cut: more than one where the edge has fewer teeth than the thread
+    /// turns.
     pub fn helices(&self) -> Vec<Helix> {
         let heights = &self.mill.heights;
         let whole = |way: f64, most: f64| parts::count(way, most).max(1.0);

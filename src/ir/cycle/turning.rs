@@ -19,7 +19,7 @@ pub enum Towards {
 }
 
 impl Towards {
-    /// The direction as (Z, X).
+    /// The direction as (Z, X), of length 1.
     pub fn unit(self) -> Vec2 {
         match self {
             Towards::MinusX => Vec2::new(0.0, -1.0),
@@ -44,12 +44,12 @@ impl Towards {
         if self.is_radial() { (Axis::X, Axis::Z) } else { (Axis::Z, Axis::X) }
     }
 
-    /// The coordinate of `p` on the infeed axis.
+    /// The coordinate of `p`, (Z, X), on the infeed axis.
     pub fn depth_coordinate(self, p: Point2) -> f64 {
         if self.is_radial() { p.y } else { p.x }
     }
 
-    /// The coordinate of `p` on the cutting axis.
+    /// The coordinate of `p`, (Z, X), on the cutting axis.
     pub fn cutting_coordinate(self, p: Point2) -> f64 {
         if self.is_radial() { p.x } else { p.y }
     }
@@ -58,6 +58,7 @@ impl Towards {
 /// Greatest coordinate or length, mm. No lathe is so long, and products of such numbers stay finite.
 const FARTHEST: f64 = 1e7;
 
+/// A coordinate, or a length of either sign: a number of at most [`FARTHEST`] mm.
 pub(crate) fn is_coordinate(value: f64) -> bool {
     value.abs() <= FARTHEST
 }
@@ -72,6 +73,7 @@ pub(crate) fn is_length(value: f64) -> bool {
     value >= 0.0 && is_coordinate(value)
 }
 
+/// Both coordinates are such numbers.
 pub(crate) fn is_point(p: Point2) -> bool {
     is_coordinate(p.x) && is_coordinate(p.y)
 }

@@ -13,24 +13,26 @@ use super::turning::is_coordinate;
 /// An undercut cut by itself. Points are (Z, X) with X as a radius, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UndercutCycle {
-    /// Where cylinder and face meet, without allowance.
+    /// Where cylinder and face meet, without allowance, (Z, X) with X as a radius.
     pub corner: Point2,
     /// Sense along Z in which the cylinder leaves the corner, and along X in which the face does. `first_leads` is
     /// not looked at: the cut always goes along the cylinder to the face.
     pub orientation: Orientation,
+    /// The finished undercut; its slope lies on the cylinder.
     pub shape: Shape,
-    /// The cylinder and the face still carry this much.
+    /// Allowance that the cylinder (`reference`) and the face (`other`) still carry, mm, 0 or more.
     pub allowance: Allowance,
-    /// Distance to the part at rapid, over 0.
+    /// Distance to the part at rapid, mm, over 0.
     pub clearance: f64,
     /// The face is cut up to here (X as a radius); `None`: to the end of the undercut and the clearance on.
     pub face_end: Option<f64>,
+    /// Of all cuts, above 0.
     pub feed: Feed,
-    /// Most depth of a cut; `None` for the finishing cut alone.
+    /// Greatest depth of a cut in mm, above 0; `None` for the finishing cut alone.
     pub step: Option<f64>,
     /// What the depth steps leave on the finished undercut.
     pub leave: Leave,
-    /// The depth steps alone, or with the finishing cut.
+    /// A finishing cut follows the depth steps; without it there are depth steps.
     pub finishing: bool,
     /// The output selects radius compensation, and its receiver makes the path of the nose.
     pub compensated: bool,
@@ -41,13 +43,15 @@ pub struct UndercutCycle {
 /// An allowance; lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Leave {
-    /// Along Z and along X: floor, face and slope are moved out of the material along both.
+    /// `z` along Z and `x` along X (radius), 0 or more: floor, face and slope are moved out of the material along both.
+    /// `x` is less than the depth of the undercut.
     Along { z: f64, x: f64 },
-    /// The same everywhere: its lines lie parallel to those of the finished one.
+    /// The same everywhere, less than the depth of the undercut: its lines lie parallel to those of the finished one.
     Around(f64),
 }
 
 impl Leave {
+    /// No allowance.
     pub const NOTHING: Leave = Leave::Along { z: 0.0, x: 0.0 };
 
     fn is_possible(self, depth: f64) -> bool {
@@ -58,6 +62,7 @@ impl Leave {
         }
     }
 
+    /// Do the depth steps go down to the finished undercut?
     pub fn is_nothing(self) -> bool {
         matches!(self, Leave::Along { z: 0.0, x: 0.0 } | Leave::Around(0.0))
     }
@@ -68,7 +73,9 @@ impl Leave {
 pub enum UndercutFault {
     /// A value is not a number.
     Number,
+    /// The clearance is not above 0.
     Clearance,
+    /// The feed is not above 0.
     Feed,
     /// The depth step is not over 0.
     Step,

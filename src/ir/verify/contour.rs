@@ -23,11 +23,12 @@ impl std::fmt::Debug for Contour<'_> {
 }
 
 impl<'a> Contour<'a> {
+    /// Checks a stream from its start, where nothing is known.
     pub fn new(out: &'a mut dyn Sink) -> Contour<'a> {
         Contour { out, check: Check::default() }
     }
 
-    /// For items that go on where the tool stands already.
+    /// For items that go on under `ctx` where the tool stands already: `at`, in the programmed frame.
     pub fn standing(out: &'a mut dyn Sink, at: &Pos, ctx: &CtxRef) -> Contour<'a> {
         let check = Check { at: *at, ctx: Rc::clone(ctx), moved: true, ..Check::default() };
         Contour { out, check }
@@ -55,6 +56,7 @@ impl Check {
         self.ctx = Rc::clone(ctx);
     }
 
+    /// A move: its numbers, and its arc against where the tool stands.
     pub(super) fn movement(&mut self, mv: &Move, ctx: &CtxRef) -> Result<(), Fault> {
         self.enter(ctx);
         self.moved = true;
@@ -81,6 +83,7 @@ impl Check {
         Ok(())
     }
 
+    /// A corner: its size and feed. An undercut is checked where the corner is known.
     pub(super) fn corner(&mut self, corner: &Corner, ctx: &CtxRef) -> Result<(), Fault> {
         self.enter(ctx);
         corner.feed.map_or(Ok(()), feed)?;
@@ -95,6 +98,7 @@ impl Check {
         ensure(size > 0.0, Fault::Corner)
     }
 
+    /// A function: its numbers, and what it leaves of the position.
     pub(super) fn function(&mut self, item: &Function, ctx: &CtxRef) -> Result<(), Fault> {
         self.enter(ctx);
         if displaces(item) {
@@ -103,6 +107,7 @@ impl Check {
         function(item)
     }
 
+    /// A tap: it begins where the tool stands, and goes in and out.
     pub(super) fn tap(&mut self, tap: &Tap, ctx: &CtxRef) -> Result<(), Fault> {
         self.enter(ctx);
         self.moved = true;
@@ -111,35 +116,41 @@ impl Check {
         ensure(starts && tap.check().is_ok(), Fault::Tap)
     }
 
+    /// A cycle: only where it leaves the tool.
     pub(super) fn cycle(&mut self, cycle: &Cycle, ctx: &CtxRef) {
         self.enter(ctx);
         self.moved = true;
         self.at.update(&cycle.leaves(&self.at));
     }
 
+    /// The position is not known any more.
     pub(super) fn lost(&mut self, ctx: &CtxRef) {
         self.enter(ctx);
         self.at.clear();
     }
 
+    /// Axes stand here before the first move.
     pub(super) fn begins_at(&mut self, at: &Pos) -> Result<(), Fault> {
         self.at.update(at);
         finite_pos(at)?;
         ensure(!self.moved, Fault::Late)
     }
 
+    /// Axes stand here although no move said so.
     pub(super) fn stands_at(&mut self, at: &Pos, ctx: &CtxRef) -> Result<(), Fault> {
         self.enter(ctx);
         self.at.update(at);
         finite_pos(at)
     }
 
+    /// The description of a contour begins: it is not inside of another one.
     pub(super) fn contour_begins(&mut self, ctx: &CtxRef) -> Result<(), Fault> {
         self.enter(ctx);
         let before = std::mem::take(&mut self.at);
         ensure(self.described.replace(before).is_none(), Fault::Description)
     }
 
+    /// It ends, and the tool stands where it stood before.
     pub(super) fn contour_ends(&mut self) -> Result<(), Fault> {
         self.at = self.described.take().ok_or(Fault::Description)?;
         Ok(())

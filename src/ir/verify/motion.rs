@@ -55,6 +55,7 @@ impl Chain {
         Ok(())
     }
 
+    /// A function: what it leaves of the position.
     pub fn function(&mut self, function: &Function) {
         if displaces(function) {
             self.at.clear();
@@ -135,6 +136,7 @@ impl std::fmt::Debug for Motion<'_> {
 }
 
 impl<'a> Motion<'a> {
+    /// Checks a stream from its start, where nothing is known.
     pub fn new(out: &'a mut dyn Sink) -> Motion<'a> {
         Motion { out, chain: Chain::default() }
     }

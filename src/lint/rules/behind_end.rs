@@ -1,6 +1,6 @@
 //! A block stands behind the end of the program and nothing leads to it.
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Label};
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::What;
@@ -54,7 +54,7 @@ impl SourceRule for BehindEnd {
         let is_found = !block.is_empty && !block.is_bad && ends.is_none() && self.found.len() < MOST;
         if let Some(end) = self.end.filter(|_| is_found) {
             self.end = None;
-            let found = L2003::behind().at(read.words()).also(end, "the program ends here");
+            let found = L2003::behind().at(read.words()).also(end, Label::ProgramEnds);
             self.found.push((block.number, found));
         }
         // One that may be skipped, or stands in a branch, ends nothing for sure.

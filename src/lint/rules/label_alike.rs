@@ -1,5 +1,6 @@
 //! Two labels differ in upper and lower case only.
 
+use crate::diag::Label;
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::What;
@@ -51,7 +52,7 @@ impl SourceRule for LabelAlike {
             let lower = name.to_lowercase();
             let loc = read.loc(item.span);
             if let Some((_, other, first)) = self.labels.iter().find(|(low, other, _)| *low == lower && other != name) {
-                let found = L2006::alike(&name, &other).at(loc).also(*first, "the other one");
+                let found = L2006::alike(&name, &other).at(loc).also(*first, Label::OtherOne);
                 told.say.found(found);
             }
             if self.labels.len() < MOST {

@@ -89,7 +89,7 @@ macro_rules! rule {
     ($code:ident $kind:ident $rule:ident $severity:ident $($off:ident)? $name:literal what $what:literal why $why:literal
         example $example:literal says {$($faults:tt)*}) => {
         $crate::diag::codes::codes! {
-            @entry $code $severity [$($off)?] $name $what [] $why [$example] {$($faults)*}
+            @entry $code $severity [$($off)?] $name $what [] [] $why [$example] {$($faults)*}
         }
 
         pub(super) const RULE: $crate::lint::rules::Rule = $crate::lint::rules::Rule {

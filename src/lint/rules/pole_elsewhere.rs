@@ -1,5 +1,6 @@
 //! A polar block uses a pole that was set in another working plane.
 
+use crate::diag::Label;
 use crate::geo::Plane;
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
@@ -82,7 +83,7 @@ impl SourceRule for PoleElsewhere {
         }
         if let Some(pole) = self.pole.filter(|pole| pole.stale && read.has(&What::Polar)) {
             self.pole = None;
-            let found = L2016::elsewhere().at(read.words()).also(pole.loc, "the pole");
+            let found = L2016::elsewhere().at(read.words()).also(pole.loc, Label::Pole);
             told.say.found(found);
         }
     }

@@ -1,5 +1,6 @@
 //! The program changes between inches and millimetres.
 
+use crate::diag::Label;
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::What;
@@ -50,7 +51,7 @@ impl SourceRule for UnitsMixed {
             if let (Some(inch), Some(mm), false) = (self.inch, self.mm, self.said) {
                 self.said = true;
                 let first = if loc == inch { mm } else { inch };
-                let found = L2010::mixed().at(loc).also(first, "the other unit");
+                let found = L2010::mixed().at(loc).also(first, Label::OtherUnit);
                 told.say.found(found);
             }
         }

@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashSet;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Label};
 use crate::lint::motion::Setup;
 use crate::lint::source::{Read, SourceRule, Told};
 use crate::sema::run::survey::{Surveyed, What};
@@ -78,7 +78,7 @@ impl SourceRule for Unreachable {
         }
         if let Some(jump) = self.after.filter(|_| !block.is_empty && !block.is_bad && self.found.len() < MOST) {
             self.after = None;
-            let found = L2002::unreachable().at(read.words()).also(jump, "the program goes on elsewhere here");
+            let found = L2002::unreachable().at(read.words()).also(jump, Label::ProgramGoesOnElsewhere);
             self.found.push((block.number, found));
         }
         self.targets.see(block);

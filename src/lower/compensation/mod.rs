@@ -18,7 +18,7 @@ mod tests;
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Fault, codes};
 use crate::geo::joint::Headings;
 use crate::geo::{Element, Plane, SAME_POINT, Vec2, joint};
 use crate::ir::compensation::Compensation;
@@ -26,12 +26,12 @@ use crate::ir::motion::{Move, Path};
 use crate::ir::{Function, Origin, Pos, Side};
 
 use super::carrier::Out;
-use super::step;
+use super::{at, step};
 use damage::{Damage, Seen};
 use joints::Bench;
 use piece::{Item, Kind, Piece, aside, moved};
 use reports::Refused;
-pub use reports::{TRANSFORMED, cycle_beside, still_on};
+pub use reports::cycle_beside;
 
 /// Functions and moves that may wait for one element of a contour.
 const MOST_ITEMS: usize = 4096;
@@ -124,8 +124,8 @@ impl Compensator {
         match self.stage {
             Stage::Off | Stage::Refused => out.function(function, origin),
             Stage::Leaving | Stage::Constant(_) => {
-                if let (Stage::Constant(_), Some(event)) = (self.stage, self.ends_contour(function)) {
-                    self.refuse(*reports::still_on(event, origin), origin, out);
+                if let (Stage::Constant(_), Some(fault)) = (self.stage, self.ends_contour(function)) {
+                    self.refuse(at(*origin, fault), origin, out);
                 } else if matches!(function, Function::WorkOffset(_) | Function::ToolChange { .. }) {
                     self.at.clear();
                 }
@@ -141,14 +141,14 @@ impl Compensator {
     }
 
     /// What `function` does that must not happen while the contour goes on.
-    fn ends_contour(&self, function: &Function) -> Option<&'static str> {
+    fn ends_contour(&self, function: &Function) -> Option<Fault> {
         match function {
-            Function::ToolChange { .. } => Some("the tool changes"),
-            Function::End { .. } => Some("the program ends"),
-            Function::WorkOffset(_) => Some("the work offset changes"),
-            Function::Cutter(_) => Some("the tool data change"),
-            Function::Transformation(_) => Some(TRANSFORMED),
-            Function::Plane(plane) => (*plane != self.plane).then_some("the working plane changes"),
+            Function::ToolChange { .. } => Some(codes::G3204::tool_changes()),
+            Function::End { .. } => Some(codes::G3204::program_ends()),
+            Function::WorkOffset(_) => Some(codes::G3204::work_offset_changes()),
+            Function::Cutter(_) => Some(codes::G3204::tool_data_change()),
+            Function::Transformation(_) => Some(codes::G3204::transformation_begins_or_ends()),
+            Function::Plane(plane) => (*plane != self.plane).then(codes::G3204::working_plane_changes),
             Function::ToolPrepare { .. }
             | Function::Spindle(_)
             | Function::SpindleOf { .. }
@@ -166,8 +166,8 @@ impl Compensator {
 
     /// The function happens where the last element ends.
     fn waits(&mut self, function: &Function, origin: &Origin) -> Result<(), Refused> {
-        if let Some(event) = self.ends_contour(function) {
-            return Err(reports::still_on(event, origin));
+        if let Some(fault) = self.ends_contour(function) {
+            return Err(Box::new(at(*origin, fault)));
         }
         self.item(Item::Function(function.clone(), *origin), origin)
     }

@@ -1,18 +1,15 @@
 //! Bore milling: a semicircle to the wall, a helix down, a full circle at the depth, a semicircle to the middle.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::{Deg, Point2, angle};
 use crate::ir::cycle::{BoreMilling, Family};
 
 use super::cutter::Cutter;
-use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 
 impl Expand for BoreMilling {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
-        self.check().map_err(|fault| {
-            Failure::new(codes::G3331, fault.to_string(), "check the sizes of the hole, the infeed and the cutter")
-        })?;
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
+        self.check().map_err(|fault| codes::G3331::bore_makes_no_path(&fault))?;
         let heights = &self.mill.heights;
         let mut cutter = Cutter::new(&self.mill, self.place, start, out);
         cutter.lift(heights.safe());

@@ -11,20 +11,19 @@
 //!
 //! The plunge opens the place beside the edge, which the cut takes anyway, so that the tool cuts the edge on one side only.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::Point2;
 use crate::ir::cycle::Family;
 use crate::ir::cycle::cut_off::{CutEdge, CutOff};
 use crate::ir::function::Spindle;
 use crate::ir::{Feed, Function};
 
-use super::track::{Failure, Move, Path};
+use super::track::{Move, Path};
 use super::{CycleItem, Expand, Start};
 
 impl Expand for CutOff {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
-        self.check()
-            .map_err(|fault| Failure::new(codes::G3041, fault.to_string(), "correct the data of the cut-off"))?;
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
+        self.check().map_err(|fault| codes::G3041::cut_off_makes_no_path(&fault))?;
         let from = start.in_turning_plane()?;
         let mut way = Way { cut: self, at: from, out };
         way.come(from);

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use crate::diag::Fault;
 use crate::geo::{Element, Point2, distance};
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::cycle::Drilling;
@@ -9,7 +10,6 @@ use crate::ir::cycle::milling::{Mill, Place};
 use crate::ir::function::Spindle;
 use crate::ir::{Compensation, Feed, Function, Pos, Side};
 
-use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 
 /// What arithmetic may lose at an arc that a cycle computed, mm.
@@ -163,7 +163,7 @@ impl<'a> Cutter<'a> {
     ///
     /// # Errors
     /// Data that make no hole.
-    pub fn drill(&mut self, hole: &Drilling, start: &Start) -> Result<(), Failure> {
+    pub fn drill(&mut self, hole: &Drilling, start: &Start) -> Result<(), Fault> {
         // The hole begins with its own way to its start plane.
         self.lifting = None;
         self.height = Some(hole.levels.retract);

@@ -2,7 +2,7 @@
 
 mod pecking;
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::ir::contour::{Coords, Move, Path, Thread};
 use crate::ir::cycle::Family;
 use crate::ir::cycle::drilling::{Bore, Chip, DeepHole, Drilling, DrillingFault, Levels, Method, Tap};
@@ -11,11 +11,10 @@ use crate::ir::tap::{Stroke, Tap as RigidTap};
 use crate::ir::{Feed, Function, Pos, Side};
 use crate::machine::Axis;
 
-use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 
 impl Expand for Drilling {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
         expand(self, &start.at, start.axes, out)
     }
 }
@@ -24,7 +23,7 @@ impl Expand for Drilling {
 ///
 /// # Errors
 /// G3041 for arguments that make no hole, G3040 for steps without end.
-fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
     drilling.check().map_err(fault)?;
     let levels = &drilling.levels;
     if levels.outward() == 0.0 {
@@ -80,12 +79,10 @@ fn expand(drilling: &Drilling, start: &Pos, axes: [Axis; 3], out: &mut dyn FnMut
     Ok(())
 }
 
-fn fault(fault: DrillingFault) -> Failure {
+fn fault(fault: DrillingFault) -> Fault {
     match fault {
-        DrillingFault::TooManyPecks => {
-            Failure::new(codes::G3040, fault.to_string(), "give a least step, or larger steps")
-        }
-        _ => Failure::new(codes::G3041, fault.to_string(), "check the data of the drilling cycle"),
+        DrillingFault::TooManyPecks => codes::G3040::drilling_makes_too_many_steps(&fault),
+        _ => codes::G3041::drilling_makes_no_path(&fault),
     }
 }
 
@@ -273,7 +270,7 @@ impl Hole<'_> {
     }
 
     /// Lifts the edge off the wall before it leaves the hole.
-    fn bore(&mut self, bore: &Bore, start: &Pos, axes: [Axis; 3]) -> Result<(), Failure> {
+    fn bore(&mut self, bore: &Bore, start: &Pos, axes: [Axis; 3]) -> Result<(), Fault> {
         let (levels, feed) = (self.levels, self.drilling.feed);
         let lifts = |i: usize| axes.get(i).copied().zip(bore.lift.get(i).copied()).filter(|(_, way)| *way != 0.0);
         let mut lifted = Pos::UNKNOWN;
@@ -284,7 +281,7 @@ impl Hole<'_> {
                 continue;
             }
             let Some(at) = start.get(axis) else {
-                return Err(Failure::of(codes::G3043::tool_is_lifted_off_along(&axis.letter())));
+                return Err(codes::G3043::tool_is_lifted_off_along(&axis.letter()));
             };
             lifted.set(axis, at + way);
             centre.set(axis, at);

@@ -1,19 +1,16 @@
 //! Face milling: path beside path, level by level; between the paths outside of the face, or over what is cut.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::ir::Feed;
 use crate::ir::cycle::facing::{Kind, Links};
 use crate::ir::cycle::{Facing, Family};
 
 use super::cutter::Cutter;
-use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 
 impl Expand for Facing {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
-        self.check().map_err(|fault| {
-            Failure::new(codes::G3331, fault.to_string(), "check the sizes of the face and the data of the cutter")
-        })?;
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
+        self.check().map_err(|fault| codes::G3331::face_makes_no_path(&fault))?;
         let paths = self.paths();
         let Some([first, _]) = paths.first() else { return Ok(()) };
         let feed = self.mill.feeds.plane;

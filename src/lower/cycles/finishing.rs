@@ -7,7 +7,7 @@
 //!               ╚═══════════╝
 //! ```
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::offset::{NoParallel, OffsetElement};
 use crate::geo::profile::{Grown, Profile, elements};
 use crate::geo::{Element, Point2, SAME_POINT, Vec2, distance};
@@ -15,14 +15,14 @@ use crate::ir::Feed;
 use crate::ir::cycle::Family;
 use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way};
 
-use super::track::{Failure, Strokes, Track, View};
+use super::track::{Strokes, Track, View};
 use super::{CycleItem, Expand, Start};
 
 /// What arithmetic loses in a distance, mm.
 const SLACK: f64 = 1e-6;
 
 impl Expand for Finishing {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
         expand(self, start.in_turning_plane()?, &mut |stroke| out(stroke.part()))
     }
 }
@@ -32,8 +32,8 @@ impl Expand for Finishing {
 /// # Errors
 /// G3041 bad arguments, G3047 descending parts that cannot be left out, G3048 no free way to the contour or from
 /// it, G3049 no room for the nose.
-pub fn expand<'a>(finishing: &Finishing, from: Point2, out: &'a mut Strokes<'a>) -> Result<(), Failure> {
-    finishing.check().map_err(|fault| Failure::new(codes::G3041, fault.to_string(), "correct the finishing data"))?;
+pub fn expand<'a>(finishing: &Finishing, from: Point2, out: &'a mut Strokes<'a>) -> Result<(), Fault> {
+    finishing.check().map_err(|fault| codes::G3041::finishing_makes_no_path(&fault))?;
     let left_out = match finishing.descending {
         Descending::Left => Some(level(finishing)?),
         Descending::Cut { .. } => None,
@@ -53,7 +53,7 @@ pub fn expand<'a>(finishing: &Finishing, from: Point2, out: &'a mut Strokes<'a>)
 }
 
 /// The contour with its descending parts left out.
-fn level(finishing: &Finishing) -> Result<Vec<Element>, Failure> {
+fn level(finishing: &Finishing) -> Result<Vec<Element>, Fault> {
     let (Some(first), Some(last)) = (finishing.contour.first(), finishing.contour.last()) else {
         return Ok(Vec::new());
     };
@@ -67,13 +67,12 @@ fn level(finishing: &Finishing) -> Result<Vec<Element>, Failure> {
     Ok(level)
 }
 
-fn no_parallel(why: NoParallel) -> Failure {
-    let message = match why {
-        NoParallel::TooNarrow => "the nose of the tool has no room in a hollow, a corner or a recess of the contour",
-        NoParallel::Reversal => "the contour turns back on itself",
-        NoParallel::Empty => "the contour has no length",
-    };
-    Failure::new(codes::G3049, message, "take a tool with a smaller nose radius, or leave the narrow part out")
+fn no_parallel(why: NoParallel) -> Fault {
+    match why {
+        NoParallel::TooNarrow => codes::G3049::nose_of_tool_has_no_room_in_recess(),
+        NoParallel::Reversal => codes::G3049::contour_turns_back_on_itself(),
+        NoParallel::Empty => codes::G3049::contour_has_no_length(),
+    }
 }
 
 /// Feed on a piece of the path that comes from the element `of`.
@@ -110,23 +109,22 @@ struct Cutter<'c> {
 
 impl Cutter<'_> {
     /// To beside the start at rapid traverse, then down to it.
-    fn approach(&mut self, from: Point2) -> Result<(), Failure> {
+    fn approach(&mut self, from: Point2) -> Result<(), Fault> {
         let Some(start) = self.path.first().map(|part| part.element.from()) else { return Ok(()) };
         if distance(from, start) <= SAME_POINT {
             return Ok(());
         }
-        let beside =
-            self.finishing.beside(start).ok_or_else(|| Failure::of(codes::G3048::there_is_no_room_beside_start()))?;
+        let beside = self.finishing.beside(start).ok_or_else(codes::G3048::there_is_no_room_beside_start)?;
         let ways =
             [vec![beside], vec![Point2::new(from.x, beside.y), beside], vec![Point2::new(beside.x, from.y), beside]];
         let Some(way) = ways.iter().find(|way| self.is_free(from, way)) else {
-            return Err(Failure::of(codes::G3048::tool_cannot_travel_from_where_it_stands()));
+            return Err(codes::G3048::tool_cannot_travel_from_where_it_stands());
         };
         let Some(way) = ways.iter().find(|way| self.is_free(from, way) && !self.passes_blank(from, way)) else {
-            return Err(Failure::of(codes::G3048::rapid_approach_to_x_z_leads_through(
+            return Err(codes::G3048::rapid_approach_to_x_z_leads_through(
                 &(2.0 * way.last().map_or(0.0, |to| to.y)),
                 &way.last().map_or(0.0, |to| to.x),
-            )));
+            ));
         };
         for to in way {
             self.track.rapid(*to);
@@ -140,14 +138,11 @@ impl Cutter<'_> {
         way.iter().any(|to| self.finishing.through_blank(std::mem::replace(&mut at, *to), *to))
     }
 
-    fn retract(&mut self, from: Point2) -> Result<(), Failure> {
+    fn retract(&mut self, from: Point2) -> Result<(), Fault> {
         if self.finishing.end == FinishingEnd::Stay {
             return Ok(());
         }
-        let beside = self
-            .finishing
-            .beside(self.track.at())
-            .ok_or_else(|| Failure::of(codes::G3048::there_is_no_room_beside_end()))?;
+        let beside = self.finishing.beside(self.track.at()).ok_or_else(codes::G3048::there_is_no_room_beside_end)?;
         self.track.line(beside, self.finishing.feed);
         let (to, way) = match self.finishing.end {
             FinishingEnd::Stay | FinishingEnd::Lift => return Ok(()),
@@ -160,7 +155,7 @@ impl Cutter<'_> {
             Way::ZThenX => vec![Point2::new(to.x, beside.y), to],
         };
         if !self.is_free(beside, &stops) {
-            return Err(Failure::of(codes::G3048::way_from_end_of_contour_to_end()));
+            return Err(codes::G3048::way_from_end_of_contour_to_end());
         }
         for stop in stops {
             match way {

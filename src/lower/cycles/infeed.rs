@@ -1,10 +1,8 @@
 //! How a depth is divided into cuts.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::parts;
 use crate::ir::cycle::thread::Infeed;
-
-use super::track::Failure;
 
 /// The depths of a series of cuts, each from the surface, increasing up to the whole depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,10 +83,10 @@ pub fn place(from: f64, to: f64, k: u64, steps: u64) -> f64 {
 ///
 /// # Errors
 /// G3040 more than `limit` cuts.
-pub fn heights(from: f64, to: f64, most: f64, limit: u64) -> Result<impl Iterator<Item = f64>, Failure> {
+pub fn heights(from: f64, to: f64, most: f64, limit: u64) -> Result<impl Iterator<Item = f64>, Fault> {
     let cuts = steps(from - to, most).max(1);
     if cuts > limit {
-        return Err(Failure::of(codes::G3040::infeed_makes_cuts(&cuts, &limit)));
+        return Err(codes::G3040::infeed_makes_cuts(&cuts, &limit));
     }
     Ok((1..=cuts).map(move |k| place(from, to, k, cuts)))
 }

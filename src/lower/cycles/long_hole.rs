@@ -1,18 +1,15 @@
 //! Long holes: down at one end, along, down at the other end, and back.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::ir::cycle::milling::Place;
 use crate::ir::cycle::{Family, LongHole};
 
 use super::cutter::Cutter;
-use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 
 impl Expand for LongHole {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
-        self.check().map_err(|fault| {
-            Failure::new(codes::G3321, fault.to_string(), "check the sizes of the long hole and the data of the cutter")
-        })?;
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
+        self.check().map_err(|fault| codes::G3321::long_hole_makes_no_path(&fault))?;
         let levels = self.mill.heights.levels();
         let holes = self.in_order(start.at.in_plane(self.mill.plane));
         let mut cutter = Cutter::new(&self.mill, Place::HERE, start, out);

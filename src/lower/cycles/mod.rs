@@ -31,14 +31,14 @@ pub mod valley;
 
 use std::rc::Rc;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Diagnostic, Fault, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Ctx, CtxRef, Move, Sink};
 use crate::ir::cycle::{Cycle, families};
 use crate::ir::{Compensation, Function, Origin, Pos, Tap};
 use crate::machine::Axis;
 
-use track::{Failure, Stroke};
+use track::Stroke;
 
 /// What a cycle is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,7 +64,7 @@ pub trait Expand {
     ///
     /// # Errors
     /// Arguments that describe no safe path.
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure>;
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault>;
 }
 
 impl Start {
@@ -72,8 +72,8 @@ impl Start {
     ///
     /// # Errors
     /// G3043 where they are not known.
-    fn in_turning_plane(&self) -> Result<Point2, Failure> {
-        self.at.in_plane(Plane::Zx).ok_or_else(|| Failure::of(codes::G3043::cycle_starts_where_tool_stands()))
+    fn in_turning_plane(&self) -> Result<Point2, Fault> {
+        self.at.in_plane(Plane::Zx).ok_or_else(codes::G3043::cycle_starts_where_tool_stands)
     }
 }
 
@@ -121,16 +121,13 @@ pub fn expand(
             out.tap(&tap, ctx, origin);
         }
     };
-    expand_family(cycle, &start, &mut send).map_err(|failure| {
-        let found = Diagnostic::new(failure.code, origin.loc, failure.message);
-        Box::new(found.called(origin.call).help(failure.help))
-    })?;
+    expand_family(cycle, &start, &mut send).map_err(|fault| Box::new(super::at(*origin, fault)))?;
     Ok(cuts)
 }
 
 macro_rules! expand_family {
     ($($family:ident($arguments:ty),)*) => {
-        fn expand_family(cycle: &Cycle, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+        fn expand_family(cycle: &Cycle, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
             match cycle {
                 $(Cycle::$family(cycle) => Expand::expand(cycle, start, out),)*
             }

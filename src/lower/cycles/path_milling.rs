@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::soft::Touch;
 use crate::geo::{Element, Point2, Vec2, arc, distance, gap, left};
 use crate::ir::compensation::{Compensation, FeedAt};
@@ -14,7 +14,6 @@ use crate::ir::cycle::{Family, PathMilling};
 use crate::ir::{Feed, Side};
 
 use super::cutter::{Beside, Cutter, Way};
-use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 
 /// Points closer than this are one, mm.
@@ -23,9 +22,8 @@ const SAME: f64 = 1e-6;
 const NEARER: f64 = 2e-3;
 
 impl Expand for PathMilling {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
-        let help = "check the contour, and the data of its approach";
-        self.check().map_err(|fault| Failure::new(codes::G3331, fault.to_string(), help))?;
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
+        self.check().map_err(|fault| codes::G3331::contour_makes_no_path(&fault))?;
         let levels = self.levels();
         let back = (self.alternates && levels.len() > 1).then(|| self.backwards());
         let Some(forth) = Travel::along(self) else { return Ok(()) };
@@ -54,7 +52,7 @@ impl Expand for PathMilling {
 
 impl PathMilling {
     /// The soft ways themselves must keep their distance from all of the contour.
-    fn ways_are_free(&self, comes: &Touch, goes: &Touch) -> Result<(), Failure> {
+    fn ways_are_free(&self, comes: &Touch, goes: &Touch) -> Result<(), Fault> {
         let (Some(first), Some(last)) = (self.contour.first(), self.contour.last()) else { return Ok(()) };
         if self.side == Side::None {
             return Ok(());
@@ -76,7 +74,7 @@ impl PathMilling {
             };
             let least = self.distance() - NEARER;
             if self.contour.iter().any(|element| gap::between(&way, element) < least) {
-                return Err(Failure::of(codes::G3331::way_to_contour()));
+                return Err(codes::G3331::way_to_contour());
             }
         }
         Ok(())
@@ -97,7 +95,7 @@ impl PathMilling {
     }
 
     /// The straight way back must keep its distance from the contour.
-    fn back_is_free(&self, comes: &Touch, goes: &Touch) -> Result<(), Failure> {
+    fn back_is_free(&self, comes: &Touch, goes: &Touch) -> Result<(), Fault> {
         let (from, to) = (goes.centre, comes.centre);
         if !self.goes_back_deep() || distance(from, to) <= SAME {
             return Ok(());
@@ -108,7 +106,7 @@ impl PathMilling {
         if free {
             return Ok(());
         }
-        Err(Failure::of(codes::G3331::straight_way_back_to_start_of_contour()))
+        Err(codes::G3331::straight_way_back_to_start_of_contour())
     }
 }
 

@@ -1,6 +1,6 @@
 //! Ruled surfaces: row beside row, each a straight line in space, joined along the edges.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::Element;
 use crate::ir::Feed;
 use crate::ir::cycle::milling::Place;
@@ -8,14 +8,11 @@ use crate::ir::cycle::ruled::Corner;
 use crate::ir::cycle::{Family, Ruled};
 
 use super::cutter::Cutter;
-use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 
 impl Expand for Ruled {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
-        self.check().map_err(|fault| {
-            Failure::new(codes::G3331, fault.to_string(), "check the corners of the surface and the data of the cutter")
-        })?;
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
+        self.check().map_err(|fault| codes::G3331::surface_makes_no_path(&fault))?;
         let [mut at, _] = self.row(0);
         let mut cutter = Cutter::new(&self.mill, Place::HERE, start, out);
         cutter.approach(at.at);

@@ -1,22 +1,19 @@
 //! Spigots: beside the blank to the level, on a semicircle to the circuit, round, and on a semicircle away.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::{Element, Point2};
 use crate::ir::Feed;
 use crate::ir::cycle::{Family, Spigot};
 
 use super::cutter::Cutter;
-use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 
 /// Where the tool goes down nearer to its circuit than this, it goes straight to it, mm.
 const LEAST_APPROACH: f64 = 2e-3;
 
 impl Expand for Spigot {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
-        self.check().map_err(|fault| {
-            Failure::new(codes::G3331, fault.to_string(), "check the sizes of the spigot and the data of the cutter")
-        })?;
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
+        self.check().map_err(|fault| codes::G3331::spigot_makes_no_path(&fault))?;
         let entry = self.entry();
         let circuits: Vec<Circuit> = self.distances().into_iter().map(|distance| self.at(distance)).collect();
         let feed = self.mill.feeds.plane;

@@ -7,20 +7,20 @@
 //!     ├────────────►════════════════►────┘
 //! ```
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::Point2;
 use crate::ir::cycle::Family;
 use crate::ir::cycle::thread::{Flank, Thread};
 
 use super::infeed::Series;
-use super::track::{Failure, Strokes, Track, View};
+use super::track::{Strokes, Track, View};
 use super::{CycleItem, Expand, Start};
 
 /// Most cuts of one thread.
 const MOST_CUTS: u64 = 100_000;
 
 impl Expand for Thread {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
         expand(self, start.in_turning_plane()?, &mut |stroke| out(stroke.part()))
     }
 }
@@ -29,14 +29,14 @@ impl Expand for Thread {
 ///
 /// # Errors
 /// G3040 too many cuts, G3041 bad arguments, G3042 a flank offset longer than the way it uses up.
-pub fn expand<'a>(thread: &Thread, from: Point2, out: &'a mut Strokes<'a>) -> Result<(), Failure> {
-    thread.check().map_err(|fault| Failure::new(codes::G3041, fault.to_string(), "correct the thread data"))?;
+pub fn expand<'a>(thread: &Thread, from: Point2, out: &'a mut Strokes<'a>) -> Result<(), Fault> {
+    thread.check().map_err(|fault| codes::G3041::thread_makes_no_path(&fault))?;
     let line = Line::of(thread);
     let series = Series::new(thread.infeed, thread.depth - thread.finish);
     let passes = Passes { thread, series };
     let cuts = passes.count().saturating_mul(u64::from(thread.starts));
     if cuts > MOST_CUTS {
-        return Err(Failure::of(codes::G3040::infeed_makes_cuts_of_this_thread(&cuts, &MOST_CUTS)));
+        return Err(codes::G3040::infeed_makes_cuts_of_this_thread(&cuts, &MOST_CUTS));
     }
     check_shifts(&passes, &line)?;
 
@@ -46,7 +46,7 @@ pub fn expand<'a>(thread: &Thread, from: Point2, out: &'a mut Strokes<'a>) -> Re
     let first = line.before(thread.run_in - passes.shift(1) + thread.start_angle.0 / 360.0 * line.first_lead());
     let stands = view.point(from);
     if stands.y < retract - 1e-9 && stands.x > line.start.x + 1e-9 {
-        return Err(Failure::of(codes::G3046::tool_stands_beside_thread_at_its_height()));
+        return Err(codes::G3046::tool_stands_beside_thread_at_its_height());
     }
     let mut track = Track::new(view, from, out);
     // Whoever stands higher than the way back stays there until the start is reached.
@@ -111,7 +111,7 @@ impl Passes<'_> {
 }
 
 /// A shift ahead uses up run-in, one behind uses up run-out and the last part.
-fn check_shifts(passes: &Passes<'_>, line: &Line) -> Result<(), Failure> {
+fn check_shifts(passes: &Passes<'_>, line: &Line) -> Result<(), Fault> {
     let (mut ahead, mut behind) = (0.0_f64, 0.0_f64);
     for k in 1..=passes.count() {
         ahead = ahead.max(passes.shift(k));
@@ -119,10 +119,10 @@ fn check_shifts(passes: &Passes<'_>, line: &Line) -> Result<(), Failure> {
     }
     let thread = passes.thread;
     if ahead > thread.run_in {
-        return Err(Failure::of(codes::G3042::flank_infeed_starts_cut_mm_ahead(&ahead, &thread.run_in)));
+        return Err(codes::G3042::flank_infeed_starts_cut_mm_ahead(&ahead, &thread.run_in));
     }
     if behind >= thread.run_out + line.last_length() {
-        return Err(Failure::of(codes::G3042::flank_infeed_ends_cut_mm_early(&behind)));
+        return Err(codes::G3042::flank_infeed_ends_cut_mm_early(&behind));
     }
     Ok(())
 }
@@ -384,7 +384,7 @@ mod tests {
 
     #[test]
     fn refused_threads() {
-        let code = |thread: Thread| expand(&thread, Point2::origin(), &mut |_| ()).expect_err("refused").code.id;
+        let code = |thread: Thread| expand(&thread, Point2::origin(), &mut |_| ()).expect_err("refused").raised.code.id;
         assert_eq!(code(Thread { infeed: Infeed::Equal { most: 1e-9 }, ..m20() }), "G3040");
         assert_eq!(code(Thread { infeed: Infeed::ConstantArea { first: 1e-300 }, ..m20() }), "G3040");
         assert_eq!(code(Thread { air_cuts: u32::MAX, starts: u32::MAX, ..m20() }), "G3040");
@@ -398,7 +398,7 @@ mod tests {
         // The first cut is 0.3 mm deep: 0.62 mm above the bottom, behind by 0.62 * tan(angle). The run-out is 1 mm.
         let cut = |parts: &[ThreadPart], angle: f64| {
             let thread = Thread { parts: parts.to_vec(), flank: Flank::Behind { angle: Deg(angle) }, ..m20() };
-            expand(&thread, thread.park, &mut |_| ()).map_err(|failure| failure.code.id)
+            expand(&thread, thread.park, &mut |_| ()).map_err(|fault| fault.raised.code.id)
         };
         let part = |z: f64| ThreadPart { end: Point2::new(z, 10.0), lead: 1.5 };
         // 25 mm and 1 mm: 23.7 mm go, 27.3 mm do not.

@@ -1,20 +1,17 @@
 //! Thread milling: a semicircle to the helix, whole turns, and a semicircle from it; holes and countersinks around.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::{Element, Point2, arc};
 use crate::ir::Feed;
 use crate::ir::cycle::thread_milling::{Helix, Positioning, Side, Sink, Stage};
 use crate::ir::cycle::{Family, ThreadMilling};
 
 use super::cutter::Cutter;
-use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 
 impl Expand for ThreadMilling {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
-        self.check().map_err(|fault| {
-            Failure::new(codes::G3331, fault.to_string(), "check the sizes of the thread and the data of the cutter")
-        })?;
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
+        self.check().map_err(|fault| codes::G3331::thread_makes_no_path(&fault))?;
         let mut cutter = Cutter::new(&self.mill, self.place, start, out);
         let entry = self.entry();
         let home = if self.side == Side::Internal { Point2::origin() } else { entry };
@@ -55,7 +52,7 @@ impl ThreadMilling {
         }
     }
 
-    fn make(&self, stages: &[Stage], start: &Start, cutter: &mut Cutter<'_>) -> Result<(), Failure> {
+    fn make(&self, stages: &[Stage], start: &Start, cutter: &mut Cutter<'_>) -> Result<(), Fault> {
         for stage in stages {
             match stage {
                 Stage::Drill(hole) => cutter.drill(hole, start)?,

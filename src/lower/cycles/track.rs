@@ -1,7 +1,6 @@
 //! What a turning cycle is made of: strokes in the plane of Z and X, and the view in which a cycle is
 //! computed.
 
-use crate::diag::{Code, Fault, Help};
 use crate::geo::{Element, Plane, Point2, Vec2};
 use crate::ir::contour::{self, ArcShape, Coords};
 use crate::ir::cycle::turning::Towards;
@@ -30,26 +29,6 @@ pub enum Path {
     Line { feed: Feed },
     Arc { center: Point2, ccw: bool, feed: Feed },
     Thread { lead: f64, along: Axis },
-}
-
-/// Why a cycle makes no path: code, message, and what to do.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Failure {
-    pub code: &'static Code,
-    pub message: String,
-    pub help: Help,
-}
-
-impl Failure {
-    pub fn new(code: &'static Code, message: impl Into<String>, help: &'static str) -> Failure {
-        Failure { code, message: message.into(), help: help.into() }
-    }
-
-    /// A fault of the catalogue that says what to do.
-    pub fn of(fault: Fault) -> Failure {
-        let help = fault.help.unwrap_or_else(|| "".into());
-        Failure { code: fault.raised.code, message: fault.message, help }
-    }
 }
 
 /// Takes the strokes of a cycle.

@@ -6,7 +6,7 @@
 
 mod nose;
 
-use crate::diag::codes;
+use crate::diag::{self, codes};
 use crate::geo::undercut::{Allowance, Corner, Fault, Frame, Placed, Reference, Shape, place};
 use crate::geo::{Deg, Element, Plane, Point2, Vec2, gap, parts};
 use crate::ir::contour::{self, ArcShape, Coords, Move, Path};
@@ -14,7 +14,6 @@ use crate::ir::cycle::Family;
 use crate::ir::cycle::undercut::{Leave, UndercutCycle, UndercutFault};
 use crate::ir::{Pos, Side};
 
-use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 
 /// Most depth steps.
@@ -29,7 +28,7 @@ const LEAST_FACE: f64 = 0.01;
 const LONG: f64 = 1e4;
 
 impl Expand for UndercutCycle {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), diag::Fault> {
         expand(self, start.in_turning_plane()?, &mut |mv| out(CycleItem::Move(*mv)))
     }
 }
@@ -39,7 +38,7 @@ impl Expand for UndercutCycle {
 /// # Errors
 /// G3041 for arguments that make no undercut, G3040 for too many steps, G3046 for a start behind the face, G3048 where
 /// the tool cannot leave the face, G3049 for a nose that does not fit.
-pub fn expand(cycle: &UndercutCycle, from: Point2, out: &mut dyn FnMut(&Move)) -> Result<(), Failure> {
+pub fn expand(cycle: &UndercutCycle, from: Point2, out: &mut dyn FnMut(&Move)) -> Result<(), diag::Fault> {
     cycle.check().map_err(fault)?;
     let mut cuts = Vec::new();
     for step in steps(cycle)? {
@@ -49,7 +48,7 @@ pub fn expand(cycle: &UndercutCycle, from: Point2, out: &mut dyn FnMut(&Move)) -
     let start = frame.inward(from);
     let radius = cycle.nose.radius;
     if start.x - cycle.tip().x - radius < -SLACK {
-        return Err(Failure::of(codes::G3046::tool_stands_behind_face_of_undercut()));
+        return Err(codes::G3046::tool_stands_behind_face_of_undercut());
     }
     let mut path = Track { frame, cycle, out };
     let top = top(cycle, &cuts, start);
@@ -76,8 +75,8 @@ fn top(cycle: &UndercutCycle, cuts: &[Cut], start: Point2) -> f64 {
     (highest + cycle.clearance).min(centre.max(highest)).max(start.y)
 }
 
-fn fault(fault: UndercutFault) -> Failure {
-    Failure::new(codes::G3041, fault.to_string(), "check the data of the undercut cycle")
+fn fault(fault: UndercutFault) -> diag::Fault {
+    codes::G3041::undercut_makes_no_path(&fault)
 }
 
 /// One cut: its shape, how far it is moved out of the material, and whether it makes the finished undercut.
@@ -88,7 +87,7 @@ struct Step {
 }
 
 /// The cuts, the shallowest first.
-fn steps(cycle: &UndercutCycle) -> Result<Vec<Step>, Failure> {
+fn steps(cycle: &UndercutCycle) -> Result<Vec<Step>, diag::Fault> {
     let mut list = Vec::new();
     // Without an allowance the last step is the finished undercut.
     let nothing_left = cycle.leave.is_nothing();
@@ -97,7 +96,7 @@ fn steps(cycle: &UndercutCycle) -> Result<Vec<Step>, Failure> {
         let depth = shape.depth();
         let count = parts::count(depth, step).max(1.0);
         if count > MOST_STEPS {
-            return Err(Failure::of(codes::G3040::undercut_takes_cuts_of_mm(&count, &step)));
+            return Err(codes::G3040::undercut_takes_cuts_of_mm(&count, &step));
         }
         let count = count as u32;
         list.extend((1..=count).map(|i| {
@@ -168,7 +167,7 @@ struct Outline {
     slope: Vec2,
 }
 
-fn cut(cycle: &UndercutCycle, step: &Step) -> Result<Cut, Failure> {
+fn cut(cycle: &UndercutCycle, step: &Step) -> Result<Cut, diag::Fault> {
     let outline = outline(cycle, step)?;
     let elements = if cycle.compensated {
         // The receiver leads the nose to the slope on a straight line: a way on its extension, clear of the cylinder.
@@ -184,7 +183,7 @@ fn cut(cycle: &UndercutCycle, step: &Step) -> Result<Cut, Failure> {
     Ok(cut)
 }
 
-fn outline(cycle: &UndercutCycle, step: &Step) -> Result<Outline, Failure> {
+fn outline(cycle: &UndercutCycle, step: &Step) -> Result<Outline, diag::Fault> {
     let allowance = cycle.allowance;
     let at = Point2::new(allowance.other, allowance.reference) + step.moved;
     let corner = Corner { from: at + Vec2::new(LONG, 0.0), at, to: at + Vec2::new(0.0, LONG) };
@@ -227,7 +226,7 @@ fn outline(cycle: &UndercutCycle, step: &Step) -> Result<Outline, Failure> {
 ///
 /// # Errors
 /// G3048 where the undercut is in every way.
-fn lift(cycle: &UndercutCycle, outline: &Outline, cut: &Cut) -> Result<Vec2, Failure> {
+fn lift(cycle: &UndercutCycle, outline: &Outline, cut: &Cut) -> Result<Vec2, diag::Fault> {
     let radius = if cycle.compensated { 0.0 } else { cycle.nose.radius };
     let center = cut.end() - cycle.tip();
     let cylinder = Element::Line { from: outline.begin, to: outline.begin + Vec2::new(LONG, 0.0) };
@@ -243,7 +242,7 @@ fn lift(cycle: &UndercutCycle, outline: &Outline, cut: &Cut) -> Result<Vec2, Fai
         let clear = part.iter().all(|element| gap::between(&way, element) > (radius - NEAR).max(NEAR));
         clear && path.iter().all(|element| gap::between(&way.shifted(cycle.tip()), element) > NEAR)
     };
-    ways.into_iter().find(free).ok_or_else(|| Failure::of(codes::G3048::there_is_no_room_between_end()))
+    ways.into_iter().find(free).ok_or_else(codes::G3048::there_is_no_room_between_end)
 }
 
 struct Track<'a> {
@@ -425,7 +424,7 @@ mod tests {
         let size = *Undercuts::default().size(0.6, 0.3).expect("a size");
         let e = cycle(form_e(&size), 1, -75.0, 32.5);
         let code = |cycle: UndercutCycle, z: f64| {
-            expand(&cycle, Point2::new(z, 50.0), &mut |_| ()).expect_err("refused").code.id
+            expand(&cycle, Point2::new(z, 50.0), &mut |_| ()).expect_err("refused").raised.code.id
         };
         assert_eq!(code(e, -80.0), "G3046");
         assert_eq!(code(UndercutCycle { clearance: 0.0, ..e }, 0.0), "G3041");

@@ -1,12 +1,10 @@
 //! A groove as a recessing tool sees it: between two walls that fall to one floor.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::offset::shifted;
 use crate::geo::profile::Leg;
 use crate::geo::wall::{NoWall, Wall, quarters};
 use crate::geo::{Element, Point2, Vec2, left};
-
-use super::track::Failure;
 
 /// Heights closer than this belong to the floor, mm: half a unit of the fourth decimal is far more.
 const LEVEL: f64 = 1e-6;
@@ -52,17 +50,12 @@ pub enum NoValley {
 
 impl NoValley {
     /// Why a contour is not one recess or groove, as its cycle calls it.
-    pub fn refused(self, name: &str) -> Failure {
-        let message = match self {
-            NoValley::Waves => {
-                format!("the contour is not one {name}: it has to fall to its floor and rise again, only once")
-            }
-            NoValley::Leans => format!("a wall of the {name} leans over, so that the tool cannot reach behind it"),
-            NoValley::Open => {
-                format!("the contour begins or ends at the floor of the {name}: one of its walls is missing")
-            }
-        };
-        Failure::new(codes::G3044, message, "describe it from rim to rim, seen from the tool")
+    pub fn refused(self, name: &str) -> Fault {
+        match self {
+            NoValley::Waves => codes::G3044::contour_is_not_one(&name),
+            NoValley::Leans => codes::G3044::wall_leans_over(&name),
+            NoValley::Open => codes::G3044::contour_begins_or_ends_at_floor(&name),
+        }
     }
 }
 

@@ -8,14 +8,14 @@ mod way;
 
 use core::f64::consts::TAU;
 
-use crate::diag::{Answer, Code, Diagnostic, Help, codes};
+use crate::diag::{Answer, Diagnostic, Fault, codes};
 use crate::geo::{Plane, Point2, distance, turned};
 use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::transformation::Surface;
 use crate::ir::{Ask, Feed, Origin, Pos, Side, Transformation};
 use crate::machine::{Axis, AxisSet};
 
-use super::raised_at;
+use super::at;
 use way::Way;
 
 /// How far the way of the machine may leave the programmed one, in mm.
@@ -108,40 +108,21 @@ impl Transformer {
     fn admit(&self, mv: &Move, origin: &Origin) -> Result<(), Box<Diagnostic>> {
         let rotary = self.by.rotary;
         let made = [Axis::X, Axis::Y, rotary];
-        let (what, help) = if mv.axes.contains(rotary) {
-            (format!("{} is moved by the transformation and by this block", rotary.letter()), "program X and Y".into())
+        let fault = if mv.axes.contains(rotary) {
+            codes::G3339::is_moved_by_transformation_and_block(&rotary.letter())
         } else if mv.machine && mv.axes.iter().any(|axis| made.contains(&axis)) {
-            (
-                "a place of the machine is approached inside the transformation".to_owned(),
-                Help::from("end the transformation first"),
-            )
+            codes::G3339::place_of_machine_is_approached()
         } else if mv.side != Side::None {
-            let help = "leave `[output] compensation` at \"resolve\"";
-            let help = Answer::key("output", "compensation").one_of(&["\"resolve\""]).help(help);
-            ("the target cannot compensate the tool inside the transformation".to_owned(), help)
+            let resolve = Answer::key("output", "compensation").one_of(&["\"resolve\""]);
+            codes::G3339::target_cannot_compensate_tool().answer(resolve)
         } else if matches!(mv.path, Path::Thread { .. }) {
-            ("a thread in step with the spindle".to_owned(), "cut the thread outside of the transformation".into())
+            codes::G3339::thread_in_step_with_spindle()
         } else if let Some(Feed::PerRevolution(_)) = mv.path.feed() {
-            let what = "the feed counts turns of the first spindle, which the transformation turns as an axis";
-            (what.to_owned(), "program a feed per minute (G94), or make the driven spindle the master".into())
+            codes::G3339::feed_counts_turns_of_first_spindle()
         } else {
             return Ok(());
         };
-        Err(refusal(codes::G3339, origin, what, help))
-    }
-
-    /// The start is not known, and the move depends on it.
-    fn no_start(&self, origin: &Origin) -> Box<Diagnostic> {
-        let what = "this block cuts from a place that is not known inside the transformation";
-        let help = "position the tool before it by G0 with X and Y (on a mantle Y), or the rotary axis before the \
-                    transformation";
-        refusal(codes::G3338, origin, what.to_owned(), help)
-    }
-
-    /// An axis of which the end of the move depends is not known.
-    fn no_end(&self, origin: &Origin, axes: &str) -> Box<Diagnostic> {
-        let what = format!("where this block leads depends on {axes}, and one of them is not known");
-        refusal(codes::G3338, origin, what, "program both in this block or before it")
+        refuse(origin, fault)
     }
 
     // The face.
@@ -159,17 +140,16 @@ impl Transformer {
             }
             return Ok(());
         }
-        let Some(to) = to else { return Err(self.no_end(origin, "X and Y")) };
+        let Some(to) = to else { return refuse(origin, codes::G3338::where_this_block_leads_depends()) };
         if !mv.axes.without(AxisSet::MAIN).is_empty() {
-            let help = "move it in a block of its own";
-            return Err(refusal(codes::G3339, origin, "another axis moves together with X and Y".to_owned(), help));
+            return refuse(origin, codes::G3339::another_axis_moves_together(&"X and Y"));
         }
         let started = from.filter(|_| mv.axes.iter().all(|axis| self.at.get(axis).is_some())).zip(self.angle);
         let Some((_, angle)) = started else {
             return match mv.path {
                 Path::Rapid => self.arrive(mv, to, origin, out),
                 Path::Line(_) | Path::Arc(..) | Path::Carried { .. } | Path::Thread { .. } => {
-                    Err(self.no_start(origin))
+                    refuse(origin, codes::G3338::this_block_cuts_from_place_not_known())
                 }
             };
         };
@@ -183,8 +163,7 @@ impl Transformer {
         }
         pole_is_far(way.closest(), self.by.at_pole, origin)?;
         let Some(parts) = way.parts(TOLERANCE, MOST_PARTS) else {
-            let help = "keep the way farther from the axis of rotation, or divide it";
-            return Err(refusal(codes::G3339, origin, format!("this way takes more than {MOST_PARTS} parts"), help));
+            return refuse(origin, codes::G3339::this_way_takes_more_parts(&MOST_PARTS));
         };
         let mut angle = angle;
         for part in 1..=parts {
@@ -253,12 +232,11 @@ impl Transformer {
             return Ok(());
         }
         if !mv.axes.without(AxisSet::MAIN).is_empty() {
-            let help = "move it in a block of its own";
-            return Err(refusal(codes::G3339, origin, "another axis moves together with Y".to_owned(), help));
+            return refuse(origin, codes::G3339::another_axis_moves_together(&"Y"));
         }
         let cuts = !matches!(mv.path, Path::Rapid);
         if cuts && mv.axes.iter().any(|axis| self.at.get(axis).is_none()) {
-            return Err(self.no_start(origin));
+            return refuse(origin, codes::G3338::this_block_cuts_from_place_not_known());
         }
         let way = Way::new(&self.at, mv);
         // In the plane of the unrolled mantle the axes go straight: a line is one part, an arc has its chords.
@@ -320,12 +298,11 @@ fn pole_is_far(closest: f64, ask: &Ask, origin: &Origin) -> Result<(), Box<Diagn
     if closest >= POLE {
         return Ok(());
     }
-    let what = format!("the way passes the axis of rotation at {closest:.4} mm: the workpiece would turn over at once");
-    Err(refusal(codes::G3337, origin, what, ask.help()))
+    refuse(origin, codes::G3337::way_passes_axis_of_rotation(&closest).help(ask.help()))
 }
 
-fn refusal(code: &'static Code, origin: &Origin, what: String, help: impl Into<Help>) -> Box<Diagnostic> {
-    Box::new(raised_at(code, *origin, what).help(help))
+fn refuse(origin: &Origin, fault: Fault) -> Result<(), Box<Diagnostic>> {
+    Err(Box::new(at(*origin, fault)))
 }
 
 /// A point that `arc` reaches at a share of its sweep.

@@ -112,10 +112,10 @@ impl Position {
         self.start.position()
     }
 
-    /// What to do where an axis is not known: `usual`, and the key where it would say it.
-    pub fn help(&self, axis: Axis, usual: &str) -> Help {
+    /// What else to do where an axis is not known, as a help goes on: the key that would say it.
+    pub fn or_say(&self, axis: Axis) -> Help {
         let changed = matches!(self.hidden.of(axis), Some((By::ToolChange, _)));
-        self.start.help(axis, usual, changed)
+        self.start.or_say(axis, changed)
     }
 
     /// What hid where the axis stands, and the block that did.
@@ -525,11 +525,11 @@ mod tests {
     #[test]
     fn the_help_names_the_start_only_while_it_could_help() {
         let mut position = nowhere();
-        assert!(position.help(Axis::X, "write X").text.contains("[start]"));
+        assert!(position.or_say(Axis::X).text.contains("[start]"));
         position.move_to(&at(&[(Axis::X, 1.0)]));
-        assert_eq!(position.help(Axis::X, "write X").text, "write X");
+        assert_eq!(position.or_say(Axis::X).text, "");
         position.leave_start(AxisSet::of(Axis::Z));
-        assert_eq!(position.help(Axis::Z, "write Z").text, "write Z");
+        assert_eq!(position.or_say(Axis::Z).text, "");
     }
 
     #[test]

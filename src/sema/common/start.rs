@@ -3,7 +3,7 @@
 //! The positions are those that the program would write there: they count in the work offset that is selected before
 //! the axis moves. What changes the tip of the tool, or moves the axis in machine coordinates, ends them.
 
-use crate::diag::{Answer, Help};
+use crate::diag::{Answer, Help, codes};
 use crate::ir::Pos;
 use crate::machine::{Axis, AxisSet, Settings};
 
@@ -77,29 +77,23 @@ impl Start {
         self.touch(self.at.known());
     }
 
-    /// What to do where the position of an axis is not known: `usual`, and the key where it would say it; `changed`: because the
-    /// tool was changed.
-    pub fn help(&self, axis: Axis, usual: &str, changed: bool) -> Help {
+    /// What else to do where the position of an axis is not known, as a help goes on: the key that would say it; `changed`: because
+    /// the tool was changed.
+    pub fn or_say(&self, axis: Axis, changed: bool) -> Help {
         let letter = axis.letter();
-        let mut text = usual.to_owned();
-        if self.changed.contains(axis) {
-            text = format!(
-                "{usual}: `[start]` says {letter} of the tool before the first tool call, and the tip of another one stands elsewhere"
-            );
-        }
+        let of_another = if self.changed.contains(axis) {
+            codes::P2001::start_says_it_of_tool_before(&letter)
+        } else {
+            String::new()
+        };
+        let help = Help::from(of_another);
         if changed && self.after.get(axis).is_none() {
-            text.push_str(&format!(
-                "; or say in partc.toml which {letter} the control shows for the new tool when the change is over: `[machine] \
-                 after_tool_change = {{ {letter} = … }}`"
-            ));
-            return Answer::entry("machine", "after_tool_change", letter).help(text);
+            let key = Answer::entry("machine", "after_tool_change", letter);
+            return help.or(key.help(codes::P2001::or_say_where_it_stands_after_change(&letter)));
         }
         if changed || self.touched.contains(axis) {
-            return text.into();
+            return help;
         }
-        text.push_str(&format!(
-            ", or say in partc.toml where {letter} stands before the program: `[start]` with `{letter} = …`"
-        ));
-        Answer::key("start", letter).help(text)
+        help.or(Answer::key("start", letter).help(codes::P2001::or_say_where_it_stands_at_start(&letter)))
     }
 }

@@ -2,7 +2,7 @@
 
 use std::cell::{Cell, RefCell};
 
-use crate::diag::Fault;
+use crate::diag::{Fault, Label};
 use crate::machine::Settings;
 use crate::sema::run::Where;
 use crate::sema::{Outcome, Reported};
@@ -58,7 +58,7 @@ pub struct Elsewhere {
     pub place: Loc,
     pub fault: Fault,
     /// What the call is to it: "the cycle".
-    pub call: &'static str,
+    pub call: Label,
 }
 
 /// The arguments of a call, what they count under, and what is said of it.

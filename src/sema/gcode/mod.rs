@@ -11,7 +11,7 @@ mod survey;
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, Diagnostic, Fault, codes};
+use crate::diag::{Answer, Diagnostic, Fault, Help, Label, codes};
 use crate::geo::{Plane, Point2};
 use crate::ir::contour::{Arc, ArcShape, Coords, Ctx, CtxRef, Move, Path, Sink, Thread};
 use crate::ir::function::{PathControl, Spindle, Turn};
@@ -28,7 +28,7 @@ use line::{Line, is_blank, without};
 use self::place::stand;
 use super::common::hidden::{By, because};
 use super::common::start::Start;
-use super::run::{self, Interpreter, Language, Level, OffsetName, Parsed, Where, runs_on};
+use super::run::{self, Interpreter, Language, Level, OffsetName, Parsed, Where};
 use super::{Job, Outcome};
 
 pub use attempt::first_refused;
@@ -112,8 +112,6 @@ struct Run<'a> {
     lost: bool,
 }
 
-runs_on!(Run.core: Core);
-
 /// A control as it is switched on, and what the configuration says of it.
 fn reader(settings: &Settings, start: &Start) -> Reader {
     let mut reader = Reader::at_power_on();
@@ -164,7 +162,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     #[inline]
     fn execute(&mut self, line: &Line, text: &[u8]) {
-        if self.skips(line.skip) {
+        if self.core.skips(line.skip) {
             return;
         }
         for comment in &line.comments {
@@ -182,11 +180,11 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn end_of_file(&mut self) {
-        let loc = self.end_of_text();
-        self.here.origin.loc = loc;
-        self.stop_run();
-        if self.may_end_open("M2 or M30", "M30", None) {
-            self.report(codes::P1007::program_ends_without_m2_or_m30().at(loc));
+        let loc = self.core.end_of_text();
+        self.core.here.origin.loc = loc;
+        self.core.stop_run();
+        if self.core.may_end_open("M2 or M30", "M30", None) {
+            self.core.report(codes::P1007::program_ends_without_m2_or_m30().at(loc));
         }
         self.does(&Function::End { rewind: false });
     }
@@ -196,7 +194,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn finish(&mut self) {
-        self.report_no_change();
+        self.core.report_no_change();
     }
 }
 
@@ -233,8 +231,8 @@ impl Run<'_> {
         if number.is_empty() || !number.iter().all(u8::is_ascii_digit) {
             return false;
         }
-        let Loc { file, span, .. } = self.here.origin.loc;
-        let next = self.job.sources.bytes(file, Span { start: span.end, end: span.end.saturating_add(NEXT) });
+        let Loc { file, span, .. } = self.core.here.origin.loc;
+        let next = self.core.job.sources.bytes(file, Span { start: span.end, end: span.end.saturating_add(NEXT) });
         next.trim_ascii_start().get(..HEAD.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(HEAD))
     }
 
@@ -242,13 +240,17 @@ impl Run<'_> {
     fn is_program_number(&mut self, words: &[u8]) -> bool {
         let [b'O' | b'o', number @ ..] = words.trim_ascii() else { return false };
         let is_number = !number.is_empty() && number.iter().all(u8::is_ascii_digit);
-        let is_head = self.here.origin.loc.line <= HEAD_LINES && self.job.settings.machine.kind == MachineKind::Mill;
+        let is_head =
+            self.core.here.origin.loc.line <= HEAD_LINES && self.core.job.settings.machine.kind == MachineKind::Mill;
         if !is_number || !is_head {
             return false;
         }
-        self.report(
-            codes::R1005::program_number_of_fanuc_control(&String::from_utf8_lossy(words.trim_ascii()))
-                .at(self.here.origin.loc),
+        self.core.report(
+            codes::R1005::program_number_of_fanuc_control(&String::from_utf8_lossy(words.trim_ascii())).at(self
+                .core
+                .here
+                .origin
+                .loc),
         );
         true
     }
@@ -262,21 +264,21 @@ impl Run<'_> {
         let Some((_, name)) = text.split_once(", target ") else { return };
         let name = name.trim();
         if Rules::of(name) != Rules::of("linuxcnc") {
-            let found = codes::R1003::this_program_was_printed_for_target(&name).at(self.here.origin.loc);
-            self.report(found.help("compile the program that it was made of for the target you need"));
-            self.stop_run();
+            let found = codes::R1003::this_program_was_printed_for_target(&name).at(self.core.here.origin.loc);
+            self.core.report(found.help("compile the program that it was made of for the target you need"));
+            self.core.stop_run();
         }
     }
 
     fn words(&mut self, line: &Line, text: &[u8]) -> Outcome {
         if line.is_broken {
-            let found = codes::R1001::line_break_stands_inside_of_this_line().at(self.here.origin.loc);
+            let found = codes::R1001::line_break_stands_inside_of_this_line().at(self.core.here.origin.loc);
             return self.give_up(found.help("save the file with one kind of line break"));
         }
         let before = *self.reader.modes();
         let words = &text[line.from..line.end];
         if words.trim_ascii_start().first() == Some(&b'%') && (line.skip.is_some() || !line.comments.is_empty()) {
-            let found = codes::R1001::has_to_stand_in_line().at(self.here.origin.loc);
+            let found = codes::R1001::has_to_stand_in_line().at(self.core.here.origin.loc);
             return self.give_up(found.help("write what stands beside it into another line"));
         }
         if matches!(words.trim_ascii_start().first(), Some(b'O' | b'o')) && self.is_program_number(&without(line, text))
@@ -303,12 +305,13 @@ impl Run<'_> {
                     Some(Lack::Place(axis)) if axis == Axis::Z.index() => self.changed.map(|loc| (By::ToolChange, loc)),
                     _ => None,
                 };
-                let why = because(at_change, self.here.origin.loc);
+                let why = because(at_change, self.core.here.origin.loc);
                 let usual = "partc reads plain G-code, without variables, calls and cycles: resolve them first, or name the \
                              language of the program with --dialect";
                 let help = match fault.lacks {
                     Some(Lack::Place(axis)) => {
-                        self.start.help(Axis::ALL[axis], "program an absolute position first", at_change.is_some())
+                        let usual = Help::from("program an absolute position first");
+                        usual.or(self.start.or_say(Axis::ALL[axis], at_change.is_some()))
                     }
                     Some(Lack::Unit) => {
                         Answer::key("control", "unit").help("write G21 or G20 first, or set `[control] unit`")
@@ -316,7 +319,7 @@ impl Run<'_> {
                     Some(Lack::Mode) | None => usual.to_owned().into(),
                 };
                 self.give_up(
-                    codes::R1001::this_line_cannot_be_read(&fault.why, &why).at(self.here.origin.loc).help(help),
+                    codes::R1001::this_line_cannot_be_read(&fault.why, &why).at(self.core.here.origin.loc).help(help),
                 )
             }
             Err(Refused::Words(found)) => self.give_up(*found),
@@ -327,9 +330,9 @@ impl Run<'_> {
     /// The second `%` ends the program, as it ended a tape: nothing behind it is read (RS274/NGC 3.1; rs274 does so, too).
     #[cold]
     fn close(&mut self) {
-        let loc = self.here.origin.loc;
-        self.stop_run();
-        self.report(codes::P1007::program_ends_at_its_second().at(loc));
+        let loc = self.core.here.origin.loc;
+        self.core.stop_run();
+        self.core.report(codes::P1007::program_ends_at_its_second().at(loc));
         self.does(&Function::End { rewind: false });
         let (sources, program) = (self.core.job.sources, self.core.program());
         let (file, cursor) = (program.source.file, &mut program.source.cursor);
@@ -339,13 +342,13 @@ impl Run<'_> {
             let span = Span { start: behind.at + start as u32, end: behind.at + end as u32 };
             let help = "delete it; or delete the `%` before it, if it belongs to the program";
             let found = codes::R1004::this_stands_after_that_ends_program().at(Loc { file, line: behind.line, span });
-            return self.report(found.help(help).also(loc, "the program ends here"));
+            return self.core.report(found.help(help).also(loc, Label::ProgramEnds));
         }
     }
 
     /// The line does nothing; the next one runs.
     fn give_up(&self, found: Diagnostic) -> Outcome {
-        self.report(found);
+        self.core.report(found);
         Err(super::Reported)
     }
 
@@ -368,7 +371,7 @@ impl Run<'_> {
         let changes = acts.contains(&Act::Change);
         for act in acts {
             self.act(act, changes)?;
-            if self.has_ended() {
+            if self.core.has_ended() {
                 break;
             }
         }
@@ -391,7 +394,7 @@ impl Run<'_> {
 
     /// G64 promises no bound, and the output has one where the target can say it.
     fn bounds_corners(&mut self) {
-        let settings = self.job.settings;
+        let settings = self.core.job.settings;
         let lathe = settings.machine.kind == MachineKind::Lathe;
         let printed = settings.output.path_control(Some(PathControl::Unbounded), lathe);
         let what = match printed {
@@ -399,7 +402,7 @@ impl Run<'_> {
             Some(PathControl::Exact) => "the output does not round corners off".to_owned(),
             Some(PathControl::Before(_) | PathControl::Unbounded) | None => return,
         };
-        self.say_once(self.block_span(), codes::R8001::g64_without_p_says_no_bound(&what));
+        self.core.say_once(self.core.block_span(), codes::R8001::g64_without_p_says_no_bound(&what));
     }
 
     /// The length of a tool counts from here on.
@@ -409,7 +412,7 @@ impl Run<'_> {
             // What the configuration says is said of the tool with its length.
             self.stand_after_change();
         }
-        if !self.job.settings.output.prints_tool_length() {
+        if !self.core.job.settings.output.prints_tool_length() {
             let with_length = Answer::key("output", "tool_length").one_of(&["\"G43\""]);
             return Err(self.refused(codes::R2001::output_has_no_tool_length(&number).answer(with_length)));
         }
@@ -421,7 +424,7 @@ impl Run<'_> {
 
     #[cold]
     fn refused(&self, fault: Fault) -> Refused {
-        Refused::Words(Box::new(fault.at(self.here.origin.loc)))
+        Refused::Words(Box::new(fault.at(self.core.here.origin.loc)))
     }
 
     /// Behind a tap the spindle turns on as before; said, unless the next act says what it does.
@@ -460,8 +463,8 @@ impl Run<'_> {
                 let places = self.stand_after_change();
                 self.core.stands_at(&places, &self.ctx);
             }
-            Act::M { number, .. } if !is_known(number) && !self.job.settings.output.pass_m.contains(&number) => {
-                let found = codes::P2007::m_means_what_builder_of_machine_wants(&number).at(self.here.origin.loc);
+            Act::M { number, .. } if !is_known(number) && !self.core.job.settings.output.pass_m.contains(&number) => {
+                let found = codes::P2007::m_means_what_builder_of_machine_wants(&number).at(self.core.here.origin.loc);
                 let help = Answer::pass_m(number)
                     .help(format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`"));
                 return Err(Refused::Words(Box::new(found.help(help))));
@@ -481,8 +484,8 @@ impl Run<'_> {
                         self.offset();
                     }
                     if let Function::End { .. } = function {
-                        self.end_is_whole();
-                        self.stop_run();
+                        self.core.end_is_whole();
+                        self.core.stop_run();
                     }
                 }
             }
@@ -530,7 +533,7 @@ impl Run<'_> {
             self.does(&function::cutter(cutter));
         }
         let with_length = self.reader.modes().length.is_some_and(|number| number != 0);
-        if self.job.settings.output.prints_tool_length()
+        if self.core.job.settings.output.prints_tool_length()
             && !mv.machine
             && !with_length
             && self.tool.is_some_and(|t| t != 0)
@@ -549,7 +552,7 @@ impl Run<'_> {
             read::Path::Thread(lead) => Path::Thread(Thread { lead: function::real(lead), along: None }),
             read::Path::Arc(arc) if arc.turns.unsigned_abs() > MOST_TURNS => {
                 let found =
-                    codes::R4001::arc_turns_times(&arc.turns.unsigned_abs(), &MOST_TURNS).at(self.here.origin.loc);
+                    codes::R4001::arc_turns_times(&arc.turns.unsigned_abs(), &MOST_TURNS).at(self.core.here.origin.loc);
                 return Err(Refused::Words(Box::new(found.help("check P, the number of turns"))));
             }
             read::Path::Arc(arc) => Path::Arc(shape(&arc)?, function::feed(&self.reader)?),

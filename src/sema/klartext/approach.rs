@@ -99,10 +99,10 @@ impl Run<'_> {
             None => (false, kind),
         };
         if !matches!(kind, "LT" | "LN" | "CT" | "LCT") || departs && polar && kind != "LCT" {
-            return self.refuse(span, codes::K9003::is_not_supported(&name));
+            return self.core.refuse(span, codes::K9003::is_not_supported(&name));
         }
         if kind == "LN" && !self.computes_path() {
-            return self.refuse(
+            return self.core.refuse(
                 span,
                 codes::K9003::is_not_supported_where_target_compensates(&name)
                     .answer(Answer::key("output", "compensation").one_of(&["\"resolve\""])),
@@ -127,7 +127,7 @@ impl Run<'_> {
 
     /// Takes LEN and CCA out of the words of the block.
     fn named_lengths(&mut self, block: &Block, text: &[u8], name: &str) -> Outcome<(Block, Option<f64>, Option<f64>)> {
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let (mut len, mut angle) = (None, None);
         let mut rest = block.clone();
         rest.words.clear();
@@ -160,7 +160,7 @@ impl Run<'_> {
         radius: Option<f64>,
         name: &str,
     ) -> Outcome<Shape> {
-        let span = self.block_span();
+        let span = self.core.block_span();
         let shape = match (kind, len, angle, radius) {
             ("LT", Some(length), None, None) if length > 0.0 => Shape::Line { length },
             ("LN", Some(length), None, None) if length > 0.0 => Shape::Normal { length },
@@ -174,7 +174,7 @@ impl Run<'_> {
                     "CT" => "CCA up to 360 degrees and R: `CCA90 R+10`",
                     _ => "R above zero: `R8`",
                 };
-                return self.refuse(span, codes::P1004::takes_its_size_from_other_words(&name, &form));
+                return self.core.refuse(span, codes::P1004::takes_its_size_from_other_words(&name, &form));
             }
         };
         Ok(shape)
@@ -186,13 +186,13 @@ impl Run<'_> {
         let (first, second, third) = plane.axes();
         let third = Axis::ALL[third];
         if !w.axes.known().without(plane_axes(plane)).without(AxisSet::of(third)).is_empty() {
-            return self.refuse(w.axes_span, codes::P1003::moves_axes_of_plane(&name));
+            return self.core.refuse(w.axes_span, codes::P1003::moves_axes_of_plane(&name));
         }
         let end = self.absolute(w)?;
         let to = if polar {
             let pole = self.pole(name)?;
             if pole.plane != plane {
-                return self.refuse(w.polar_radius_span, codes::K9003::about_pole_of_another_plane(&name));
+                return self.core.refuse(w.polar_radius_span, codes::K9003::about_pole_of_another_plane(&name));
             }
             let (radius, angle) = self.polar_words(w, &pole, name)?;
             self.keep_polar(radius, angle, &pole);
@@ -209,7 +209,7 @@ impl Run<'_> {
     fn forbid_scaling(&mut self, span: Span) -> Outcome {
         let scale = self.st.ctx.frame.uniform_scale();
         if scale.is_none_or(|scale| (scale - 1.0).abs() > SAME_DIRECTION) {
-            return self.refuse(span, codes::K9003::approach_or_departure_under_scaling_is_not());
+            return self.core.refuse(span, codes::K9003::approach_or_departure_under_scaling_is_not());
         }
         Ok(())
     }
@@ -228,7 +228,7 @@ impl Run<'_> {
         // On the side of the tool the contour lies outside the path of its centre, on the other side inside.
         let sent = radius + border.tool;
         if radius < 0.0 && sent >= 0.0 {
-            return self.refuse(self.block_span(), codes::K2605::radius_of_is_not_larger_than_tool(&name));
+            return self.core.refuse(self.core.block_span(), codes::K2605::radius_of_is_not_larger_than_tool(&name));
         }
         let ccw = border.left == (radius > 0.0);
         Ok(Circle { center: border.at + border.out * sent, radius: sent.abs(), ccw })

@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.3 to 2.5 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, arc, distance};
 use crate::ir::compensation::FeedAt;
 use crate::ir::contour::{Arc, ArcShape, Path};
@@ -24,14 +24,14 @@ impl Run<'_> {
             if self.st.polar.is_lost() {
                 return Err(Reported);
             }
-            self.report(codes::K2101::needs_circle_centre_or_pole(&function).at(self.here.origin.loc));
+            self.core.report(codes::K2101::needs_circle_centre_or_pole(&function).at(self.core.here.origin.loc));
             return Err(Reported);
         };
         if pole.system != self.st.frames.system() {
-            self.report(
+            self.core.report(
                 codes::K2108::coordinate_system_changed_since_cc_was_programmed()
-                    .at(self.here.origin.loc)
-                    .also(pole.set, "CC is programmed here"),
+                    .at(self.core.here.origin.loc)
+                    .also(pole.set, Label::PoleProgrammed),
             );
         }
         Ok(pole)
@@ -42,14 +42,14 @@ impl Run<'_> {
         let turn = match (w.turn, self.st.polar.turn()) {
             (Some(turn), _) => turn,
             (None, Some(turn)) => {
-                self.report(
+                self.core.report(
                     codes::K2103::without_dr_turns_as_last_dr_said(&function, &(if turn { "DR+" } else { "DR-" }))
-                        .at(self.here.origin.loc),
+                        .at(self.core.here.origin.loc),
                 );
                 turn
             }
             (None, None) => {
-                self.report(codes::K2104::without_dr_no_arc_before(&function).at(self.here.origin.loc));
+                self.core.report(codes::K2104::without_dr_no_arc_before(&function).at(self.core.here.origin.loc));
                 return Err(Reported);
             }
         };
@@ -60,9 +60,9 @@ impl Run<'_> {
     /// Where the tool stands in `plane`.
     pub(super) fn start_in(&mut self, plane: Plane, what: &str) -> Outcome<Point2> {
         let (first, second, _) = plane.axes();
-        let span = self.block_span();
+        let span = self.core.block_span();
         if self.st.position.stands_beside(plane_axes(plane)) {
-            return self.refuse(span, codes::K2604::starts_where_r_or_r_left_tool(&what));
+            return self.core.refuse(span, codes::K2604::starts_where_r_or_r_left_tool(&what));
         }
         let x = self.position_of(Axis::ALL[first], span, what)?;
         let y = self.position_of(Axis::ALL[second], span, what)?;
@@ -87,9 +87,9 @@ impl Run<'_> {
         if let Some(feed) = self.move_feed(w)? {
             return Ok(feed);
         }
-        match self.job.settings.control.rapid_feed {
+        match self.core.job.settings.control.rapid_feed {
             Some(feed) => Ok(Feed::PerMinute(feed)),
-            None => self.refuse(
+            None => self.core.refuse(
                 w.feed_span,
                 codes::K9019::arc_at_fmax_has_no_counterpart().answer(Answer::key("control", "rapid_feed")),
             ),
@@ -101,7 +101,7 @@ impl Run<'_> {
         if self.st.feed.at == FeedAt::Centre || side == Side::None || self.computes_path() {
             return Ok(());
         }
-        self.say_here(codes::K9008::m109_m110_change_feed_on_compensated_arcs());
+        self.core.say_here(codes::K9008::m109_m110_change_feed_on_compensated_arcs());
         Err(Reported)
     }
 
@@ -110,7 +110,7 @@ impl Run<'_> {
         if self.st.feed.at == FeedAt::Centre || side == Side::None {
             return Ok(());
         }
-        self.report(codes::K9008::what_m109().at(self.here.origin.loc));
+        self.core.report(codes::K9008::what_m109().at(self.core.here.origin.loc));
         Err(Reported)
     }
 
@@ -164,14 +164,14 @@ impl Run<'_> {
 
     pub(super) fn circle_by_radius(&mut self, w: &Words) -> Outcome {
         let Some(radius) = w.radius.filter(|r| *r != 0.0) else {
-            return self.refuse(self.block_span(), codes::P1004::cr_needs_radius_that_is_not_zero());
+            return self.core.refuse(self.core.block_span(), codes::P1004::cr_needs_radius_that_is_not_zero());
         };
         let ccw = self.turn(w, "CR")?;
         let plane = self.st.plane();
         let start = self.start_in(plane, "CR")?;
         let end = self.arc_end(w, plane, start)?;
         if w.axes.known().common(plane_axes(plane)).is_empty() {
-            return self.refuse(self.block_span(), codes::K2109::cr_names_no_end_point_in_working());
+            return self.core.refuse(self.core.block_span(), codes::K2109::cr_names_no_end_point_in_working());
         }
         self.st.polar.forget_last();
         self.send_arc(w, plane, ArcShape::Radius { radius, ccw, tol: CIRCLE_TOLERANCE }, end)
@@ -184,7 +184,7 @@ impl Run<'_> {
         let start = self.start_in(plane, "CT")?;
         let end = self.arc_end(w, plane, start)?;
         if w.axes.known().common(plane_axes(plane)).is_empty() {
-            return self.refuse(self.block_span(), codes::K2109::ct_names_no_end_point_in_working());
+            return self.core.refuse(self.core.block_span(), codes::K2109::ct_names_no_end_point_in_working());
         }
         self.st.polar.forget_last();
         self.send_arc(w, plane, ArcShape::Tangent, end)
@@ -195,7 +195,7 @@ impl Run<'_> {
         if !self.st.position.moved_by_cycle() {
             return Ok(());
         }
-        self.refuse(self.block_span(), codes::K2946::stands_directly_behind_cycle(&function))
+        self.core.refuse(self.core.block_span(), codes::K2946::stands_directly_behind_cycle(&function))
     }
 
     /// CT and CTP are arcs of the plane: no other axis can move along.
@@ -203,6 +203,6 @@ impl Run<'_> {
         if w.axes.known().without(plane_axes(plane)).is_empty() {
             return Ok(());
         }
-        self.refuse(w.axes_span, codes::P1003::is_arc_in_plane(&function))
+        self.core.refuse(w.axes_span, codes::P1003::is_arc_in_plane(&function))
     }
 }

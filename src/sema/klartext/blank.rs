@@ -34,7 +34,10 @@ impl Run<'_> {
     /// BLK FORM: no move follows from it; kept for the working plane of fragments and for checks.
     pub(super) fn blank_form(&mut self, block: &Block, text: &[u8]) -> Outcome {
         if self.st.moved {
-            self.job.diags.push_once(codes::K2508::blank_is_defined_behind_first_move().at(self.here.origin.loc));
+            self.core
+                .job
+                .diags
+                .push_once(codes::K2508::blank_is_defined_behind_first_move().at(self.core.here.origin.loc));
         }
         let shape = match block.words.first() {
             Some(word) if word.addr == Addr::Name => Shape::named(word.span.of(text)),
@@ -80,7 +83,7 @@ impl Run<'_> {
 
     /// `BLK FORM 0.1 Z X+0 Y+0 Z-20`, `BLK FORM 0.2 X+100 Y+100 Z+0`.
     fn cuboid(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let mut corner = None;
         let mut values = [None; 3];
         let mut letter = false;
@@ -105,17 +108,17 @@ impl Run<'_> {
             }
         }
         if block.words.is_empty() {
-            self.say_here(codes::K2508::blk_form_names_no_corner_or_shape());
+            self.core.say_here(codes::K2508::blk_form_names_no_corner_or_shape());
         }
         if let Some(other) = corner.as_deref().filter(|corner| !matches!(*corner, b"0.1" | b"0,1" | b"0.2" | b"0,2")) {
             let corner = crate::text::decode::readable(other).into_owned();
-            self.say_here(codes::K2508::blk_form_is_no_corner(&corner));
+            self.core.say_here(codes::K2508::blk_form_is_no_corner(&corner));
             return Ok(());
         }
         let [Some(x), Some(y), Some(z)] = values else {
             if let Some(corner) = corner {
                 let corner = crate::text::decode::readable(&corner).into_owned();
-                self.say_here(codes::K2508::blk_form_does_not_name_all_axes(&corner));
+                self.core.say_here(codes::K2508::blk_form_does_not_name_all_axes(&corner));
             }
             return Ok(());
         };
@@ -125,7 +128,7 @@ impl Run<'_> {
                 if let Some(min) = self.st.blank.min
                     && [x, y, z].iter().zip(&min).any(|(max, min)| max <= min)
                 {
-                    self.say_here(codes::K2508::max_does_not_lie_above_min());
+                    self.core.say_here(codes::K2508::max_does_not_lie_above_min());
                 } else if let Some(low) = self.st.blank.min {
                     self.tell_blank(ir::Blank::Cuboid { low, high: [x, y, z] });
                 }

@@ -28,7 +28,7 @@ impl Run<'_> {
                 Addr::AssignText(_) => Does::Acts,
                 _ => Does::read(&self.word_text(word.span)).unwrap_or(Does::Nothing),
             };
-            left.push(LeftWord { text: self.word_text(word.span), does, loc: self.loc(word.span) });
+            left.push(LeftWord { text: self.word_text(word.span), does, loc: self.core.loc(word.span) });
         }
         self.open_cycle().left.append(&mut left);
     }
@@ -44,7 +44,7 @@ impl Run<'_> {
             let span = Span::at(block.span.start + at as u32, word.len() as u32);
             at += word.len() + 1;
             if let Some(does) = Does::read(&String::from_utf8_lossy(word)) {
-                left.push(LeftWord { text: self.word_text(span), does, loc: self.loc(span) });
+                left.push(LeftWord { text: self.word_text(span), does, loc: self.core.loc(span) });
             }
         }
     }
@@ -53,23 +53,23 @@ impl Run<'_> {
     pub(super) fn builders_cycle(&mut self, open: &Open) -> Outcome {
         let number = open.number;
         let name = format!("CYCL DEF {number}");
-        let here = self.here.origin.loc;
-        if self.job.settings.programs.get(&name) == Some(&StandIn::Ignored) {
-            let moved = self.job.settings.left_by(&name).lost;
+        let here = self.core.here.origin.loc;
+        if self.core.job.settings.programs.get(&name) == Some(&StandIn::Ignored) {
+            let moved = self.core.job.settings.left_by(&name).lost;
             self.may_leave_out(&name, moved, &open.left)?;
             let words: Vec<&str> = open.left.iter().map(|word| word.text.as_str()).collect();
             let fault = match words.as_slice() {
                 [] => codes::P8105::is_left_out_as_programs_says(&name),
                 words => codes::P8105::is_left_out_with_words(&name, &words.join(" ")),
             };
-            self.report_once(fault.at(here));
+            self.core.report_once(fault.at(here));
             self.leave_axes(&name, "end the contour with R0 before it")?;
             return self.leave_technology(&name);
         }
         let found = codes::P9010::cycle_is_not_known(&number, &name)
             .answer(Answer::key("programs", &name).one_of(&["{ ignore = true }"]))
             .at(here);
-        self.report(found);
+        self.core.report(found);
         Err(Reported)
     }
 
@@ -85,15 +85,16 @@ impl Run<'_> {
             Does::Moves(_) => "if the cycle moves nothing, take the word out; if it moves, program its moves as blocks",
             Does::Nothing | Does::Acts => "take the word out, and program what it does in a block of its own",
         };
-        self.report(codes::P9010::is_to_be_left_out_as_cycle(&name, &word.text).at(word.loc).help(help));
+        self.core.report(codes::P9010::is_to_be_left_out_as_cycle(&name, &word.text).at(word.loc).help(help));
         Err(Reported)
     }
 
     /// Entries of `[programs]` that would make a cycle vanish that partc knows, and those that no block of this language reads.
     pub(super) fn refuse_entries_of_cycles(&self) {
-        let programs = &self.job.settings.programs;
-        let motion =
-            |name: &str| self.job.settings.left_by(name).rapid.map(|_| "Klartext has no G0 and no G1 that holds on");
+        let programs = &self.core.job.settings.programs;
+        let motion = |name: &str| {
+            self.core.job.settings.left_by(name).rapid.map(|_| "Klartext has no G0 and no G1 that holds on")
+        };
         let entries: Vec<(&str, &str)> = programs
             .iter()
             .filter(|(name, _)| is_of_klartext(name))
@@ -101,13 +102,13 @@ impl Run<'_> {
             .collect();
         let help = "take them out: only a program or a cycle of the machine builder, which no manual of the control has, can be \
                     left out: `\"CYCL DEF 392\" = { ignore = true }`; touch probe cycles are left out by the key `probing` of `[control]`";
-        self.refuse_entries("[programs]", &entries, help);
-        let changing = &self.job.settings.control.tool_change_m;
+        self.core.refuse_entries("[programs]", &entries, help);
+        let changing = &self.core.job.settings.control.tool_change_m;
         let known: Vec<String> =
             changing.iter().filter(|m| m_table::entry(**m).is_some()).map(|m| format!("M{m}")).collect();
         let entries: Vec<(&str, &str)> = known.iter().map(|m| (m.as_str(), "a function of the control")).collect();
         let help = "take them out: only an M function of the machine builder can change the tool as M6 does";
-        self.refuse_entries("[control] tool_change_m", &entries, help);
+        self.core.refuse_entries("[control] tool_change_m", &entries, help);
     }
 }
 

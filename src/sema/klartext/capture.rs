@@ -3,7 +3,7 @@
 //! Everything is afterwards what it was, parameters included: when a control runs the blocks, and how often, depends on the
 //! cycle. Source: K 6.6 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{self, codes};
 use crate::ir::Side;
 use crate::ir::captured::{Captured, Unfit};
 use crate::lexer::klartext::QKind;
@@ -30,35 +30,35 @@ pub(super) struct Capture {
 impl Run<'_> {
     /// Runs the subprogram of a contour; `cycle` is where the cycle that takes it is defined.
     pub(super) fn capture(&mut self, label: &Label, cycle: Loc) -> Outcome<Captured> {
-        let here = self.here;
-        let back = self.program().source.cursor.place();
+        let here = self.core.here;
+        let back = self.core.program().source.cursor.place();
         let before = (self.st.clone(), self.vars.clone(), self.locals().clone());
         let (free, modal) = (self.free.take(), self.cycles.modal());
         self.cycles.set_modal(false);
         self.st.begin_contour();
-        let below = self.levels.len();
+        let below = self.core.levels.len();
         self.capture = Some(Box::new(Capture { label: label.clone() }));
         let counted = self.core.contour_begins(MOST_ELEMENTS, &self.st.ctx);
         let entered = self.call_subprogram(label);
-        while entered.is_ok() && self.levels.len() > below && !self.has_ended() {
+        while entered.is_ok() && self.core.levels.len() > below && !self.core.has_ended() {
             step(self);
         }
         let closed = self.close_contour();
         let made = self.core.contour_ends(counted, &here.origin);
         self.capture = None;
-        (self.free, self.here) = (free, here);
+        (self.free, self.core.here) = (free, here);
         self.cycles.set_modal(modal);
         (self.st, self.vars) = (before.0, before.1);
-        if let Some(locals) = super::flow::innermost_locals(&mut self.levels) {
+        if let Some(locals) = super::flow::innermost_locals(&mut self.core.levels) {
             *locals = before.2;
         }
         entered?;
         closed?;
-        if self.has_ended() {
+        if self.core.has_ended() {
             return Err(Reported);
         }
-        if self.program().source.cursor.place() != back {
-            self.stop_run();
+        if self.core.program().source.cursor.place() != back {
+            self.core.stop_run();
             return self.contour_fault(label, "the program jumps out of it", "end the contour by its LBL 0");
         }
         made.or_else(|unfit| self.unfit(label, unfit, cycle))
@@ -97,7 +97,7 @@ impl Run<'_> {
             | Stmt::End { .. } => return Ok(()),
             Stmt::Assign(target) | Stmt::Fn { target, .. } | Stmt::SystemRead(target) => target,
             _ => {
-                let _: Outcome = self.refuse(self.block_span(), codes::K2951::this_block_stands_in_contour(&self.contour_name()));
+                let _: Outcome = self.core.refuse(self.core.block_span(), codes::K2951::this_block_stands_in_contour(&self.contour_name()));
                 self.lose_all();
                 return Err(Reported);
             }
@@ -105,7 +105,8 @@ impl Run<'_> {
         if target.kind != QKind::Q || !(1..=LAST_OF_CYCLES).contains(&target.number) {
             return Ok(());
         }
-        let _: Outcome = self.refuse(self.block_span(), codes::K2951::contour_sets(&self.contour_name(), &target));
+        let _: Outcome =
+            self.core.refuse(self.core.block_span(), codes::K2951::contour_sets(&self.contour_name(), &target));
         self.lose_all();
         Err(Reported)
     }
@@ -113,7 +114,7 @@ impl Run<'_> {
     /// RL or RR in the first block says on which side of the contour the tool lies.
     pub(super) fn side_of_contour(&mut self, side: Side, span: Span) -> Outcome {
         if self.st.compensation.side() != Side::None {
-            return self.refuse(span, codes::K2951::rl_rr_or_r0_stands_in_contour(&self.contour_name()));
+            return self.core.refuse(span, codes::K2951::rl_rr_or_r0_stands_in_contour(&self.contour_name()));
         }
         self.st.compensation.select(side);
         Ok(())
@@ -124,8 +125,8 @@ impl Run<'_> {
         if w.feed == FeedWord::None {
             return;
         }
-        let found = codes::P8103::f_in_contour_does_not_count(&self.contour_name()).at(self.loc(w.feed_span));
-        self.report_once(found.help("give the feed to the cycle, and remove it here"));
+        let found = codes::P8103::f_in_contour_does_not_count(&self.contour_name()).at(self.core.loc(w.feed_span));
+        self.core.report_once(found.help("give the feed to the cycle, and remove it here"));
     }
 
     pub(super) fn no_m_in_contour(&mut self, w: &Words) -> Outcome {
@@ -135,15 +136,15 @@ impl Run<'_> {
         let paraxial = matches!(w.comp, Some(Comp::Paraxial(_))).then_some(w.comp_span);
         let speed = w.speed.map(|_| w.speed_span);
         let Some(span) = w.m().first().map(|m| m.span).or(speed).or(paraxial) else { return Ok(()) };
-        self.refuse(span, codes::K2951::stands_in_contour(&self.word_text(span), &self.contour_name()))
+        self.core.refuse(span, codes::K2951::stands_in_contour(&self.word_text(span), &self.contour_name()))
     }
 
     pub(super) fn contour_fault<T>(&mut self, label: &Label, what: &str, help: &str) -> Outcome<T> {
-        let mut found = codes::K2951::contour(&label, &what).at(self.here.origin.loc);
+        let mut found = codes::K2951::contour(&label, &what).at(self.core.here.origin.loc);
         if let Known::Given(named) = &self.contours.named {
-            found = found.also(named.loc, "the contours are named here");
+            found = found.also(named.loc, diag::Label::ContoursNamed);
         }
-        self.report_cause(found.help(help));
+        self.core.report_cause(found.help(help));
         Err(Reported)
     }
 
@@ -173,7 +174,7 @@ impl Run<'_> {
             ),
         };
         let found = codes::K2951::contour(&label, &what).at(origin.loc);
-        self.report(found.called(origin.call).also(cycle, "the cycle that takes it is defined here").help(help));
+        self.core.report(found.called(origin.call).also(cycle, diag::Label::CycleThatTakesDefined).help(help));
         Err(Reported)
     }
 }

@@ -4,7 +4,7 @@
 //! Others never write M6, and there TOOL CALL is the change. Which of the two a program does is looked up once in its
 //! text; what the run then meets has to fit to it, or is refused. Source: K 1.5 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::ir::contour::{Coords, Move, Path};
 use crate::ir::{Function, Pos};
 use crate::machine::Axis;
@@ -63,7 +63,7 @@ impl Run<'_> {
     pub(super) fn call_for_change(&mut self, number: u32) {
         let height = self.st.position.get(self.st.axis());
         let announced = self.st.tool.change == Change::Announced;
-        let waits = match self.job.settings.control.sinumerik.tool_change_by_t {
+        let waits = match self.core.job.settings.control.sinumerik.tool_change_by_t {
             Some(at_call) => !at_call,
             None => !announced && self.writes_m6(),
         };
@@ -71,7 +71,7 @@ impl Run<'_> {
         // The length of the tool that is called counts from here on.
         self.forget_tip();
         if waits {
-            let from = self.here.origin.loc;
+            let from = self.core.here.origin.loc;
             self.st.tool.change = Change::Called { number, from, height, at_end: false, moved: false };
             self.function(Function::ToolPrepare { number });
             return;
@@ -101,8 +101,9 @@ impl Run<'_> {
                 self.print_change(number);
                 return Ok(());
             }
-            Change::Printed { moved: true } if self.job.settings.control.sinumerik.tool_change_by_t.is_none() => {
+            Change::Printed { moved: true } if self.core.job.settings.control.sinumerik.tool_change_by_t.is_none() => {
                 return self
+                    .core
                     .refuse(span, codes::K2802::stands_after_moves(&by).answer(Answer::key("control", "tool_change")));
             }
             Change::Missed => {
@@ -121,7 +122,7 @@ impl Run<'_> {
         if self.st.spindle.turns() {
             self.stop_spindle();
         }
-        self.say(span, fault);
+        self.core.say(span, fault);
         Ok(())
     }
 
@@ -160,11 +161,11 @@ impl Run<'_> {
             return Ok(());
         }
         self.st.tool.change = Change::Missed;
-        self.report(
+        self.core.report(
             codes::K2801::tool_is_called(&number)
                 .answer(Answer::key("control", "tool_change").one_of(&["\"t\""]))
-                .at(self.here.origin.loc)
-                .also(from, "called here"),
+                .at(self.core.here.origin.loc)
+                .also(from, Label::CalledHere),
         );
         Err(Reported)
     }
@@ -174,10 +175,10 @@ impl Run<'_> {
         if let Change::Called { number, from, moved: true, .. } = self.st.tool.change
             && self.st.tool.in_spindle != Some(number)
         {
-            self.report(
+            self.core.report(
                 codes::K2803::no_m6_follows_this_tool_call_before(&next, &number)
                     .at(from)
-                    .also(self.here.origin.loc, "the next TOOL CALL"),
+                    .also(self.core.here.origin.loc, Label::NextToolCall),
             );
         }
     }
@@ -187,19 +188,20 @@ impl Run<'_> {
         if let Change::Called { number, from, .. } = self.st.tool.change
             && self.st.tool.in_spindle != Some(number)
         {
-            self.report(codes::K2803::no_m6_follows_this_tool_call(&number).at(from));
+            self.core.report(codes::K2803::no_m6_follows_this_tool_call(&number).at(from));
         }
     }
 
     /// Does a program that runs write M6 anywhere? Each file is looked through once, at its first TOOL CALL.
     fn writes_m6(&mut self) -> bool {
         let mut found = false;
-        for at in 0..self.programs.len() {
-            if self.programs[at].known.writes_m6.is_none() {
-                let file = self.programs[at].source.file;
-                self.programs[at].known.writes_m6 = Some(writes_m6(&self.job, file, self.here.origin.loc));
+        for at in 0..self.core.programs.len() {
+            if self.core.programs[at].known.writes_m6.is_none() {
+                let file = self.core.programs[at].source.file;
+                self.core.programs[at].known.writes_m6 =
+                    Some(writes_m6(&self.core.job, file, self.core.here.origin.loc));
             }
-            found |= self.programs[at].known.writes_m6 == Some(true);
+            found |= self.core.programs[at].known.writes_m6 == Some(true);
         }
         found
     }

@@ -104,7 +104,7 @@ impl State {
 impl Run<'_> {
     /// Does the compiler compensate?
     pub(super) fn computes_path(&self) -> bool {
-        self.job.settings.output.compensation == Compensation::Resolve
+        self.core.job.settings.output.compensation == Compensation::Resolve
     }
 
     /// Does a straight block need nothing but its direction noted?
@@ -146,7 +146,7 @@ impl Run<'_> {
 
     fn switch_side_to(&mut self, w: &Words, side: Side, arc: bool) -> Outcome {
         if arc {
-            return self.refuse(w.comp_span, codes::P2040::radius_compensation_cannot_start_or_end());
+            return self.core.refuse(w.comp_span, codes::P2040::radius_compensation_cannot_start_or_end());
         }
         if side == Side::None {
             self.st.look_ahead = 0;
@@ -159,7 +159,7 @@ impl Run<'_> {
                 } else {
                     codes::K2602::rl_and_rr_follow_without_r0()
                 };
-                return self.refuse(w.comp_span, fault);
+                return self.core.refuse(w.comp_span, fault);
             }
             self.compute_compensation(w.comp_span)?;
             self.check_cutter(w.comp_span)?;
@@ -176,10 +176,10 @@ impl Run<'_> {
         }
         let radius = self.tool_radius(span)?;
         if radius < 0.0 {
-            return self.refuse(span, codes::P9013::radius_of_tool_with_its_oversizes(&radius));
+            return self.core.refuse(span, codes::P9013::radius_of_tool_with_its_oversizes(&radius));
         }
         if self.st.rotary.follows_tip {
-            return self.refuse(span, codes::P9013::under_m128_radius_compensation_is_one());
+            return self.core.refuse(span, codes::P9013::under_m128_radius_compensation_is_one());
         }
         // RND and CHF there are refused, or accepted, where they stand.
         self.st.compensate(crate::ir::Compensation { radius, rounded_border: true, ..Default::default() });
@@ -215,13 +215,15 @@ impl Run<'_> {
     }
 
     fn open_corner(&mut self, m: &MWord) -> Outcome {
-        if self.job.settings.control.klartext_choices.open_corners_refused {
-            return self.refuse(
+        if self.core.job.settings.control.klartext_choices.open_corners_refused {
+            return self.core.refuse(
                 m.span,
                 codes::K9008::m98_opens_corner_at_end().answer(Answer::key("control", "m98").one_of(&["\"line\""])),
             );
         }
-        self.report(codes::K2893::m98_opens_corner_at_end().answer(Answer::key("control", "m98")).at(self.loc(m.span)));
+        self.core.report(
+            codes::K2893::m98_opens_corner_at_end().answer(Answer::key("control", "m98")).at(self.core.loc(m.span)),
+        );
         self.own_corner(Outside::default(), Some(Inside::Open));
         Ok(())
     }
@@ -229,7 +231,7 @@ impl Run<'_> {
     fn look_ahead(&mut self, m: &MWord) -> Outcome {
         let blocks = m.args.value.unwrap_or(0.0);
         if blocks.fract() != 0.0 || !(0.0..=MOST_AHEAD).contains(&blocks) {
-            return self.refuse(m.span, codes::K2707::m120_looks_ahead_blocks(&blocks));
+            return self.core.refuse(m.span, codes::K2707::m120_looks_ahead_blocks(&blocks));
         }
         self.st.look_ahead = blocks as u32;
         if let Some(rules) = self.st.ctx.compensation.as_deref().copied() {
@@ -241,12 +243,12 @@ impl Run<'_> {
 
     fn shortened_corner(&mut self, m: &MWord) -> Outcome {
         let Args { value: Some(by), .. } = m.args else {
-            return self.refuse(m.span, codes::K2707::m197_lacks_its_length());
+            return self.core.refuse(m.span, codes::K2707::m197_lacks_its_length());
         };
         if by < 0.0 {
-            return self.refuse(m.span, codes::K2707::m197_prolongs_elements(&by));
+            return self.core.refuse(m.span, codes::K2707::m197_prolongs_elements(&by));
         }
-        let by = by * self.level().frame.unit.mm();
+        let by = by * self.core.level().frame.unit.mm();
         self.own_corner(Outside { by: Some(by), ..Outside::default() }, None);
         Ok(())
     }
@@ -257,7 +259,9 @@ impl Run<'_> {
         let own = std::mem::take(&mut self.st.own_corner);
         self.st.modal_rules();
         match w.any_m(&[97, 98, 197]) {
-            Some(m) if own == OwnCorner::Waits => self.refuse(m.span, codes::K2607::m_acts_on_corner_at_end(&m.number)),
+            Some(m) if own == OwnCorner::Waits => {
+                self.core.refuse(m.span, codes::K2607::m_acts_on_corner_at_end(&m.number))
+            }
             _ => Ok(()),
         }
     }
@@ -267,7 +271,7 @@ impl Run<'_> {
         if !self.st.compensation.is_on() || !self.computes_path() {
             return;
         }
-        self.report(codes::K2606::while_radius_compensation(&what).at(self.here.origin.loc));
+        self.core.report(codes::K2606::while_radius_compensation(&what).at(self.core.here.origin.loc));
         self.st.end_compensation();
         self.st.contour = None;
         self.lose_all();
@@ -289,14 +293,15 @@ impl Run<'_> {
                 "program the approach with APPR CT",
             )
         };
-        if !self.job.settings.control.klartext_choices.rounded_approach {
-            return self.refuse(
-                self.block_span(),
+        if !self.core.job.settings.control.klartext_choices.rounded_approach {
+            return self.core.refuse(
+                self.core.block_span(),
                 codes::P9013::how_control_leads_tool_there_is_not(&what, &help)
                     .answer(Answer::key("control", "rounded_approach").one_of(&["\"round\""])),
             );
         }
-        self.report(codes::K2894::programmed_corner_is_cut_as_between_two(&what, &help).at(self.here.origin.loc));
+        self.core
+            .report(codes::K2894::programmed_corner_is_cut_as_between_two(&what, &help).at(self.core.here.origin.loc));
         Ok(())
     }
 }

@@ -3,7 +3,7 @@
 //! Source: K 6.6; F B7 (docs/sources.md). How contours that cross are taken together is the HEIDENHAIN manuals' rule of superimposed
 //! contours: it goes by where their start points lie.
 
-use crate::diag::codes;
+use crate::diag::{self, codes};
 use crate::geo::area::{Relation, is_counter_clockwise, meet, passes, relation, surrounds};
 use crate::geo::overlay::{Area, Touching, overlay};
 use crate::geo::{Element, Point2, corner, grid};
@@ -84,9 +84,7 @@ impl Run<'_> {
             && let (Some(a), Some(b)) = (contour.pieces.get(first), contour.pieces.get(second))
         {
             let found = codes::K2951::contour_crosses_itself(&label).at(b.origin.loc).called(b.origin.call);
-            self.report(
-                found.also(a.origin.loc, "it crosses the element of this block").help("check the end points of both"),
-            );
+            self.core.report(found.also(a.origin.loc, diag::Label::Crosses).help("check the end points of both"));
             return Err(Reported);
         }
         Ok(())
@@ -121,8 +119,8 @@ impl Run<'_> {
             return Err(Reported);
         }
         self.contours.no_area = Some(why);
-        let found = codes::K2955::cycle(&cycle.number, &what).at(self.here.origin.loc);
-        self.report(found.also(contours.loc, "the contours are named here").help(help));
+        let found = codes::K2955::cycle(&cycle.number, &what).at(self.core.here.origin.loc);
+        self.core.report(found.also(contours.loc, diag::Label::ContoursNamed).help(help));
         Err(Reported)
     }
 
@@ -172,7 +170,7 @@ impl Run<'_> {
     #[cold]
     fn say_that_they_cross(&mut self, contours: &NamedContours) {
         let found = codes::K8110::contours_of_cycle_14_cross().at(contours.loc);
-        self.job.diags.push_once(found);
+        self.core.job.diags.push_once(found);
     }
 }
 

@@ -61,12 +61,12 @@ impl Run<'_> {
 
     fn contour_geometry(&mut self, open: &Open) -> Outcome {
         if open.contours.is_empty() || open.contours.len() > MOST_CONTOURS {
-            return self.refuse(
-                self.block_span(),
+            return self.core.refuse(
+                self.core.block_span(),
                 codes::K2402::cycle_14_names_contours(&open.contours.len(), &MOST_CONTOURS),
             );
         }
-        let (labels, program, loc) = (open.contours.clone(), self.level().program, self.here.origin.loc);
+        let (labels, program, loc) = (open.contours.clone(), self.core.level().program, self.core.here.origin.loc);
         self.contours.named = Known::Given(Rc::new(NamedContours { labels, program, loc }));
         Ok(())
     }
@@ -81,8 +81,8 @@ impl Run<'_> {
     }
 
     fn values_of(&mut self, open: &Open) -> Outcome<Rc<Values>> {
-        let mm = self.level().frame.unit.mm();
-        let cycle = DefinedCycle::new(open, self.here.origin.loc, mm);
+        let mm = self.core.level().frame.unit.mm();
+        let cycle = DefinedCycle::new(open, self.core.here.origin.loc, mm);
         self.all_are_set(&cycle)?;
         Ok(Rc::new(Values { cycle, set: open.parameters.clone() }))
     }
@@ -94,7 +94,7 @@ impl Run<'_> {
         if calling.placed() {
             return self.refuse_cycle(cycle, codes::P9010::contour_at_places_of_pattern());
         }
-        let program = self.level().program;
+        let program = self.core.level().program;
         match &self.contours.named {
             Known::Lost => Err(Reported),
             Known::Nothing => self.refuse_cycle(cycle, codes::K2952::no_contour_is_named()),

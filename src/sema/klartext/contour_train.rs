@@ -2,7 +2,7 @@
 //!
 //! Source: K 6.6; F B7 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 
 use super::cycles::DefinedCycle;
 use super::cycles::data::{NamedContours, Train};
@@ -11,8 +11,8 @@ use super::{Outcome, Reported, Run};
 impl Run<'_> {
     pub(super) fn train_of(&mut self, cycle: &DefinedCycle, named: &NamedContours) -> Outcome<Train> {
         if named.labels.len() > 1 {
-            let found = codes::K2954::cycle_25_mills_first_contour_of_cycle().at(self.here.origin.loc);
-            self.report(found.also(named.loc, "they are named here"));
+            let found = codes::K2954::cycle_25_mills_first_contour_of_cycle().at(self.core.here.origin.loc);
+            self.core.report(found.also(named.loc, Label::NamedHere));
         }
         let Some(label) = named.labels.first() else { return Err(Reported) };
         let contour = self.capture(label, cycle.loc)?;

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::ir::Function;
 use crate::ir::function::PathControl;
 use crate::lexer::klartext::QRef;
@@ -101,7 +101,7 @@ impl Run<'_> {
             open.parameters.push((q.number, value));
         } else if open.loose {
             open.failed = true;
-            return self.refuse(span, codes::P1002::sets_second_time_so_remove_one(&self.word_text(span), &q));
+            return self.core.refuse(span, codes::P1002::sets_second_time_so_remove_one(&self.word_text(span), &q));
         }
         Ok(())
     }
@@ -118,14 +118,14 @@ impl Run<'_> {
             return;
         }
         self.finish_cycle();
-        self.cycles.open = Some(Open::new(number, part, self.here, true));
+        self.cycles.open = Some(Open::new(number, part, self.core.here, true));
     }
 
     pub(super) fn cycle_block(&mut self, number: u32, part: Option<u32>, block: &Block, text: &[u8]) -> Outcome {
         match part {
             None | Some(0) => {
                 let words = self.check_title(number, part, block, text);
-                self.cycles.open = Some(Open::new(number, part, self.here, words.is_err()));
+                self.cycles.open = Some(Open::new(number, part, self.core.here, words.is_err()));
             }
             Some(part) => match &mut self.cycles.open {
                 Some(open) if open.number == number && open.part.is_some_and(|last| last < part) => {
@@ -134,7 +134,7 @@ impl Run<'_> {
                     open.here = self.core.here;
                 }
                 _ => {
-                    return self.refuse(block.span, codes::K2402::part_does_not_follow_its_cycle(&number, &part));
+                    return self.core.refuse(block.span, codes::K2402::part_does_not_follow_its_cycle(&number, &part));
                 }
             },
         }
@@ -163,7 +163,7 @@ impl Run<'_> {
     /// The definition that was open is complete: it acts.
     pub(super) fn finish_cycle(&mut self) {
         let Some(open) = self.cycles.open.take() else { return };
-        let here = std::mem::replace(&mut self.here, open.here);
+        let here = std::mem::replace(&mut self.core.here, open.here);
         let failed = open.failed || self.apply_cycle(&open).is_err();
         let nature = find(open.number).nature;
         if failed && (nature.is_machining() || matches!(nature, Nature::ProgramCall | Nature::Unknown)) {
@@ -175,13 +175,13 @@ impl Run<'_> {
             _ if failed && !nature.is_machining() => self.st.lose(AxisSet::MAIN),
             _ => {}
         }
-        self.here = here;
+        self.core.here = here;
     }
 
     fn apply_cycle(&mut self, open: &Open) -> Outcome {
         let row = find(open.number);
         if row.has_parts(open.number) && open.part.unwrap_or(0) == 0 {
-            self.say_here(codes::K2402::cycle_lacks_its_part_1(&open.number));
+            self.core.say_here(codes::K2402::cycle_lacks_its_part_1(&open.number));
             return Err(Reported);
         }
         match row.nature {
@@ -208,7 +208,7 @@ impl Run<'_> {
             Nature::Preset => self.preset(open),
             Nature::Setting(setting) => self.keep_setting(setting, open),
             Nature::Data => {
-                self.cycles.defines_unsupported(open.number, self.here.origin.loc, false);
+                self.cycles.defines_unsupported(open.number, self.core.here.origin.loc, false);
                 Ok(())
             }
             Nature::Acting => self.acts_unsupported(open.number),
@@ -224,7 +224,7 @@ impl Run<'_> {
     fn dwell(&mut self, open: &Open) -> Outcome {
         let seconds = self.single_value(open)?;
         if !(0.0..=3600.0).contains(&seconds) {
-            return self.refuse(self.block_span(), codes::P2090::dwell_of_s_is_out_of_range(&seconds));
+            return self.core.refuse(self.core.block_span(), codes::P2090::dwell_of_s_is_out_of_range(&seconds));
         }
         self.function(Function::Dwell(seconds));
         Ok(())
@@ -233,7 +233,7 @@ impl Run<'_> {
     fn orientation(&mut self, open: &Open) -> Outcome {
         let angle = self.single_value(open)?;
         if !(0.0..=360.0).contains(&angle) {
-            return self.refuse(self.block_span(), codes::P2090::spindle_angle_of_degrees_is_out(&angle));
+            return self.core.refuse(self.core.block_span(), codes::P2090::spindle_angle_of_degrees_is_out(&angle));
         }
         self.st.spindle.orient(angle);
         Ok(())
@@ -241,7 +241,7 @@ impl Run<'_> {
 
     fn define_program(&mut self, open: &Open) -> Outcome {
         let Some(name) = open.program.clone() else {
-            self.say_here(codes::K2402::cycle_12_names_no_program());
+            self.core.say_here(codes::K2402::cycle_12_names_no_program());
             return Err(Reported);
         };
         self.cycles.defined = Some(Defined::Program { name });
@@ -261,23 +261,23 @@ impl Run<'_> {
     }
 
     fn defined_here(&mut self, open: &Open) -> DefinedCycle {
-        let mm = self.level().frame.unit.mm();
-        DefinedCycle::new(open, self.here.origin.loc, mm)
+        let mm = self.core.level().frame.unit.mm();
+        DefinedCycle::new(open, self.core.here.origin.loc, mm)
     }
 
     /// Cycle 32: how far corners are rounded off; without T the setting of the machine holds again.
     fn path_tolerance(&mut self, open: &Open) -> Outcome {
         let tolerance = open.values.iter().find(|value| value.label == "T").map(|value| value.value);
         if open.values.iter().any(|value| value.label != "T") {
-            self.job.diags.push_once(codes::K2703::hsc_mode().at(self.here.origin.loc));
+            self.core.job.diags.push_once(codes::K2703::hsc_mode().at(self.core.here.origin.loc));
         }
         let said = match tolerance {
             None => None,
-            Some(t) if t > 0.0 => Some(PathControl::Within(t * self.level().frame.unit.mm())),
+            Some(t) if t > 0.0 => Some(PathControl::Within(t * self.core.level().frame.unit.mm())),
             // No deviation at all.
             Some(0.0) => Some(PathControl::Exact),
             Some(t) => {
-                return self.refuse(self.block_span(), codes::P2090::tolerance(&t));
+                return self.core.refuse(self.core.block_span(), codes::P2090::tolerance(&t));
             }
         };
         self.function(Function::PathControl(said));
@@ -289,7 +289,7 @@ impl Run<'_> {
             // Two values are refused where they are read.
             [only, ..] => Ok(only.value),
             [] => {
-                self.say_here(codes::K2402::cycle_lacks_its_value(&open.number));
+                self.core.say_here(codes::K2402::cycle_lacks_its_value(&open.number));
                 Err(Reported)
             }
         }
@@ -308,11 +308,11 @@ impl Run<'_> {
                 self.check_m(&w)?;
                 self.forbid_m(&w, "CYCL CALL", &[89, 91, 92, 99])?;
                 if let Some(m) = w.any_m(&[2, 30]) {
-                    return self.refuse(m.span, codes::P1005::cycle_call());
+                    return self.core.refuse(m.span, codes::P1005::cycle_call());
                 }
                 self.m_at_start(&w, false)?;
                 // Newer controls end M89 by M99, CYCL CALL POS or a new definition only.
-                if self.job.settings.control.klartext == Generation::Tnc426 {
+                if self.core.job.settings.control.klartext == Generation::Tnc426 {
                     self.cycles.modal = false;
                 }
                 self.call_cycle_then("CYCL CALL", w.m())
@@ -346,11 +346,11 @@ impl Run<'_> {
                 Err(Reported)
             }
             Some(Defined::Program { name }) => {
-                self.say_here(codes::P9010::with_program_of_cycle_12_is_not(&by, &name));
+                self.core.say_here(codes::P9010::with_program_of_cycle_12_is_not(&by, &name));
                 Err(Reported)
             }
             None => {
-                self.say_here(codes::K2401::runs_machining_cycle(&by));
+                self.core.say_here(codes::K2401::runs_machining_cycle(&by));
                 Err(Reported)
             }
         }
@@ -360,7 +360,7 @@ impl Run<'_> {
     fn call_cycle_at(&mut self, block: &Block) -> Outcome {
         self.cycles.modal = false;
         if let Some(Defined::Program { .. }) = self.cycles.defined {
-            self.report(codes::P9010::cycl_call_pos_with_program_call().at(self.here.origin.loc));
+            self.core.report(codes::P9010::cycl_call_pos_with_program_call().at(self.core.here.origin.loc));
             self.lose_all();
             return Err(Reported);
         }
@@ -384,10 +384,10 @@ impl Run<'_> {
 
     /// Runs the cycle defined last.
     pub(super) fn call_cycle(&mut self, by: &str) -> Outcome {
-        let here = self.here.origin.loc;
+        let here = self.core.here.origin.loc;
         match &mut self.cycles.defined {
             None => {
-                self.report(codes::K2401::calls_cycle(&by).at(here));
+                self.core.report(codes::K2401::calls_cycle(&by).at(here));
                 Err(Reported)
             }
             Some(Defined::Refused) => {
@@ -418,11 +418,11 @@ impl Run<'_> {
                 self.cycles.defines_unsupported(number, loc, true);
                 if !again {
                     let what = find(number).called();
-                    self.report(
+                    self.core.report(
                         codes::P9010::cycle_is_not_supported_yet(&number, &what)
                             .at(here)
                             .here("called here")
-                            .also(loc, "defined here"),
+                            .also(loc, Label::DefinedHere),
                     );
                 }
                 let axis = self.st.axis();
@@ -438,7 +438,7 @@ impl Run<'_> {
     /// A cycle that acts where it is defined, which cannot be compiled.
     fn acts_unsupported(&mut self, number: u32) -> Outcome {
         let what = find(number).called();
-        self.say_here(codes::P9010::cycle_acts_where_it_is_defined(&number, &what));
+        self.core.say_here(codes::P9010::cycle_acts_where_it_is_defined(&number, &what));
         self.lose_all();
         Err(Reported)
     }
@@ -453,7 +453,7 @@ impl Run<'_> {
             } else {
                 "is defined and never called; it is not supported"
             };
-            self.report(codes::K2412::cycle(&number, &row.called(), &what).at(loc));
+            self.core.report(codes::K2412::cycle(&number, &row.called(), &what).at(loc));
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: K 4.4, 6.0 (docs/sources.md). The parameters from Q200 on stay variables: a call takes what they hold then.
 
-use crate::diag::{Fault, codes};
+use crate::diag::{Fault, Label, codes};
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::AxisSet;
 use crate::sema::cycle::call::{Kind, Made, Refusal};
@@ -16,9 +16,6 @@ use super::cycles::{DefinedCycle, Nature, Planned, Requires};
 use super::known::Known;
 use super::{Outcome, Reported, Run};
 
-/// What stands at the definition.
-const DEFINED: &str = "the cycle is defined here";
-
 impl Run<'_> {
     // The definition.
 
@@ -30,7 +27,7 @@ impl Run<'_> {
         }
         if row.has_parts(cycle.number) {
             let Some(missing) = row.needed().find(|name| !cycle.gives(*name)) else { return Ok(()) };
-            return self.refuse(Where::Block, codes::K2402::cycle_lacks_value_of_part(&cycle.number, &missing));
+            return self.core.refuse(Where::Block, codes::K2402::cycle_lacks_value_of_part(&cycle.number, &missing));
         }
         self.all_are_set(cycle)
     }
@@ -43,16 +40,16 @@ impl Run<'_> {
             return Ok(());
         }
         let of = format_args!("cycle {}", cycle.number);
-        self.refuse(Where::Block, codes::K2402::lacks_so_program_all(&of, &missing.join(", ")))
+        self.core.refuse(Where::Block, codes::K2402::lacks_so_program_all(&of, &missing.join(", ")))
     }
 
     /// Q parameters have no unit: those of a definition count in the unit of its program, which a call has to share.
     pub(super) fn same_unit(&mut self, cycle: &DefinedCycle) -> Outcome {
-        if cycle.mm == self.level().frame.unit.mm() {
+        if cycle.mm == self.core.level().frame.unit.mm() {
             return Ok(());
         }
         let fault = codes::K2947::cycle_is_called_in_program_of_another(&cycle.number);
-        self.report(fault.at(self.here.origin.loc).also(cycle.loc, DEFINED));
+        self.core.report(fault.at(self.core.here.origin.loc).also(cycle.loc, Label::CycleDefined));
         Err(Reported)
     }
 
@@ -118,7 +115,7 @@ impl Run<'_> {
         match cycle.word(name) {
             Some(word) => Ok(Value::Word(word)),
             None => {
-                let span = self.block_span();
+                let span = self.core.block_span();
                 self.parameter(QRef { kind: QKind::Q, number }, span).map(Value::Number)
             }
         }
@@ -130,7 +127,7 @@ impl Run<'_> {
         for requires in cycle.row().requires {
             match requires {
                 Requires::NoCompensation if self.st.compensation.is_on() => {
-                    self.say_here(codes::K2407::cycle_is_called_while_rl_or_rr());
+                    self.core.say_here(codes::K2407::cycle_is_called_while_rl_or_rr());
                     return Err(Reported);
                 }
                 Requires::Turning if !self.st.spindle.turns() => {
@@ -142,7 +139,7 @@ impl Run<'_> {
                 Requires::ToolChange => {
                     self.cuts_now()?;
                     if self.st.feed.plunge_share().is_some() {
-                        self.say_here(codes::K2709::m103_does_not_change_feeds());
+                        self.core.say_here(codes::K2709::m103_does_not_change_feeds());
                     }
                 }
                 Requires::NoScaling if self.st.frames.transform().scales() => {
@@ -206,14 +203,14 @@ impl Run<'_> {
             instead: None.into(),
             at_definition: Vec::new().into(),
         };
-        let call = CycleCall::new(given, &seen, self.job.settings);
+        let call = CycleCall::new(given, &seen, self.core.job.settings);
         let made = plan(&call);
         for fault in seen.at_definition.take() {
-            self.report(fault.at(cycle.loc));
+            self.core.report(fault.at(cycle.loc));
         }
         for remark in call.remarks() {
-            let found = remark.fault.at(self.loc(remark.place)).also(cycle.loc, DEFINED);
-            if remark.kind == Kind::Once { self.report_once(found) } else { self.report(found) }
+            let found = remark.fault.at(self.core.loc(remark.place)).also(cycle.loc, Label::CycleDefined);
+            if remark.kind == Kind::Once { self.core.report_once(found) } else { self.core.report(found) }
         }
         (made, seen.instead.take())
     }
@@ -226,7 +223,7 @@ impl Run<'_> {
         contours: Option<&mut Contoured>,
         lacks: Instead,
     ) -> Outcome {
-        let span = self.block_span();
+        let span = self.core.block_span();
         match (lacks, contours) {
             (Instead::Position(axis), _) => self.position_of(axis, span, &given.called).and(Err(Reported)),
             (Instead::Radius, _) => self.tool_radius(span).and(Err(Reported)),
@@ -257,7 +254,7 @@ impl Run<'_> {
     /// The heights that Q200, Q203 and Q204 give.
     pub(super) fn heights(&self, cycle: &DefinedCycle, given: &Given, shift: f64) -> Heights {
         if let Some(fault) = Heights::low_second(given) {
-            self.report(fault.at(self.here.origin.loc).also(cycle.loc, DEFINED));
+            self.core.report(fault.at(self.core.here.origin.loc).also(cycle.loc, Label::CycleDefined));
         }
         Heights::of(given, shift)
     }
@@ -278,7 +275,7 @@ impl Run<'_> {
             let help = check_the_values(cycle.mm, told);
             fault = fault.help(help);
         }
-        self.report_cause(fault.at(self.loc(place)).also(cycle.loc, DEFINED));
+        self.core.report_cause(fault.at(self.core.loc(place)).also(cycle.loc, Label::CycleDefined));
         Err(Reported)
     }
 

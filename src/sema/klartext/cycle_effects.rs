@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::ir::Pos;
 use crate::ir::cycle::drilling::{DeepHole, Method, Tap};
 use crate::ir::cycle::{Cycle, Drilling};
@@ -18,7 +18,7 @@ use super::{Outcome, Reported, Run};
 
 impl Run<'_> {
     pub(super) fn send_planned(&mut self, cycle: &DefinedCycle, planned: Planned) -> Outcome {
-        self.budget.take(planned.steps);
+        self.core.budget.take(planned.steps);
         if let Some(roughed) = planned.roughed {
             self.contours.roughed = Known::Given(Rc::from(roughed));
         }
@@ -112,24 +112,26 @@ impl Run<'_> {
             return;
         }
         let flat = 2.0 * (tool.effective_radius().unwrap_or(0.0) - rounding).max(0.0);
-        self.report_once(
+        self.core.report_once(
             codes::P8102::cycle_corner_radius_mm_of_cutter(&cycle.number, &shown(rounding), &shown(flat))
-                .at(self.here.origin.loc)
-                .also(cycle.loc, "the cycle is defined here"),
+                .at(self.core.here.origin.loc)
+                .also(cycle.loc, Label::CycleDefined),
         );
     }
 
     /// Once for each kind of cycle: which path is made.
     fn says_own_path(&self, cycle: &DefinedCycle) {
         let what = cycle.row().called();
-        let found = codes::P8101::cycle_finished_shape_is_as_programmed(&cycle.number, &what).at(self.here.origin.loc);
-        self.report_once(found.help("docs/cycles.md describes the path"));
+        let found =
+            codes::P8101::cycle_finished_shape_is_as_programmed(&cycle.number, &what).at(self.core.here.origin.loc);
+        self.core.report_once(found.help("docs/cycles.md describes the path"));
     }
 
     /// Once for each kind of cycle: nobody says where the tool stands in the plane afterwards.
     fn says_open_end(&self, cycle: &DefinedCycle) {
-        let found = codes::K8104::cycle_where_control_leaves_tool_in_working(&cycle.number).at(self.here.origin.loc);
-        self.report_once(found);
+        let found =
+            codes::K8104::cycle_where_control_leaves_tool_in_working(&cycle.number).at(self.core.here.origin.loc);
+        self.core.report_once(found);
     }
 
     /// A block leaves the open place where a cycle ended: only a retract may, and one that names both axes.
@@ -150,10 +152,10 @@ impl Run<'_> {
         if self.st.position.is_lost(axis) {
             return;
         }
-        self.report(
+        self.core.report(
             codes::P2001::block_needs_position(&axis.letter())
-                .at(self.here.origin.loc)
-                .also(cycle, "the cycle is defined here"),
+                .at(self.core.here.origin.loc)
+                .also(cycle, Label::CycleDefined),
         );
     }
 

@@ -58,7 +58,7 @@ impl Run<'_> {
                         return self.twice(word, block);
                     }
                     let value = self.number_if(word.value, word.span)?;
-                    let loc = self.loc(word.span);
+                    let loc = self.core.loc(word.span);
                     self.open_cycle().axes.push(AxisValue { axis, incremental, value, loc });
                 }
                 Addr::Name if matches!(nature, Nature::Mirror) => self.mirror_letters(word, block, text)?,
@@ -98,7 +98,7 @@ impl Run<'_> {
         }
         match read.label {
             Some((label, span)) if needs_its_value(nature, self.open_cycle().part) => {
-                self.refuse(span, codes::P1004::has_no_number(&label))
+                self.core.refuse(span, codes::P1004::has_no_number(&label))
             }
             _ => Ok(()),
         }
@@ -112,7 +112,7 @@ impl Run<'_> {
             if self.open_cycle().axes.iter().any(|other| other.axis == axis) {
                 return self.twice(word, block);
             }
-            let loc = self.loc(word.span);
+            let loc = self.core.loc(word.span);
             self.open_cycle().axes.push(AxisValue { axis, incremental: false, value: None, loc });
         }
         Ok(())
@@ -124,10 +124,11 @@ impl Run<'_> {
         let takes = q.kind != QKind::Q || find(number).takes(number, q);
         if !takes && q.number < 100 && matches!(find(number).nature, Nature::Unknown) {
             return self
+                .core
                 .refuse(word.span, codes::P1003::in_definition_of_cycle(&self.word_text(word.span), &number, &q));
         }
         if !takes {
-            return self.refuse(word.span, codes::P1003::cycle_has_no_parameter(&number, &q));
+            return self.core.refuse(word.span, codes::P1003::cycle_has_no_parameter(&number, &q));
         }
         // FMAX, FAUTO, PREDEF: of use to machining cycles only.
         let named = match word.value {
@@ -171,7 +172,7 @@ impl Run<'_> {
             return Ok(());
         }
         let whole = span.to(word.span);
-        self.refuse(whole, codes::P1003::in_point_may_belong_to_name(&self.word_text(whole)))
+        self.core.refuse(whole, codes::P1003::in_point_may_belong_to_name(&self.word_text(whole)))
     }
 
     /// The name behind the number of a cycle is decoration in any language; a value among it would be lost.
@@ -185,7 +186,7 @@ impl Run<'_> {
         for word in head[name..].split(u8::is_ascii_whitespace) {
             if word.iter().any(u8::is_ascii_digit) {
                 let span = Span::at(block.span.start + at as u32, word.len() as u32);
-                return self.refuse(span, codes::P1003::stands_in_name_of_cycle(&self.word_text(span), &number));
+                return self.core.refuse(span, codes::P1003::stands_in_name_of_cycle(&self.word_text(span), &number));
             }
             at += word.len() + 1;
         }
@@ -195,7 +196,7 @@ impl Run<'_> {
     /// A word that the cycle does not take.
     pub(super) fn cycle_word<T>(&self, span: Span, cycle: u32) -> Outcome<T> {
         let text = self.word_text(span);
-        self.refuse(span, codes::P1003::has_no_place_in_cycle(&text, &cycle).help(find(cycle).form))
+        self.core.refuse(span, codes::P1003::has_no_place_in_cycle(&text, &cycle).help(find(cycle).form))
     }
 
     /// Does the definition under way take this word?

@@ -47,10 +47,10 @@ impl Run<'_> {
             _ => None,
         };
         if !open.axes.is_empty() {
-            return self.refuse(self.block_span(), codes::K2402::cycle_7_has_row_of_table());
+            return self.core.refuse(self.core.block_span(), codes::K2402::cycle_7_has_row_of_table());
         }
         let Some(row) = row.map(|row| row.value) else {
-            return self.refuse(self.block_span(), codes::K2402::cycle_7_does_not_name_one_row());
+            return self.core.refuse(self.core.block_span(), codes::K2402::cycle_7_does_not_name_one_row());
         };
         self.take_datum_row(row)
     }
@@ -58,7 +58,7 @@ impl Run<'_> {
     /// The shift of a row.
     pub(super) fn take_datum_row(&mut self, number: f64) -> Outcome {
         if number.fract() != 0.0 || !(0.0..=MOST_ROWS).contains(&number) {
-            return self.refuse(self.block_span(), codes::K2402::is_no_row_of_datum_table(&number));
+            return self.core.refuse(self.core.block_span(), codes::K2402::is_no_row_of_datum_table(&number));
         }
         let rows = self.datum_rows()?;
         let found: Vec<&Place> = rows.list.iter().filter(|row| row.number == Some(number as u32)).collect();
@@ -69,14 +69,15 @@ impl Run<'_> {
             }
             _ => return self.no_datum(codes::K2948::table_has_several_rows(&number)),
         };
-        let unit = self.level().frame.unit;
+        let unit = self.core.level().frame.unit;
         if rows.unit != Some(unit) {
             return self.no_datum(codes::K2948::table_and_program_have_different_units());
         }
         let axes = self.axes_of_row(row)?;
         let shown: Vec<String> =
             axes.iter().filter_map(|axis| Some(format!("{}{}", axis.axis.letter(), shown(axis.value?)))).collect();
-        self.report(codes::K2513::row_of_datum_table_shifts(&number, &shown.join(" ")).at(self.here.origin.loc));
+        self.core
+            .report(codes::K2513::row_of_datum_table_shifts(&number, &shown.join(" ")).at(self.core.here.origin.loc));
         self.shift(&axes)
     }
 
@@ -88,8 +89,8 @@ impl Run<'_> {
         if row.rotation != 0.0 {
             return self.no_datum(codes::K2948::row_has_rotation(&number));
         }
-        let mm = self.level().frame.unit.mm();
-        let loc = self.here.origin.loc;
+        let mm = self.core.level().frame.unit.mm();
+        let loc = self.core.here.origin.loc;
         let mut axes = Vec::new();
         for axis in Axis::ALL {
             let value = row.values.get(&axis).copied();
@@ -116,19 +117,21 @@ impl Run<'_> {
         }
         self.datum_table.lost = true;
         let Some((name, from)) = self.datum_table.selected.clone() else {
-            if let Some(known) = self.job.settings.datums.table.clone() {
+            if let Some(known) = self.core.job.settings.datums.table.clone() {
                 return Ok(self.keep_rows(known.unit, known.places));
             }
-            self.report(
-                codes::K9012::no_datum_table_is_selected()
-                    .answer(Answer::key("control", "datum_table"))
-                    .at(self.here.origin.loc),
+            self.core.report(
+                codes::K9012::no_datum_table_is_selected().answer(Answer::key("control", "datum_table")).at(self
+                    .core
+                    .here
+                    .origin
+                    .loc),
             );
             return Err(Reported);
         };
         let wanted = Wanted { name: &name, extensions: &["D", "d"], within: Within::Caller };
-        let file = open_program(&self.job, &wanted, from, self.here.origin.call).ok_or(Reported)?;
-        let text = match whole_file(self.job.sources, file) {
+        let file = open_program(&self.core.job, &wanted, from, self.core.here.origin.call).ok_or(Reported)?;
+        let text = match whole_file(self.core.job.sources, file) {
             Ok(text) => text,
             Err(what) => return self.no_datum(codes::K2948::table_is_not_read(&name, &what)),
         };
@@ -152,7 +155,7 @@ impl Run<'_> {
     }
 
     fn no_datum<T>(&self, fault: Fault) -> Outcome<T> {
-        self.report(fault.at(self.here.origin.loc));
+        self.core.report(fault.at(self.core.here.origin.loc));
         Err(Reported)
     }
 }

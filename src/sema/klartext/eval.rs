@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::ir::function::Turn;
 use crate::lexer::klartext::{QKind, QRef, Value};
 use crate::machine::{Axis, Generation, Settings, Unit};
@@ -18,6 +18,10 @@ use super::{Outcome, Reported, Run};
 
 /// Largest value a parameter holds.
 const LARGEST: f64 = 1e10;
+
+/// The parameters of radius and length of the tool.
+const RADIUS: u32 = 108;
+const LENGTH: u32 = 114;
 
 /// Values that differ by less may differ by the rounding of what they were computed from.
 const ROUNDING: f64 = 1e-9;
@@ -56,7 +60,7 @@ impl Formulas for Run<'_> {
             Op::Unary(f) => machine.unary(f)?,
             Op::Binary(f) => machine.binary(f)?,
             Op::TextFn(TextFn::Unknown) => {
-                return Ok(self.refuse(at.span, codes::K9017::this_string_function_reads_from_control())?);
+                return Ok(self.core.refuse(at.span, codes::K9017::this_string_function_reads_from_control())?);
             }
             Op::TextFn(f) => text_functions::apply(f, machine)?,
             Op::Join => text_functions::join(machine)?,
@@ -70,38 +74,30 @@ impl Formulas for Run<'_> {
     fn divisor(&self, operand: &[Op], _: At<'_>) -> Option<Divisor> {
         let ([.., Op::Param(q)] | [.., Op::Param(q), Op::Unary(Function::Negate)]) = *operand else { return None };
         let name = q.to_string();
-        let own = (q.kind == QKind::Ql).then_some(self.here.origin.call);
-        let set = SetBy::of(&self.job, &name, own);
+        let own = (q.kind == QKind::Ql).then_some(self.core.here.origin.call);
+        let set = SetBy::of(&self.core.job, &name, own);
         let nobody = if self.vars.get(self.locals(), q).is_none() { SetBy::Nobody } else { SetBy::Unknown };
         Some(Divisor { set: set.unwrap_or(nobody), name })
     }
 
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
-        let message = match fault {
-            Fault::Domain(f, x) | Fault::Open(f, x) => format!("{} of {x} does not exist", noun(f)),
+        let found = match fault {
+            Fault::Domain(f, x) | Fault::Open(f, x) => codes::P2022::function_of_value_does_not_exist(&noun(f), &x),
             Fault::OpenBetween(_, a, b) => {
-                self.report(
-                    codes::K2310::sign_of_result_is_not_documented(&a, &b)
-                        .answer(Answer::key("control", "modulo"))
-                        .at(self.loc(at.span)),
-                );
-                return Reported;
+                codes::K2310::sign_of_result_is_not_documented(&a, &b).answer(Answer::key("control", "modulo"))
             }
-            Fault::Outside(Operator::Power, a, b) => format!("{a} to the power of {b} does not exist"),
-            Fault::Outside(_, a, b) => format!("there is no result for {a} and {b}"),
-            Fault::Zero(a) => format!("{a} is divided by zero"),
+            Fault::Outside(Operator::Power, a, b) => codes::P2022::power_does_not_exist(&a, &b),
+            Fault::Outside(_, a, b) => codes::P2022::there_is_no_result(&a, &b),
+            Fault::Zero(a) => codes::P2022::value_is_divided_by_zero(&a),
             Fault::ZeroBy(a, by) => {
-                format!("{a} is divided by zero: {}", by.said(&self.job, self.here.origin.loc))
+                codes::P2022::value_is_divided_by_zero_that(&a, &by.said(&self.core.job, self.core.here.origin.loc))
             }
-            Fault::TooLarge | Fault::TooLargeInt => "the result is over 10 000 000 000".to_owned(),
-            Fault::Misfit(_) | Fault::Mismatch(..) => "a number is needed, not a text".to_owned(),
-            Fault::Missing => {
-                self.report(codes::P1004::value_is_missing().at(self.loc(at.span)));
-                return Reported;
-            }
-            Fault::Said(why) => why,
+            Fault::TooLarge | Fault::TooLargeInt => codes::P2022::result_is_over_10_000_000_000(),
+            Fault::Misfit(_) | Fault::Mismatch(..) => codes::P2022::number_is_needed_not_text(),
+            Fault::Missing => codes::P1004::value_is_missing(),
+            Fault::Said(found) => *found,
         };
-        self.report(Diagnostic::new(codes::P2022, self.loc(at.span), message));
+        self.core.say(at.span, found);
         Reported
     }
 }
@@ -127,7 +123,7 @@ impl Run<'_> {
             }
             Value::None | Value::FeedMax | Value::FeedAuto => {
                 let word = self.word_text(span);
-                self.refuse(span, codes::P1004::has_no_number_so_write_number(&word))
+                self.core.refuse(span, codes::P1004::has_no_number_so_write_number(&word))
             }
         }
     }
@@ -144,13 +140,13 @@ impl Run<'_> {
     pub(super) fn parameter(&mut self, q: QRef, span: Span) -> Outcome<f64> {
         match self.read(q, span)? {
             Val::Real(n) => Ok(n),
-            _ => self.refuse(span, codes::P2024::holds_text(&q)),
+            _ => self.core.refuse(span, codes::P2024::holds_text(&q)),
         }
     }
 
     pub(super) fn read(&mut self, q: QRef, span: Span) -> Outcome<Val> {
         if !exists(q) {
-            return self.refuse(span, codes::P2025::does_not_exist(&q));
+            return self.core.refuse(span, codes::P2025::does_not_exist(&q));
         }
         if q.kind == QKind::Q
             && (100..200).contains(&q.number)
@@ -164,8 +160,10 @@ impl Run<'_> {
             Some(Slot::Text(text)) => Ok(Val::Text(Rc::clone(text))),
             Some(Slot::Lost) => Err(Reported),
             Some(&Slot::AtMachine(set)) => {
-                self.report(
-                    codes::P2023::is_set_by_control_at_machine_and_nothing(&q).at(self.loc(span)).also(set, "set here"),
+                self.core.report(
+                    codes::P2023::is_set_by_control_at_machine_and_nothing(&q)
+                        .at(self.core.loc(span))
+                        .also(set, Label::SetHere),
                 );
                 Err(Reported)
             }
@@ -175,42 +173,43 @@ impl Run<'_> {
 
     /// What the program and `[tools]` determine goes before a value of `[variables]`.
     fn says_unused(&self, q: QRef, taken: f64, span: Span) {
-        let variables = &self.job.settings.variables;
+        let variables = &self.core.job.settings.variables;
         if variables.is_empty() {
             return;
         }
         let key = q.to_string();
         let Some(given) = variables.get(&key).filter(|given| **given != taken) else { return };
-        self.report_once(codes::K2415::of_variables_is_not_used(&key, &given, &taken).at(self.loc(span)));
+        self.core.report_once(codes::K2415::of_variables_is_not_used(&key, &given, &taken).at(self.core.loc(span)));
     }
 
     fn undefined(&mut self, q: QRef, span: Span) -> Outcome<Val> {
         if q.kind == QKind::Q && (100..200).contains(&q.number) {
             let meaning = meanings::of_parameter(q.number);
             let what = if meaning.is_empty() { String::new() } else { format!(": {meaning}") };
-            return self.refuse(
+            return self.core.refuse(
                 span,
                 codes::P2023::is_set_by_control_at_machine(&q, &what).answer(Answer::variable(q, meaning)),
             );
         }
         if q.is_text() {
-            return self.refuse(span, codes::P2020::is_read_before_text_is_assigned(&q));
+            return self.core.refuse(span, codes::P2020::is_read_before_text_is_assigned(&q));
         }
-        if self.job.settings.control.klartext > Generation::Tnc426 {
+        if self.core.job.settings.control.klartext > Generation::Tnc426 {
             return self
+                .core
                 .refuse(span, codes::P2020::is_read_before_value_is_assigned(&q).answer(Answer::key("variables", q)));
         }
-        self.report(codes::P2021::was_never_set(&q).at(self.loc(span)));
+        self.core.report(codes::P2021::was_never_set(&q).at(self.core.loc(span)));
         Ok(Val::Real(0.0))
     }
 
     /// Q100 to Q199, as far as the compiler knows them.
     fn control_value(&mut self, number: u32, span: Span) -> Outcome<Option<f64>> {
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         Ok(match number {
-            108 => match self.st.tool.active().and_then(|tool| tool.effective_radius()) {
+            RADIUS => match self.st.tool.active().and_then(|tool| tool.effective_radius()) {
                 Some(radius) => Some(radius / mm),
-                None => return self.tool_data_missing(codes::P2004, "radius", span).map(Some),
+                None => return self.tool_data_missing(RADIUS, span).map(Some),
             },
             109 => Some(match self.st.tool.axis() {
                 None => -1.0,
@@ -229,41 +228,36 @@ impl Run<'_> {
                 (None, None) => -1.0,
             }),
             111 => Some(f64::from(u8::from(self.st.coolant))),
-            113 => Some(match self.levels[0].frame.unit {
+            113 => Some(match self.core.levels[0].frame.unit {
                 Unit::Mm => 0.0,
                 Unit::Inch => 1.0,
             }),
-            114 => match self.st.tool.active().and_then(|tool| tool.length) {
+            LENGTH => match self.st.tool.active().and_then(|tool| tool.length) {
                 Some(length) => Some(length / mm),
-                None => return self.tool_data_missing(codes::P2005, "length", span).map(Some),
+                None => return self.tool_data_missing(LENGTH, span).map(Some),
             },
             _ => None,
         })
     }
 
-    /// Radius or length of the tool is needed and not known; a configured start value helps out.
-    fn tool_data_missing(&self, code: &'static crate::diag::Code, what: &'static str, span: Span) -> Outcome<f64> {
-        let q = QRef { kind: QKind::Q, number: if what == "radius" { 108 } else { 114 } };
+    /// Radius or length of the tool, which `q` holds, is needed and not known; a configured start value helps out.
+    fn tool_data_missing(&self, number: u32, span: Span) -> Outcome<f64> {
+        let q = QRef { kind: QKind::Q, number };
         if let Some(Slot::Number(value)) = self.vars.get(self.locals(), q) {
             return Ok(*value);
         }
-        match self.st.tool.active() {
-            Some(tool) => self.fail_help(
-                code,
-                span,
-                format!("the {what} of tool {} is not known", tool.called),
-                Answer::tool(&tool.called, what).help(format!(
-                    "add `[tools.{}]` with `{what} = …` to partc.toml, or a TOOL DEF block",
-                    tool.called
-                )),
-            ),
-            None => {
-                let message = format!("no tool is called, so {q} has no value: the {what} of the tool in the spindle");
-                let help =
-                    format!("program TOOL CALL first, or give the value in partc.toml: `[variables]` with `{q} = …`");
-                self.fail_help(code, span, message, Answer::variable(q, meanings::of_parameter(q.number)).help(help))
-            }
-        }
+        let is_radius = number == RADIUS;
+        let asking = match (self.st.tool.active(), is_radius) {
+            (Some(tool), true) => codes::P2004::radius_of_tool_is_not_known(&tool.called),
+            (Some(tool), false) => codes::P2005::length_of_tool_is_not_known(&tool.called),
+            (None, true) => codes::P2004::no_tool_is_called_so_it_has_no_value(&q),
+            (None, false) => codes::P2005::no_tool_is_called_so_it_has_no_value(&q),
+        };
+        let answer = match self.st.tool.active() {
+            Some(tool) => Answer::tool(&tool.called, if is_radius { "radius" } else { "length" }),
+            None => Answer::variable(q, meanings::of_parameter(number)),
+        };
+        self.core.refuse(span, asking.answer(answer))
     }
 
     /// Computes the formula of the block.
@@ -272,8 +266,8 @@ impl Run<'_> {
     }
 
     fn warn_of_power(&self, span: Span) {
-        if self.job.settings.control.klartext < Generation::Tnc7 {
-            self.report(codes::K2306::older_controls_may_compute_this_power_differently().at(self.loc(span)));
+        if self.core.job.settings.control.klartext < Generation::Tnc7 {
+            self.core.report(codes::K2306::older_controls_may_compute_this_power_differently().at(self.core.loc(span)));
         }
     }
 
@@ -281,7 +275,7 @@ impl Run<'_> {
     pub(super) fn assign(&mut self, q: QRef, block: &Block, text: &[u8]) -> Outcome {
         let value = self.formula(block, text).and_then(|value| match value {
             Val::Real(n) => Ok(Slot::Number(n)),
-            _ => self.refuse(block.span, codes::P2024::takes_number(&q)),
+            _ => self.core.refuse(block.span, codes::P2024::takes_number(&q)),
         });
         if block.number.is_none()
             && let Ok(Slot::Number(n)) = value
@@ -294,17 +288,17 @@ impl Run<'_> {
     pub(super) fn assign_text(&mut self, q: QRef, block: &Block, text: &[u8]) -> Outcome {
         let value = self.formula(block, text).and_then(|value| match value {
             Val::Text(text) => Ok(Slot::Text(text)),
-            _ => self.refuse(block.span, codes::P2024::takes_text(&q)),
+            _ => self.core.refuse(block.span, codes::P2024::takes_text(&q)),
         });
         self.set(q, value.unwrap_or(Slot::Lost), block.span)
     }
 
     pub(super) fn set(&mut self, q: QRef, value: Slot, span: Span) -> Outcome {
         if !exists(q) {
-            return self.refuse(span, codes::P2025::does_not_exist(&q));
+            return self.core.refuse(span, codes::P2025::does_not_exist(&q));
         }
         if q.kind == QKind::Q && (100..200).contains(&q.number) {
-            self.report(codes::K2305::belongs_to_control(&q).at(self.loc(span)));
+            self.core.report(codes::K2305::belongs_to_control(&q).at(self.core.loc(span)));
         }
         let locals = innermost_locals(&mut self.core.levels);
         let locals = locals.expect("the main level has locals");
@@ -332,7 +326,7 @@ impl Run<'_> {
         let taken = match test {
             Test::Defined { q, defined } => {
                 if !exists(q) {
-                    return self.refuse(whole, codes::P2025::does_not_exist(&q));
+                    return self.core.refuse(whole, codes::P2025::does_not_exist(&q));
                 }
                 self.vars.get(self.locals(), q).is_some() == defined
             }
@@ -354,7 +348,7 @@ impl Run<'_> {
                     (Val::Text(a), Val::Text(b)) if relation == Relation::Equal => a == b,
                     (Val::Text(a), Val::Text(b)) if relation == Relation::NotEqual => a != b,
                     _ => {
-                        self.say_here(codes::P2024::comparison_mixes_text());
+                        self.core.say_here(codes::P2024::comparison_mixes_text());
                         return Err(Reported);
                     }
                 }
@@ -365,11 +359,11 @@ impl Run<'_> {
 
     #[cold]
     fn decided_by_rounding(&self) {
-        self.report(codes::K2810::two_values_of_this_jump_differ().at(self.here.origin.loc));
+        self.core.report(codes::K2810::two_values_of_this_jump_differ().at(self.core.here.origin.loc));
     }
 
     fn operand(&mut self, operand: Operand, text: &[u8]) -> Outcome<Val> {
-        let span = self.block_span();
+        let span = self.core.block_span();
         Ok(match operand {
             Operand::Number(n) => Val::Real(n),
             Operand::Text(span) => Val::text(readable(span.of(text)).as_bytes()),
@@ -386,12 +380,12 @@ impl Run<'_> {
         let value = match self.vars.get(self.locals(), q) {
             Some(value) => value.clone(),
             None => {
-                self.say_here(codes::P2020::has_no_value_to_export(&q));
+                self.core.say_here(codes::P2020::has_no_value_to_export(&q));
                 return Err(Reported);
             }
         };
-        let inner = self.levels.iter().rposition(|level| level.frame.kind == FrameKind::Program);
-        let outer = inner.and_then(|at| innermost_locals(&mut self.levels[..at]));
+        let inner = self.core.levels.iter().rposition(|level| level.frame.kind == FrameKind::Program);
+        let outer = inner.and_then(|at| innermost_locals(&mut self.core.levels[..at]));
         if let Some(locals) = outer {
             locals.insert(number, value);
         }

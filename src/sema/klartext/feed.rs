@@ -185,11 +185,11 @@ impl Run<'_> {
             self.feed_in_contour(w);
             return Ok(());
         }
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let (feed, written) = match w.feed {
             FeedWord::None | FeedWord::Max => return Ok(()),
             FeedWord::Value(f) => {
-                self.large_per_revolution(self.loc(w.feed_span), f);
+                self.large_per_revolution(self.core.loc(w.feed_span), f);
                 (self.feed_of(f), f)
             }
             FeedWord::PerRevolution(f) => (Feed::PerRevolution(f), f / mm),
@@ -199,16 +199,16 @@ impl Run<'_> {
             }
             FeedWord::Auto => match self.st.feed.of_tool {
                 Some(ToolFeed { feed: Feed::PerMinute(_), .. }) if self.st.feed.is_per_revolution() => {
-                    return self.refuse(w.feed_span, codes::K2003::f_of_last_tool_call_counts());
+                    return self.core.refuse(w.feed_span, codes::K2003::f_of_last_tool_call_counts());
                 }
                 Some(ToolFeed { feed: Feed::PerRevolution(_), by_word: false, .. })
                     if !self.st.feed.is_per_revolution() =>
                 {
-                    return self.refuse(w.feed_span, codes::K2003::f_of_last_tool_call_counts_per());
+                    return self.core.refuse(w.feed_span, codes::K2003::f_of_last_tool_call_counts_per());
                 }
                 Some(feed) => (feed.feed, feed.written),
                 None => {
-                    return self.refuse(
+                    return self.core.refuse(
                         w.feed_span,
                         codes::K2003::last_tool_call_has_no_f().answer(Answer::key("control", "feed")),
                     );
@@ -230,19 +230,19 @@ impl Run<'_> {
     /// FZ: `feed` mm for each tooth of the tool in the spindle.
     pub(super) fn feed_of_teeth(&mut self, feed: f64, span: Span) -> Outcome<Feed> {
         let Some(tool) = self.st.tool.active() else {
-            return self.refuse(span, codes::K9013::fz_is_feed_per_tooth_and_no());
+            return self.core.refuse(span, codes::K9013::fz_is_feed_per_tooth_and_no());
         };
         if let Some(teeth) = tool.teeth {
             return Ok(Feed::PerRevolution(feed * f64::from(teeth)));
         }
         let called = &tool.called;
-        self.refuse(span, codes::K9013::fz_is_feed_per_tooth(&called).answer(Answer::tool(called, "teeth")))
+        self.core.refuse(span, codes::K9013::fz_is_feed_per_tooth(&called).answer(Answer::tool(called, "teeth")))
     }
 
     /// M136 makes a feed that was meant per minute count per revolution.
     pub(super) fn large_per_revolution(&self, loc: Loc, feed: f64) {
         if self.st.feed.is_large(feed) {
-            self.report(codes::K2013::under_m136_this_feed_is_mm_per(&feed).at(loc));
+            self.core.report(codes::K2013::under_m136_this_feed_is_mm_per(&feed).at(loc));
         }
     }
 
@@ -250,12 +250,12 @@ impl Run<'_> {
     pub(super) fn feed_not_positive<T>(&mut self, span: Span, value: f64) -> Outcome<T> {
         let text = self.word_text(span);
         let what = if text.contains(['Q', 'q']) { format!("`{text}` is {value}") } else { format!("`{text}`") };
-        self.refuse(span, codes::O1001::feed_has_to_be_above_zero(&what))
+        self.core.refuse(span, codes::O1001::feed_has_to_be_above_zero(&what))
     }
 
     /// A feed word in the unit and mode in force.
     pub(super) fn feed_of(&mut self, value: f64) -> Feed {
-        let inch = self.level().frame.unit == Unit::Inch;
+        let inch = self.core.level().frame.unit == Unit::Inch;
         self.st.feed.counted(value, inch)
     }
 
@@ -295,7 +295,8 @@ impl Run<'_> {
             false => usual.into(),
         };
         if !self.feed_is_lost_by_call() {
-            self.report(codes::P2002::no_feed_rate_is_programmed_before().at(self.here.origin.loc).help(help));
+            self.core
+                .report(codes::P2002::no_feed_rate_is_programmed_before().at(self.core.here.origin.loc).help(help));
         }
         // One report is enough.
         self.st.feed.modal.presume();
@@ -354,7 +355,8 @@ impl Run<'_> {
         let real = linear * step;
         let down = real[tool_axis.index()];
         if open.contains(tool_axis) || (down < 0.0 && !open.is_empty()) {
-            self.report(codes::K2709::start_of_this_move_is_not_known(&(share * 100.0)).at(self.loc(w.axes_span)));
+            self.core
+                .report(codes::K2709::start_of_this_move_is_not_known(&(share * 100.0)).at(self.core.loc(w.axes_span)));
             return feed.with_value(feed.value() * share);
         }
         if down >= 0.0 {
@@ -374,7 +376,7 @@ impl Run<'_> {
     #[inline]
     pub(super) fn rotary_only_feed(&mut self, feed: Option<Feed>, end: &Pos) -> Option<Feed> {
         let feed = feed?;
-        if self.level().frame.unit == Unit::Mm || end.known().without(AxisSet::MAIN).is_empty() {
+        if self.core.level().frame.unit == Unit::Mm || end.known().without(AxisSet::MAIN).is_empty() {
             return Some(feed);
         }
         let linear = |axis: &Axis| !axis.is_rotary() && self.st.position.get(*axis) != end.get(*axis);

@@ -66,25 +66,25 @@ impl Run<'_> {
         self.warn_of_order(&transform);
         self.refuse_compensated("the coordinate system changes");
         self.st.frames.transform = transform;
-        let span = self.block_span();
+        let span = self.core.block_span();
         self.update_frame(span)
     }
 
     /// Warns where `next` mixes transformations whose order no manual at hand gives.
     fn warn_of_order(&self, next: &Transformation) {
         let now = &self.st.frames.transform;
-        let here = self.here.origin.loc;
+        let here = self.core.here.origin.loc;
         let turned = now.angle != next.angle || now.plane != next.plane;
         if next.mirror_order_counts() && (turned || now.mirror != next.mirror) {
             let fault =
                 if next.mirror_last { codes::K2807::rotation_acts_first() } else { codes::K2807::mirror_acts_first() };
-            self.report(fault.answer(Answer::key("control", "mirror")).at(here));
+            self.core.report(fault.answer(Answer::key("control", "mirror")).at(here));
         }
         if next.scaling_order_counts() && (turned || now.axis_scale != next.axis_scale) {
-            self.report(codes::K2807::cycle_26_scales_first().at(here));
+            self.core.report(codes::K2807::cycle_26_scales_first().at(here));
         }
         if next.scales_twice() && (now.scale != next.scale || now.axis_scale != next.axis_scale) {
-            self.report(codes::K2808::cycle_11_scales_first().at(here));
+            self.core.report(codes::K2808::cycle_11_scales_first().at(here));
         }
     }
 
@@ -94,12 +94,15 @@ impl Run<'_> {
         let lift = self.st.tool.active().map_or(0.0, |tool| tool.call_deltas[0]);
         let axis = self.st.axis();
         let Some(frame) = self.st.frames.transform.frame(axis, lift) else {
-            return self.refuse(span, codes::P2090::transformations_together_are_too_large_or_too());
+            return self.core.refuse(span, codes::P2090::transformations_together_are_too_large_or_too());
         };
         if let Some(tool) = self.st.tool.active().filter(|_| lift != 0.0) {
-            self.job.diags.push_once(
-                codes::K2011::length_oversize_dl_mm_of_tool(&lift, &tool.called, &axis.letter())
-                    .at(self.here.origin.loc),
+            self.core.job.diags.push_once(
+                codes::K2011::length_oversize_dl_mm_of_tool(&lift, &tool.called, &axis.letter()).at(self
+                    .core
+                    .here
+                    .origin
+                    .loc),
             );
         }
         let plane = self.st.plane();
@@ -122,19 +125,19 @@ impl Run<'_> {
             return self.shift_by_row(open);
         }
         if open.axes.is_empty() {
-            return self.refuse(self.block_span(), codes::K2402::cycle_7_names_no_axis());
+            return self.core.refuse(self.core.block_span(), codes::K2402::cycle_7_names_no_axis());
         }
         self.shift(&open.axes)
     }
 
     /// Datum shift: axes that are not named keep theirs.
     pub(super) fn shift(&mut self, axes: &[AxisValue]) -> Outcome {
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let mut next = self.st.frames.transform.clone();
-        let turned = self.job.settings.control.shift_axes == ShiftAxes::Transformed;
+        let turned = self.core.job.settings.control.shift_axes == ShiftAxes::Transformed;
         for axis in axes {
             let Some(value) = axis.value else {
-                self.report(codes::K2402::shift_of_lacks_its_value(&axis.axis.letter()).at(axis.loc));
+                self.core.report(codes::K2402::shift_of_lacks_its_value(&axis.axis.letter()).at(axis.loc));
                 return Err(Reported);
             };
             let value = if axis.axis.is_rotary() { value } else { value * mm };
@@ -145,10 +148,10 @@ impl Run<'_> {
         let changes = AxisSet::MAIN.iter().any(|axis| now.shift[axis.index()] != next.shift[axis.index()]);
         let clears = AxisSet::MAIN.iter().all(|axis| next.shift[axis.index()] == 0.0);
         if changes && !clears && !now.is_shift_only() && !turned {
-            self.report(
+            self.core.report(
                 codes::K2501::datum_shift_is_measured_along_original_axes()
                     .answer(Answer::key("control", "shift_axes"))
-                    .at(self.here.origin.loc),
+                    .at(self.core.here.origin.loc),
             );
         }
         self.set_transformation(next)
@@ -161,7 +164,7 @@ impl Run<'_> {
             return Ok(());
         }
         if now.is_shifted_in_plane() && !now.shifted_in_turn {
-            self.say_here(codes::K2852::datum_was_shifted_before_working_plane());
+            self.core.say_here(codes::K2852::datum_was_shifted_before_working_plane());
             return Err(Reported);
         }
         next.shifted_in_turn = next.is_shifted_in_plane();
@@ -170,11 +173,11 @@ impl Run<'_> {
 
     pub(super) fn mirror(&mut self, axes: AxisSet) -> Outcome {
         if !axes.without(AxisSet::MAIN).is_empty() {
-            return self.refuse(self.block_span(), codes::P2090::only_x_y());
+            return self.core.refuse(self.core.block_span(), codes::P2090::only_x_y());
         }
         if axes.contains(self.st.axis()) {
             let axis = self.st.axis().letter();
-            self.report(codes::P2030::tool_axis_is_mirrored(&axis).at(self.here.origin.loc));
+            self.core.report(codes::P2030::tool_axis_is_mirrored(&axis).at(self.core.here.origin.loc));
         }
         let mut next = self.st.frames.transform.clone();
         next.mirror = axes;
@@ -184,7 +187,7 @@ impl Run<'_> {
     pub(super) fn rotate(&mut self, angle: f64, incremental: bool) -> Outcome {
         self.refuse_compensated("the coordinate system turns");
         if self.st.compensation.is_on() {
-            self.report(codes::P2041::rotation_ends_radius_compensation().at(self.here.origin.loc));
+            self.core.report(codes::P2041::rotation_ends_radius_compensation().at(self.core.here.origin.loc));
             self.st.end_compensation();
         }
         let mut next = self.st.frames.transform.clone();
@@ -200,17 +203,19 @@ impl Run<'_> {
         if (0.000_001..=99.999_999).contains(&factor) {
             return Ok(());
         }
-        self.refuse(self.block_span(), codes::P2090::scaling_factor_of_is_out_of_range(&factor))
+        self.core.refuse(self.core.block_span(), codes::P2090::scaling_factor_of_is_out_of_range(&factor))
     }
 
     pub(super) fn scale(&mut self, factor: f64) -> Outcome {
         self.check_factor(factor)?;
-        let in_plane = self.job.settings.control.scaling_in_plane;
+        let in_plane = self.core.job.settings.control.scaling_in_plane;
         if factor != 1.0 && !in_plane {
-            self.job.diags.push_once(
-                codes::K2507::scaling_acts_on_tool_axis()
-                    .answer(Answer::key("control", "scaling"))
-                    .at(self.here.origin.loc),
+            self.core.job.diags.push_once(
+                codes::K2507::scaling_acts_on_tool_axis().answer(Answer::key("control", "scaling")).at(self
+                    .core
+                    .here
+                    .origin
+                    .loc),
             );
         }
         let mut next = self.st.frames.transform.clone();
@@ -221,11 +226,11 @@ impl Run<'_> {
 
     /// Cycle 26.
     pub(super) fn scale_axes(&mut self, open: &Open) -> Outcome {
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let mut next = self.st.frames.transform.clone();
         for axis in &open.axes {
             let (true, Some(factor)) = (axis.axis.is_main(), axis.value) else {
-                self.report(codes::P2090::cannot_be_scaled(&axis.axis.letter()).at(axis.loc));
+                self.core.report(codes::P2090::cannot_be_scaled(&axis.axis.letter()).at(axis.loc));
                 return Err(Reported);
             };
             self.check_factor(factor)?;
@@ -251,7 +256,7 @@ impl Run<'_> {
 
     /// Axes that cycle 26 scales about a centre given before: it goes, or stays.
     fn other_centers(&mut self, next: &mut Transformation, kept: [f64; 3], named: [bool; 3]) {
-        let keep = self.job.settings.control.klartext_readings.keep_scaling_center;
+        let keep = self.core.job.settings.control.klartext_readings.keep_scaling_center;
         for axis in AxisSet::MAIN.iter() {
             let i = axis.index();
             if named[i] || kept[i] == 0.0 || next.axis_scale[i] == 1.0 {
@@ -264,10 +269,10 @@ impl Run<'_> {
                 "the datum"
             };
             let letter = axis.letter();
-            self.report(
+            self.core.report(
                 codes::K2809::this_cycle_26_names_no_centre(&letter, &what)
                     .answer(Answer::key("control", "scaling_center"))
-                    .at(self.here.origin.loc),
+                    .at(self.core.here.origin.loc),
             );
         }
     }
@@ -275,7 +280,7 @@ impl Run<'_> {
     #[cold]
     fn preset_without_offset(&mut self, number: f64, row: Option<u32>) -> Outcome {
         let help = match row {
-            Some(_) if self.job.settings.output.target.offset_range().is_none() => {
+            Some(_) if self.core.job.settings.output.target.offset_range().is_none() => {
                 "take the cycle out: positions count from where the part is set up on the machine".into()
             }
             Some(row) => {
@@ -285,17 +290,17 @@ impl Run<'_> {
             }
             None => "write the number of a row of the preset table, a whole number, into Q339".into(),
         };
-        self.report(codes::P9014::preset_has_no_work_offset(&number).at(self.here.origin.loc).help(help));
+        self.core.report(codes::P9014::preset_has_no_work_offset(&number).at(self.core.here.origin.loc).help(help));
         Err(Reported)
     }
 
     /// Cycle 247: a row of the preset table becomes a work offset.
     pub(super) fn preset(&mut self, open: &Open) -> Outcome {
         let Some(&(_, number)) = open.parameters.iter().find(|(q, _)| *q == 339) else {
-            return self.refuse(self.block_span(), codes::K2402::cycle_247_lacks_preset_number_q339());
+            return self.core.refuse(self.core.block_span(), codes::K2402::cycle_247_lacks_preset_number_q339());
         };
         let row = (number >= 0.0 && number.fract() == 0.0).then_some(number as u32);
-        let configured = row.and_then(|row| self.job.settings.datums.presets.get(&row).copied());
+        let configured = row.and_then(|row| self.core.job.settings.datums.presets.get(&row).copied());
         let offset = configured.or(row.filter(|row| (1..=9).contains(row)).map(|row| row as u8));
         let Some(offset) = offset else {
             return self.preset_without_offset(number, row);
@@ -308,10 +313,12 @@ impl Run<'_> {
             self.core.prints_offset(name, offset, Where::Block)?;
         }
         if configured.is_none() {
-            self.report(codes::K2504::preset_is_printed(&number, &self.offset_word(offset)).at(self.here.origin.loc));
+            self.core.report(
+                codes::K2504::preset_is_printed(&number, &self.core.offset_word(offset)).at(self.core.here.origin.loc),
+            );
         }
         if self.st.frames.transform.turn.0 != 0.0 {
-            self.say_here(codes::K2852::datum_is_set_while_working_plane());
+            self.core.say_here(codes::K2852::datum_is_set_while_working_plane());
             return Err(Reported);
         }
         let stands = self.machine_coordinates();
@@ -359,14 +366,14 @@ impl Run<'_> {
                 let row = row.rsplit_once("DATUMTABLETABLINE").and_then(|(_, row)| row.parse::<u32>().ok());
                 return match row {
                     Some(row) => self.take_datum_row(f64::from(row)),
-                    None => self.refuse(block.span, codes::K2402::trans_datum_table_names_no_row()),
+                    None => self.core.refuse(block.span, codes::K2402::trans_datum_table_names_no_row()),
                 };
             }
             b"IROT" if kind == Transform::Rotation => {}
             label if label == wanted.as_bytes() => {}
             _ => {
                 let span = block.words.first().map_or(block.span, |word| word.span);
-                return self.refuse(span, codes::K2402::lacks(&head, &wanted).help(help));
+                return self.core.refuse(span, codes::K2402::lacks(&head, &wanted).help(help));
             }
         }
         let axes = matches!(kind, Transform::Datum | Transform::Mirror);
@@ -382,7 +389,7 @@ impl Run<'_> {
                         return self.twice(word, block);
                     }
                     let value = self.number_if(word.value, word.span)?;
-                    named.push(AxisValue { axis, incremental, value, loc: self.loc(word.span) });
+                    named.push(AxisValue { axis, incremental, value, loc: self.core.loc(word.span) });
                 }
                 Addr::Value if !axes && value.is_none() => value = Some(self.number(word.value, word.span)?),
                 _ => return self.not_admitted(word, head),
@@ -393,7 +400,7 @@ impl Run<'_> {
             (Transform::Mirror, None) if !named.is_empty() => self.mirror(named.iter().map(|axis| axis.axis).collect()),
             (Transform::Rotation, Some(angle)) => self.rotate(angle, label == b"IROT"),
             (Transform::Scale, Some(factor)) => self.scale(factor),
-            _ => self.refuse(block.span, codes::K2402::lacks_its_values(&head).help(help)),
+            _ => self.core.refuse(block.span, codes::K2402::lacks_its_values(&head).help(help)),
         }
     }
 

@@ -77,17 +77,17 @@ impl Run<'_> {
         let Some((head, parameters)) = words.split_first() else { return Ok(()) };
         let number = head.0.split_ascii_whitespace().nth(2).and_then(|number| number.parse::<u32>().ok());
         if number == Some(125) {
-            return self.refuse(head.1, codes::P9011::global_def_125_decides_where_tool_goes());
+            return self.core.refuse(head.1, codes::P9011::global_def_125_decides_where_tool_goes());
         }
         let Some((number, takes)) = KNOWN.iter().find(|(known, _)| Some(*known) == number) else {
-            return self.refuse(head.1, codes::K2943::number_of_this_global_def_is_not());
+            return self.core.refuse(head.1, codes::K2943::number_of_this_global_def_is_not());
         };
         for (word, span) in parameters {
             let (q, given) = self.global_parameter(word, *span)?;
             if !takes.contains(&q) {
-                return self.refuse(*span, codes::K2943::global_def_has_no_parameter_q(&number, &q));
+                return self.core.refuse(*span, codes::K2943::global_def_has_no_parameter_q(&number, &q));
             }
-            let unit = self.level().frame.unit;
+            let unit = self.core.level().frame.unit;
             self.globals.set(q, given, unit);
         }
         Ok(())
@@ -95,7 +95,7 @@ impl Run<'_> {
 
     /// `Q200=+2`
     fn global_parameter(&mut self, word: &str, span: Span) -> Outcome<(u32, Given)> {
-        let unreadable = |run: &Self| run.refuse(span, codes::K2943::is_no_parameter_with_its_value(&word));
+        let unreadable = |run: &Self| run.core.refuse(span, codes::K2943::is_no_parameter_with_its_value(&word));
         let Some((name, value)) = word.split_once('=') else { return unreadable(self) };
         let Some(q) = name.trim().strip_prefix('Q').and_then(|digits| digits.parse().ok()) else {
             return unreadable(self);
@@ -120,11 +120,11 @@ impl Run<'_> {
 
     /// What a parameter that says PREDEF takes.
     pub(super) fn predefined(&mut self, q: QRef, span: Span) -> Outcome<Given> {
-        let unit = self.level().frame.unit;
+        let unit = self.core.level().frame.unit;
         match self.globals.get(q.number) {
             Some((given, of)) if of == unit => Ok(given),
-            Some(_) => self.refuse(span, codes::K2943::global_def_with_stands_in_program(&q)),
-            None => self.refuse(span, codes::K2944::no_global_def_gives_value(&q)),
+            Some(_) => self.core.refuse(span, codes::K2943::global_def_with_stands_in_program(&q)),
+            None => self.core.refuse(span, codes::K2944::no_global_def_gives_value(&q)),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{self, Diagnostic, codes};
 use crate::parser::klartext::ast::{LabelRef, Stmt};
 use crate::parser::symbols::Symbols;
 use crate::sema::Job;
@@ -76,7 +76,7 @@ impl Labels {
         // A program that runs again passes its labels again.
         if let Some(&first) = self.places.get(&label).filter(|first| **first != place) {
             let first = Loc { line: first.line, span: Span::at(first.at, 1), ..loc };
-            return Some(codes::P2010::is_set_twice(&label).at(loc).also(first, "first set here"));
+            return Some(codes::P2010::is_set_twice(&label).at(loc).also(first, diag::Label::FirstSetHere));
         }
         self.places.insert(label, place);
         None

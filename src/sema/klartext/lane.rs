@@ -72,7 +72,7 @@ impl Run<'_> {
             self.st.feed.program(feed, written);
         }
         let path = if line.rapid { Path::Rapid } else { Path::straight(self.st.feed.word()) };
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let end = Pos::of_main(line.values.map(|value| value * mm), line.axes);
         let side = self.st.compensation.side();
         self.core.send_move(&Move { end, path, side, coords: Coords::Frame }, &self.st.ctx);

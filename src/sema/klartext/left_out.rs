@@ -3,7 +3,7 @@
 //! Comes in: the name as a block writes it. Goes out: what the entry says that the program leaves behind, or the file that
 //! runs in its place. A program that is found runs, whatever the entry says.
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, Diagnostic, Label, codes};
 use crate::ir::function::Turn;
 use crate::machine::{AxisSet, ChangeCall, Left, LeftSpindle, StandIn};
 use crate::sema::common::hidden::By;
@@ -25,31 +25,31 @@ pub(super) struct FeedLeft {
 impl Run<'_> {
     /// What stands for the program `name`: the name of its entry, and what it says. `None`: the program is here, or has no entry.
     pub(super) fn stands_for(&mut self, name: &str) -> Option<(String, StandIn)> {
-        let (key, stands) = entry_of(&self.job.settings.programs, name)?;
+        let (key, stands) = entry_of(&self.core.job.settings.programs, name)?;
         let wanted = Wanted { name, extensions: &["H", "h"], within: Within::Caller };
-        self.is_nowhere(&wanted).then_some((key, stands))
+        self.core.is_nowhere(&wanted).then_some((key, stands))
     }
 
     /// Does what the entry `key` says in place of the call of `name`, which runs no file.
     pub(super) fn stand_in(&mut self, name: &str, key: &str, change: Option<ChangeCall>) -> Outcome {
-        let span = self.block_span();
-        if self.job.settings.left_by(key).rapid.is_some() {
-            return self.refuse(span, codes::P0205::programs_says_that_leaves_g0_or_g1(&key));
+        let span = self.core.block_span();
+        if self.core.job.settings.left_by(key).rapid.is_some() {
+            return self.core.refuse(span, codes::P0205::programs_says_that_leaves_g0_or_g1(&key));
         }
         match change {
             None => {
-                self.report_once(codes::P8105::is_left_out(&name).at(self.here.origin.loc));
+                self.core.report_once(codes::P8105::is_left_out(&name).at(self.core.here.origin.loc));
             }
             Some(ChangeCall { tool: None, edge: None }) => self.change_by_program(name, span)?,
             Some(_) => {
-                return self.refuse(span, codes::P0205::programs_says_that_argument_of_names_tool(&key));
+                return self.core.refuse(span, codes::P0205::programs_says_that_argument_of_names_tool(&key));
             }
         }
         self.leave_axes(key, "end the contour with R0 before the call")?;
         self.leave_technology(key)?;
-        if self.job.settings.left_by(key).feed.is_none() && self.st.feed.word().is_some() {
+        if self.core.job.settings.left_by(key).feed.is_none() && self.st.feed.word().is_some() {
             self.feed_left =
-                Some(Box::new(FeedLeft { name: name.to_owned(), call: self.here.origin.loc, lost: false }));
+                Some(Box::new(FeedLeft { name: name.to_owned(), call: self.core.here.origin.loc, lost: false }));
             self.st.feed.left_by_call();
         }
         Ok(())
@@ -58,38 +58,38 @@ impl Run<'_> {
     /// The program changes to the tool that was called.
     fn change_by_program(&mut self, name: &str, span: Span) -> Outcome {
         if matches!(self.st.tool.change, Change::None | Change::Announced | Change::InSpindle) {
-            return self.refuse(
+            return self.core.refuse(
                 span,
                 codes::K2802::changes_tool(&name).answer(Answer::key("control", "tool_change").one_of(&["\"m6\""])),
             );
         }
         self.change_at(span, &format!("`{name}`"))?;
         // Where it leaves the axes only the configuration knows.
-        let loc = self.here.origin.loc;
+        let loc = self.core.here.origin.loc;
         self.st.position.forget(AxisSet::MAIN);
         self.st.position.hide(AxisSet::MAIN, By::ToolChange, loc);
         self.lost();
         self.stand_after_change();
-        self.report_once(codes::P8105::changes_tool(&name).at(loc));
+        self.core.report_once(codes::P8105::changes_tool(&name).at(loc));
         Ok(())
     }
 
     /// Axes that stand at a place that nothing says behind what the entry `name` stands for.
     pub(super) fn leave_axes(&mut self, name: &str, under_compensation: &'static str) -> Outcome {
-        let moved = self.job.settings.left_by(name).lost;
+        let moved = self.core.job.settings.left_by(name).lost;
         if moved.is_empty() {
             return Ok(());
         }
         if self.st.compensation.is_on() {
-            let refused = self.refuse(
-                self.block_span(),
+            let refused = self.core.refuse(
+                self.core.block_span(),
                 codes::P2001::moves_axes_under_radius_compensation(&name).help(under_compensation),
             );
             self.lose_all();
             return refused;
         }
         self.st.position.forget(moved);
-        self.st.position.hide(moved, By::Call, self.here.origin.loc);
+        self.st.position.hide(moved, By::Call, self.core.here.origin.loc);
         self.lost();
         let known = *self.st.position.at();
         self.core.stands_at(&known, &self.st.ctx);
@@ -98,7 +98,7 @@ impl Run<'_> {
 
     /// What the entry says of feed and spindle is done as the words of a block would do it.
     pub(super) fn leave_technology(&mut self, name: &str) -> Outcome {
-        let left = self.job.settings.left_by(name);
+        let left = self.core.job.settings.left_by(name);
         match left.feed {
             Some(Left::Value(written)) => {
                 let feed = self.feed_of(written);
@@ -108,15 +108,17 @@ impl Run<'_> {
                 self.st.feed.forget();
                 self.st.feed.left_by_call();
                 self.feed_left =
-                    Some(Box::new(FeedLeft { name: name.to_owned(), call: self.here.origin.loc, lost: true }));
+                    Some(Box::new(FeedLeft { name: name.to_owned(), call: self.core.here.origin.loc, lost: true }));
             }
             None => {}
         }
         match left.speed {
-            Some(Left::Value(speed)) => self.spindle_speed(speed, self.block_span())?,
+            Some(Left::Value(speed)) => self.spindle_speed(speed, self.core.block_span())?,
             Some(Left::Lost) => {
                 let what = if name.starts_with("CYCL ") { "cycle" } else { "program" };
-                return self.refuse(self.block_span(), codes::P9010::leaves_speed_that_is_not_known(&name, &what));
+                return self
+                    .core
+                    .refuse(self.core.block_span(), codes::P9010::leaves_speed_that_is_not_known(&name, &what));
             }
             None => {}
         }
@@ -139,8 +141,8 @@ impl Run<'_> {
         self.st.feed.took_left();
         let FeedLeft { name, call, .. } = *left;
         let key = key_of(&name);
-        let found = codes::K2414::this_cut_takes_feed_of_before(&name, &key).at(self.here.origin.loc);
-        self.report_once(found.also(call, "the call"));
+        let found = codes::K2414::this_cut_takes_feed_of_before(&name, &key).at(self.core.here.origin.loc);
+        self.core.report_once(found.also(call, Label::Call));
     }
 
     /// Says of a cut without a feed that a program which is left out leaves one that is not known.
@@ -149,8 +151,8 @@ impl Run<'_> {
         let FeedLeft { name, call, .. } = *left;
         let is_of_call = self.st.feed.is_of_before_call();
         if is_of_call {
-            let found = codes::P2002::leaves_feed_that_is_not_known(&name).at(self.here.origin.loc);
-            self.report(found.also(call, "the call"));
+            let found = codes::P2002::leaves_feed_that_is_not_known(&name).at(self.core.here.origin.loc);
+            self.core.report(found.also(call, Label::Call));
         }
         is_of_call
     }

@@ -71,18 +71,18 @@ impl Run<'_> {
             match entry(m.number) {
                 Some((Act::Refused, _)) => {
                     let (what, help) = refusal(m.number);
-                    return self.refuse(m.span, codes::K9008::m(&m.number, &what).help(help));
+                    return self.core.refuse(m.span, codes::K9008::m(&m.number, &what).help(help));
                 }
                 Some(_) if m.number == 130 && self.st.frames.transform().turn.0 != 0.0 => {
-                    return self.refuse(m.span, codes::K9008::m130_takes_this_block_out_of_working());
+                    return self.core.refuse(m.span, codes::K9008::m130_takes_this_block_out_of_working());
                 }
                 Some((Act::CompensationOnly | Act::LookAhead, _))
                     if compensated && acts(m) && !self.computes_path() =>
                 {
-                    return self.refuse(m.span, codes::K9008::m_changes_compensated_path(&m.number));
+                    return self.core.refuse(m.span, codes::K9008::m_changes_compensated_path(&m.number));
                 }
                 Some(_) => {}
-                None if self.job.settings.output.pass_m.contains(&m.number) => {}
+                None if self.core.job.settings.output.pass_m.contains(&m.number) => {}
                 None => {
                     let number = m.number;
                     let usual = format!("if the target machine understands it, add `[output] pass_m = [{number}]`");
@@ -94,7 +94,9 @@ impl Run<'_> {
                             .and(Answer::changing_m(number)),
                         _ => Answer::pass_m(number).help(usual),
                     };
-                    return self.refuse(m.span, codes::P2007::m_is_function_of_machine_builder(&number).help(help));
+                    return self
+                        .core
+                        .refuse(m.span, codes::P2007::m_is_function_of_machine_builder(&number).help(help));
                 }
             }
         }
@@ -104,7 +106,7 @@ impl Run<'_> {
     /// Refuses M functions that say how or where a block moves, in a block that does not.
     pub(super) fn forbid_m(&mut self, w: &Words, head: &str, numbers: &[u32]) -> Outcome {
         let Some(m) = w.any_m(numbers) else { return Ok(()) };
-        self.refuse(m.span, codes::P1003::m_has_no_place_in_block(&m.number, &head))
+        self.core.refuse(m.span, codes::P1003::m_has_no_place_in_block(&m.number, &head))
     }
 
     /// M functions that act at the start of the block. `moves` tells whether the block moves.
@@ -116,9 +118,10 @@ impl Run<'_> {
                 Some((_, When::End)) => {}
                 None => {
                     if moves {
-                        self.job
+                        self.core
+                            .job
                             .diags
-                            .push_once(codes::P2008::m_is_printed_before_move(&m.number).at(self.loc(m.span)));
+                            .push_once(codes::P2008::m_is_printed_before_move(&m.number).at(self.core.loc(m.span)));
                     }
                     self.function(Function::Aux(m.number));
                 }
@@ -169,7 +172,7 @@ impl Run<'_> {
                 if let Some(share) = m.args.feed
                     && !(share > 0.0 && share <= 100.0)
                 {
-                    return self.refuse(m.span, codes::K2707::m103_f_is_no_share_of_feed(&share));
+                    return self.core.refuse(m.span, codes::K2707::m103_f_is_no_share_of_feed(&share));
                 }
                 if m.args.feed.is_none() && self.st.feed.plunge_share().is_none() {
                     self.note_m(m);
@@ -188,8 +191,8 @@ impl Run<'_> {
             Act::RotaryFeed(on) => self.st.feed.at_surface = on,
             Act::ShortWay(on) => self.st.rotary.short_way = on,
             Act::PerRevolution(on) => {
-                if on && self.level().frame.unit == Unit::Inch {
-                    return self.refuse(m.span, codes::K9008::unit_of_f_under_m136_in_inch());
+                if on && self.core.level().frame.unit == Unit::Inch {
+                    return self.core.refuse(m.span, codes::K9008::unit_of_f_under_m136_in_inch());
                 }
                 self.st.feed.switch(on);
             }
@@ -202,11 +205,13 @@ impl Run<'_> {
             Act::Retract => return self.retract(m),
             Act::EndRotation => return self.end_basic_rotation(m),
             Act::Note => self.note_m(m),
-            Act::ShortPoints => self.report(codes::K2804::m124_leaves_out_points_on_control().at(self.loc(m.span))),
+            Act::ShortPoints => {
+                self.core.report(codes::K2804::m124_leaves_out_points_on_control().at(self.core.loc(m.span)))
+            }
             Act::CompensationOnly | Act::LookAhead if self.computes_path() && self.st.compensation.is_on() => {}
             Act::CompensationOnly | Act::LookAhead => {
-                let found = codes::K2703::m_has_no_word_in_output(&m.number).at(self.loc(m.span));
-                self.report(found);
+                let found = codes::K2703::m_has_no_word_in_output(&m.number).at(self.core.loc(m.span));
+                self.core.report(found);
             }
             Act::Block | Act::Refused => {}
         }
@@ -225,7 +230,7 @@ impl Run<'_> {
             103 | 111 | 117 | 127 | 129 | 137 => "switches off what is not on, and has",
             _ => "has",
         };
-        self.report(codes::K2703::m_no_word_in_output(&m.number, &what).at(self.loc(m.span)));
+        self.core.report(codes::K2703::m_no_word_in_output(&m.number, &what).at(self.core.loc(m.span)));
     }
 
     pub(super) fn start_spindle(&mut self, turn: Turn) {
@@ -251,7 +256,7 @@ impl Run<'_> {
                 (true, false) => "the spindle",
                 _ => "the coolant",
             };
-            self.report(codes::K2708::m0_also_stops(&what).at(self.loc(span)));
+            self.core.report(codes::K2708::m0_also_stops(&what).at(self.core.loc(span)));
         }
         if self.st.spindle.turns() {
             self.stop_spindle();
@@ -273,7 +278,7 @@ impl Run<'_> {
             return self.m_at_end(&w);
         }
         self.m_at_end(&w)?;
-        if !self.has_ended() {
+        if !self.core.has_ended() {
             self.function(Function::Stop);
             self.st.position.stops();
         }

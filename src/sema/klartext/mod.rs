@@ -29,7 +29,6 @@ mod fk;
 mod flow;
 mod frames;
 mod global_def;
-mod help;
 mod known;
 mod labels;
 mod lane;
@@ -61,7 +60,7 @@ mod unexecuted;
 mod vars;
 mod words;
 
-use crate::diag::{CallPath, Code, Diagnostic, Help, codes};
+use crate::diag::{CallPath, Code, Fault, codes};
 use crate::ir::Function;
 use crate::ir::contour::{Move, Path, Sink};
 use crate::machine::{AxisSet, Proposed, Unit};
@@ -78,7 +77,7 @@ pub use unexecuted::check_unexecuted;
 
 use super::run::place::move_beside;
 use super::run::unexecuted::Blocks;
-use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
+use super::run::{self, Interpreter, Language, Level, Parsed};
 use super::value::Machine;
 use super::{Job, Outcome, Reported};
 use cycle::Cycles;
@@ -156,6 +155,7 @@ impl Language for Klartext {
     type Frame = Frame;
 
     const SPLIT: SplitRules = SPLIT;
+    const USUAL_HELP: bool = true;
 
     #[inline]
     fn parse(&mut self, text: &[u8], into: &mut Parsed<Block>, _: &mut Symbols, problems: &mut Vec<Problem>) {
@@ -178,10 +178,6 @@ impl Language for Klartext {
     #[inline]
     fn operations(block: &Block) -> usize {
         block.ops.len()
-    }
-
-    fn usual_help(code: &'static Code) -> Option<Help> {
-        help::usual_help(code)
     }
 
     /// A program without numbers has hundreds of such words: one finding says it all.
@@ -251,8 +247,6 @@ struct Run<'a> {
     plain: bool,
 }
 
-runs_on!(Run.core: Core);
-
 impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Klartext;
 
@@ -262,7 +256,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn begin(&mut self, program: usize) -> Level<Frame> {
-        let settings = self.job.settings;
+        let settings = self.core.job.settings;
         let (vars, locals) = Vars::new(&settings.variables);
         self.vars = vars;
         self.refuse_entries_of_cycles();
@@ -299,8 +293,8 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     /// A block that is left out takes the lines along in which it goes on.
     fn forgive(&mut self, block: &Block) {
-        if self.job.skips(block.skip.then_some(0)) {
-            self.problems.retain(|problem| problem.code != codes::K1850);
+        if self.core.job.skips(block.skip.then_some(0)) {
+            self.core.problems.retain(|problem| problem.code != codes::K1850);
         }
     }
 
@@ -311,14 +305,14 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
 impl Run<'_> {
     fn execute_any(&mut self, block: &Block, text: &[u8]) {
-        if self.skips(block.skip.then_some(0)) {
+        if self.core.skips(block.skip.then_some(0)) {
             self.skip(block, text);
             return;
         }
         if self.skipped.is_some() && self.belongs_to_skipped(block) {
             return;
         }
-        if self.job.settings.output.comments
+        if self.core.job.settings.output.comments
             && let Some(comment) = block.comment
             && !matches!(block.stmt, Stmt::Cycle { .. } | Stmt::PatternDef)
         {
@@ -337,7 +331,7 @@ impl Run<'_> {
             self.finish_cycle();
         }
         if self.contour_waits()
-            && !fk::goes_on(block, &self.job.settings.control.tool_change_m)
+            && !fk::goes_on(block, &self.core.job.settings.control.tool_change_m)
             && self.close_contour().is_err()
         {
             self.lose_feed(block);
@@ -390,20 +384,19 @@ impl Run<'_> {
             Stmt::Fk(head) => self.fk_block(head, block, text),
             Stmt::Surface => {
                 let (name, span) = self.block_name(block, text, 1);
-                self.refuse_motion(codes::K9015, span, &format!("{name} blocks are not supported"))
+                self.refuse_motion(span, codes::K9015::blocks_are_not_supported(&name))
             }
             Stmt::Iso => {
                 let (name, span) = self.block_name(block, text, 1);
-                let message = format!("{name} is a DIN/ISO word and cannot stand in a Klartext program");
-                self.refuse_motion(codes::P9012, span, &message)
+                self.refuse_motion(span, codes::P9012::is_din_iso_word(&name))
             }
             Stmt::Refused(what, _) => self.refused(what, block, text),
         }
     }
 
     /// A block that would move is refused: afterwards no position is known.
-    fn refuse_motion(&mut self, code: &'static Code, span: Span, message: &str) -> Outcome {
-        self.report(Diagnostic::new(code, self.loc(span), message));
+    fn refuse_motion(&mut self, span: Span, fault: Fault) -> Outcome {
+        self.core.say(span, fault);
         self.lose_all();
         Err(Reported)
     }
@@ -480,9 +473,9 @@ impl Run<'_> {
         if left.is_empty() || self.is_capturing() {
             return false;
         }
-        let found = move_beside(codes::P2001, position, left, named, &self.st.ctx.frame, self.here.origin.loc);
+        let found = move_beside(position, left, named, &self.st.ctx.frame, self.core.here.origin.loc);
         let Some(found) = found else { return false };
-        self.report(found);
+        self.core.report(found);
         self.lose_all();
         true
     }
@@ -506,7 +499,7 @@ impl Run<'_> {
     }
 
     fn locals(&self) -> &Locals {
-        let locals = self.levels.iter().rev().find_map(|level| level.frame.locals.as_ref());
+        let locals = self.core.levels.iter().rev().find_map(|level| level.frame.locals.as_ref());
         locals.expect("the main level has locals")
     }
 
@@ -522,16 +515,16 @@ impl Run<'_> {
         self.forgotten_change();
         self.refuse_compensated("the program ends");
         if self.st.compensation.is_on() {
-            self.report(codes::P2041::program_ends_with_radius_compensation().at(self.here.origin.loc));
+            self.core.report(codes::P2041::program_ends_with_radius_compensation().at(self.core.here.origin.loc));
         }
         if !self.st.frames.transform().is_none() {
-            self.report(codes::K2502::program_ends_with_transformation_in_force().at(self.here.origin.loc));
+            self.core.report(codes::K2502::program_ends_with_transformation_in_force().at(self.core.here.origin.loc));
         }
     }
 
     /// A call level of kind Main or Program: the innermost program.
     fn in_called_program(&self) -> bool {
-        self.levels.iter().any(|level| level.frame.kind == FrameKind::Program)
+        self.core.levels.iter().any(|level| level.frame.kind == FrameKind::Program)
     }
 }
 

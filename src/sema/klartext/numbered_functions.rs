@@ -18,8 +18,8 @@ impl Run<'_> {
         match number {
             14 => {
                 let error = rest.rsplit('=').next().unwrap_or_default().trim().to_owned();
-                self.say_here(codes::P2026::program_stops_with_error(&error));
-                self.stop_run();
+                self.core.say_here(codes::P2026::program_stops_with_error(&error));
+                self.core.stop_run();
                 Err(Reported)
             }
             15 | 16 | 38 => {
@@ -28,7 +28,7 @@ impl Run<'_> {
             }
             23 => self.circle_data(&rest),
             24 => {
-                self.say_here(codes::P9011::fn_24_fits_circle_to_four_points());
+                self.core.say_here(codes::P9011::fn_24_fits_circle_to_four_points());
                 Err(Reported)
             }
             20 if rest.trim_start_matches("WAIT FOR").trim() == "SYNC" => {
@@ -36,7 +36,7 @@ impl Run<'_> {
                 Ok(())
             }
             26..=28 => {
-                self.say_here(codes::K9006::fn_works_on_table_of_control(&number));
+                self.core.say_here(codes::K9006::fn_works_on_table_of_control(&number));
                 Err(Reported)
             }
             37 => {
@@ -44,22 +44,23 @@ impl Run<'_> {
                 match name.strip_prefix("QL").and_then(|digits| digits.parse().ok()) {
                     Some(number) => self.export(number),
                     None => {
-                        self.say_here(codes::P1001::fn_37_exports_ql_parameter());
+                        self.core.say_here(codes::P1001::fn_37_exports_ql_parameter());
                         Err(Reported)
                     }
                 }
             }
             // Values for the machine's own control; the path does not depend on them (K 5.2).
             19 | 29 => {
-                self.report(codes::K2212::fn_gives_values_to_plc_of_machine(&number).at(self.here.origin.loc));
+                self.core
+                    .report(codes::K2212::fn_gives_values_to_plc_of_machine(&number).at(self.core.here.origin.loc));
                 Ok(())
             }
             17 | 20 | 25 => {
-                self.say_here(codes::K9014::fn_talks_to_machine(&number));
+                self.core.say_here(codes::K9014::fn_talks_to_machine(&number));
                 Err(Reported)
             }
             _ => {
-                self.say_here(codes::P9011::fn_is_not_supported(&number));
+                self.core.say_here(codes::P9011::fn_is_not_supported(&number));
                 Err(Reported)
             }
         }
@@ -72,9 +73,9 @@ impl Run<'_> {
             let from = data.trim().strip_prefix("CDATA")?;
             Some((q(target)?, q(from)?))
         });
-        let span = self.block_span();
+        let span = self.core.block_span();
         let Some((target, from)) = parts.filter(|(target, from)| target.max(from) < &1990) else {
-            return self.refuse(span, codes::P1001::fn_23_names_its_result());
+            return self.core.refuse(span, codes::P1001::fn_23_names_its_result());
         };
         let at = |number| QRef { kind: QKind::Q, number };
         for number in target..target + 3 {
@@ -86,7 +87,7 @@ impl Run<'_> {
         }
         let [a, b, c] = points;
         let Some((center, _)) = arc::through(a, b, c, SAME_POINT) else {
-            return self.refuse(span, codes::P2022::no_circle_leads_through_three_points());
+            return self.core.refuse(span, codes::P2022::no_circle_leads_through_three_points());
         };
         for (number, value) in (target..).zip([center.x, center.y, distance(a, center)]) {
             self.set(at(number), Slot::Number(value), span)?;
@@ -96,7 +97,7 @@ impl Run<'_> {
 
     /// A statement without influence on the path.
     pub(super) fn left_out(&self, what: &str) {
-        self.report(codes::K2805::has_no_word_in_output(&what).at(self.here.origin.loc));
+        self.core.report(codes::K2805::has_no_word_in_output(&what).at(self.core.here.origin.loc));
     }
 
     /// A parameter that the control sets itself.

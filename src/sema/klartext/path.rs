@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.1, 2.6, 2.7, 2.13, 2.14 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::Point2;
 use crate::ir::contour::{Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path};
 use crate::ir::{Feed, Pos, Side};
@@ -78,10 +78,10 @@ impl Run<'_> {
         self.check_m(w)?;
         let machine = w.has_m(91) || w.has_m(92);
         if machine && matches!(w.comp, Some(Comp::Paraxial(_))) {
-            return self.refuse(w.comp_span, codes::K2604::r_r_need_way_of_axis());
+            return self.core.refuse(w.comp_span, codes::K2604::r_r_need_way_of_axis());
         }
         if machine && (!is_line || !w.incremental.is_empty()) {
-            return self.refuse(w.axes_span, codes::K9008::machine_coordinates());
+            return self.core.refuse(w.axes_span, codes::K9008::machine_coordinates());
         }
         self.switch_side(w, motion.is_arc())?;
         if let Err(reported) = self.shape_corners(w) {
@@ -97,13 +97,16 @@ impl Run<'_> {
             self.set_feed(w)?;
         } else {
             self.m_at_start(w, moves)?;
-            if self.has_ended() {
+            if self.core.has_ended() {
                 return Err(Reported);
             }
             self.set_feed(w)?;
         }
         if let Some(speed) = w.speed {
-            self.job.diags.push_once(codes::K1015::s_stands_in_positioning_block().at(self.loc(w.speed_span)));
+            self.core
+                .job
+                .diags
+                .push_once(codes::K1015::s_stands_in_positioning_block().at(self.core.loc(w.speed_span)));
             self.spindle_speed(speed, w.speed_span)?;
         }
         if machine && moves {
@@ -148,7 +151,7 @@ impl Run<'_> {
         let calls = once || modal || w.has_m(89);
         let stops_here = w.m().iter().any(|m| matches!(m.number, 2 | 30));
         if calls && stops_here {
-            return self.refuse(w.any_m(&[2, 30]).map_or(w.m()[0].span, |m| m.span), codes::P1005::cycle_call());
+            return self.core.refuse(w.any_m(&[2, 30]).map_or(w.m()[0].span, |m| m.span), codes::P1005::cycle_call());
         }
         let call = w.m().iter().position(|m| matches!(m.number, 89 | 99));
         let (before, after) = match call {
@@ -158,7 +161,7 @@ impl Run<'_> {
             None => w.m().split_at(0),
         };
         self.these_at_end(before)?;
-        if calls && !self.has_ended() {
+        if calls && !self.core.has_ended() {
             return self.call_cycle_then(if once { "M99" } else { "M89" }, after);
         }
         Ok(())
@@ -241,20 +244,20 @@ impl Run<'_> {
         let axis = self.st.axis();
         let Args { feed, value, max, .. } = m.args;
         if feed.is_some_and(|feed| feed <= 0.0) {
-            return self.refuse(m.span, codes::O1001::feed_of_m140_is_not_above_zero());
+            return self.core.refuse(m.span, codes::O1001::feed_of_m140_is_not_above_zero());
         }
         let feed = feed.map(|f| self.feed_of(f));
         let path = Path::straight(feed);
         let mut end = Pos::UNKNOWN;
         if max {
-            let Some(top) = self.job.settings.control.retract_max else {
-                return self.refuse(
+            let Some(top) = self.core.job.settings.control.retract_max else {
+                return self.core.refuse(
                     m.span,
                     codes::K2705::m140_mb_max_retracts_to_end().answer(Answer::key("control", "retract_max")),
                 );
             };
-            self.job.diags.push_once(
-                codes::K2704::m140_mb_max_goes_to_machine_coordinate(&axis.letter(), &top).at(self.loc(m.span)),
+            self.core.job.diags.push_once(
+                codes::K2704::m140_mb_max_goes_to_machine_coordinate(&axis.letter(), &top).at(self.core.loc(m.span)),
             );
             end.set(axis, top);
             let coords = Coords::Machine;
@@ -265,13 +268,13 @@ impl Run<'_> {
         }
         let way = value.unwrap_or(0.0);
         if way <= 0.0 {
-            return self.refuse(m.span, codes::K2707::path_of_m140_is_not_above_zero());
+            return self.core.refuse(m.span, codes::K2707::path_of_m140_is_not_above_zero());
         }
         // The path is a real one: no scaling acts on it, and it leads away from the workpiece.
         let column = self.st.ctx.frame.linear().column(axis.index()).into_owned();
         let factor = column[axis.index()];
         if !(factor > 0.0 && AxisSet::MAIN.iter().all(|other| other == axis || column[other.index()] == 0.0)) {
-            return self.refuse(m.span, codes::K9008::m140_retracts_along(&axis.letter()));
+            return self.core.refuse(m.span, codes::K9008::m140_retracts_along(&axis.letter()));
         }
         let from = match self.st.position.get(axis) {
             Some(from) => from,
@@ -297,16 +300,16 @@ impl Run<'_> {
 
     pub(super) fn make_corner(&mut self, rounding: bool, w: &Words) -> Outcome {
         let head = if rounding { "RND" } else { "CHF" };
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let size = w.radius.or(w.number.map(|n| n * mm));
         let Some(size) = size.filter(|size| *size > 0.0) else {
             let fault = if rounding { codes::P1004::rnd_needs_radius() } else { codes::P1004::chf_needs_length() };
-            return self.refuse(self.block_span(), fault);
+            return self.core.refuse(self.core.block_span(), fault);
         };
         let feed = match w.feed {
             FeedWord::None => self.feed_in_force()?,
             FeedWord::Value(f) if f > 0.0 => {
-                self.large_per_revolution(self.loc(w.feed_span), f);
+                self.large_per_revolution(self.core.loc(w.feed_span), f);
                 self.feed_of(f)
             }
             FeedWord::PerRevolution(f) if f > 0.0 => Feed::PerRevolution(f),
@@ -316,7 +319,7 @@ impl Run<'_> {
             }
             FeedWord::Max | FeedWord::Auto => {
                 let text = self.word_text(w.feed_span);
-                return self.refuse(w.feed_span, codes::P1003::has_no_place_in_block(&text, &head));
+                return self.core.refuse(w.feed_span, codes::P1003::has_no_place_in_block(&text, &head));
             }
         };
         if rounding {
@@ -331,7 +334,8 @@ impl Run<'_> {
                 self.round_border(if rounding { "RND" } else { "CHF" }, false)?;
             }
         }
-        self.st.corner = Some(CornerMade { rounding, side: self.st.compensation.side(), loc: self.here.origin.loc });
+        self.st.corner =
+            Some(CornerMade { rounding, side: self.st.compensation.side(), loc: self.core.here.origin.loc });
         self.core.send_corner(
             &Corner {
                 shape,
@@ -359,12 +363,12 @@ impl Run<'_> {
             Side::Right => "RR",
         };
         let change = format!("the compensation changes from {} to {}", word(made.side), word(side));
-        let here = self.here.origin.loc;
+        let here = self.core.here.origin.loc;
         if !made.rounding {
-            self.report(codes::K2891::at_this_chamfer(&change).at(made.loc).also(here, "in this block"));
+            self.core.report(codes::K2891::at_this_chamfer(&change).at(made.loc).also(here, Label::InThisBlock));
         } else if side != Side::None {
-            self.report(
-                codes::K2892::at_this_rounding_it_is_made_all(&change).at(made.loc).also(here, "in this block"),
+            self.core.report(
+                codes::K2892::at_this_rounding_it_is_made_all(&change).at(made.loc).also(here, Label::InThisBlock),
             );
         } else if self.round_border("RND", true).is_err() {
             // A rounding from a compensated contour into R0 is the departure on an arc.
@@ -377,7 +381,7 @@ impl Run<'_> {
         let result = self.gather(block, "positioning", Admits::PATH.and(Admits::PARAXIAL)).and_then(|w| {
             let paraxial = matches!(w.comp, Some(Comp::Paraxial(_)));
             if w.axes.known().len() > 1 && !paraxial {
-                return self.refuse(w.axes_span, codes::P1003::block_without_function_word_moves_one_axis());
+                return self.core.refuse(w.axes_span, codes::P1003::block_without_function_word_moves_one_axis());
             }
             let result = self.run_path(PathFn::Line, &w);
             self.put_back(w);
@@ -395,7 +399,7 @@ impl Run<'_> {
         let axis = match (axes.next(), axes.next(), self.st.compensation.side()) {
             (Some(axis), None, Side::None) if axis.is_main() => axis,
             _ => {
-                return self.refuse(w.comp_span, codes::K2604::r_r_belong_to_block_that_moves());
+                return self.core.refuse(w.comp_span, codes::K2604::r_r_belong_to_block_that_moves());
             }
         };
         let name = if longer { "R+" } else { "R-" };
@@ -406,7 +410,7 @@ impl Run<'_> {
         let way = target - from;
         // Where the tool stands beside its nominal position, both have to agree on the direction.
         if way == 0.0 || way * (target - stands) <= 0.0 {
-            return self.refuse(w.comp_span, codes::K2604::is_there_already(&axis.letter(), &name));
+            return self.core.refuse(w.comp_span, codes::K2604::is_there_already(&axis.letter(), &name));
         }
         let sign = if (way < 0.0) == longer { -1.0 } else { 1.0 };
         // The radius is a real one: no scaling acts on it.

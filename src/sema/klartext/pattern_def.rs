@@ -4,7 +4,7 @@
 //! two places the tool retracts to where it stood in front of CYCL CALL PAT, or to the 2nd set-up clearance where that is
 //! higher.
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::geo::{Deg, Point2, Vec2};
 use crate::ir::contour::Path;
 use crate::ir::{Feed, Pos};
@@ -140,7 +140,7 @@ impl Run<'_> {
     }
 
     fn read_patterns(&mut self, block: &Block) -> Outcome {
-        let loc = self.here.origin.loc;
+        let loc = self.core.here.origin.loc;
         let mut list = Vec::new();
         let is_head = |word: &Word| matches!(word.addr, Addr::Pattern(_));
         for part in block.words.chunk_by(|_, next| !is_head(next)) {
@@ -148,11 +148,11 @@ impl Run<'_> {
             let data = Data { kind, span, list: self.pattern_data(words)? };
             self.add_places(&data, &mut list)?;
             if list.len() > MOST {
-                return self.refuse(span, codes::K2411::has_too_many_places());
+                return self.core.refuse(span, codes::K2411::has_too_many_places());
             }
         }
         if list.is_empty() {
-            return self.refuse(self.block_span(), codes::K2411::names_no_place());
+            return self.core.refuse(self.core.block_span(), codes::K2411::names_no_place());
         }
         self.places = Some(Places { list, loc });
         Ok(())
@@ -163,7 +163,7 @@ impl Run<'_> {
         for word in words {
             let value = self.number(word.value, word.span)?;
             if list.iter().any(|(other, _)| other.addr == word.addr) {
-                return self.refuse(word.span, codes::K2411::word_stands_twice(&self.word_text(word.span)));
+                return self.core.refuse(word.span, codes::K2411::word_stands_twice(&self.word_text(word.span)));
             }
             list.push((word, value));
         }
@@ -172,12 +172,12 @@ impl Run<'_> {
 
     /// The places of one pattern.
     fn add_places(&mut self, data: &Data<'_>, list: &mut Vec<Place>) -> Outcome {
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let (first, second, third) = self.st.plane().axes();
         let (name, span) = (data.kind.name(), data.span);
         let (Some(x), Some(y)) = (data.along(first), data.along(second)) else {
             let [u, v] = [first, second].map(|axis| Axis::ALL[axis].letter());
-            return self.refuse(span, codes::K2411::needs_its_place(&name, &u, &v));
+            return self.core.refuse(span, codes::K2411::needs_its_place(&name, &u, &v));
         };
         let (needed, also) = data.takes();
         for (word, _) in &data.list {
@@ -189,27 +189,30 @@ impl Run<'_> {
                 _ => false,
             };
             if !fits {
-                return self.refuse(word.span, codes::K2411::has_no_such_word(&name, &self.word_text(word.span)));
+                return self.core.refuse(word.span, codes::K2411::has_no_such_word(&name, &self.word_text(word.span)));
             }
         }
         if data.of(PatternWord::Step).is_some() && data.of(PatternWord::End).is_some() {
-            return self.refuse(span, codes::K2411::has_step_and_end(&name));
+            return self.core.refuse(span, codes::K2411::has_step_and_end(&name));
         }
         if matches!(data.kind, PatternKind::Circ | PatternKind::PitchCirc) && data.or_zero(PatternWord::D) < 0.0 {
-            return self.refuse(span, codes::K2411::diameter_is_below_zero(&name));
+            return self.core.refuse(span, codes::K2411::diameter_is_below_zero(&name));
         }
         if let Some(missing) = needed.iter().find(|word| data.of(**word).is_none()) {
-            return self.refuse(span, codes::K2411::lacks_word(&name, &missing.name()));
+            return self.core.refuse(span, codes::K2411::lacks_word(&name, &missing.name()));
         }
         let offsets = data.offsets(mm);
         if offsets.is_empty() {
-            return self.refuse(span, codes::K2411::has_no_number_of_places(&name));
+            return self.core.refuse(span, codes::K2411::has_no_number_of_places(&name));
         }
         if matches!(data.kind, PatternKind::Pat | PatternKind::Frame) {
-            self.job.diags.push_once(codes::K2410::places_of_are_visited_line_by_line(&name).at(self.loc(span)));
+            self.core
+                .job
+                .diags
+                .push_once(codes::K2410::places_of_are_visited_line_by_line(&name).at(self.core.loc(span)));
         }
         let (at, surface) = (Point2::new(x * mm, y * mm), data.along(third).unwrap_or(0.0) * mm);
-        self.warn_of_repeated_places(name, offsets.iter().map(|offset| at + *offset), self.loc(span));
+        self.warn_of_repeated_places(name, offsets.iter().map(|offset| at + *offset), self.core.loc(span));
         list.extend(offsets.into_iter().map(|offset| Place { at: at + offset, surface, clearance: None }));
         Ok(())
     }
@@ -226,7 +229,7 @@ impl Run<'_> {
             if self.places_lost {
                 return Err(Reported);
             }
-            return self.refuse(self.block_span(), codes::K9010::cycl_call_pat_runs_over_pattern());
+            return self.core.refuse(self.core.block_span(), codes::K9010::cycl_call_pat_runs_over_pattern());
         };
         let result = self.run_pattern(&w, &places);
         self.places = Some(places);
@@ -246,34 +249,34 @@ impl Run<'_> {
             self.has_a_surface(&cycle, "CYCL CALL PAT")?;
         }
         if places.list.is_empty() {
-            self.report(
+            self.core.report(
                 codes::K8105::cycl_call_pat_runs_cycle_nowhere()
-                    .at(self.here.origin.loc)
-                    .also(places.loc, "it is selected here"),
+                    .at(self.core.here.origin.loc)
+                    .also(places.loc, Label::SelectedHere),
             );
         }
         self.same_unit(&cycle)?;
         let given = self.checked(&cycle)?;
         let own = given.length(SURFACE);
         if own != 0.0 && places.list.iter().any(|place| place.surface != 0.0) {
-            self.report(
+            self.core.report(
                 codes::K2411::places_have_surface_z_of_their_own()
-                    .at(self.here.origin.loc)
-                    .also(places.loc, "the pattern")
-                    .also(cycle.loc, "the cycle"),
+                    .at(self.core.here.origin.loc)
+                    .also(places.loc, Label::Pattern)
+                    .also(cycle.loc, Label::Cycle),
             );
             return Err(Reported);
         }
-        self.budget.take(places.list.len() as u64 / PLACES_A_STEP);
+        self.core.budget.take(places.list.len() as u64 / PLACES_A_STEP);
         self.m_at_start(w, true)?;
         let feed = self.pattern_feed(w, "CYCL CALL PAT")?;
-        let height = self.position_of(self.st.axis(), self.block_span(), "CYCL CALL PAT")?;
+        let height = self.position_of(self.st.axis(), self.core.block_span(), "CYCL CALL PAT")?;
         if old {
             self.old_cycle_starts(&cycle, &given, (places, height))?;
             return self.run_old_pattern(w, (&cycle, &given), places, feed);
         }
         for (i, place) in places.list.iter().enumerate() {
-            self.goes_on()?;
+            self.core.goes_on()?;
             let clear = self.heights(&cycle, &given, place.surface);
             let axis = self.st.axis();
             let free = place.clearance.map_or(clear.second, |height| height.max(clear.second));
@@ -311,8 +314,8 @@ impl Run<'_> {
             }
         });
         let Some(fault) = wrong else { return Ok(()) };
-        let found = fault.at(self.here.origin.loc);
-        self.report(found.also(places.loc, "the pattern").also(cycle.loc, "the cycle"));
+        let found = fault.at(self.core.here.origin.loc);
+        self.core.report(found.also(places.loc, Label::Pattern).also(cycle.loc, Label::Cycle));
         Err(Reported)
     }
 
@@ -325,7 +328,7 @@ impl Run<'_> {
         feed: Option<Feed>,
     ) -> Outcome {
         for place in &places.list {
-            self.goes_on()?;
+            self.core.goes_on()?;
             let mut end = Pos::UNKNOWN;
             end.set_in_plane(self.st.plane(), place.at);
             self.st.polar.forget_last();

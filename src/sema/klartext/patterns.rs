@@ -47,7 +47,7 @@ impl Run<'_> {
         }
         let places = self.planned(pattern, &of_pattern, Calling::HERE, None, places)?;
         let near = of_pattern.whole(AT_SECOND) == 0;
-        self.budget.take(places.len() as u64 / PLACES_A_STEP);
+        self.core.budget.take(places.len() as u64 / PLACES_A_STEP);
         self.warn_of_repeated_places(&by, places.iter().copied(), pattern.loc);
         let heights = self.heights(pattern, &of_pattern, 0.0);
         self.same_unit(&cycle)?;
@@ -58,7 +58,7 @@ impl Run<'_> {
         }
         self.lift_to(&heights);
         for (i, place) in places.iter().enumerate() {
-            self.goes_on()?;
+            self.core.goes_on()?;
             self.rapid_in_plane(*place);
             let last = i + 1 == places.len();
             let retract = if near && !last { Retract::Near } else { Retract::Far };
@@ -121,7 +121,7 @@ impl Run<'_> {
     /// A place that stands in the list twice is machined twice.
     pub(super) fn warn_of_repeated_places(&self, what: &str, places: impl Iterator<Item = Point2>, loc: Loc) {
         if let Some(fault) = repeated(what, places) {
-            self.report(fault.at(loc));
+            self.core.report(fault.at(loc));
         }
     }
 
@@ -147,11 +147,15 @@ impl Run<'_> {
         if w.feed != FeedWord::None {
             return self.move_feed(w);
         }
-        let rapid = self.job.settings.control.klartext_readings.pattern_at_rapid;
+        let rapid = self.core.job.settings.control.klartext_readings.pattern_at_rapid;
         let (way, feed) =
             if rapid { ("at rapid traverse", None) } else { ("at the feed programmed last", self.move_feed(w)?) };
-        self.report(
-            codes::K2806::has_no_f(&call, &way).answer(Answer::key("control", "pattern_feed")).at(self.here.origin.loc),
+        self.core.report(
+            codes::K2806::has_no_f(&call, &way).answer(Answer::key("control", "pattern_feed")).at(self
+                .core
+                .here
+                .origin
+                .loc),
         );
         Ok(feed)
     }
@@ -162,7 +166,7 @@ impl Run<'_> {
             return;
         }
         let axis = axis.letter();
-        self.report(codes::K8027::cycl_call_pos_names_no(&axis).at(self.here.origin.loc));
+        self.core.report(codes::K8027::cycl_call_pos_names_no(&axis).at(self.core.here.origin.loc));
     }
 
     /// CYCL CALL POS: to the position in the plane, then the cycle, whose surface Z lifts. Where the tool stands below
@@ -179,8 +183,8 @@ impl Run<'_> {
         let named = w.axes.known();
         let strange = !named.without(plane.union(AxisSet::of(axis))).is_empty();
         if cycle.number < FIRST_PLACED || !w.incremental.is_empty() || strange || !plane.without(named).is_empty() {
-            let span = if w.axes_span.is_empty() { self.block_span() } else { w.axes_span };
-            return self.refuse(span, codes::P9010::cycl_call_pos_is_supported_for_cycles());
+            let span = if w.axes_span.is_empty() { self.core.block_span() } else { w.axes_span };
+            return self.core.refuse(span, codes::P9010::cycl_call_pos_is_supported_for_cycles());
         }
         self.has_a_surface(cycle, "CYCL CALL POS")?;
         self.names_its_surface(named, axis);

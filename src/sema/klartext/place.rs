@@ -4,7 +4,9 @@
 //! lies. Machine coordinates are those of the spindle nose: the length of the tool does not count in them. Source: K 1.5
 //! and 4.2 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use std::fmt::Display;
+
+use crate::diag::{Answer, Fault, codes};
 use crate::ir::Pos;
 use crate::machine::{Axis, AxisSet};
 use crate::sema::common::hidden::By;
@@ -30,7 +32,7 @@ impl Run<'_> {
     /// The name under `[datums]` of the datum in force: the work offset that its preset is printed as.
     fn datum_name(&self) -> String {
         let Some(row) = self.st.frames.preset_row() else { return ACTIVE.to_owned() };
-        match self.job.settings.datums.presets.get(&row).map_or(row, |offset| u32::from(*offset)) {
+        match self.core.job.settings.datums.presets.get(&row).map_or(row, |offset| u32::from(*offset)) {
             number @ 1..=6 => format!("G{}", 53 + number),
             number @ 7..=9 => format!("G59.{}", number - 6),
             number => format!("G54.1 P{}", number.saturating_sub(9)),
@@ -44,7 +46,7 @@ impl Run<'_> {
             return Err(Lack::Nothing);
         }
         let name = self.datum_name();
-        let zero = zero(&self.job.settings.datums, &[&name], axis).map_err(|name| Lack::Datum(name.to_owned()))?;
+        let zero = zero(&self.core.job.settings.datums, &[&name], axis).map_err(|name| Lack::Datum(name.to_owned()))?;
         if axis != self.st.axis() {
             return Ok(zero);
         }
@@ -76,7 +78,7 @@ impl Run<'_> {
 
     /// These axes went to machine coordinates: their places are known where the datum is.
     pub(super) fn moved_by_machine(&mut self, end: &Pos) {
-        let loc = self.here.origin.loc;
+        let loc = self.core.here.origin.loc;
         self.st.moved_by_machine(end, loc);
         self.stand_in_machine(end);
     }
@@ -137,7 +139,7 @@ impl Run<'_> {
 
     /// The new length of the tool counts from here on, or the change moved the axis.
     pub(super) fn forget_tip(&mut self) {
-        let (axes, loc) = (AxisSet::of(self.st.axis()), self.here.origin.loc);
+        let (axes, loc) = (AxisSet::of(self.st.axis()), self.core.here.origin.loc);
         self.st.position.forget_tip(axes, By::ToolChange, loc);
         self.st.position.not_lost(axes);
         self.st.polar.forget_last_of(axes);
@@ -147,14 +149,14 @@ impl Run<'_> {
     pub(super) fn by_builders_datum(&self, w: &Words) -> Outcome<Pos> {
         let span = w.any_m(&[92]).map_or(w.axes_span, |m| m.span);
         if w.has_m(91) {
-            return self.refuse(span, codes::K9008::m91_m92_count_from_two_places());
+            return self.core.refuse(span, codes::K9008::m91_m92_count_from_two_places());
         }
         let mut end = Pos::UNKNOWN;
         for (axis, value) in w.axes.iter() {
-            match zero(&self.job.settings.datums, &[BUILDERS], axis) {
+            match zero(&self.core.job.settings.datums, &[BUILDERS], axis) {
                 Ok(zero) => end.set(axis, zero + value),
                 Err(name) => {
-                    return self.refuse(
+                    return self.core.refuse(
                         span,
                         codes::K9008::m92_counts_from_position_that_machine_builder(&axis.letter(), &name)
                             .answer(Answer::datum(name)),
@@ -165,11 +167,15 @@ impl Run<'_> {
         Ok(end)
     }
 
-    /// An error where the position of an axis is needed and not known; `message` ends in front of why.
-    pub(super) fn unknown_position<T>(&self, axis: Axis, place: impl Into<Where>, message: String) -> Outcome<T> {
-        let usual = format!("program an absolute position of {} first", axis.letter());
+    /// An error where the position of an axis is needed and not known; `fault` makes it of the axis and why.
+    pub(super) fn unknown_position<T>(
+        &self,
+        axis: Axis,
+        place: impl Into<Where>,
+        fault: impl FnOnce(&dyn Display, &dyn Display) -> Fault,
+    ) -> Outcome<T> {
         let lack = || self.zero_in_machine(axis).err().unwrap_or(Lack::Nothing);
         let unknown = Unknown { position: &self.st.position, axis, lack: &lack, otherwise: " here" };
-        self.position_unknown(codes::P2001, place, message, &usual, unknown)
+        self.core.position_unknown(place, unknown, fault)
     }
 }

@@ -6,7 +6,7 @@
 use libm::atan2;
 use nalgebra::Vector3;
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Fault, codes};
 use crate::geo::Deg;
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Axis, AxisSet};
@@ -95,13 +95,13 @@ impl Plane {
     }
 
     /// Why [`Plane::effect`] is [`Effect::Open`].
-    fn why_open(&self) -> &'static str {
+    fn why_open(&self, name: &str) -> Fault {
         match (self.open, self.retract, self.kind.as_str()) {
-            (true, ..) => "holds a word that is not known, so its plane is open",
-            (_, true, _) => "retracts the tool by MB before it turns, which cannot be compiled",
-            (.., "SPATIAL") => "needs each of SPA, SPB and SPC once and no other angle, so its plane is open",
-            (.., "EULER") => "needs each of EULPR, EULNU and EULROT once and no other angle, so its plane is open",
-            _ => "does not hold the words that this kind of plane needs, so its plane is open",
+            (true, ..) => codes::K9004::holds_word_that_is_not_known(&name),
+            (_, true, _) => codes::K9004::retracts_tool_by_mb(&name),
+            (.., "SPATIAL") => codes::K9004::needs_each_of_spa_spb_spc(&name),
+            (.., "EULER") => codes::K9004::needs_each_of_eulpr_eulnu_eulrot(&name),
+            _ => codes::K9004::does_not_hold_words_of_this_plane(&name),
         }
     }
 
@@ -168,7 +168,7 @@ impl Plane {
     }
 
     /// By what it tilts, and where the tool axis points then; the plane stands at `angle` about Z already.
-    fn tilted(&self, angle: f64) -> String {
+    fn tilted(&self, angle: f64) -> (String, Option<Vector3<f64>>) {
         let words: Vec<String> = self.data.iter().map(|(name, value)| format!("{name}{value:+}")).collect();
         let normal = match self.kind.as_str() {
             "SPATIAL" => self.exactly(["SPA", "SPB", "SPC"]).map(plane_normal::spatial),
@@ -184,8 +184,7 @@ impl Plane {
             // The signs of the one, and the axes of the other, are known at the machine.
             _ => None,
         };
-        let points = normal.map(|normal| format!(": the tool axis points along {}", plane_normal::shown(&normal)));
-        format!(" by {}{}", words.join(" "), points.unwrap_or_default())
+        (words.join(" "), normal)
     }
 }
 
@@ -249,32 +248,26 @@ impl Run<'_> {
             return Err(Reported);
         }
         let (name, span) = self.block_name(block, text, 2);
-        let refuse = |run: &mut Self, what: &str| run.refuse_motion(codes::K9004, span, &format!("{name} {what}"));
         let angle = match plane.effect() {
-            Effect::Turned(angle) => angle,
-            Effect::TurnedBy(angle) => self.st.frames.transform().turn.0 + angle,
-            Effect::Table => {
-                return refuse(
-                    self,
-                    "sets the rotary table to an angle, which only the machine can turn into coordinates",
-                );
-            }
+            Effect::Turned(angle) => Ok(angle),
+            Effect::TurnedBy(angle) => Ok(self.st.frames.transform().turn.0 + angle),
+            Effect::Table => Err(codes::K9004::sets_rotary_table_to_angle(&name)),
             Effect::Tilted if self.st.axis() != Axis::Z => {
-                let axis = self.st.axis().letter();
-                let what = format!("turns about another axis than Z, which is not compiled for the tool axis {axis}");
-                return refuse(self, &what);
+                Err(codes::K9004::turns_about_another_axis(&name, &self.st.axis().letter()))
             }
             Effect::Tilted => {
-                let what = plane.tilted(self.st.frames.transform().turn.0);
-                return refuse(
-                    self,
-                    &format!("tilts the working plane{what}, which cannot be compiled for three axes"),
-                );
+                let (words, normal) = plane.tilted(self.st.frames.transform().turn.0);
+                Err(match normal {
+                    Some(normal) => codes::K9004::tilts_working_plane_to(&name, &words, &plane_normal::shown(&normal)),
+                    None => codes::K9004::tilts_working_plane(&name, &words),
+                })
             }
-            Effect::Unsettled => {
-                return refuse(self, "turns the plane by words whose sense no manual page settles");
-            }
-            Effect::Open => return refuse(self, plane.why_open()),
+            Effect::Unsettled => Err(codes::K9004::turns_plane_by_unsettled_words(&name)),
+            Effect::Open => Err(plane.why_open(&name)),
+        };
+        let angle = match angle {
+            Ok(angle) => angle,
+            Err(fault) => return self.refuse_motion(span, fault),
         };
         let moves = plane.positioning.as_deref().is_some_and(|word| word != "STAY");
         self.turn_plane(&name, angle, (moves, plane.positioning.as_deref() == Some("TURN")), &plane.ways)
@@ -305,23 +298,25 @@ impl Run<'_> {
         if tilted {
             let angles = [angle(Axis::A), angle(Axis::B), turn];
             let [a, b, c] = angles;
-            let points = if self.job.settings.control.klartext_choices.cycle_19_axes {
-                String::new()
+            self.core.say_here(if self.core.job.settings.control.klartext_choices.cycle_19_axes {
+                codes::K9004::cycle_19_tilts_working_plane_by_b(&a, &b, &c)
             } else {
-                format!(": the tool axis points along {}", plane_normal::shown(&plane_normal::spatial(angles)))
-            };
-            self.say_here(codes::K9004::cycle_19_tilts_working_plane_by_b(&a, &b, &c, &points));
+                let normal = plane_normal::shown(&plane_normal::spatial(angles));
+                codes::K9004::cycle_19_tilts_working_plane_by_b_to(&a, &b, &c, &normal)
+            });
             return Err(Reported);
         }
         if turn != 0.0 {
-            if self.job.settings.control.klartext_choices.cycle_19_axes {
-                self.say_here(codes::K9004::cycle_19_sets_rotary_table_to_angle());
+            if self.core.job.settings.control.klartext_choices.cycle_19_axes {
+                self.core.say_here(codes::K9004::cycle_19_sets_rotary_table_to_angle());
                 return Err(Reported);
             }
-            self.job.diags.push_once(
-                codes::K8020::c_of_cycle_19_is_read(&turn)
-                    .answer(Answer::key("control", "cycle_19"))
-                    .at(self.here.origin.loc),
+            self.core.job.diags.push_once(
+                codes::K8020::c_of_cycle_19_is_read(&turn).answer(Answer::key("control", "cycle_19")).at(self
+                    .core
+                    .here
+                    .origin
+                    .loc),
             );
         }
         // Whether the rotary axes are positioned at once is up to the machine; the tool does not follow them.
@@ -341,19 +336,21 @@ impl Run<'_> {
         let before = self.st.frames.transform().turn.0;
         if moves || angle != 0.0 {
             if !self.st.stands_upright() {
-                let message = format!("{name} moves the rotary axes, and the program has turned them");
-                return self.refuse_motion(codes::K9004, self.block_span(), &message);
+                return self
+                    .refuse_motion(self.core.block_span(), codes::K9004::moves_rotary_axes_turned_by_program(&name));
             }
             if angle == 0.0 && before == 0.0 {
-                self.job.diags.push_once(codes::K2512::rotary_axes_are_taken_to_stand().at(self.here.origin.loc));
+                self.core
+                    .job
+                    .diags
+                    .push_once(codes::K2512::rotary_axes_are_taken_to_stand().at(self.core.here.origin.loc));
             }
         }
         if angle != 0.0 && self.st.axis() != Axis::Z {
-            let axis = self.st.axis().letter();
-            let message = format!("{name} turns about Z, which tilts the plane of the tool axis {axis}");
-            return self.refuse_motion(codes::K9004, self.block_span(), &message);
+            let fault = codes::K9004::turns_about_z(&name, &self.st.axis().letter());
+            return self.refuse_motion(self.core.block_span(), fault);
         }
-        let here = self.here.origin.loc;
+        let here = self.core.here.origin.loc;
         for number in 120..=122 {
             // Which axis takes the turn, or none, is known at the machine.
             let q = QRef { kind: QKind::Q, number };
@@ -364,18 +361,18 @@ impl Run<'_> {
             return Ok(());
         }
         if self.st.frames.transform().shifted_in_turn && self.st.frames.transform().is_shifted_in_plane() {
-            self.say_here(codes::K2852::working_plane_turns_while_datum_shift_along());
+            self.core.say_here(codes::K2852::working_plane_turns_while_datum_shift_along());
             self.lose_all();
             return Err(Reported);
         }
         if self.st.frames.transform().turns_with_the_plane() {
-            self.say_here(codes::K2852::working_plane_turns_while_mirror_or_uneven());
+            self.core.say_here(codes::K2852::working_plane_turns_while_mirror_or_uneven());
             self.lose_all();
             return Err(Reported);
         }
         self.refuse_compensated("the working plane turns");
         if self.st.compensation.is_on() {
-            self.report(codes::P2041::turn_of_plane_ends_radius_compensation().at(here));
+            self.core.report(codes::P2041::turn_of_plane_ends_radius_compensation().at(here));
             self.st.end_compensation();
         }
         if angle != 0.0 {
@@ -385,7 +382,7 @@ impl Run<'_> {
                     format!("; {}, which tells the control how to turn its axes, has no effect here", ways.join(" "))
                 }
             };
-            self.report(codes::K2853::turns_coordinates_by_about_z(&name, &angle, &ways).at(here));
+            self.core.report(codes::K2853::turns_coordinates_by_about_z(&name, &angle, &ways).at(here));
         }
         let mut next = self.st.frames.transform().clone();
         next.turn = Deg(angle);
@@ -406,13 +403,13 @@ impl Run<'_> {
             return Ok(());
         }
         let Some(axis) = axes.iter().find(|axis| axis.is_rotary()) else { return Ok(()) };
-        self.refuse(span, codes::K9004::moves_while_coordinates_are_turned_about_z(&axis.letter()))
+        self.core.refuse(span, codes::K9004::moves_while_coordinates_are_turned_about_z(&axis.letter()))
     }
 
     /// M128: as long as the rotary axes stand at zero the tool tip is where it would be without.
     pub(super) fn follow_tip(&mut self, on: bool, span: Span) -> Outcome {
         if on && !self.st.stands_upright() {
-            return self.refuse(span, codes::K9008::m128_makes_control_follow_tool_tip());
+            return self.core.refuse(span, codes::K9008::m128_makes_control_follow_tool_tip());
         }
         if on {
             self.refuse_compensated("M128 begins");
@@ -429,7 +426,7 @@ impl Run<'_> {
         if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
-        self.refuse(w.axes_span, codes::K9008::under_m128_tool_tip_stays_while_turns(&axis.letter()))
+        self.core.refuse(w.axes_span, codes::K9008::under_m128_tool_tip_stays_while_turns(&axis.letter()))
     }
 }
 

@@ -26,14 +26,14 @@ impl Run<'_> {
         self.places_lost = true;
         let written = Span { start: name_from, end: block.span.end }.of(text);
         let name = self.program_name(written)?;
-        let here = self.here.origin;
+        let here = self.core.here.origin;
         let wanted = Wanted { name: &name, extensions: &["PNT", "pnt"], within: Within::Caller };
-        let file = open_program(&self.job, &wanted, here.loc, here.call).ok_or(Reported)?;
+        let file = open_program(&self.core.job, &wanted, here.loc, here.call).ok_or(Reported)?;
         let wrong = |run: &Self, line: usize, what: String| {
-            run.report(codes::K2945::line_of_point_table(&line, &name, &what).at(here.loc));
+            run.core.report(codes::K2945::line_of_point_table(&line, &name, &what).at(here.loc));
             Err(Reported)
         };
-        let text = match whole_file(self.job.sources, file) {
+        let text = match whole_file(self.core.job.sources, file) {
             Ok(text) => text,
             Err(what) => return wrong(self, 1, what.to_owned()),
         };

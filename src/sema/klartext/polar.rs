@@ -2,7 +2,7 @@
 //!
 //! Source: K 2.2 and 2.8 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::arc::{self, Closing};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT, Vec2, angle, distance};
 use crate::ir::Pos;
@@ -149,18 +149,18 @@ impl Run<'_> {
             None if !missing => return Ok(start),
             _ => {}
         }
-        if self.job.settings.control.polar_missing == PolarMissing::Programmed
+        if self.core.job.settings.control.polar_missing == PolarMissing::Programmed
             && let Some((radius, angle)) = self.st.polar.programmed
         {
             return Ok((radius, Some(angle)));
         }
-        let chosen = self.job.settings.control.polar_missing != PolarMissing::SamePole;
+        let chosen = self.core.job.settings.control.polar_missing != PolarMissing::SamePole;
         if w.polar_angle.is_none() && !pole.used && !chosen && start.1.is_some() {
             return self.angle_of_new_pole(w, pole);
         }
         // Without an angle the block is refused, and that is enough to say.
         if start.1.is_some() || matches!(w.polar_angle, Some((_, false))) {
-            self.say_here(match last {
+            self.core.say_here(match last {
                 Some(_) => codes::K2107::open_word_is_computed_from_position(),
                 None => codes::K2107::missing_word_is_computed_from_position(),
             });
@@ -170,11 +170,11 @@ impl Run<'_> {
 
     #[cold]
     fn angle_of_new_pole<T>(&mut self, w: &Words, pole: &PoleState) -> Outcome<T> {
-        self.report(
+        self.core.report(
             codes::K2811::pa_is_missing()
                 .answer(Answer::key("control", "polar_missing"))
-                .at(self.loc(w.polar_radius_span))
-                .also(pole.set, "the pole"),
+                .at(self.core.loc(w.polar_radius_span))
+                .also(pole.set, Label::Pole),
         );
         Err(Reported)
     }
@@ -216,7 +216,7 @@ impl Run<'_> {
     /// Radius and angle of the end of LP or CTP.
     pub(super) fn polar_words(&mut self, w: &Words, pole: &PoleState, function: &str) -> Outcome<(f64, Deg)> {
         if w.polar_radius.is_none() && w.polar_angle.is_none() {
-            return self.refuse(self.block_span(), codes::K2109::has_neither_pr_nor_pa(&function));
+            return self.core.refuse(self.core.block_span(), codes::K2109::has_neither_pr_nor_pa(&function));
         }
         let complete = matches!((w.polar_radius, w.polar_angle), (Some((_, false)), Some((_, false))));
         let start = if complete { (0.0, None) } else { self.polar_start(pole, function)? };
@@ -246,17 +246,17 @@ impl Run<'_> {
 
     pub(super) fn angle_undefined<T>(&mut self, w: &Words) -> Outcome<T> {
         let span = if w.polar_angle.is_some() { w.polar_angle_span } else { w.polar_radius_span };
-        self.refuse(span, codes::K2110::tool_stands_on_pole())
+        self.core.refuse(span, codes::K2110::tool_stands_on_pole())
     }
 
     /// CP: arc or helix about the pole.
     pub(super) fn polar_arc(&mut self, w: &Words) -> Outcome {
         let pole = self.pole("CP")?;
         if w.polar_radius.is_some() {
-            return self.refuse(w.polar_radius_span, codes::P1003::cp_takes_no_pr());
+            return self.core.refuse(w.polar_radius_span, codes::P1003::cp_takes_no_pr());
         }
         let Some((angle, incremental)) = w.polar_angle else {
-            return self.refuse(self.block_span(), codes::K2109::cp_needs_pa_or_ipa());
+            return self.core.refuse(self.core.block_span(), codes::K2109::cp_needs_pa_or_ipa());
         };
         self.forbid_plane_axes(w, pole.plane, "CP")?;
         let start = self.start_in(pole.plane, "CP")?;
@@ -266,7 +266,8 @@ impl Run<'_> {
         } else {
             let ccw = self.turn(w, "CP")?;
             if angle.abs() > 360.0 {
-                self.report(codes::K2106::pa_is_reduced_to_direction(&angle).at(self.loc(w.polar_angle_span)));
+                self.core
+                    .report(codes::K2106::pa_is_reduced_to_direction(&angle).at(self.core.loc(w.polar_angle_span)));
             }
             self.absolute_sweep(from, angle, ccw, radius)?
         };
@@ -284,7 +285,7 @@ impl Run<'_> {
     /// IPA is the sweep itself; its sign and DR must agree.
     pub(super) fn incremental_sweep(&mut self, w: &Words, angle: f64) -> Outcome<f64> {
         if angle == 0.0 {
-            return self.refuse(w.polar_angle_span, codes::K2109::ipa_is_zero());
+            return self.core.refuse(w.polar_angle_span, codes::K2109::ipa_is_zero());
         }
         let ccw = match w.turn {
             Some(turn) => turn,
@@ -294,7 +295,7 @@ impl Run<'_> {
         if ccw == (angle > 0.0) {
             return Ok(angle);
         }
-        if self.job.settings.control.cp_sign == CpSign::Dr {
+        if self.core.job.settings.control.cp_sign == CpSign::Dr {
             let one_turn = Deg(angle).normal().0;
             return Ok(match (ccw, one_turn == 0.0) {
                 (true, true) => 360.0,
@@ -303,7 +304,7 @@ impl Run<'_> {
                 (false, false) => one_turn - 360.0,
             });
         }
-        self.refuse(
+        self.core.refuse(
             w.polar_angle_span,
             codes::K2105::ipa_turns_one_way(&angle).answer(Answer::key("control", "cp_sign").one_of(&["\"dr\""])),
         )
@@ -314,7 +315,7 @@ impl Run<'_> {
         if w.axes.known().common(plane_axes(plane)).is_empty() {
             return Ok(());
         }
-        self.refuse(w.axes_span, codes::P1003::takes_its_end_from_pr(&function))
+        self.core.refuse(w.axes_span, codes::P1003::takes_its_end_from_pr(&function))
     }
 
     pub(super) fn pole_block(&mut self, block: &Block) -> Outcome {
@@ -333,7 +334,7 @@ impl Run<'_> {
     fn set_pole(&mut self, w: &Words, span: Span) -> Outcome {
         let axes = w.axes.known();
         if !axes.without(AxisSet::MAIN).is_empty() || axes.len() > 2 {
-            return self.refuse(w.axes_span, codes::P1003::cc_takes_two_of_x());
+            return self.core.refuse(w.axes_span, codes::P1003::cc_takes_two_of_x());
         }
         let mut indices = axes.iter().map(Axis::index);
         let plane = match (indices.next(), indices.next()) {
@@ -342,7 +343,7 @@ impl Run<'_> {
                 let plane = self.st.plane();
                 let (first, second, _) = plane.axes();
                 if a != first && a != second {
-                    return self.refuse(w.axes_span, codes::P1003::this_axis_is_not_in_working_plane());
+                    return self.core.refuse(w.axes_span, codes::P1003::this_axis_is_not_in_working_plane());
                 }
                 plane
             }
@@ -351,11 +352,11 @@ impl Run<'_> {
         let written = self.absolute(w)?;
         let (first, second, _) = plane.axes();
         let previous = self.st.polar.pole.filter(|pole| pole.plane == plane);
-        let keep = axes.len() == 1 && self.job.settings.control.cc_missing == CcMissing::Previous;
+        let keep = axes.len() == 1 && self.core.job.settings.control.cc_missing == CcMissing::Previous;
         let old = previous.filter(|_| keep).map(|pole| pole.at);
         if axes.len() == 1 {
             let from = if old.is_some() { "the CC before" } else { "the position" };
-            self.report(codes::K2102::cc_with_one_coordinate(&from).at(self.loc(span)));
+            self.core.report(codes::K2102::cc_with_one_coordinate(&from).at(self.core.loc(span)));
         }
         let mut coordinate = |axis: Axis, old: Option<f64>| match (written.get(axis), old) {
             (Some(value), _) => Ok(value),
@@ -364,7 +365,7 @@ impl Run<'_> {
         };
         let x = coordinate(Axis::ALL[first], old.map(|p| p.x))?;
         let y = coordinate(Axis::ALL[second], old.map(|p| p.y))?;
-        let (at, set, system) = (Point2::new(x, y), self.loc(span), self.st.frames.system());
+        let (at, set, system) = (Point2::new(x, y), self.core.loc(span), self.st.frames.system());
         self.st.polar.pole = Some(PoleState { at, plane, set, system, used: false });
         Ok(())
     }
@@ -376,7 +377,9 @@ impl Run<'_> {
         let gap = away.to_radians() * radius;
         match arc::closing(Vec2::new(gap, 0.0)) {
             Closing::Closed => Ok(if ccw { 360.0 } else { -360.0 }),
-            Closing::Unclear => self.refuse(self.block_span(), codes::G3023::cp_starts_mm_beside_its_end(&gap)),
+            Closing::Unclear => {
+                self.core.refuse(self.core.block_span(), codes::G3023::cp_starts_mm_beside_its_end(&gap))
+            }
             Closing::Open => Ok(if ccw { ahead } else { ahead - 360.0 }),
         }
     }

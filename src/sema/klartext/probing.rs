@@ -3,7 +3,7 @@
 //! Source: K 1.3, 5.6, 6.9 (docs/sources.md). Q115 to Q199 take results in every cycle, further parameters where the block
 //! names them; the probe moves every axis, and datum, rotation and tool data may be others afterwards.
 
-use crate::diag::codes;
+use crate::diag::{Answer, codes};
 use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Block, Stmt};
@@ -113,11 +113,12 @@ impl Run<'_> {
         if probe.sets_rotation() {
             return self.set_basic_rotation(&probe, span);
         }
-        if !self.job.settings.control.klartext_choices.probing_left_out {
-            return self.refuse_motion(codes::K9005, span, "touch probe cycles run only at the machine");
+        if !self.core.job.settings.control.klartext_choices.probing_left_out {
+            let fault = codes::K9005::touch_probe_cycles_run_only_at_machine();
+            return self.refuse_motion(span, fault.answer(Answer::key("control", "probing")));
         }
         let setting = self.setting_of(&probe, span)?;
-        let here = self.here.origin.loc;
+        let here = self.core.here.origin.loc;
         let run = if probe.fills_a_run() { RESULTS } else { 1 };
         let named = probe.parameters.iter().flat_map(|q| (q.number..q.number + run).map(|n| QRef { number: n, ..*q }));
         let own = (115..200).map(|number| QRef { kind: QKind::Q, number });
@@ -137,7 +138,7 @@ impl Run<'_> {
             return Ok(());
         }
         let what = if probe.measures_tools() { "the tool data" } else { "datum, rotation and results" };
-        self.report(codes::K2851::is_left_out(&name, &probe.number, &what).at(self.loc(span)));
+        self.core.report(codes::K2851::is_left_out(&name, &probe.number, &what).at(self.core.loc(span)));
         Ok(())
     }
 

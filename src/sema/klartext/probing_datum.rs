@@ -6,7 +6,7 @@
 //!
 //! Source: K 7.1 (docs/sources.md).
 
-use crate::diag::{Answer, Help, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::Deg;
 use crate::machine::{Axis, AxisSet};
 use crate::text::Span;
@@ -121,7 +121,7 @@ impl Run<'_> {
 
     /// The datum of axes by the parameters of their places and of what they read then.
     fn datum(&mut self, probe: &Probe, list: &[(Axis, u32, u32)], span: Span) -> Outcome<Setting> {
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let mut reads = Vec::new();
         for &(axis, at, then) in list {
             if let (Some(at), Some(then)) = (self.probe_value(probe, at, span)?, self.probe_value(probe, then, span)?) {
@@ -152,61 +152,48 @@ impl Run<'_> {
         let number = probe.number;
         // 400 to 405 and 420 to 431 may end the one in force.
         if self.st.frames.transform().is_turned_as_a_whole() && matches!(number, 400..=405 | 420..=431) {
-            let message = format!(
-                "TCH PROBE {number} ends the basic rotation of TCH PROBE 404, or goes on with it: which is open"
-            );
-            let help = "end the basic rotation before it: TCH PROBE 404 with Q307=+0";
-            return self.refuse_setting(span, message, help);
+            self.lose_all();
+            return self.core.refuse(span, codes::K9005::ends_basic_rotation_or_goes_on(&number));
         }
-        let (axes, what) = match setting {
+        let (axes, asking) = match setting {
             Setting::Nothing => return Ok(()),
-            Setting::Datum { axes, reads } => (*axes, self.datum_in_words(reads)),
-            Setting::Rotation => (AxisSet::MAIN, "turns the part or its coordinates by what it measures".to_owned()),
-            Setting::Unknown => (AxisSet::MAIN, "is a cycle of the machine's builder and may set the datum".to_owned()),
+            Setting::Datum { axes, reads } if reads.is_empty() => {
+                (*axes, codes::K9005::sets_datum_by_what_it_measures(&number))
+            }
+            Setting::Datum { axes, reads } => {
+                let (lay, read) = (self.in_words(reads, |one| one.1), self.in_words(reads, |one| one.2));
+                (*axes, codes::K9005::sets_datum_at_known_place(&number, &lay, &read))
+            }
+            Setting::Rotation => (AxisSet::MAIN, codes::K9005::turns_part_or_its_coordinates(&number)),
+            Setting::Unknown => (AxisSet::MAIN, codes::K9005::is_cycle_of_machines_builder(&number)),
         };
-        let message = format!("TCH PROBE {number} {what}");
+        let refused = asking.answer(Answer::key("control", "probing_datum").one_of(&["\"set\""]));
         let worked = self.worked_in(axes);
-        match self.job.settings.control.klartext_choices.probing_datum {
+        match self.core.job.settings.control.klartext_choices.probing_datum {
             Some(true) if worked.is_empty() => Ok(()),
             // A check of a tool between two tools is no datum.
             Some(true) if !matches!(setting, Setting::Unknown) => {
                 self.lose_all();
-                self.refuse(span, codes::K2856::moved_in_front_of_it_with_another(&message, &worked))
+                self.core.refuse(span, codes::K2856::moved_in_front_of_it_with_another(&refused.message, &worked))
             }
             Some(false) => {
-                let help = Answer::key("control", "probing_datum")
-                    .one_of(&["\"set\""])
-                    .help("`[control] probing_datum = \"refuse\"` compiles no such program");
-                self.refuse_setting(span, message, help)
+                self.lose_all();
+                self.core.refuse(span, refused)
             }
             None | Some(true) => {
-                self.report(
-                    codes::K2854::blocks_in_front(&message)
-                        .answer(Answer::key("control", "probing_datum"))
-                        .at(self.loc(span)),
-                );
+                let asking = codes::K2854::blocks_in_front(&refused.message);
+                self.core.say(span, asking.answer(Answer::key("control", "probing_datum")));
                 Ok(())
             }
         }
     }
 
-    fn refuse_setting(&mut self, span: Span, message: String, help: impl Into<Help>) -> Outcome {
-        self.lose_all();
-        self.fail_help(codes::K9005, span, message, help)
-    }
-
-    /// Where the feature lay, and what it reads then.
-    fn datum_in_words(&self, reads: &[(Axis, f64, f64)]) -> String {
-        let mm = self.levels.last().map_or(1.0, |level| level.frame.unit.mm());
+    /// Coordinates by axis, in the unit of the program.
+    fn in_words(&self, reads: &[(Axis, f64, f64)], pick: fn(&(Axis, f64, f64)) -> f64) -> String {
+        let mm = self.core.levels.last().map_or(1.0, |level| level.frame.unit.mm());
         let shown = |value: f64| libm::round(value / mm * 1e4) / 1e4 + 0.0;
-        let words = |pick: fn(&(Axis, f64, f64)) -> f64| {
-            let list: Vec<String> = reads.iter().map(|one| format!("{}{}", one.0.letter(), shown(pick(one)))).collect();
-            list.join(" ")
-        };
-        if reads.is_empty() {
-            return "sets the datum by what it measures".to_owned();
-        }
-        format!("sets the datum: what lay at {} reads {} from here on", words(|one| one.1), words(|one| one.2))
+        let list: Vec<String> = reads.iter().map(|one| format!("{}{}", one.0.letter(), shown(pick(one)))).collect();
+        list.join(" ")
     }
 
     /// Which of these axes other tools moved in front, in coordinates of the datum before.
@@ -219,23 +206,21 @@ impl Run<'_> {
     /// TCH PROBE 404: the basic rotation is a parameter. Nothing is measured, and nothing moves.
     pub(super) fn set_basic_rotation(&mut self, probe: &Probe, span: Span) -> Outcome {
         let Some(angle) = self.probe_value(probe, ANGLE, span)? else {
-            return self.refuse(span, codes::K2402::tch_probe_404_lacks_its_angle_q307());
+            return self.core.refuse(span, codes::K2402::tch_probe_404_lacks_its_angle_q307());
         };
         if self.probe_value(probe, ROW, span)?.unwrap_or(0.0) != 0.0 {
-            let message = "TCH PROBE 404 writes the basic rotation into a row of the preset table (Q305), which only the machine has";
-            let help = "write Q305=+0, which sets the rotation at once, or turn the coordinates by cycle 10";
-            return self.refuse_setting(span, message.to_owned(), help);
+            self.lose_all();
+            return self.core.refuse(span, codes::K9005::writes_basic_rotation_into_preset_table());
         }
         if self.st.axis() != Axis::Z {
-            let axis = self.st.axis().letter();
-            let message = format!("TCH PROBE 404 turns the coordinates about Z, and the tool axis is {axis}");
-            return self.refuse_setting(span, message, "turn the coordinates by cycle 10");
+            self.lose_all();
+            return self.core.refuse(span, codes::K9005::turns_coordinates_about_z(&self.st.axis().letter()));
         }
         self.refuse_compensated("the basic rotation changes");
         let mut next = self.st.frames.transform().clone();
         next.basic = Some(Deg(angle));
         if angle != 0.0 {
-            self.report(codes::K2853::tch_probe_404_turns_coordinates_by_about(&angle).at(self.loc(span)));
+            self.core.report(codes::K2853::tch_probe_404_turns_coordinates_by_about(&angle).at(self.core.loc(span)));
         }
         self.set_transformation(next)
     }
@@ -245,8 +230,8 @@ impl Run<'_> {
         if let Some(probed) = self.st.frames.probed() {
             self.lose_all();
             let found =
-                codes::K9008::m143_ends_basic_rotation().at(self.loc(m.span)).also(probed, "this cycle is left out");
-            self.report(found);
+                codes::K9008::m143_ends_basic_rotation().at(self.core.loc(m.span)).also(probed, Label::CycleLeftOut);
+            self.core.report(found);
             return Err(Reported);
         }
         let mut next = self.st.frames.transform().clone();
@@ -254,7 +239,7 @@ impl Run<'_> {
             Some(angle) if angle.0 != 0.0 => self.set_transformation(next),
             Some(_) => Ok(()),
             None => {
-                self.job.diags.push_once(codes::K2710::basic_rotation_of_preset().at(self.loc(m.span)));
+                self.core.job.diags.push_once(codes::K2710::basic_rotation_of_preset().at(self.core.loc(m.span)));
                 Ok(())
             }
         }

@@ -3,7 +3,7 @@
 //! What a place is to the program no manual at hand says; `[cycles] pattern_program` does. Source: K 4.3, 4.6
 //! (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::ir::Pos;
 use crate::ir::contour::Path;
 use crate::machine::Axis;
@@ -16,18 +16,18 @@ use super::{Outcome, Reported, Run};
 
 impl Run<'_> {
     pub(super) fn run_program_pattern(&mut self, w: &Words, places: &Places, name: &str) -> Outcome {
-        let Some(reading) = self.job.settings.cycles.klartext.pattern_program else {
-            return self.refuse(
-                self.block_span(),
+        let Some(reading) = self.core.job.settings.cycles.klartext.pattern_program else {
+            return self.core.refuse(
+                self.core.block_span(),
                 codes::P9010::cycl_call_pat_with_program_of_cycle_12(&name)
                     .answer(Answer::key("cycles", "pattern_program")),
             );
         };
         if places.iter().any(|place| place.surface != 0.0) {
-            self.report(
+            self.core.report(
                 codes::P9010::cycl_call_pat_with_program(&name)
-                    .at(self.here.origin.loc)
-                    .also(places.loc, "the pattern"),
+                    .at(self.core.here.origin.loc)
+                    .also(places.loc, Label::Pattern),
             );
             return Err(Reported);
         }
@@ -39,11 +39,11 @@ impl Run<'_> {
             }
             PatternProgram::Position => {
                 let feed = self.pattern_feed(w, "CYCL CALL PAT")?;
-                (Some(self.position_of(self.st.axis(), self.block_span(), "CYCL CALL PAT")?), feed)
+                (Some(self.position_of(self.st.axis(), self.core.block_span(), "CYCL CALL PAT")?), feed)
             }
         };
         for place in places.iter() {
-            self.goes_on()?;
+            self.core.goes_on()?;
             match height {
                 None => self.run_shifted(name, place)?,
                 Some(height) => {
@@ -75,7 +75,7 @@ impl Run<'_> {
         let base = self.st.frames.transform().clone();
         let (first, second, _) = self.st.plane().axes();
         if !base.is_shift_only() || base.turn.0 != 0.0 || base.is_turned_as_a_whole() {
-            return self.refuse(self.block_span(), codes::P9010::cycl_call_pat_with_program_of_cycle(&name));
+            return self.core.refuse(self.core.block_span(), codes::P9010::cycl_call_pat_with_program_of_cycle(&name));
         }
         let mut shifted = base.clone();
         for (axis, by) in [(first, place.at.x), (second, place.at.y)] {
@@ -84,7 +84,9 @@ impl Run<'_> {
         self.set_transformation(shifted.clone())?;
         self.run_program(name)?;
         if *self.st.frames.transform() != shifted {
-            return self.refuse(self.block_span(), codes::P9010::program_of_cycle_12_changes_coordinate_system(&name));
+            return self
+                .core
+                .refuse(self.core.block_span(), codes::P9010::program_of_cycle_12_changes_coordinate_system(&name));
         }
         self.set_transformation(base)
     }
@@ -92,19 +94,19 @@ impl Run<'_> {
     fn run_program(&mut self, name: &str) -> Outcome {
         self.run_whole(name)?;
         if self.st.compensation.is_on() {
-            return self.refuse(self.block_span(), codes::K2407::program_of_cycle_12_ends_with_radius(&name));
+            return self.core.refuse(self.core.block_span(), codes::K2407::program_of_cycle_12_ends_with_radius(&name));
         }
         Ok(())
     }
 
     /// The whole program, before the block in hand goes on.
     pub(super) fn run_whole(&mut self, name: &str) -> Outcome {
-        let (here, below) = (self.here, self.levels.len());
+        let (here, below) = (self.core.here, self.core.levels.len());
         self.call_program_named(name)?;
-        while self.levels.len() > below && !self.has_ended() {
+        while self.core.levels.len() > below && !self.core.has_ended() {
             step(self);
         }
-        self.here = here;
-        if self.has_ended() || self.levels.len() != below { Err(Reported) } else { Ok(()) }
+        self.core.here = here;
+        if self.core.has_ended() || self.core.levels.len() != below { Err(Reported) } else { Ok(()) }
     }
 }

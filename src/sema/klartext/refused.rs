@@ -18,20 +18,24 @@ impl Run<'_> {
             Refused::SelectTable if span.end < block.span.end => {
                 let written = Span { start: span.end, end: block.span.end }.of(text);
                 let name = self.program_name(written)?;
-                self.datum_table.select(name, self.here.origin.loc);
+                self.datum_table.select(name, self.core.here.origin.loc);
                 self.left_out("SEL TABLE only selects the table that datum shifts take rows of, and");
                 Ok(())
             }
-            Refused::SelectTable => self.refuse(span, codes::P1004::names_no_table(&name)),
+            Refused::SelectTable => self.core.refuse(span, codes::P1004::names_no_table(&name)),
             Refused::Contour => {
                 let by_parameter = name.get(..2).is_some_and(|head| head.eq_ignore_ascii_case("QC"));
                 let (name, span) = if by_parameter { self.block_name(block, text, 1) } else { (name, span) };
-                self.refuse(span, codes::K9018::contours_that_are_put_together_are_not(&name))
+                self.core.refuse(span, codes::K9018::contours_that_are_put_together_are_not(&name))
             }
             Refused::GlobalDef => self.global_def(block, text),
             Refused::Function if is_harmless(block.span.of(text)) => {
-                self.job.diags.push_once(
-                    codes::K2703::has_no_word_in_output(&self.block_name(block, text, 3).0).at(self.here.origin.loc),
+                self.core.job.diags.push_once(
+                    codes::K2703::has_no_word_in_output(&self.block_name(block, text, 3).0).at(self
+                        .core
+                        .here
+                        .origin
+                        .loc),
                 );
                 Ok(())
             }
@@ -39,9 +43,9 @@ impl Run<'_> {
                 let (name, span) = self.block_name(block, text, words_of_name(&name));
                 if let Some(name) = named_branch(&name) {
                     self.lose_all();
-                    return self.refuse(span, codes::P9011::is_not_supported(&name));
+                    return self.core.refuse(span, codes::P9011::is_not_supported(&name));
                 }
-                self.refuse_motion(codes::P9011, span, &format!("{name} is not supported"))
+                self.refuse_motion(span, codes::P9011::is_not_supported_3(&name))
             }
         }
     }

@@ -80,12 +80,12 @@ impl Run<'_> {
         for axis in end.known().without(AxisSet::MAIN).iter() {
             if !axis.is_rotary() {
                 if let Some(what) = self.st.frames.transform().touches_parallel(axis) {
-                    return self.refuse(w.axes_span, codes::K2506::moves_while_is_active(&axis.letter(), &what));
+                    return self.core.refuse(w.axes_span, codes::K2506::moves_while_is_active(&axis.letter(), &what));
                 }
                 continue;
             }
             if self.st.feed.at_surface && cuts {
-                return self.refuse(w.axes_span, codes::K2509::moves_at_feed_under_m116(&axis.letter()));
+                return self.core.refuse(w.axes_span, codes::K2509::moves_at_feed_under_m116(&axis.letter()));
             }
             self.st.rotary.moves(axis);
             if w.incremental.contains(axis) {
@@ -108,7 +108,7 @@ impl Run<'_> {
         if !self.st.rotary.short_way || step.abs() <= 180.0 {
             return Ok(());
         }
-        self.refuse(w.axes_span, codes::K9008::under_m126_it_is_open_whether_i(&axis.letter(), &step))
+        self.core.refuse(w.axes_span, codes::K9008::under_m126_it_is_open_whether_i(&axis.letter(), &step))
     }
 
     /// Where a rotary axis goes in unbroken degrees, so that the output turns the same way.

@@ -57,7 +57,7 @@ impl Run<'_> {
         while let Some(name) = words.next() {
             let value = match (name.addr, words.next()) {
                 (Addr::Name, Some(value)) if value.addr == Addr::Value => value,
-                _ => return self.refuse(name.span, codes::P1001::sysread_takes_id()),
+                _ => return self.core.refuse(name.span, codes::P1001::sysread_takes_id()),
             };
             let whole = |n: f64| (n >= 0.0 && n.fract() == 0.0).then_some(n as u32);
             let n = self.number(value.value, value.span)?;
@@ -66,7 +66,7 @@ impl Run<'_> {
                 (b"NR", Some(n)) => request.nr = n,
                 (b"IDX", _) => request.idx = Some(n),
                 _ => {
-                    return self.refuse(value.span, codes::P1001::sysread_takes_whole_numbers_behind_id());
+                    return self.core.refuse(value.span, codes::P1001::sysread_takes_whole_numbers_behind_id());
                 }
             }
         }
@@ -75,19 +75,19 @@ impl Run<'_> {
 
     /// Millimetres per unit of the lengths that the control gives.
     fn unit_of_lengths(&mut self) -> f64 {
-        let control = &self.job.settings.control;
+        let control = &self.core.job.settings.control;
         let in_mm = control.klartext_choices.system_in_mm.unwrap_or(control.klartext >= Generation::Tnc7);
-        if in_mm { 1.0 } else { self.level().frame.unit.mm() }
+        if in_mm { 1.0 } else { self.core.level().frame.unit.mm() }
     }
 
     /// No manual page of an older control says in which unit FN 18 reads a length in an INCH program.
     fn unit_is_said(&mut self, r: Request, value: f64, block: &Block) -> Outcome {
-        let control = &self.job.settings.control;
+        let control = &self.core.job.settings.control;
         let said = control.klartext_choices.system_in_mm.is_some() || control.klartext >= Generation::Tnc7;
-        if said || value == 0.0 || self.level().frame.unit == Unit::Mm || !r.is_length() {
+        if said || value == 0.0 || self.core.level().frame.unit == Unit::Mm || !r.is_length() {
             return Ok(());
         }
-        self.refuse(
+        self.core.refuse(
             block.span,
             codes::K2855::is_length_in_inch_program_controls_may(&r.name())
                 .answer(Answer::key("control", "system_unit")),
@@ -158,8 +158,8 @@ impl Run<'_> {
             Some(value) => {
                 self.unit_is_said(r, value, block)?;
                 if matches!((r.id, r.nr), (20, 2..) | (200, _)) {
-                    self.job.diags.push_once(
-                        codes::K8021::id_nr_is_answered_as_older_programs(&r.id, &r.nr).at(self.loc(block.span)),
+                    self.core.job.diags.push_once(
+                        codes::K8021::id_nr_is_answered_as_older_programs(&r.id, &r.nr).at(self.core.loc(block.span)),
                     );
                 }
                 Ok(value)
@@ -181,7 +181,7 @@ impl Run<'_> {
             }
             _ => "",
         };
-        self.refuse(
+        self.core.refuse(
             block.span,
             codes::K9016::system_data_id_nr_is_known(&r.id, &r.nr, &what, &why, &r.name())
                 .answer(Answer::variable(r.name(), meaning)),
@@ -192,17 +192,17 @@ impl Run<'_> {
     fn answered(&self, r: Request) -> Option<f64> {
         let bare = |name: &str| name.replace(' ', "");
         let name = bare(&r.name());
-        self.job.settings.variables.iter().find(|(key, _)| bare(key) == name).map(|(_, value)| *value)
+        self.core.job.settings.variables.iter().find(|(key, _)| bare(key) == name).map(|(_, value)| *value)
     }
 
     /// ID 50: tool table, NR 1 L, 2 R, 3 R2, 4 DL, 5 DR, 6 DR2; IDX is the tool.
     fn table_value(&mut self, r: Request, block: &Block) -> Outcome<f64> {
         let mm = self.unit_of_lengths();
         let Some(n) = r.idx.filter(|n| *n >= 1.0) else {
-            return self.refuse(block.span, codes::K9016::id_50_reads_tool_table());
+            return self.core.refuse(block.span, codes::K9016::id_50_reads_tool_table());
         };
         let key = ToolKey::Number(n.trunc() as u32, (n.fract() * 10.0).round() as u8);
-        let mut data = self.job.settings.tools.table.get(&key).cloned();
+        let mut data = self.core.job.settings.tools.table.get(&key).cloned();
         if let Some(&(length, radius)) = self.defined.get(&(n as u32)) {
             let tool = data.get_or_insert_with(Default::default);
             tool.length = length.or(tool.length);
@@ -222,7 +222,7 @@ impl Run<'_> {
                 self.unit_is_said(r, value, block)?;
                 Ok(value / mm)
             }
-            None => self.refuse(
+            None => self.core.refuse(
                 block.span,
                 codes::P2004::table_data_of_tool_is_not_known(&key).answer(Answer::tool(&key, field_of(r.nr))),
             ),

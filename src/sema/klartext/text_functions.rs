@@ -1,5 +1,6 @@
 //! Functions of texts.
 
+use crate::diag::codes;
 use crate::parser::klartext::ast::TextFn;
 use crate::sema::value::{Fault, Machine};
 
@@ -8,23 +9,19 @@ use super::vars::Val;
 /// Longest text a parameter holds.
 const LONGEST: usize = 255;
 
-fn said<T>(why: impl Into<String>) -> Result<T, Fault> {
-    Err(Fault::Said(why.into()))
-}
-
 fn text(machine: &mut Machine) -> Result<String, Fault> {
     match machine.pop()? {
         Val::Text(text) => Ok(String::from_utf8_lossy(&text).into_owned()),
-        _ => said("a text parameter is needed"),
+        _ => Err(codes::P2022::text_parameter_is_needed().into()),
     }
 }
 
 fn number(machine: &mut Machine) -> Result<f64, Fault> {
-    machine.pop()?.number().map_or_else(|| said("a number is needed"), Ok)
+    machine.pop()?.number().ok_or_else(|| codes::P2022::number_is_needed().into())
 }
 
 fn count(n: f64) -> Result<usize, Fault> {
-    if n >= 0.0 && n.fract() == 0.0 { Ok(n as usize) } else { said(format!("{n} is no position")) }
+    if n >= 0.0 && n.fract() == 0.0 { Ok(n as usize) } else { Err(codes::P2022::is_no_position(&n).into()) }
 }
 
 /// Applies a text function to its arguments, the last one on top.
@@ -38,7 +35,7 @@ pub(super) fn apply(f: TextFn, machine: &mut Machine) -> Result<Val, Fault> {
         TextFn::ToNumber => {
             let text = text(machine)?;
             let plain = text.trim().replace(',', ".");
-            let Ok(value) = plain.parse::<f64>() else { return said(format!("`{text}` is no number")) };
+            let value: f64 = plain.parse().map_err(|_| codes::P2022::is_no_number(&text))?;
             if !(value.is_finite() && value.abs() <= machine.rules.step) {
                 return Err(Fault::TooLarge);
             }
@@ -60,16 +57,18 @@ pub(super) fn apply(f: TextFn, machine: &mut Machine) -> Result<Val, Fault> {
             let (b, a) = (text(machine)?, text(machine)?);
             Val::Real(f64::from(a.cmp(&b) as i8))
         }
-        TextFn::Unknown => return said("the function reads from the control"),
+        TextFn::Unknown => return Err(codes::P2022::function_reads_from_control().into()),
     })
 }
 
 /// Two texts in one.
 pub(super) fn join(machine: &mut Machine) -> Result<Val, Fault> {
     let (b, a) = (machine.pop()?, machine.pop()?);
-    let (Val::Text(a), Val::Text(b)) = (a, b) else { return said("a text is needed") };
+    let (Val::Text(a), Val::Text(b)) = (a, b) else {
+        return Err(codes::P2022::text_is_needed().into());
+    };
     if a.len() + b.len() > LONGEST {
-        return said(format!("the text is longer than {LONGEST} characters"));
+        return Err(codes::P2022::text_is_longer(&LONGEST).into());
     }
     Ok(Val::Text([a, b].concat().into()))
 }

@@ -106,9 +106,9 @@ impl Run<'_> {
     /// `TOOL DEF 5 L+0 R+4` defines a tool; `TOOL DEF 5` alone tells the changer which one comes next.
     pub(super) fn tool_def(&mut self, block: &Block, text: &[u8]) -> Outcome {
         let Some((tool, rest)) = self.named_tool(&block.words, text)? else {
-            return self.refuse(block.span, codes::P1004::tool_def_names_no_tool());
+            return self.core.refuse(block.span, codes::P1004::tool_def_names_no_tool());
         };
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let (mut length, mut radius) = (None, None);
         let mut at = 0;
         while let Some(&word) = rest.get(at) {
@@ -130,7 +130,7 @@ impl Run<'_> {
                         length = Some(self.number(value.value, value.span)? * mm);
                         at += 1;
                     }
-                    _ => return self.refuse(word.span, codes::P1004::l_lacks_its_value()),
+                    _ => return self.core.refuse(word.span, codes::P1004::l_lacks_its_value()),
                 },
                 Addr::RadiusEmpty => {}
                 _ => return self.not_admitted(word, "TOOL DEF"),
@@ -138,7 +138,7 @@ impl Run<'_> {
         }
         if length.is_some() || radius.is_some() {
             let Named::Number(number, _) = tool else {
-                return self.refuse(block.span, codes::K2010::tool_that_program_defines_needs_number());
+                return self.core.refuse(block.span, codes::K2010::tool_that_program_defines_needs_number());
             };
             self.defined.insert(number, (length, radius));
             return Ok(());
@@ -158,13 +158,13 @@ impl Run<'_> {
         self.refuse_compensated("TOOL CALL stands");
         // The side stays: a contour that goes on compensated behind a tool change is refused.
         if self.st.compensation.is_on() && tool.is_some() {
-            self.report(codes::P2041::tool_call_ends_radius_compensation().at(self.here.origin.loc));
+            self.core.report(codes::P2041::tool_call_ends_radius_compensation().at(self.core.here.origin.loc));
         }
         if call.axis.is_none()
             && self.st.tool.axis.is_none()
             && tool.as_ref().is_some_and(|t| *t != Named::Number(0, 0))
         {
-            return self.refuse(block.span, codes::K2004::first_tool_call_has_no_tool_axis());
+            return self.core.refuse(block.span, codes::K2004::first_tool_call_has_no_tool_axis());
         }
         let turned = call.axis.is_some_and(|axis| self.st.tool.axis != Some(axis));
         if let Some(axis) = call.axis {
@@ -184,7 +184,7 @@ impl Run<'_> {
             let feed = self.feed_of_call(&call, feed)?;
             self.st.feed.program_of_tool(feed);
         } else if tool.is_some() {
-            self.st.feed.reset_of_tool(self.job.settings.control.feed);
+            self.st.feed.reset_of_tool(self.core.job.settings.control.feed);
         }
         Ok(())
     }
@@ -195,7 +195,7 @@ impl Run<'_> {
         if written <= 0.0 {
             return self.feed_not_positive(span, written);
         }
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let per_tooth = call.feed_word == Some(Addr::FeedOther);
         let feed = match call.feed_word {
             Some(Addr::FeedPerRev) => Feed::PerRevolution(written * mm),
@@ -214,18 +214,18 @@ impl Run<'_> {
     pub(super) fn reads_feed_by_word(&self, span: Span) {
         let text = self.word_text(span);
         let what = if text.to_ascii_uppercase().contains("FZ") { "for each tooth" } else { "for each revolution" };
-        self.report_once(codes::K8026::is_read_as_feed(&text, &what).at(self.loc(span)));
+        self.core.report_once(codes::K8026::is_read_as_feed(&text, &what).at(self.core.loc(span)));
     }
 
     /// G43 of the target adds the length of the tool to Z.
     fn length_acts_along_z(&self, tool: Option<&Named>, span: Span) -> Outcome {
         let axis = self.st.axis();
         let none = tool.is_none_or(|tool| *tool == Named::Number(0, 0));
-        if axis == Axis::Z || none || !self.job.settings.output.prints_tool_length() {
+        if axis == Axis::Z || none || !self.core.job.settings.output.prints_tool_length() {
             return Ok(());
         }
-        let [who, help] = self.job.settings.output.length_along_z();
-        self.refuse(
+        let [who, help] = self.core.job.settings.output.length_along_z();
+        self.core.refuse(
             span,
             codes::O9190::with_tool_axis_length_of_tool_acts(&axis.letter(), &who)
                 .help(Answer::key("output", "tool_length").one_of(&["\"off\""]).help(help)),
@@ -238,14 +238,14 @@ impl Run<'_> {
         if changed {
             self.function(Function::Plane(self.st.plane()));
             if self.st.frames.transform().angle.0 != 0.0 && self.st.frames.transform().plane != self.st.plane() {
-                self.report(codes::K2511::tool_axis_becomes(&axis.letter()).at(self.here.origin.loc));
+                self.core.report(codes::K2511::tool_axis_becomes(&axis.letter()).at(self.core.here.origin.loc));
             }
         }
     }
 
     /// The words behind the tool of a TOOL CALL.
     fn call_words(&mut self, words: &[Word], block: &Block) -> Outcome<Call> {
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let mut call = Call::default();
         for &word in words {
             let delta = match word.addr {
@@ -288,18 +288,18 @@ impl Run<'_> {
 
     /// `S( VC = 120 )`
     fn cutting_speed<T>(&self, word: Word) -> Outcome<T> {
-        self.refuse(word.span, codes::P9011::is_cutting_speed(&self.word_text(word.span)))
+        self.core.refuse(word.span, codes::P9011::is_cutting_speed(&self.word_text(word.span)))
     }
 
     /// Says once a tool that DR2 changes no path.
     fn note_corner_radius(&self, call: &Call, span: Span) {
         let Some(delta) = call.deltas[2].filter(|delta| *delta != 0.0) else { return };
-        self.report(codes::K2014::dr2_mm_changes_no_path(&delta).at(self.loc(span)));
+        self.core.report(codes::K2014::dr2_mm_changes_no_path(&delta).at(self.core.loc(span)));
     }
 
     fn change_tool(&mut self, tool: &Named, call: &Call, turned: bool, span: Span) -> Outcome {
-        let unit = self.level().frame.unit;
-        self.job.calls_tool_in(unit, self.loc(span));
+        let unit = self.core.level().frame.unit;
+        self.core.job.calls_tool_in(unit, self.core.loc(span));
         let (number, data) = self.look_up(tool, span)?;
         let (mut length, mut radius, mut corner_radius) = (data.length, data.radius, data.corner_radius);
         if let Named::Number(n, 0) = tool {
@@ -331,7 +331,7 @@ impl Run<'_> {
         }
         let own = match tool {
             Named::Number(own, _) => Some(*own),
-            Named::Name(name) => match self.job.settings.tools.key_of_name(name, false) {
+            Named::Name(name) => match self.core.job.settings.tools.key_of_name(name, false) {
                 Some(ToolKey::Number(own, _)) => Some(*own),
                 _ => None,
             },
@@ -369,13 +369,13 @@ impl Run<'_> {
 
     /// TOOL CALL without a tool: the oversizes are set anew.
     fn change_deltas(&mut self, call: &Call) {
-        let here = self.here.origin.loc;
+        let here = self.core.here.origin.loc;
         let Some(tool) = &mut self.st.tool.active else { return };
         let new = call.deltas.map(Option::unwrap_or_default);
         let dropped = tool.call_deltas.iter().zip(&call.deltas).any(|(old, new)| *old != 0.0 && new.is_none());
         tool.call_deltas = new;
         if dropped {
-            self.report(codes::K2009::this_tool_call_does_not_repeat_oversizes().at(here));
+            self.core.report(codes::K2009::this_tool_call_does_not_repeat_oversizes().at(here));
         }
         self.send_cutter();
     }
@@ -393,10 +393,11 @@ impl Run<'_> {
     /// Before RL or RR: is there a tool, and is its radius what the target believes?
     pub(super) fn check_cutter(&mut self, span: Span) -> Outcome {
         match &self.st.tool.active {
-            None => self.refuse(span, codes::P2004::radius_compensation_without_tool()),
+            None => self.core.refuse(span, codes::P2004::radius_compensation_without_tool()),
             Some(tool) if tool.call_deltas[1] != 0.0 && tool.radius.is_none() => {
                 let called = tool.called.clone();
-                self.refuse(span, codes::P2004::tool_has_oversize_dr(&called).answer(Answer::tool(&called, "radius")))
+                self.core
+                    .refuse(span, codes::P2004::tool_has_oversize_dr(&called).answer(Answer::tool(&called, "radius")))
             }
             Some(_) => self.one_radius(span),
         }
@@ -407,7 +408,7 @@ impl Run<'_> {
         let Some(tool) = &self.st.tool.active else { return Ok(()) };
         let (Some(own), Some(table)) = (tool.radius, tool.other_radius) else { return Ok(()) };
         let called = &tool.called;
-        self.refuse(
+        self.core.refuse(
             span,
             codes::K2890::tool_has_radius_in_its_tool_def(&called, &own, &table).answer(Answer::tool(called, "radius")),
         )
@@ -421,13 +422,13 @@ impl Run<'_> {
                 Some(radius) => Ok(radius),
                 None => {
                     let called = tool.called.clone();
-                    self.refuse(
+                    self.core.refuse(
                         span,
                         codes::P2004::radius_of_tool_is_not_known(&called).answer(Answer::tool(&called, "radius")),
                     )
                 }
             },
-            None => self.refuse(span, codes::P2004::no_tool_is_called()),
+            None => self.core.refuse(span, codes::P2004::no_tool_is_called()),
         }
     }
 
@@ -436,7 +437,7 @@ impl Run<'_> {
         if self.st.tool.measured {
             return None;
         }
-        let data = self.job.settings.tools.by_number(number, 0);
+        let data = self.core.job.settings.tools.by_number(number, 0);
         let own = self.defined.get(&number).and_then(|(_, radius)| *radius);
         let radius = own.or_else(|| data.and_then(|data| data.radius))?;
         Some(radius + data.map_or(0.0, |data| data.deltas[1]))
@@ -444,7 +445,7 @@ impl Run<'_> {
 
     pub(super) fn spindle_speed(&mut self, speed: f64, span: Span) -> Outcome {
         if speed < 0.0 {
-            return self.refuse(span, codes::O9002::spindle_speed(&speed));
+            return self.core.refuse(span, codes::O9002::spindle_speed(&speed));
         }
         self.st.spindle.set_speed(speed);
         self.function(Function::Spindle(Spindle::Speed(speed)));
@@ -459,7 +460,7 @@ impl Run<'_> {
             (Addr::Text, _) => name(first.span.of(text)),
             (Addr::Value, Value::Param { q, .. }) if q.is_text() => match self.read(q, first.span)? {
                 Val::Text(text) => Named::Name(String::from_utf8_lossy(&text).into_owned()),
-                _ => return self.refuse(first.span, codes::P2024::text_parameter_is_needed()),
+                _ => return self.core.refuse(first.span, codes::P2024::text_parameter_is_needed()),
             },
             (Addr::Value, Value::Number(_)) => self.tool_number(first.span.of(text), first.span)?,
             (Addr::Value, value) => {
@@ -479,28 +480,28 @@ impl Run<'_> {
         let index = if index.trim_end_matches('0').is_empty() { Ok(0) } else { index.parse() };
         match (number.parse::<u32>(), index) {
             (Ok(number), Ok(index)) if f64::from(number) <= MOST_TOOLS => Ok(Named::Number(number, index)),
-            _ => self.refuse(span, codes::K2010::is_no_tool_number(&text)),
+            _ => self.core.refuse(span, codes::K2010::is_no_tool_number(&text)),
         }
     }
 
     /// Number to print and data of a tool.
     fn look_up(&self, tool: &Named, span: Span) -> Outcome<(u32, Tool)> {
-        let tools = &self.job.settings.tools;
+        let tools = &self.core.job.settings.tools;
         match tool {
             Named::Number(number, index) => {
                 let data = tools.by_number(*number, *index);
                 if data.is_none() && tools.complete && *number != 0 && !self.defined.contains_key(number) {
-                    self.report(codes::P2006::tool_is_not_in_tool_table(&tool).at(self.loc(span)));
+                    self.core.report(codes::P2006::tool_is_not_in_tool_table(&tool).at(self.core.loc(span)));
                 }
                 self.proposed.borrow_mut().call(*number);
                 let data = data.cloned().unwrap_or_default();
                 let printed = data.number.or((*index == 0).then_some(*number));
                 match printed {
                     Some(printed) => {
-                        self.prints_tool(&ToolKey::Number(*number, *index), printed, span)?;
+                        self.core.prints_tool(&ToolKey::Number(*number, *index), printed, span)?;
                         Ok((printed, data))
                     }
-                    None => self.refuse(
+                    None => self.core.refuse(
                         span,
                         codes::K2006::tool_is_index(&number, &index, &tool).answer(Answer::tool(tool, "number")),
                     ),
@@ -509,14 +510,14 @@ impl Run<'_> {
             Named::Name(name) => match tools.by_name(name) {
                 Some((Some(number), data)) => {
                     if let Some(key) = tools.key_of_name(name, false) {
-                        self.prints_tool(key, number, span)?;
+                        self.core.prints_tool(key, number, span)?;
                     }
                     Ok((number, data.clone()))
                 }
                 _ => {
                     let help = self.proposed.borrow_mut().help(name, tools);
-                    let found = codes::K2005::tool_has_no_number(&tool).at(self.loc(span));
-                    self.report(found.help(help));
+                    let found = codes::K2005::tool_has_no_number(&tool).at(self.core.loc(span));
+                    self.core.report(found.help(help));
                     Err(Reported)
                 }
             },

@@ -1,6 +1,6 @@
 //! The words of a path block, evaluated once and sorted by what they mean.
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::ir::{Pos, Side};
 use crate::lexer::klartext::Value;
 use crate::machine::{Axis, AxisSet};
@@ -171,7 +171,7 @@ impl Run<'_> {
     }
 
     fn gather_into(&mut self, w: &mut Words, block: &Block, head: &str, admits: Admits) -> Outcome {
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let mut at = 0;
         while let Some(&word) = block.words.get(at) {
             at += 1;
@@ -200,10 +200,10 @@ impl Run<'_> {
                     let (args, used) = self.m_arguments(number, word.span, &block.words[at..], block, w)?;
                     at += used;
                     if w.m.len() == MOST_M {
-                        return self.refuse(word.span, codes::P1003::too_many_m_functions_in_one_block());
+                        return self.core.refuse(word.span, codes::P1003::too_many_m_functions_in_one_block());
                     }
-                    let changes =
-                        m_table::entry(number).is_none() && self.job.settings.control.tool_change_m.contains(&number);
+                    let changes = m_table::entry(number).is_none()
+                        && self.core.job.settings.control.tool_change_m.contains(&number);
                     w.m.push(MWord { number: if changes { M6 } else { number }, span: word.span, args });
                 }
                 // Empty words of old listings mean "unchanged".
@@ -308,20 +308,20 @@ impl Run<'_> {
 
     #[cold]
     pub(super) fn feed_by_time<T>(&self, word: Word) -> Outcome<T> {
-        self.refuse(word.span, codes::K9013::gives_time_of_block_in_place(&self.word_text(word.span)))
+        self.core.refuse(word.span, codes::K9013::gives_time_of_block_in_place(&self.word_text(word.span)))
     }
 
     /// `word` says again what an earlier word of the block says.
     #[cold]
     pub(super) fn twice<T>(&self, word: Word, block: &Block) -> Outcome<T> {
         let text = self.word_text(word.span);
-        let found = codes::P1002::repeats_word_of_this_block(&text).at(self.loc(word.span));
+        let found = codes::P1002::repeats_word_of_this_block(&text).at(self.core.loc(word.span));
         let first = block.words.iter().find(|first| same_matter(first.addr, word.addr));
         let found = match first.filter(|first| first.span.start < word.span.start) {
-            Some(first) => found.also(self.loc(first.span), "the first one"),
+            Some(first) => found.also(self.core.loc(first.span), Label::FirstOne),
             None => found,
         };
-        self.report(found);
+        self.core.report(found);
         Err(super::Reported)
     }
 
@@ -329,7 +329,7 @@ impl Run<'_> {
     pub(super) fn not_admitted<T>(&self, word: Word, head: &str) -> Outcome<T> {
         let text = self.word_text(word.span);
         if let Some(problem) = self.misprinted_word(word.span) {
-            self.report_problem(problem);
+            self.core.report_problem(problem);
             return Err(super::Reported);
         }
         let help = match (word.addr, head) {
@@ -342,12 +342,12 @@ impl Run<'_> {
             _ => "remove the word, or put it into a block where it belongs",
         };
         let block = if head.is_empty() { "this block".to_owned() } else { format!("this {head} block") };
-        self.refuse(word.span, codes::P1003::has_no_place(&text, &block).help(help))
+        self.core.refuse(word.span, codes::P1003::has_no_place(&text, &block).help(help))
     }
 
     /// What is wrong with the number that a word belongs to: `X-1.#IND`, `X1e5`.
     fn misprinted_word(&self, span: Span) -> Option<Problem> {
-        let block = self.block_span();
+        let block = self.core.block_span();
         let text = self.word_text(block);
         // Decoded text is as long as its bytes where a number stands in it.
         let at = span.start.checked_sub(block.start)?;
@@ -358,8 +358,8 @@ impl Run<'_> {
 
     /// A word as the programmer wrote it.
     pub(super) fn word_text(&self, span: Span) -> String {
-        let loc = self.loc(span);
-        readable(&self.job.sources.bytes(loc.file, loc.span)).into_owned()
+        let loc = self.core.loc(span);
+        readable(&self.core.job.sources.bytes(loc.file, loc.span)).into_owned()
     }
 
     /// The arguments of an M function, and how many words they took. `w` holds the words in front of it.
@@ -373,7 +373,7 @@ impl Run<'_> {
     ) -> Outcome<(Args, usize)> {
         let takes = m_table::takes(number);
         let mut args = Args::default();
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let mut at = 0;
         while let Some(&word) = words.get(at) {
             match word.addr {
@@ -399,7 +399,9 @@ impl Run<'_> {
                         }
                         Some(_) if number == 197 || number == 120 && !name.eq_ignore_ascii_case("LA") => {
                             let wanted = if number == 120 { "LA5" } else { "DL0.5" };
-                            return self.refuse(word.span, codes::K2707::does_not_belong_to_m(&name, &number, &wanted));
+                            return self
+                                .core
+                                .refuse(word.span, codes::K2707::does_not_belong_to_m(&name, &number, &wanted));
                         }
                         Some(value) if value.addr == Addr::Value => {
                             let scale = if name.eq_ignore_ascii_case("MB") { mm } else { 1.0 };
@@ -409,7 +411,7 @@ impl Run<'_> {
                         }
                         Some(next) if next.addr == Addr::Name && takes.retract => {}
                         _ => {
-                            return self.refuse(word.span, codes::K2707::of_m_lacks_its_value(&name, &number));
+                            return self.core.refuse(word.span, codes::K2707::of_m_lacks_its_value(&name, &number));
                         }
                     }
                 }
@@ -418,7 +420,7 @@ impl Run<'_> {
             at += 1;
         }
         if takes.retract && !args.given {
-            return self.refuse(span, codes::K2707::m_lacks_its_path(&number));
+            return self.core.refuse(span, codes::K2707::m_lacks_its_path(&number));
         }
         Ok((args, at))
     }
@@ -438,7 +440,7 @@ impl Run<'_> {
         if clear {
             return Ok(());
         }
-        self.refuse(word.span, codes::K2707::behind_m_may_belong(&text, &number))
+        self.core.refuse(word.span, codes::K2707::behind_m_may_belong(&text, &number))
     }
 
     /// M3 with M4, M8 with M9 and the like.
@@ -449,10 +451,10 @@ impl Run<'_> {
                     return self.twice(Word { addr: Addr::M(b.number), value: Value::None, span: b.span }, block);
                 }
                 if m_table::conflict(a.number, b.number) {
-                    self.report(
+                    self.core.report(
                         codes::P1005::m_contradicts_m(&b.number, &a.number)
-                            .at(self.loc(b.span))
-                            .also(self.loc(a.span), "the other one"),
+                            .at(self.core.loc(b.span))
+                            .also(self.core.loc(a.span), Label::OtherOne),
                     );
                     return Err(super::Reported);
                 }
@@ -482,7 +484,7 @@ impl Run<'_> {
         if self.st.position.is_lost(axis) {
             return Err(super::Reported);
         }
-        self.unknown_position(axis, span, format!("{what} needs the position of {}, which is not known", axis.letter()))
+        self.unknown_position(axis, span, |axis, why| codes::P2001::needs_position_of(&what, axis, why))
     }
 }
 

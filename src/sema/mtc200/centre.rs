@@ -5,7 +5,7 @@
 //! arc whose start and end lie on one circle in one reading only decides; where both readings fit, the whole program
 //! is looked through once for arcs that speak against G90 or G91. Source: M 5.2 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::{Plane, Point2, SAME_POINT, distance};
 use crate::machine::Axis;
 use crate::machine::options::mtc200::Centres;
@@ -45,7 +45,7 @@ impl Run<'_> {
         let third = 3 - first - second;
         if w.centre[third].is_some() {
             let letter = ["I", "J", "K"][third];
-            return self.refuse(w.centre_span, codes::P1003::is_no_centre_word_of_plane(&letter));
+            return self.core.refuse(w.centre_span, codes::P1003::is_no_centre_word_of_plane(&letter));
         }
         let mut word = |i: usize| match w.centre[i] {
             Some(value) => self.length(Axis::ALL[i], value, w.centre_span),
@@ -55,8 +55,9 @@ impl Run<'_> {
         let full = distance(start, end) <= SAME_POINT;
         if full && (w.centre[first].is_none() || w.centre[second].is_none()) {
             let missing = if w.centre[first].is_none() { first } else { second };
-            self.report(
-                codes::M2009::of_this_full_circle_is_missing(&["I", "J", "K"][missing]).at(self.loc(w.centre_span)),
+            self.core.report(
+                codes::M2009::of_this_full_circle_is_missing(&["I", "J", "K"][missing])
+                    .at(self.core.loc(w.centre_span)),
             );
         }
         if full && let Some(center) = self.full_circle([words, start + words.coords], start, w.centre_span) {
@@ -68,16 +69,16 @@ impl Run<'_> {
     /// Every centre closes a full circle, so G90 and G91 alone say what its words are, unless the other arcs of the
     /// program speak against them. `None` where the option decides.
     fn full_circle(&mut self, centres: [Point2; 2], start: Point2, span: Span) -> Option<Outcome<Point2>> {
-        if self.job.settings.control.mtc200.centres != Centres::Settle {
+        if self.core.job.settings.control.mtc200.centres != Centres::Settle {
             return None;
         }
-        let tol = self.job.settings.control.mtc200.circle_tolerance;
+        let tol = self.core.job.settings.control.mtc200.circle_tolerance;
         let (dimension, center) = match self.st.incremental {
             true => (Reading::Distances, centres[1]),
             false => (Reading::Coordinates, centres[0]),
         };
         if distance(start, center) <= tol {
-            return Some(self.refuse(span, codes::P3001::centre_of_this_full_circle_lies()));
+            return Some(self.core.refuse(span, codes::P3001::centre_of_this_full_circle_lies()));
         }
         if distance(centres[0], centres[1]) <= SAME_POINT {
             return Some(Ok(center));
@@ -91,12 +92,12 @@ impl Run<'_> {
 
     /// `centres`: read as coordinates, and as distances.
     fn read_centre(&mut self, centres: [Point2; 2], start: Point2, end: Point2, span: Span) -> Outcome<Point2> {
-        let tol = self.job.settings.control.mtc200.circle_tolerance;
+        let tol = self.core.job.settings.control.mtc200.circle_tolerance;
         let miss = |c: Point2| (distance(start, c) - distance(end, c)).abs();
         let fits = |c: Point2| miss(c) <= tol + 1e-9 && distance(start, c) > tol && distance(end, c) > SAME_POINT;
         let of = |reading| centres[if reading == Reading::Coordinates { 0 } else { 1 }];
         let dimension = if self.st.incremental { Reading::Distances } else { Reading::Coordinates };
-        let fixed = match self.job.settings.control.mtc200.centres {
+        let fixed = match self.core.job.settings.control.mtc200.centres {
             Centres::Settle => None,
             Centres::Absolute => Some(Reading::Coordinates),
             Centres::Relative => Some(Reading::Distances),
@@ -136,7 +137,7 @@ impl Run<'_> {
         }
         if self.settled.by[slot].is_none() && !self.settled.scouted {
             self.settled.scouted = true;
-            let found = scout(&self.job);
+            let found = scout(&self.core.job);
             for (mine, found) in self.settled.by.iter_mut().zip(found.by) {
                 *mine = mine.or(found);
             }
@@ -149,7 +150,7 @@ impl Run<'_> {
 
     /// An arc that fits one reading only.
     fn settle(&mut self, slot: usize, reading: Reading, dimension: Reading, span: Span) -> Outcome {
-        let here = self.loc(span);
+        let here = self.core.loc(span);
         match self.settled.by[slot] {
             None => {
                 self.settled.by[slot] = Some((reading, here));
@@ -162,7 +163,7 @@ impl Run<'_> {
                     Reading::Coordinates => codes::M2006::centre_fits_as_coordinates(),
                     Reading::Distances => codes::M2006::centre_fits_as_distances(),
                 };
-                self.report(fault.at(here).also(first, "the other arc"));
+                self.core.report(fault.at(here).also(first, Label::OtherArc));
                 Err(Reported)
             }
         }
@@ -176,7 +177,7 @@ impl Run<'_> {
             Reading::Coordinates => codes::M2007::centres_are_coordinates(),
             Reading::Distances => codes::M2007::centres_are_distances(),
         };
-        self.report(asking.answer(Answer::key("control", "centres")).at(loc));
+        self.core.report(asking.answer(Answer::key("control", "centres")).at(loc));
     }
 
     fn off_circle(&mut self, misses: &[(Reading, f64)], span: Span) -> Outcome<Point2> {
@@ -187,7 +188,7 @@ impl Run<'_> {
                 format!("{miss:.4} mm {what}")
             })
             .collect();
-        self.refuse(
+        self.core.refuse(
             span,
             codes::P3001::end_point_misses_circle_about_centre(&shown.join(", by "))
                 .answer(Answer::key("control", "circle_tolerance")),
@@ -198,7 +199,7 @@ impl Run<'_> {
         let [a, b] = plane_axes(self.st.plane).map(|i| Axis::ALL[i].letter());
         let show = |c: Point2| format!("{a}{:.3} {b}{:.3}", c.x, c.y);
         let radius = if self.st.diameter { " (X as radius)" } else { "" };
-        self.refuse(
+        self.core.refuse(
             span,
             codes::M2005::centre_can(&show(centres[0]), &show(centres[1]), &radius)
                 .answer(Answer::key("control", "centres")),

@@ -49,7 +49,7 @@ impl Formulas for Run<'_> {
         let ([.., Op::Variable(n, _)] | [.., Op::Variable(n, _), Op::Unary(Function::Negate)]) = *operand else {
             return None;
         };
-        let set = SetBy::of(&self.job, &format!("@{n}"), None).unwrap_or(SetBy::Unknown);
+        let set = SetBy::of(&self.core.job, &format!("@{n}"), None).unwrap_or(SetBy::Unknown);
         Some(Divisor { set, name: format!("@{n:03}") })
     }
 
@@ -63,7 +63,7 @@ impl Formulas for Run<'_> {
             Fault::Domain(f, x) => codes::P2022::function_does_not_exist(&name(f), &x),
             Fault::Zero(_) => codes::P2022::formula_divides_by_zero(),
             Fault::ZeroBy(_, by) => {
-                codes::P2022::formula_divides_by_zero_that(&by.said(&self.job, self.here.origin.loc))
+                codes::P2022::formula_divides_by_zero_that(&by.said(&self.core.job, self.core.here.origin.loc))
             }
             Fault::Missing => codes::P1001::formula_is_empty(),
             Fault::TooLarge
@@ -73,7 +73,7 @@ impl Formulas for Run<'_> {
             | Fault::Mismatch(..)
             | Fault::Said(_) => codes::P2022::result_of_formula_is_too_large(),
         };
-        self.say(at.span, found);
+        self.core.say(at.span, found);
         Reported
     }
 }
@@ -95,9 +95,9 @@ impl Run<'_> {
     pub(super) fn number(&mut self, word: &Word, block: &Block) -> Outcome<f64> {
         match word.value {
             Value::Literal(n) if n.abs() <= LARGEST => Ok(n),
-            Value::Literal(_) => self.refuse(word.span, codes::P2022::number_is_too_large()),
+            Value::Literal(_) => self.core.refuse(word.span, codes::P2022::number_is_too_large()),
             Value::Formula(formula) => self.formula(formula, word.span, block),
-            Value::None | Value::Label(_) => self.refuse(word.span, codes::M1003::word_has_no_value()),
+            Value::None | Value::Label(_) => self.core.refuse(word.span, codes::M1003::word_has_no_value()),
         }
     }
 
@@ -113,16 +113,16 @@ impl Run<'_> {
         }
         *slot = Some(Err(Reported));
         // Later uses are not worth another report.
-        self.report(
+        self.core.report(
             codes::P2020::was_never_set(&number)
                 .answer(Answer::key("variables", format!("@{number}")))
-                .at(self.loc(span)),
+                .at(self.core.loc(span)),
         );
         Err(Reported)
     }
 
     fn no_variable<T>(&self, number: u32, span: Span) -> Outcome<T> {
-        self.refuse(span, codes::P2025::there_is_no_variable(&number))
+        self.core.refuse(span, codes::P2025::there_is_no_variable(&number))
     }
 
     /// A block that assigns variables; does nothing for other blocks.

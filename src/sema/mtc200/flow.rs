@@ -4,7 +4,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::ir::Function;
 use crate::machine::AxisSet;
 use crate::parser::mtc200::{SPLIT, label_of};
@@ -56,7 +56,7 @@ impl Labels {
                 let loc = Loc { file, line: found.line, span: span.shifted(found.at) };
                 let first = Loc { file, line: first.line, span: Span::at(first.at, 1) };
                 let name = symbols.name(label);
-                job.diags.push(codes::P2010::label_is_set_twice(&name).at(loc).also(first, "first set here"));
+                job.diags.push(codes::P2010::label_is_set_twice(&name).at(loc).also(first, Label::FirstSetHere));
                 continue;
             }
             labels.0.insert(label, place);
@@ -84,11 +84,11 @@ impl Run<'_> {
     /// A program is over. What stands behind it in its file is not read, and must not be another program: which one a number
     /// means would not be certain.
     fn is_alone(&mut self, program: usize) {
-        if std::mem::replace(&mut self.programs[program].known.alone, true) {
+        if std::mem::replace(&mut self.core.programs[program].known.alone, true) {
             return;
         }
-        let sources = self.job.sources;
-        let source = &mut self.programs[program].source;
+        let sources = self.core.job.sources;
+        let source = &mut self.core.programs[program].source;
         let file = source.file;
         let mut second = None;
         while second.is_none() {
@@ -101,7 +101,8 @@ impl Run<'_> {
         }
         if let Some(loc) = second.map(|place: Place| Loc { file, line: place.line, span: Span::at(place.at, 4) }) {
             let found = codes::P1009::second_program_begins_here().at(loc);
-            self.report(found.help("put each program into a file of its own, named by its number: `5.npg` for JSR P5"));
+            self.core
+                .report(found.help("put each program into a file of its own, named by its number: `5.npg` for JSR P5"));
         }
     }
 
@@ -110,7 +111,7 @@ impl Run<'_> {
         let program = match (word.flow, w.program) {
             (Flow::JumpProgram | Flow::CallProgram, Some(at)) => Some(self.whole(at, "P")?),
             (Flow::JumpProgram | Flow::CallProgram, None) => {
-                return self.refuse(word.span, codes::P1004::jmp_and_jsr_name_program());
+                return self.core.refuse(word.span, codes::P1004::jmp_and_jsr_name_program());
             }
             _ => None,
         };
@@ -126,13 +127,13 @@ impl Run<'_> {
             (Flow::Branch(condition), Some(label), _) => {
                 if self.holds(condition, word.span)? {
                     let place = self.find(label, word.span)?;
-                    return self.jump_to(place);
+                    return self.core.jump_to(place);
                 }
                 Ok(())
             }
             (Flow::Call, Some(label), _) => {
                 let place = self.find(label, word.span)?;
-                let program = self.level().program;
+                let program = self.core.level().program;
                 self.call_part(program, false, place)
             }
             (Flow::StopAndBranch, Some(label), _) => self.stop_and_branch(label, word.span),
@@ -153,12 +154,12 @@ impl Run<'_> {
             return Ok(true);
         }
         let Some(result) = self.result else {
-            self.stop_run();
-            return self.refuse(span, codes::M2204::no_result_was_calculated_before_this_branch());
+            self.core.stop_run();
+            return self.core.refuse(span, codes::M2204::no_result_was_calculated_before_this_branch());
         };
         if result != 0.0 && result.abs() < NEAR_ZERO {
-            self.stop_run();
-            return self.refuse(span, codes::M2205::last_result_is_nearly_zero(&format_args!("{result:.1e}")));
+            self.core.stop_run();
+            return self.core.refuse(span, codes::M2205::last_result_is_nearly_zero(&format_args!("{result:.1e}")));
         }
         Ok(match condition {
             Condition::Always => true,
@@ -170,8 +171,8 @@ impl Run<'_> {
     }
 
     fn labels(&mut self) -> &Labels {
-        let (job, here) = (self.job, self.here.origin.loc);
-        let at = self.level().program;
+        let (job, here) = (self.core.job, self.core.here.origin.loc);
+        let at = self.core.level().program;
         let Core { programs, symbols, .. } = &mut self.core;
         let Program { source, known } = &mut programs[at];
         known.labels.get_or_insert_with(|| Labels::scan(&job, source.file, symbols, here))
@@ -181,37 +182,38 @@ impl Run<'_> {
         if let Some(place) = self.labels().0.get(&label) {
             return Ok(*place);
         }
-        let at = self.level().program;
+        let at = self.core.level().program;
         // It may be a label of another program in the file.
         self.is_alone(at);
-        let name = self.symbols.name(label);
-        let like = self.programs[at].known.labels.as_ref().and_then(|labels| labels.like(name, &self.symbols));
-        let found = codes::P2011::label_is_not_set(&name).at(self.loc(span));
+        let name = self.core.symbols.name(label);
+        let like =
+            self.core.programs[at].known.labels.as_ref().and_then(|labels| labels.like(name, &self.core.symbols));
+        let found = codes::P2011::label_is_not_set(&name).at(self.core.loc(span));
         // Going on past a jump would run blocks that never run.
-        self.stop(match like {
+        self.core.stop(match like {
             Some(like) => found.help(format!("did you mean `.{like}`?")),
             None => found.help("set it at the start of a block: `.LOOP G01 X10`"),
         })
     }
 
     fn call_part(&mut self, program: usize, called_program: bool, to: Place) -> Outcome {
-        let most = MOST_LEVELS.min(self.job.settings.limits.call_depth);
-        if self.levels.len() > most {
-            return self.too_deep(format!("subroutines are nested deeper than {most} levels"));
+        let most = MOST_LEVELS.min(self.core.job.settings.limits.call_depth);
+        if self.core.levels.len() > most {
+            return self.core.too_deep(codes::P4003::subroutines_are_nested_deeper(&most));
         }
-        self.enter(program, to, Frame { called_program })
+        self.core.enter(program, to, Frame { called_program })
     }
 
     fn return_from(&mut self, span: Span) -> Outcome {
-        if self.levels.len() < 2 {
-            self.stop_run();
-            return self.refuse(span, codes::M2203::rts_without_call_by_bsr_or_jsr());
+        if self.core.levels.len() < 2 {
+            self.core.stop_run();
+            return self.core.refuse(span, codes::M2203::rts_without_call_by_bsr_or_jsr());
         }
-        if self.level().frame.called_program {
-            let program = self.level().program;
+        if self.core.level().frame.called_program {
+            let program = self.core.level().program;
             self.is_alone(program);
         }
-        self.leave().map(drop)
+        self.core.leave().map(drop)
     }
 
     // Other programs.
@@ -219,14 +221,14 @@ impl Run<'_> {
     fn open_numbered(&mut self, number: u32) -> Outcome<usize> {
         let name = number.to_string();
         let wanted = |extensions| Wanted { name: &name, extensions, within: Within::Anywhere };
-        let [one, other] = [EXTENSIONS, &EXTENSIONS[2..]].map(|extensions| self.opens(&wanted(extensions)));
+        let [one, other] = [EXTENSIONS, &EXTENSIONS[2..]].map(|extensions| self.core.opens(&wanted(extensions)));
         let program = match (one, other) {
             (Some(one), Some(other)) if one != other => {
                 let names = FileError::Ambiguous { names: vec![one, other] };
-                self.report(not_opened(names, &name, self.here.origin.loc));
+                self.core.report(not_opened(names, &name, self.core.here.origin.loc));
                 None
             }
-            _ => self.open_called(&wanted(EXTENSIONS)),
+            _ => self.core.open_called(&wanted(EXTENSIONS)),
         };
         if let Some(program) = program {
             return Ok(program);
@@ -234,34 +236,34 @@ impl Run<'_> {
         // What the program would have done is unknown: nothing after it can be trusted.
         self.st.position.lose(AxisSet::MAIN);
         self.lost();
-        self.stop_run();
+        self.core.stop_run();
         Err(Reported)
     }
 
     fn call_program(&mut self, number: u32) -> Outcome {
         let program = self.open_numbered(number)?;
-        if self.is_running(program) {
-            return self.end_run(codes::P4003::program_calls_itself(&number));
+        if self.core.is_running(program) {
+            return self.core.end_run(codes::P4003::program_calls_itself(&number));
         }
-        self.programs[program].known.header = Header::Start;
-        let start = self.programs[program].source.cursor.start();
+        self.core.programs[program].known.header = Header::Start;
+        let start = self.core.programs[program].source.cursor.start();
         self.call_part(program, true, start)
     }
 
     /// JMP ends this program with a reset of all modal states, and another one begins.
     fn jump_program(&mut self, number: u32) -> Outcome {
-        if self.levels.len() > 1 {
-            return self.end_run(codes::P2013::jmp_in_subroutine_leaves_it_without_rts());
+        if self.core.levels.len() > 1 {
+            return self.core.end_run(codes::P2013::jmp_in_subroutine_leaves_it_without_rts());
         }
         let program = self.open_numbered(number)?;
-        let ended = self.level().program;
+        let ended = self.core.level().program;
         self.is_alone(ended);
-        self.note_jump();
+        self.core.note_jump();
         self.reset();
-        self.programs[program].known.header = Header::Start;
-        let start = self.programs[program].source.cursor.start();
-        self.level().program = program;
-        self.seek(start)
+        self.core.programs[program].known.header = Header::Start;
+        let start = self.core.programs[program].source.cursor.start();
+        self.core.level().program = program;
+        self.core.seek(start)
     }
 
     /// All modal states as at the start; the tool stays where it is, and so does the work offset.
@@ -284,55 +286,55 @@ impl Run<'_> {
 
     fn stop_and_branch(&mut self, label: Symbol, span: Span) -> Outcome {
         let place = self.find(label, span)?;
-        let elsewhere = self.level().program != 0;
-        if elsewhere || self.program().known.first.is_some_and(|first| place.at > first) {
-            self.stop_run();
-            return self.refuse(span, codes::M2208::next_start_would_go(&self.symbols.name(label)));
+        let elsewhere = self.core.level().program != 0;
+        if elsewhere || self.core.program().known.first.is_some_and(|first| place.at > first) {
+            self.core.stop_run();
+            return self.core.refuse(span, codes::M2208::next_start_would_go(&self.core.symbols.name(label)));
         }
         self.end_of_program(true, span)
     }
 
     /// RET, M02, M30, PROGRAMMENDE.
     pub(super) fn end_of_program(&mut self, rewind: bool, span: Span) -> Outcome {
-        if self.levels.iter().any(|level| level.frame.called_program) {
-            self.stop_run();
-            return self.refuse(span, codes::P2013::called_program_ends_whole_job());
+        if self.core.levels.iter().any(|level| level.frame.called_program) {
+            self.core.stop_run();
+            return self.core.refuse(span, codes::P2013::called_program_ends_whole_job());
         }
-        let ended = self.level().program;
+        let ended = self.core.level().program;
         self.is_alone(ended);
         self.warn_open();
-        self.end_is_whole();
+        self.core.end_is_whole();
         self.function(Function::End { rewind });
-        self.stop_run();
+        self.core.stop_run();
         Ok(())
     }
 
     fn warn_open(&mut self) {
         if self.st.compensation.is_on() {
-            self.report(codes::P2041::program_ends_with_path_compensation().at(self.here.origin.loc));
+            self.core.report(codes::P2041::program_ends_with_path_compensation().at(self.core.here.origin.loc));
         }
     }
 
     /// The file has no further block.
     pub(super) fn file_over(&mut self) {
-        let loc = self.end_of_text();
-        self.here.origin.loc = loc;
-        self.stop_run();
-        if self.levels.len() > 1 {
-            let site = self.level().site;
-            self.report(codes::M2207::subroutine_called_here_has_no_rts().at(site).also(loc, "the file ends here"));
+        let loc = self.core.end_of_text();
+        self.core.here.origin.loc = loc;
+        self.core.stop_run();
+        if self.core.levels.len() > 1 {
+            let site = self.core.level().site;
+            self.core.report(codes::M2207::subroutine_called_here_has_no_rts().at(site).also(loc, Label::FileEnds));
             return;
         }
-        match self.program().known.header {
+        match self.core.program().known.header {
             Header::Open => {
-                self.report(codes::M1002::header_of_file_never_ends().at(loc));
+                self.core.report(codes::M1002::header_of_file_never_ends().at(loc));
             }
             Header::Closed => {
-                self.report(codes::P1006::file_ends_without_ret_or_m30().at(loc));
+                self.core.report(codes::P1006::file_ends_without_ret_or_m30().at(loc));
             }
             Header::Start | Header::None => {
-                if self.is_between_percents() || self.may_end_open("RET or M30", "RET", None) {
-                    self.report(codes::P1007::program_ends_without_ret_or_m30().at(loc));
+                if self.core.is_between_percents() || self.core.may_end_open("RET or M30", "RET", None) {
+                    self.core.report(codes::P1007::program_ends_without_ret_or_m30().at(loc));
                 }
                 self.warn_open();
                 self.function(Function::End { rewind: false });

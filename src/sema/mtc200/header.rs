@@ -31,7 +31,7 @@ impl Run<'_> {
             return self.tape_mark(block);
         }
         let is_frame = text.len() >= 4 && text[..4].eq_ignore_ascii_case(b"%NPG");
-        let header = self.program().known.header;
+        let header = self.core.program().known.header;
         let (next, fits) = match (first, header) {
             (b'%', Header::Start) => (Header::Open, is_frame),
             (b'%', Header::Open) => (Header::Closed, is_frame && text.trim_ascii().len() == 4),
@@ -39,10 +39,10 @@ impl Run<'_> {
             (_, Header::Open) => (Header::Open, true),
             (_, other) => (other, false),
         };
-        self.program().known.header = next;
+        self.core.program().known.header = next;
         if !fits {
             let span = block.span;
-            let _: Outcome = self.refuse(span, codes::M1002::this_line_belongs_into_file_header());
+            let _: Outcome = self.core.refuse(span, codes::M1002::this_line_belongs_into_file_header());
             return;
         }
         if matches!(first, b'*' | b'$') {
@@ -54,25 +54,26 @@ impl Run<'_> {
     #[cold]
     pub(super) fn leave_header(&mut self, block: &Block) {
         let blank = block.stmt == Stmt::Empty && block.label.is_none();
-        match self.program().known.header {
+        match self.core.program().known.header {
             Header::Open if !(blank && block.comments.is_empty()) => {
-                self.program().known.header = Header::Closed;
-                let _: Outcome = self.refuse(block.span, codes::M1002::this_line_stands_in_file_header());
+                self.core.program().known.header = Header::Closed;
+                let _: Outcome = self.core.refuse(block.span, codes::M1002::this_line_stands_in_file_header());
             }
-            Header::Start if !blank => self.program().known.header = Header::None,
+            Header::Start if !blank => self.core.program().known.header = Header::None,
             _ => {}
         }
     }
 
     /// Is a line of a single `%` the first or the last one that is not blank?
     fn is_tape_mark(&mut self) -> bool {
-        if self.program().known.header == Header::Start {
+        if self.core.program().known.header == Header::Start {
             return true;
         }
-        let (file, at) = (self.program().source.file, self.program().source.cursor.place().at);
-        let rest = self.job.sources.size(file).saturating_sub(u64::from(at));
+        let (file, at) = (self.core.program().source.file, self.core.program().source.cursor.place().at);
+        let rest = self.core.job.sources.size(file).saturating_sub(u64::from(at));
         rest <= LONGEST_TAIL
             && self
+                .core
                 .job
                 .sources
                 .bytes(file, Span::at(at, rest as u32))
@@ -81,9 +82,9 @@ impl Run<'_> {
     }
 
     fn tape_mark(&mut self, block: &Block) {
-        if self.program().known.header == Header::Start {
-            self.program().known.header = Header::None;
+        if self.core.program().known.header == Header::Start {
+            self.core.program().known.header = Header::None;
         }
-        self.report(codes::M8001::that_stands_alone_is_mark_of_tape().at(self.loc(block.span)));
+        self.core.report(codes::M8001::that_stands_alone_is_mark_of_tape().at(self.core.loc(block.span)));
     }
 }

@@ -30,7 +30,7 @@ impl Run<'_> {
     pub(super) fn set_length(&mut self, on: bool, span: Span) -> Outcome {
         if self.noted.insert("G48".to_owned()) {
             let word = if on { "G48" } else { "G47" };
-            self.report(codes::M8002::has_no_word_in_output(&word).at(self.loc(span)));
+            self.core.report(codes::M8002::has_no_word_in_output(&word).at(self.core.loc(span)));
         }
         let before = self.st.length;
         self.st.length = match (on, before) {
@@ -67,7 +67,7 @@ impl Run<'_> {
         } else {
             codes::M8007::edge_has_lengths_of_its_own()
         };
-        self.say(span, fault);
+        self.core.say(span, fault);
     }
 
     /// A move to `end`: is it one of the spindle nose?
@@ -81,10 +81,10 @@ impl Run<'_> {
             return Ok(());
         }
         match self.st.length {
-            Length::Open => self.st.length = Length::Moved(self.loc(span)),
+            Length::Open => self.st.length = Length::Moved(self.core.loc(span)),
             Length::Nose { reported: false } => {
                 self.st.length = Length::Nose { reported: true };
-                return self.nose_moved(self.loc(span), "G47 switched the tool length off");
+                return self.nose_moved(self.core.loc(span), "G47 switched the tool length off");
             }
             Length::Moved(_) | Length::Tip | Length::Nose { .. } => {}
         }
@@ -95,11 +95,11 @@ impl Run<'_> {
     fn nose_moved(&mut self, loc: Loc, why: &str) -> Outcome {
         let (_, _, third) = self.st.plane.axes();
         let letter = Axis::ALL[third].letter();
-        if self.job.settings.control.mtc200.refuse_spindle_nose {
-            self.report(codes::M9050::moves_spindle_nose_here(&letter, &why).at(loc));
+        if self.core.job.settings.control.mtc200.refuse_spindle_nose {
+            self.core.report(codes::M9050::moves_spindle_nose_here(&letter, &why).at(loc));
             return Err(Reported);
         }
-        self.report(
+        self.core.report(
             codes::M8003::moves_spindle_nose_here(&letter, &why).answer(Answer::key("control", "spindle_nose")).at(loc),
         );
         Ok(())

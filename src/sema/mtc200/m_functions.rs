@@ -120,15 +120,15 @@ impl Run<'_> {
     #[inline]
     pub(super) fn check_m(&mut self, w: &Words) -> Outcome {
         for (i, &(number, span)) in w.m().iter().enumerate() {
-            if when(number).is_none() && !self.job.settings.output.pass_m.contains(&number) {
-                self.report(
+            if when(number).is_none() && !self.core.job.settings.output.pass_m.contains(&number) {
+                self.core.report(
                     codes::P2007::m_is_function_of_machine_so_if_target(&number)
                         .answer(Answer::pass_m(number))
-                        .at(self.loc(span)),
+                        .at(self.core.loc(span)),
                 );
             }
             if let Some((first, _)) = w.m()[..i].iter().find(|(first, _)| conflict(*first, number)) {
-                return self.refuse(span, codes::P1005::m_contradicts_m_of_same_block(&number, &first));
+                return self.core.refuse(span, codes::P1005::m_contradicts_m_of_same_block(&number, &first));
             }
         }
         Ok(())
@@ -140,7 +140,7 @@ impl Run<'_> {
             match when(number) {
                 Some(When::Start) => self.act(number, span)?,
                 Some(When::End) => {}
-                None if self.job.settings.output.pass_m.contains(&number) => self.aux(number, span, moves),
+                None if self.core.job.settings.output.pass_m.contains(&number) => self.aux(number, span, moves),
                 None => {}
             }
         }
@@ -153,7 +153,7 @@ impl Run<'_> {
     /// An M function whose moment is not known.
     fn aux(&mut self, number: u32, span: Span, moves: bool) {
         if moves {
-            self.report(codes::P2008::m_is_printed_before_move_of_its_block(&number).at(self.loc(span)));
+            self.core.report(codes::P2008::m_is_printed_before_move_of_its_block(&number).at(self.core.loc(span)));
         }
         self.function(Function::Aux(number));
         // It may be the one that starts a spindle of this machine.
@@ -206,17 +206,17 @@ impl Run<'_> {
     pub(super) fn tool_word(&mut self, at: At, changes: bool) -> Outcome {
         let number = self.whole(at, "T")?;
         self.st.tool.selected = Some(number);
-        if self.job.settings.control.mtc200.t_changes {
+        if self.core.job.settings.control.mtc200.t_changes {
             return self.change(at.span);
         }
         if !changes {
-            self.function(Function::ToolPrepare { number: self.job.settings.tools.printed_number(number) });
+            self.function(Function::ToolPrepare { number: self.core.job.settings.tools.printed_number(number) });
         }
         Ok(())
     }
 
     fn m6(&mut self, span: Span) -> Outcome {
-        if self.job.settings.control.mtc200.t_changes {
+        if self.core.job.settings.control.mtc200.t_changes {
             self.without_geometry("M6", span);
             return Ok(());
         }
@@ -225,16 +225,16 @@ impl Run<'_> {
 
     fn change(&mut self, span: Span) -> Outcome {
         let Some(number) = self.st.tool.selected else {
-            return self.refuse(span, codes::M2012::m6_without_selected_tool());
+            return self.core.refuse(span, codes::M2012::m6_without_selected_tool());
         };
         if self.st.compensation.is_on() {
-            return self.refuse(span, codes::P1003::tool_changes_under_path_compensation());
+            return self.core.refuse(span, codes::P1003::tool_changes_under_path_compensation());
         }
         self.st.tool.active = Some(number);
         self.length_acts_along_z(self.st.plane, span)?;
         let own = number;
-        let number = self.job.settings.tools.printed_number(own);
-        self.prints_tool(&ToolKey::Number(own, 0), number, span)?;
+        let number = self.core.job.settings.tools.printed_number(own);
+        self.core.prints_tool(&ToolKey::Number(own, 0), number, span)?;
         self.function(Function::ToolChange { number });
         self.function(Function::Cutter(CutterData { number, ..CutterData::default() }));
         self.forget_tip();
@@ -246,12 +246,12 @@ impl Run<'_> {
     pub(super) fn set_side(&mut self, side: Side, span: Span, w: &Words) -> Outcome {
         if side != Side::None {
             let Some(tool) = self.st.tool.active else {
-                return self.refuse(span, codes::M2012::path_compensation_without_tool());
+                return self.core.refuse(span, codes::M2012::path_compensation_without_tool());
             };
             if self.st.compensation.sent() != Side::None && self.st.compensation.sent() != side {
-                return self.refuse(span, codes::P1003::g41_g42_follow_each_other_without_g40());
+                return self.core.refuse(span, codes::P1003::g41_g42_follow_each_other_without_g40());
             }
-            if self.job.settings.output.compensation == Compensation::Resolve {
+            if self.core.job.settings.output.compensation == Compensation::Resolve {
                 self.compute_compensation(tool, span)?;
                 let says = w.g.iter().flatten().any(|(g, _)| matches!(g, G::Chamfers(_)));
                 if !(says || self.st.transition.said) {
@@ -271,25 +271,25 @@ impl Run<'_> {
         } else {
             self.st.tool.take_edge(number);
         }
-        let computed = self.job.settings.output.compensation == Compensation::Resolve;
+        let computed = self.core.job.settings.output.compensation == Compensation::Resolve;
         if computed && self.st.compensation.is_on() { self.radius_is_that_of_the_table(span) } else { Ok(()) }
     }
 
     fn radius_is_that_of_the_table(&mut self, span: Span) -> Outcome {
         let printed = || Answer::key("output", "compensation").one_of(&["\"control\""]);
         if self.st.tool.corrected {
-            return self.refuse(span, codes::P9013::what_correction_d_in_force_adds().answer(printed()));
+            return self.core.refuse(span, codes::P9013::what_correction_d_in_force_adds().answer(printed()));
         }
         if self.st.tool.other_edge {
-            return self.refuse(span, codes::P9013::radius_of_edge_e_in_force().answer(printed()));
+            return self.core.refuse(span, codes::P9013::radius_of_edge_e_in_force().answer(printed()));
         }
         Ok(())
     }
 
     /// The compiler itself computes the path of the tool centre, or of the nose centre of a turning tool.
     fn compute_compensation(&mut self, tool: u32, span: Span) -> Outcome {
-        self.job.calls_tool_in(if self.st.inch { Unit::Inch } else { Unit::Mm }, self.loc(span));
-        let known = self.job.settings.tools.by_number(tool, 0);
+        self.core.job.calls_tool_in(if self.st.inch { Unit::Inch } else { Unit::Mm }, self.core.loc(span));
+        let known = self.core.job.settings.tools.by_number(tool, 0);
         let answers =
             |field| [Answer::tool(tool, field), Answer::key("output", "compensation").one_of(&["\"control\""])];
         let radius = known.and_then(|tool| tool.radius.map(|radius| radius + tool.deltas[1]));
@@ -298,13 +298,13 @@ impl Run<'_> {
                 Some(_) => codes::P9013::radius_of_tool_is_below_zero_for_path(&tool),
                 None => codes::P9013::radius_of_tool_is_not_known_for_path(&tool),
             };
-            return self.refuse(span, asking.answers(answers("radius")));
+            return self.core.refuse(span, asking.answers(answers("radius")));
         };
-        let turns = self.job.settings.machine.kind == MachineKind::Lathe && self.st.plane == Plane::Zx;
+        let turns = self.core.job.settings.machine.kind == MachineKind::Lathe && self.st.plane == Plane::Zx;
         let edge = match known.and_then(|tool| tool.orientation).and_then(edge_direction) {
             Some(edge) if turns => edge,
             None if turns && radius > 0.0 => {
-                return self.refuse(
+                return self.core.refuse(
                     span,
                     codes::P9013::cutting_edge_position_of_tool_is_not(&tool).answers(answers("orientation")),
                 );
@@ -327,11 +327,11 @@ impl Run<'_> {
         self.st.transition.between = if moves_in_plane { 0 } else { before + 1 };
         if !moves_in_plane
             || before <= MOST_WITHOUT_MOVE
-            || self.job.settings.output.compensation == Compensation::Control
+            || self.core.job.settings.output.compensation == Compensation::Control
         {
             return Ok(());
         }
-        self.refuse(span, codes::P9013::blocks_in_front_of_this_one(&before, &MOST_WITHOUT_MOVE))
+        self.core.refuse(span, codes::P9013::blocks_in_front_of_this_one(&before, &MOST_WITHOUT_MOVE))
     }
 
     // Spindle.
@@ -343,14 +343,14 @@ impl Run<'_> {
         let limit_only = w.g[Group::Once as usize].is_some_and(|(g, _)| g == G::SpeedLimit);
         if changes && (w.speed.is_none() || limit_only) {
             let (name, form) = if on { ("G96", "G96 S180") } else { ("G97", "G97 S1200") };
-            return self.refuse(span, codes::P1004::needs_its_s_in_same_block(&name, &form));
+            return self.core.refuse(span, codes::P1004::needs_its_s_in_same_block(&name, &form));
         }
         Ok(())
     }
 
     pub(super) fn speed_word(&mut self, at: At, limit: bool) -> Outcome {
         if at.value < 0.0 || (limit && at.value == 0.0) {
-            return self.refuse(at.span, codes::M2705::spindle_speed(&at.value));
+            return self.core.refuse(at.span, codes::M2705::spindle_speed(&at.value));
         }
         if limit {
             self.st.spindle.limit = Some(at.value);
@@ -363,11 +363,11 @@ impl Run<'_> {
             self.function(Function::Spindle(Spindle::Speed(at.value)));
             return Ok(());
         }
-        let metres = match (self.st.inch, self.job.settings.control.mtc200.inch_speed) {
+        let metres = match (self.st.inch, self.core.job.settings.control.mtc200.inch_speed) {
             (false, _) | (true, InchSpeed::Metres) => at.value,
             (true, InchSpeed::Feet) => at.value * FOOT,
             (true, InchSpeed::Refuse) => {
-                return self.refuse(
+                return self.core.refuse(
                     at.span,
                     codes::M9007::unit_of_cutting_speed_under_g70().answer(Answer::key("control", "inch_speed")),
                 );
@@ -387,12 +387,12 @@ impl Run<'_> {
 
     /// G04.
     pub(super) fn dwell(&mut self, w: &Words, span: Span) -> Outcome {
-        let Some(at) = w.feed else { return self.refuse(span, codes::P1004::g04_needs_its_time()) };
+        let Some(at) = w.feed else { return self.core.refuse(span, codes::P1004::g04_needs_its_time()) };
         if !(0.0..=MOST_DWELL).contains(&at.value) {
-            return self.refuse(at.span, codes::M2705::dwell_time(&at.value));
+            return self.core.refuse(at.span, codes::M2705::dwell_time(&at.value));
         }
         self.reading(Reading::Dwell, at.span, codes::P8106::f_of_g04_counts_in_seconds);
-        let unit = if self.job.settings.control.mtc200.dwell_ms { 1e-3 } else { 1.0 };
+        let unit = if self.core.job.settings.control.mtc200.dwell_ms { 1e-3 } else { 1.0 };
         self.function(Function::Dwell(at.value * unit));
         Ok(())
     }

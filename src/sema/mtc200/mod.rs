@@ -38,7 +38,7 @@ use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Span, SplitRules};
 
-use super::run::{self, Interpreter, Language, Level, Nowhere, Parsed, runs_on};
+use super::run::{self, Interpreter, Language, Level, Nowhere, Parsed};
 use super::value::Machine;
 use super::{Job, Outcome, Reported};
 use centre::Settled;
@@ -132,8 +132,6 @@ struct Run<'a> {
     words: Option<Box<Words>>,
 }
 
-runs_on!(Run.core: Core);
-
 impl<'a> Run<'a> {
     fn new(job: &Job<'a>, out: &'a mut dyn Sink, settled: Settled) -> Run<'a> {
         Run {
@@ -170,10 +168,10 @@ impl<'a> Interpreter<'a> for Run<'a> {
         if let Stmt::Header(first) = block.stmt {
             return self.header_line(first, block, text);
         }
-        if !matches!(self.program().known.header, Header::Closed | Header::None) {
+        if !matches!(self.core.program().known.header, Header::Closed | Header::None) {
             self.leave_header(block);
         }
-        if self.skips(block.skip.then_some(0)) {
+        if self.core.skips(block.skip.then_some(0)) {
             return;
         }
         for comment in &block.comments {
@@ -183,8 +181,8 @@ impl<'a> Interpreter<'a> for Run<'a> {
             Stmt::Empty | Stmt::Header(_) => {}
             Stmt::Bad => self.unread_block(),
             Stmt::Words => {
-                let at = self.here.at;
-                self.program().known.first.get_or_insert(at);
+                let at = self.core.here.at;
+                self.core.program().known.first.get_or_insert(at);
                 if self.words_block(block, text).is_err() {
                     self.keep_modal(block);
                     self.lose_all();
@@ -203,7 +201,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn finish(&mut self) {
-        self.report_no_change();
+        self.core.report_no_change();
     }
 }
 
@@ -211,13 +209,13 @@ impl Run<'_> {
     /// No entry of `machine_words` takes away what moves the tool.
     fn refuse_known_words(&self) {
         let of_flow = |name: &str| words::is_of_flow(name).then_some("a word of the program flow");
-        let names = self.job.settings.control.mtc200.machine_words.keys();
+        let names = self.core.job.settings.control.mtc200.machine_words.keys();
         let entries: Vec<(&str, &str)> = names
             .filter_map(|name| Some((name.as_str(), reserved::reserved(name).or_else(|| of_flow(name))?)))
             .collect();
         let help = "take them out of the list: without them the tool would go another way, or the machine would not do what the program asks";
-        self.refuse_entries("[control] machine_words", &entries, help);
-        let words = self.job.settings.control.mtc200.machine_words.iter();
+        self.core.refuse_entries("[control] machine_words", &entries, help);
+        let words = self.core.job.settings.control.mtc200.machine_words.iter();
         let printed: Vec<(String, &str)> = words
             .filter_map(|(name, number)| Some((name, (*number)?)))
             .filter_map(|(name, number)| Some((format!("{name} = M{number}"), reserved::reserved_m(number)?)))
@@ -225,7 +223,7 @@ impl Run<'_> {
         let printed: Vec<(&str, &str)> = printed.iter().map(|(entry, what)| (entry.as_str(), *what)).collect();
         let help = "take them out: partc has to know of these functions, and would take the word for one that does nothing to the \
                     path; write the M function itself into the program";
-        self.refuse_entries("[control] machine_words", &printed, help);
+        self.core.refuse_entries("[control] machine_words", &printed, help);
     }
 
     fn words_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
@@ -246,7 +244,7 @@ impl Run<'_> {
         let once = w.g[Group::Once as usize].map(|(g, _)| g);
         let ends = w.m().iter().any(|(number, _)| matches!(number, 2 | 30));
         if let (true, Some(flow)) = (ends, w.flow) {
-            return self.refuse(flow.span, codes::P1003::block_ends_program_and_goes_on());
+            return self.core.refuse(flow.span, codes::P1003::block_ends_program_and_goes_on());
         }
         if once == Some(G::Dwell) {
             return self.dwell_block(w);
@@ -262,7 +260,7 @@ impl Run<'_> {
         if let Some(at) = w.speed {
             self.speed_word(at, once == Some(G::SpeedLimit))?;
         } else if once == Some(G::SpeedLimit) {
-            return self.refuse(w.g_spans[Group::Once as usize], codes::P1004::g92_needs_its_s());
+            return self.core.refuse(w.g_spans[Group::Once as usize], codes::P1004::g92_needs_its_s());
         }
         let arcs = self.st.motion.code().is_some_and(Motion::is_arc);
         let moves = once.is_none() && (!w.axes.known().is_empty() || w.has_centre() || (arcs && w.radius.is_some()));
@@ -278,7 +276,7 @@ impl Run<'_> {
                 self.home(w, span)?;
             }
             Some(_) if !w.axes.known().is_empty() => {
-                return self.refuse(w.axes_span, codes::P1003::axis_words_beside_g92());
+                return self.core.refuse(w.axes_span, codes::P1003::axis_words_beside_g92());
             }
             Some(_) => self.only_axes(w)?,
             None if moves => self.motion(w)?,
@@ -294,7 +292,7 @@ impl Run<'_> {
         }
         self.m_at_end(w)?;
         match w.flow {
-            Some(flow) if !self.has_ended() => self.go_on(flow, w),
+            Some(flow) if !self.core.has_ended() => self.go_on(flow, w),
             _ => Ok(()),
         }
     }
@@ -302,14 +300,14 @@ impl Run<'_> {
     /// Beside a function that takes axis words nothing else can use I, J, K or R.
     fn only_axes(&mut self, w: &Words) -> Outcome {
         if w.has_centre() {
-            return self.refuse(w.centre_span, codes::P1003::i_j_k_have_no_meaning());
+            return self.core.refuse(w.centre_span, codes::P1003::i_j_k_have_no_meaning());
         }
         self.stray_words(w)
     }
 
     fn stray_words(&mut self, w: &Words) -> Outcome {
         match w.radius {
-            Some(at) => self.refuse(at.span, codes::P1003::r_has_no_meaning()),
+            Some(at) => self.core.refuse(at.span, codes::P1003::r_has_no_meaning()),
             None => Ok(()),
         }
     }
@@ -318,15 +316,15 @@ impl Run<'_> {
     fn check_p(&mut self, w: &Words) -> Outcome {
         let (Some(at), None) = (w.program, w.flow.filter(|flow| flow.flow.takes_program())) else { return Ok(()) };
         if w.g[Group::Once as usize].is_some() {
-            return self.refuse(at.span, codes::M9002::angle_p_of_offset_is_not_documented());
+            return self.core.refuse(at.span, codes::M9002::angle_p_of_offset_is_not_documented());
         }
         if self.st.motion.code() == Some(Motion::Thread) && !w.axes.known().is_empty() {
             if at.value == 0.0 {
                 return Ok(());
             }
-            return self.refuse(at.span, codes::M9002::start_angle_of_thread_has_no_word());
+            return self.core.refuse(at.span, codes::M9002::start_angle_of_thread_has_no_word());
         }
-        self.refuse(at.span, codes::P1003::p_has_no_meaning())
+        self.core.refuse(at.span, codes::P1003::p_has_no_meaning())
     }
 
     /// G04 stands alone with its F.
@@ -336,7 +334,7 @@ impl Run<'_> {
         let other_g = w.g.iter().filter(|g| g.is_some()).count() > 1;
         let other = [w.speed, w.tool, w.program, w.radius, w.chamfer, w.rounding].iter().any(Option::is_some);
         if other_g || other || w.has_centre() || !w.axes.known().is_empty() || !w.m().is_empty() || w.flow.is_some() {
-            return self.refuse(span, codes::P1003::g04_stands_beside_other_words());
+            return self.core.refuse(span, codes::P1003::g04_stands_beside_other_words());
         }
         self.dwell(w, span)?;
         self.count_between()
@@ -375,7 +373,7 @@ impl Run<'_> {
             }
             G::Inch(on) => self.st.inch = on,
             G::Smooth if self.st.exact_stop => {
-                return self.refuse(span, codes::M2013::g08_cannot_be_programmed_while_g61());
+                return self.core.refuse(span, codes::M2013::g08_cannot_be_programmed_while_g61());
             }
             G::ExactStop(on) => {
                 self.st.exact_stop = on;
@@ -384,7 +382,7 @@ impl Run<'_> {
             G::Side(side) => return self.set_side(side, span, w),
             G::Chamfers(on) => {
                 (self.st.transition.chamfers, self.st.transition.said) = (on, true);
-                if self.job.settings.output.compensation == Compensation::Control {
+                if self.core.job.settings.output.compensation == Compensation::Control {
                     self.without_geometry(if on { "G44" } else { "G43" }, span);
                 }
             }
@@ -433,7 +431,7 @@ impl Run<'_> {
 
     /// G43 of the target adds the length of the tool to Z, whatever the plane.
     fn length_acts_along_z(&self, plane: Plane, span: Span) -> Outcome {
-        let settings = &self.job.settings;
+        let settings = &self.core.job.settings;
         let none = self.st.tool.active().is_none_or(|number| number == 0);
         if plane == Plane::Xy
             || none
@@ -443,7 +441,7 @@ impl Run<'_> {
             return Ok(());
         }
         let [who, way] = settings.output.length_along_z();
-        self.refuse(
+        self.core.refuse(
             span,
             codes::O9190::outside_g17_length_of_tool_does_not(&who, &way)
                 .answer(Answer::key("output", "tool_length").one_of(&["\"off\""])),
@@ -455,7 +453,7 @@ impl Run<'_> {
             return Ok(());
         }
         if self.st.compensation.is_on() || self.st.corners.is_open() {
-            return self.refuse(span, codes::P1003::working_plane_changes_inside_compensated_contour());
+            return self.core.refuse(span, codes::P1003::working_plane_changes_inside_compensated_contour());
         }
         self.length_acts_along_z(plane, span)?;
         self.st.plane = plane;

@@ -82,10 +82,10 @@ impl Run<'_> {
             return Ok(());
         }
         if self.st.compensation.is_on() {
-            return self.refuse(span, codes::P1003::zero_offset_changes_under_path_compensation());
+            return self.core.refuse(span, codes::P1003::zero_offset_changes_under_path_compensation());
         }
         if offset == Offset::Machine && self.st.offsets.shift != [0.0; AXES] {
-            return self.refuse(span, codes::M2101::g53_while_offset_of_g50_or_g51());
+            return self.core.refuse(span, codes::M2101::g53_while_offset_of_g50_or_g51());
         }
         match (self.st.offsets.offset, offset) {
             (Offset::Start, Offset::Work(number)) => self.core.moves_before_offset(number, span),
@@ -100,7 +100,7 @@ impl Run<'_> {
         }
         self.st.forget(self.st.position.at().known());
         if offset != Offset::Machine {
-            if self.job.settings.control.mtc200.g91_after_offset == ShiftedIncrement::WithOffset {
+            if self.core.job.settings.control.mtc200.g91_after_offset == ShiftedIncrement::WithOffset {
                 self.st.offsets.shifted = self.st.offsets.shifted.union(self.st.offsets.written);
             }
             self.st.position.take_start(&self.st.ctx.frame);
@@ -114,19 +114,19 @@ impl Run<'_> {
         if self.st.offsets.offset != Offset::Reset {
             return Ok(());
         }
-        self.refuse(span, codes::M2102::zero_offset_after_jmp_depends_on_machine())
+        self.core.refuse(span, codes::M2102::zero_offset_after_jmp_depends_on_machine())
     }
 
     /// G50, G51, G52.
     pub(super) fn programmed_offset(&mut self, g: G, w: &Words, span: Span) -> Outcome {
         if w.axes.known().is_empty() {
-            return self.refuse(span, codes::P1004::offset_names_no_axis());
+            return self.core.refuse(span, codes::P1004::offset_names_no_axis());
         }
         if self.st.compensation.is_on() {
-            return self.refuse(span, codes::P1003::zero_offset_changes_under_path_compensation());
+            return self.core.refuse(span, codes::P1003::zero_offset_changes_under_path_compensation());
         }
         if self.st.offsets.offset == Offset::Machine {
-            return self.refuse(span, codes::M2101::programmed_offset_while_g53_is_active());
+            return self.core.refuse(span, codes::M2101::programmed_offset_while_g53_is_active());
         }
         let mut values = [0.0; AXES];
         for (axis, value) in w.axes.iter() {
@@ -141,14 +141,14 @@ impl Run<'_> {
                 }
                 if let Some(axis) = Axis::ALL.into_iter().find(|a| shift[a.index()] != 0.0 && !named.contains(*a)) {
                     let letter = axis.letter();
-                    return self.refuse(span, codes::M2014::g50_does_not_say_whether_keeps(&letter));
+                    return self.core.refuse(span, codes::M2014::g50_does_not_say_whether_keeps(&letter));
                 }
                 shift = values;
             }
             G::ShiftBy => add(&mut shift, &values),
-            _ => match self.job.settings.control.mtc200.g52 {
+            _ => match self.core.job.settings.control.mtc200.g52 {
                 G52::Refuse => {
-                    return self.refuse(
+                    return self.core.refuse(
                         span,
                         codes::M9006::meaning_of_g52_is_not_known().answer(Answer::key("control", "g52")),
                     );
@@ -175,7 +175,7 @@ impl Run<'_> {
     /// The zero point moves, the tool does not.
     fn put_in_force(&mut self, shift: [f64; AXES], span: Span) -> Outcome {
         let Some(frame) = Frame::new(Matrix3::identity(), shift) else {
-            return self.refuse(span, codes::P2022::offset_is_too_large());
+            return self.core.refuse(span, codes::P2022::offset_is_too_large());
         };
         self.st.position.keep_programmed();
         self.st.position.through_frame(&self.st.ctx.frame, &frame);
@@ -193,21 +193,21 @@ impl Run<'_> {
     /// G74: the named axes go to their home position.
     pub(super) fn home(&mut self, w: &Words, span: Span) -> Outcome {
         if w.axes.known().is_empty() {
-            return self.refuse(span, codes::P1004::g74_names_no_axis());
+            return self.core.refuse(span, codes::P1004::g74_names_no_axis());
         }
         if self.st.compensation.is_on() || self.st.corners.is_open() {
-            return self.refuse(span, codes::P1003::g74_inside_compensated_contour_or_corner());
+            return self.core.refuse(span, codes::P1003::g74_inside_compensated_contour_or_corner());
         }
         let mut end = Pos::UNKNOWN;
         for (axis, value) in w.axes.iter() {
             let letter = axis.letter();
             if value != 0.0 {
-                return self.refuse(w.axes_span, codes::P1003::only_names_its_axis_beside_g74(&letter));
+                return self.core.refuse(w.axes_span, codes::P1003::only_names_its_axis_beside_g74(&letter));
             }
-            match self.job.settings.control.mtc200.home.get(&axis) {
+            match self.core.job.settings.control.mtc200.home.get(&axis) {
                 Some(home) => end.set(axis, *home),
                 None => {
-                    return self.refuse(
+                    return self.core.refuse(
                         span,
                         codes::M9005::home_position_of_is_known(&letter)
                             .answer(Answer::entry("control", "home", letter)),
@@ -223,7 +223,7 @@ impl Run<'_> {
     pub(super) fn forget_tip(&mut self) {
         self.st.forget(AxisSet::MAIN);
         self.st.position.leave_start(AxisSet::MAIN);
-        let loc = self.here.origin.loc;
+        let loc = self.core.here.origin.loc;
         self.st.position.hide(AxisSet::MAIN, By::ToolChange, loc);
     }
 

@@ -2,7 +2,7 @@
 //!
 //! Source: M 5, 6.1, 6.2, 8 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT};
 use crate::ir::contour::{
     Arc, ArcChamfer, ArcShape, Blocks, Coords, Corner, CornerShape, LargeCorner, Move, Path, Thread,
@@ -59,7 +59,7 @@ impl Run<'_> {
             if self.st.motion.is_lost() {
                 return Err(Reported);
             }
-            return self.refuse(w.axes_span.to(w.centre_span), codes::M2003::no_g00());
+            return self.core.refuse(w.axes_span.to(w.centre_span), codes::M2003::no_g00());
         };
         if self.st.offsets.offset() != Offset::Start && self.st.offsets.offset() != Offset::Machine {
             self.offset_is_certain(w.axes_span)?;
@@ -78,10 +78,10 @@ impl Run<'_> {
     #[inline]
     fn no_arc_words(&mut self, motion: Motion, w: &Words) -> Outcome {
         if let Some(at) = w.radius {
-            return self.refuse(at.span, codes::P1003::r_belongs_to_arc());
+            return self.core.refuse(at.span, codes::P1003::r_belongs_to_arc());
         }
         if w.has_centre() && motion != Motion::Thread {
-            return self.refuse(w.centre_span, codes::P1003::i_j_k_belong_to_arc_or_thread());
+            return self.core.refuse(w.centre_span, codes::P1003::i_j_k_belong_to_arc_or_thread());
         }
         Ok(())
     }
@@ -98,7 +98,7 @@ impl Run<'_> {
         if axis.is_rotary() || !self.st.inch {
             return Ok(value);
         }
-        self.refuse(span, codes::M9008::may_mean_inches_or_degrees_here(&axis.letter()))
+        self.core.refuse(span, codes::M9008::may_mean_inches_or_degrees_here(&axis.letter()))
     }
 
     /// Where the block goes: the programmed axes, absolute, in mm (X: radius) and degrees.
@@ -127,7 +127,7 @@ impl Run<'_> {
     #[inline]
     fn counts_from(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
         if self.st.offsets.is_shifted(axis) {
-            match self.job.settings.control.mtc200.g91_after_offset {
+            match self.core.job.settings.control.mtc200.g91_after_offset {
                 ShiftedIncrement::Increment => {}
                 ShiftedIncrement::WithOffset => {
                     if let Some(programmed) =
@@ -146,7 +146,7 @@ impl Run<'_> {
     #[cold]
     fn refuse_shifted<T>(&mut self, axis: Axis, span: Span) -> Outcome<T> {
         let letter = axis.letter();
-        self.refuse(
+        self.core.refuse(
             span,
             codes::M2018::is_incremental_its_zero_offset_changed_since(&letter)
                 .answer(Answer::key("control", "g91_after_offset")),
@@ -160,26 +160,23 @@ impl Run<'_> {
             Err(Missing::Lost) => return Err(Reported),
             Err(Missing::Unknown) => {}
         }
-        let letter = axis.letter();
-        let usual = format!("program an absolute position of {letter} first");
         let unknown = Unknown { position: &self.st.position, axis, lack: &|| Lack::Nothing, otherwise: " here" };
-        let message = format!("the position of {letter} is not known");
-        self.position_unknown(codes::P2001, span, message, &usual, unknown)
+        self.core.position_unknown(span, unknown, codes::P2001::position_is_not_known)
     }
 
     /// Where a rotary axis goes in unbroken degrees: the short way.
     fn rotary_target(&mut self, axis: Axis, value: f64, span: Span) -> Outcome<f64> {
-        if self.job.settings.control.mtc200.rotary_absolute {
+        if self.core.job.settings.control.mtc200.rotary_absolute {
             return Ok(value);
         }
         let letter = axis.letter();
         if value.abs() > 360.0 {
-            return self.refuse(span, codes::M2017::is_more_than_turn(&letter, &value));
+            return self.core.refuse(span, codes::M2017::is_more_than_turn(&letter, &value));
         }
         let Some(from) = self.st.position.get(axis) else { return Ok(value) };
         let ahead = Deg(value - from).normal().0;
         if (ahead - 180.0).abs() <= HALF_TURN {
-            return self.refuse(span, codes::M2017::moves_exactly_half_turn(&letter));
+            return self.core.refuse(span, codes::M2017::moves_exactly_half_turn(&letter));
         }
         Ok(from + if ahead > 180.0 { ahead - 360.0 } else { ahead })
     }
@@ -198,22 +195,22 @@ impl Run<'_> {
     fn feed_missing(&mut self, span: Span) -> Outcome<Feed> {
         // One report is enough.
         self.st.feed.presume();
-        self.refuse(span, codes::P2002::no_feed_is_programmed_for_this_move())
+        self.core.refuse(span, codes::P2002::no_feed_is_programmed_for_this_move())
     }
 
     pub(super) fn set_feed(&mut self, at: At) -> Outcome {
         if at.value == 0.0 {
-            if self.job.settings.control.mtc200.zero_feed_keeps {
+            if self.core.job.settings.control.mtc200.zero_feed_keeps {
                 return Ok(());
             }
-            return self.refuse(
+            return self.core.refuse(
                 at.span,
                 codes::P2003::feed_is_0().answer(Answer::key("control", "zero_feed").one_of(&["\"previous\""])),
             );
         }
         let value = at.value * self.st.unit();
         if value < 0.0 {
-            return self.refuse(at.span, codes::O1001::feed(&at.value));
+            return self.core.refuse(at.span, codes::O1001::feed(&at.value));
         }
         if let Some(feed) = self.st.feed.of(value) {
             self.st.feed.program(feed);
@@ -247,7 +244,7 @@ impl Run<'_> {
         }
         let end = self.target(w)?;
         if self.st.inch && feed.is_some() && end.known().common(AxisSet::MAIN).is_empty() {
-            return self.refuse(w.axes_span, codes::M9008::unit_of_feed_of_these_axes());
+            return self.core.refuse(w.axes_span, codes::M9008::unit_of_feed_of_these_axes());
         }
         self.st.corners.may_follow = feed.is_some();
         let in_plane = plane_axes(self.st.plane).iter().any(|i| end.known().contains(Axis::ALL[*i]));
@@ -267,9 +264,9 @@ impl Run<'_> {
     #[cold]
     fn border_axes(&self, end: &Pos, span: Span) {
         let named = plane_axes(self.st.plane).iter().filter(|i| end.known().contains(Axis::ALL[**i])).count();
-        let computed = self.job.settings.output.compensation == Compensation::Resolve;
-        if named < 2 && computed && self.job.diags.first_time(codes::M8006, ()) {
-            self.report(codes::M8006::way_to_contour_or_from_it_names().at(self.loc(span)));
+        let computed = self.core.job.settings.output.compensation == Compensation::Resolve;
+        if named < 2 && computed && self.core.job.diags.first_time(codes::M8006, ()) {
+            self.core.report(codes::M8006::way_to_contour_or_from_it_names().at(self.core.loc(span)));
         }
     }
 
@@ -287,15 +284,15 @@ impl Run<'_> {
     /// A straight move under G53.
     fn machine_move(&mut self, w: &Words, feed: Option<Feed>) -> Outcome {
         let span = w.axes_span;
-        if !self.job.settings.control.mtc200.g53_is_machine {
-            return self.refuse(
+        if !self.core.job.settings.control.mtc200.g53_is_machine {
+            return self.core.refuse(
                 span,
                 codes::M9005::block_moves_while_g53_is_active()
                     .answer(Answer::key("control", "g53").one_of(&["\"machine\""])),
             );
         }
         if self.st.incremental || self.st.compensation.is_on() {
-            return self.refuse(span, codes::M9005::move_under_g53_is_absolute());
+            return self.core.refuse(span, codes::M9005::move_under_g53_is_absolute());
         }
         let end = self.target(w)?;
         self.machine_position(end, feed);
@@ -316,16 +313,16 @@ impl Run<'_> {
         let plane = self.st.plane;
         let span = if w.axes_span.is_empty() { w.centre_span } else { w.axes_span };
         if self.st.offsets.offset() == Offset::Machine {
-            return self.refuse(span, codes::M9005::arc_under_g53_has_no_counterpart());
+            return self.core.refuse(span, codes::M9005::arc_under_g53_has_no_counterpart());
         }
         if self.st.compensation.changes() {
-            return self.refuse(span, codes::P2040::g41_g42_activated_with_circular_interpolation());
+            return self.core.refuse(span, codes::P2040::g41_g42_activated_with_circular_interpolation());
         }
         if self.st.compensation.is_on() && self.st.transition.chamfers {
             self.no_chamfers(span)?;
         }
         if !w.has_centre() && w.radius.is_none() {
-            return self.refuse(span, codes::P3002::arc_has_neither_centre_nor_radius());
+            return self.core.refuse(span, codes::P3002::arc_has_neither_centre_nor_radius());
         }
         let feed = self.cutting_feed(span)?;
         let (first, second, third) = plane.axes();
@@ -346,7 +343,7 @@ impl Run<'_> {
         }
         let to = Point2::new(end.get(first).unwrap_or(start.x), end.get(second).unwrap_or(start.y));
         let ccw = motion == Motion::CounterClockwise;
-        let tol = self.job.settings.control.mtc200.circle_tolerance;
+        let tol = self.core.job.settings.control.mtc200.circle_tolerance;
         let shape = match w.radius {
             Some(at) => ArcShape::Radius { radius: self.arc_radius(at, w)?, ccw, tol },
             None => ArcShape::Center { center: self.centre(w, plane, start, to)?, ccw, tol },
@@ -360,7 +357,7 @@ impl Run<'_> {
     /// An arc under G91 behind a changed offset starts where the tool stands only in one of the two readings.
     fn shifted_arc(&mut self, axes: [Axis; 2], span: Span) -> Outcome {
         match axes.into_iter().find(|axis| self.st.offsets.is_shifted(*axis)) {
-            Some(axis) if self.job.settings.control.mtc200.g91_after_offset != ShiftedIncrement::Increment => {
+            Some(axis) if self.core.job.settings.control.mtc200.g91_after_offset != ShiftedIncrement::Increment => {
                 self.refuse_shifted(axis, span)
             }
             _ => Ok(()),
@@ -369,39 +366,39 @@ impl Run<'_> {
 
     fn arc_radius(&mut self, at: At, w: &Words) -> Outcome<f64> {
         if w.has_centre() {
-            return self.refuse(at.span, codes::P1003::arc_has_centre_or_radius());
+            return self.core.refuse(at.span, codes::P1003::arc_has_centre_or_radius());
         }
         if at.value == 0.0 {
-            return self.refuse(at.span, codes::P3002::radius_of_arc_is_0());
+            return self.core.refuse(at.span, codes::P3002::radius_of_arc_is_0());
         }
         self.reading(Reading::ArcRadius, at.span, codes::P8106::r_is_true_radius);
         Ok(at.value * self.st.unit())
     }
 
     fn no_chamfers(&self, span: Span) -> Outcome {
-        self.refuse(span, codes::P9013::chamfers_at_outside_corners())
+        self.core.refuse(span, codes::P9013::chamfers_at_outside_corners())
     }
 
     /// G33: the lead counts along the axis of its letter, in radius also for X.
     fn thread(&mut self, w: &Words) -> Outcome {
         let span = w.axes_span;
         if self.st.offsets.offset() == Offset::Machine || self.st.compensation.is_on() {
-            return self.refuse(span, codes::P1003::thread_under_g53_or_path_compensation());
+            return self.core.refuse(span, codes::P1003::thread_under_g53_or_path_compensation());
         }
         if self.st.spindle.stands() {
-            return self.refuse(span, codes::M2019::spindle_does_not_turn_when_g33_begins());
+            return self.core.refuse(span, codes::M2019::spindle_does_not_turn_when_g33_begins());
         }
         let mut leads = AxisSet::MAIN.iter().filter_map(|axis| Some((axis, w.centre[axis.index()]?)));
         let (Some((along, value)), None) = (leads.next(), leads.next()) else {
-            return self.refuse(span, codes::M2015::g33_needs_one_lead());
+            return self.core.refuse(span, codes::M2015::g33_needs_one_lead());
         };
         let lead = value * self.st.unit();
         if lead <= 0.0 {
-            return self.refuse(w.centre_span, codes::M2015::lead_of_thread(&value));
+            return self.core.refuse(w.centre_span, codes::M2015::lead_of_thread(&value));
         }
         let end = self.target(w)?;
         if !end.known().without(AxisSet::MAIN).is_empty() {
-            return self.refuse(span, codes::P1003::thread_moves_linear_main_axes());
+            return self.core.refuse(span, codes::P1003::thread_moves_linear_main_axes());
         }
         let mut travel = [0.0; 3];
         for (axis, to) in end.iter() {
@@ -410,7 +407,7 @@ impl Run<'_> {
         let longest = travel.iter().fold(0.0_f64, |most, way| most.max(*way));
         if longest <= SAME_POINT || travel[along.index()] < longest - SAME_POINT {
             let letter = ["I", "J", "K"][along.index()];
-            return self.refuse(w.centre_span, codes::M2015::is_not_lead_of_longer_travel(&letter));
+            return self.core.refuse(w.centre_span, codes::M2015::is_not_lead_of_longer_travel(&letter));
         }
         if travel.iter().filter(|way| **way > SAME_POINT).count() > 1 {
             self.reading(Reading::ThreadTaper, w.centre_span, codes::P8106::lead_of_taper_counts_along_longer);
@@ -431,10 +428,10 @@ impl Run<'_> {
         };
         let size = at.value * self.st.unit();
         if size <= 0.0 {
-            return self.refuse(at.span, codes::P1004::needs_length_above_zero(&name));
+            return self.core.refuse(at.span, codes::P1004::needs_length_above_zero(&name));
         }
         if !self.st.corners.may_follow || self.st.corners.is_open() {
-            return self.refuse(at.span, codes::M2016::no_block_that_moves_at_feed_stands(&name));
+            return self.core.refuse(at.span, codes::M2016::no_block_that_moves_at_feed_stands(&name));
         }
         let feed = self.cutting_feed(at.span)?;
         let shape =
@@ -445,14 +442,14 @@ impl Run<'_> {
             early: false,
             modal: false,
             large: LargeCorner::Refuse,
-            at_arc: if self.job.settings.control.mtc200.chamfers_along_arcs {
+            at_arc: if self.core.job.settings.control.mtc200.chamfers_along_arcs {
                 ArcChamfer::Along
             } else {
                 ArcChamfer::Ask(&AT_ARC)
             },
             blocks: Blocks::PassedOver,
         });
-        let site = self.loc(at.span);
+        let site = self.core.loc(at.span);
         self.st.corners.open.open(site);
         Ok(())
     }
@@ -463,10 +460,10 @@ impl Run<'_> {
         let Some(loc) = self.st.corners.open.site() else { return Ok(()) };
         if matches!(motion, Motion::Rapid | Motion::Thread) || self.st.offsets.offset() == Offset::Machine {
             self.st.corners.open.close();
-            self.report(
+            self.core.report(
                 codes::M2016::block_behind_chamfer_or_rounding_is_no()
-                    .at(self.loc(span))
-                    .also(loc, "the corner is programmed here"),
+                    .at(self.core.loc(span))
+                    .also(loc, Label::CornerProgrammed),
             );
             return Err(Reported);
         }
@@ -478,7 +475,7 @@ impl Run<'_> {
         self.waits_in_contour(false, Span::default())?;
         self.st.corners.cannot_follow();
         let Some(loc) = self.st.corners.open.wait(MOST_BETWEEN) else { return Ok(()) };
-        self.report(codes::M2016::more_than_blocks_without_motion_stand(&MOST_BETWEEN).at(loc));
+        self.core.report(codes::M2016::more_than_blocks_without_motion_stand(&MOST_BETWEEN).at(loc));
         Err(Reported)
     }
 

@@ -25,7 +25,7 @@ impl Run<'_> {
     fn say_reading(&mut self, reading: Reading, span: Span, asking: Asking) {
         self.confirmed.push(reading);
         let answer = Answer::item("control", "confirmed", format!("\"{}\"", reading.name()));
-        self.say(span, asking.answer(answer));
+        self.core.say(span, asking.answer(answer));
     }
 
     /// G90 and G94 are in force at the start; where a program relies on that it shows at its first position or feed.

@@ -38,7 +38,7 @@ impl Run<'_> {
         if !word.is_g
             && let Some((what, help)) = known_word(&shown)
         {
-            self.report(codes::M9002::is_not_supported(&shown, &what).at(self.loc(*span)).help(help));
+            self.core.report(codes::M9002::is_not_supported(&shown, &what).at(self.core.loc(*span)).help(help));
             return;
         }
         // Reported once at the word: the rest of the block still says where the axes go.
@@ -49,12 +49,12 @@ impl Run<'_> {
             (false, true) => codes::M9002::is_no_word_beside_words(&shown),
             (false, false) => codes::M9002::is_no_word_that_is_known(&shown).answer(answer()),
         };
-        self.say(*span, fault);
+        self.core.say(*span, fault);
     }
 
     /// Is the word declared in `[control] machine_words`? Then it is noted, or printed as an M function.
     pub(super) fn declared(&mut self, w: &mut Words, name: &str, span: Span) -> bool {
-        let Some(printed) = self.job.settings.control.mtc200.machine_words.get(name) else { return false };
+        let Some(printed) = self.core.job.settings.control.mtc200.machine_words.get(name) else { return false };
         if reserved(name).is_some() {
             // The entry is refused at the top of the program.
             return false;
@@ -64,7 +64,7 @@ impl Run<'_> {
             Some(number) if reserved_m(number).is_some() => {}
             Some(number) => w.print_m(number, span),
             None if self.noted.insert(name.to_owned()) => {
-                self.report(codes::M2702::is_left_out(&name).at(self.loc(span)));
+                self.core.report(codes::M2702::is_left_out(&name).at(self.core.loc(span)));
             }
             None => {}
         }

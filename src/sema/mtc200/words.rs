@@ -191,7 +191,7 @@ impl Run<'_> {
             b'T' => &mut w.tool,
             b'P' => &mut w.program,
             b'E' if is_exponent(word.span, text) => {
-                return self.refuse(word.span, codes::M9002::e_behind_number_looks_like_exponent());
+                return self.core.refuse(word.span, codes::M9002::e_behind_number_looks_like_exponent());
             }
             b'D' | b'E' => {
                 let number = self.whole(at, if letter == b'D' { "D" } else { "E" })?;
@@ -217,10 +217,10 @@ impl Run<'_> {
 
     #[cold]
     fn twice(&mut self, letter: char, span: Span) -> Outcome {
-        if self.job.settings.control.mtc200.last_word_counts {
+        if self.core.job.settings.control.mtc200.last_word_counts {
             return Ok(());
         }
-        self.refuse(
+        self.core.refuse(
             span,
             codes::P1002::stands_twice_in_this_block(&letter)
                 .answer(Answer::key("control", "repeated_words").one_of(&["\"last\""])),
@@ -238,7 +238,7 @@ impl Run<'_> {
         match slot {
             Some((_, first)) if *first != number => {
                 let first = *first;
-                self.refuse(at.span, codes::M1005::g_contradicts_g_of_same_block(&number, &first))
+                self.core.refuse(at.span, codes::M1005::g_contradicts_g_of_same_block(&number, &first))
             }
             Some(_) => self.twice('G', at.span),
             None => {
@@ -254,7 +254,7 @@ impl Run<'_> {
         let name = format!("G{number}");
         if let Some(what) = g_functions::refused(number) {
             let help = g_functions::instead(number);
-            self.report(codes::P9011::is_not_supported_2(&name, &what).at(self.loc(span)).help(help));
+            self.core.report(codes::P9011::is_not_supported_2(&name, &what).at(self.core.loc(span)).help(help));
             return Ok(());
         }
         w.strange.push(Strange { name, span, is_g: true });
@@ -263,7 +263,7 @@ impl Run<'_> {
 
     fn sort_m(&mut self, w: &mut Words, at: At) -> Outcome {
         let number = self.whole(at, "M")?;
-        if !self.job.settings.control.mtc200.machine_words.is_empty()
+        if !self.core.job.settings.control.mtc200.machine_words.is_empty()
             && self.declared(w, &format!("M{number}"), at.span)
         {
             return Ok(());
@@ -272,7 +272,7 @@ impl Run<'_> {
             return self.twice('M', at.span);
         }
         if w.m.len() >= MOST_M {
-            return self.refuse(at.span, codes::P1005::more_than_m_functions_in_one_block(&MOST_M));
+            return self.core.refuse(at.span, codes::P1005::more_than_m_functions_in_one_block(&MOST_M));
         }
         w.m.push((number, at.span));
         Ok(())
@@ -283,21 +283,21 @@ impl Run<'_> {
         let symbol = match word.target {
             Target::Name(symbol) => symbol,
             Target::Variable(_) => {
-                return self.refuse(word.span, codes::M1011::variable_is_assigned_in_block_with_other());
+                return self.core.refuse(word.span, codes::M1011::variable_is_assigned_in_block_with_other());
             }
             Target::Numbered(..) | Target::Letter(_) => return self.machine_word(w, word.span, text),
         };
-        let name = self.symbols.name(symbol).to_owned();
+        let name = self.core.symbols.name(symbol).to_owned();
         match name.as_str() {
             "CF" => self.corner_word(|w| &mut w.chamfer, w, word, block, "CF"),
             "RD" => self.corner_word(|w| &mut w.rounding, w, word, block, "RD"),
             "ACC" => {
                 if matches!(word.value, Value::None | Value::Label(_)) {
-                    return self.refuse(word.span, codes::M1003::acc_has_no_value());
+                    return self.core.refuse(word.span, codes::M1003::acc_has_no_value());
                 }
                 let value = self.number(word, block)?;
                 if w.silent[2].replace(At { value, span: word.span }).is_some() {
-                    return self.refuse(word.span, codes::P1002::acc_stands_twice_in_this_block());
+                    return self.core.refuse(word.span, codes::P1002::acc_stands_twice_in_this_block());
                 }
                 self.without_geometry("ACC", word.span);
                 Ok(())
@@ -305,7 +305,7 @@ impl Run<'_> {
             name => match flow_word(name) {
                 Some(flow) => self.sort_flow(w, flow, word, text),
                 None if FOREIGN.contains(&name) => {
-                    self.report(codes::M9003::depends_on_running_machine(&name).at(self.loc(word.span)));
+                    self.core.report(codes::M9003::depends_on_running_machine(&name).at(self.core.loc(word.span)));
                     Ok(())
                 }
                 None => self.machine_word(w, word.span, text),
@@ -322,11 +322,11 @@ impl Run<'_> {
         name: &str,
     ) -> Outcome {
         if matches!(word.value, Value::None | Value::Label(_)) {
-            return self.refuse(word.span, codes::M1003::has_no_value(&name));
+            return self.core.refuse(word.span, codes::M1003::has_no_value(&name));
         }
         let value = self.number(word, block)?;
         if w.chamfer.is_some() || w.rounding.is_some() {
-            return self.refuse(word.span, codes::P1002::one_corner_takes_one_cf_or_rd());
+            return self.core.refuse(word.span, codes::P1002::one_corner_takes_one_cf_or_rd());
         }
         *slot(w) = Some(At { value, span: word.span });
         Ok(())
@@ -338,19 +338,19 @@ impl Run<'_> {
             Value::Label(label) => Some(label),
             Value::Literal(_) | Value::Formula(_) => {
                 let name = readable(word.span.of(text)).into_owned();
-                return self.refuse(word.span, codes::P1001::takes_no_value(&name));
+                return self.core.refuse(word.span, codes::P1001::takes_no_value(&name));
             }
         };
         let wants = matches!(flow, Flow::StopAndBranch | Flow::Branch(_) | Flow::Call | Flow::Reverse);
         if wants != label.is_some() {
             let name = readable(word.span.of(text)).into_owned();
             return match label {
-                None => self.refuse(word.span, codes::P1004::names_no_label(&name)),
-                Some(_) => self.refuse(word.span, codes::P1003::no_label_belongs(&name)),
+                None => self.core.refuse(word.span, codes::P1004::names_no_label(&name)),
+                Some(_) => self.core.refuse(word.span, codes::P1003::no_label_belongs(&name)),
             };
         }
         if w.flow.is_some() {
-            return self.refuse(word.span, codes::P1003::two_words_of_one_block_say());
+            return self.core.refuse(word.span, codes::P1003::two_words_of_one_block_say());
         }
         w.flow = Some(FlowWord { flow, label, span: word.span });
         Ok(())
@@ -370,7 +370,7 @@ impl Run<'_> {
             return;
         }
         self.noted.insert(name.to_owned());
-        self.report(codes::M2703::does_not_change_programmed_path(&name).at(self.loc(span)));
+        self.core.report(codes::M2703::does_not_change_programmed_path(&name).at(self.core.loc(span)));
     }
 
     /// The whole number of a word.
@@ -379,7 +379,7 @@ impl Run<'_> {
         if (0.0..=1e6).contains(&at.value) && at.value.fract() == 0.0 {
             return Ok(at.value as u32);
         }
-        self.refuse(at.span, codes::M2401::takes_whole_number(&letter, &at.value))
+        self.core.refuse(at.span, codes::M2401::takes_whole_number(&letter, &at.value))
     }
 
     pub(super) fn put_back(&mut self, w: Box<Words>) {

@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::{Answer, CallPath, Diagnostic, Diags, codes};
+use crate::diag::{Answer, CallPath, Diagnostic, Diags, Label, codes};
 use crate::ir::contour::Sink;
 use crate::sema::Job;
 use crate::text::Loc;
@@ -194,7 +194,7 @@ impl Budget {
             false => codes::P4001::run_has_no_steps_left(&self.limit, &what).answer(Answer::key("limits", "steps")),
         };
         match busiest {
-            Some((&loc, n)) => stopped.at(loc).here(format!("taken {n} times")).also(here, "the run stopped here"),
+            Some((&loc, n)) => stopped.at(loc).here(format!("taken {n} times")).also(here, Label::RunStopped),
             None => stopped.at(here).called(call),
         }
     }

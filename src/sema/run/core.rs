@@ -3,8 +3,8 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
-use crate::diag::{Diagnostic, codes};
-use crate::ir::contour::{Coords, Corner, CtxRef, Move, Path, Sink, TOO_LARGE, TOO_LARGE_HELP};
+use crate::diag::codes;
+use crate::ir::contour::{Coords, Corner, CtxRef, Move, Path, Sink};
 use crate::ir::cycle::Cycle;
 use crate::ir::{Function, Origin, Pos, Tap};
 use crate::parser::problem::Problem;
@@ -289,7 +289,7 @@ impl<L: Language> Core<'_, L> {
 
     #[cold]
     fn out_of_range(&mut self, ctx: &CtxRef, origin: &Origin) {
-        self.report(Diagnostic::new(codes::O1002, origin.loc, TOO_LARGE).help(TOO_LARGE_HELP));
+        self.report(codes::O1002::number_of_this_block_is_too_large_to().at(origin.loc));
         self.out.lost(ctx, origin);
     }
 

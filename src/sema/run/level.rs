@@ -1,6 +1,6 @@
 //! The call stack: which program runs, where its caller goes on.
 
-use crate::diag::{CallPath, Diagnostic, codes};
+use crate::diag::{CallPath, Diagnostic, Fault, codes};
 use crate::sema::{Job, Outcome};
 use crate::text::blocks::Place;
 use crate::text::{FileId, Loc, Request};
@@ -141,12 +141,12 @@ impl<L: Language> Core<'_, L> {
         self.budget.jump(self.here.origin.loc);
     }
 
-    /// Calls are nested deeper than `message` says it is possible.
-    pub fn too_deep<T>(&self, message: impl Into<String>) -> Outcome<T> {
-        match self.cycle_of_calls() {
-            Some(cycle) => self.end_run(codes::P4003::calls_go_round(&message.into(), &cycle)),
-            None => self.fatal(codes::P4003, message),
-        }
+    /// Calls are nested deeper than `fault` says it is possible.
+    pub fn too_deep<T>(&self, fault: Fault) -> Outcome<T> {
+        self.end_run(match self.cycle_of_calls() {
+            Some(cycle) => codes::P4003::calls_go_round(&fault.message, &cycle),
+            None => fault,
+        })
     }
 
     /// The calls that lead back to the block in hand, where it runs on an outer level already.

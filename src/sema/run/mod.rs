@@ -20,7 +20,7 @@ mod source;
 pub mod survey;
 pub mod unexecuted;
 
-use crate::diag::{Code, Help};
+use crate::diag::Code;
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::text::{Span, SplitRules};
@@ -35,28 +35,6 @@ pub use self::report::Where;
 pub use self::site::Site;
 pub use self::source::{Parsed, Read};
 
-/// What `$run` does not have itself, it has from `$below`, on which it stands.
-macro_rules! runs_on {
-    ($run:ident . $field:ident: $below:ident) => {
-        impl<'a> std::ops::Deref for $run<'a> {
-            type Target = $below<'a>;
-
-            #[inline]
-            fn deref(&self) -> &$below<'a> {
-                &self.$field
-            }
-        }
-
-        impl<'a> std::ops::DerefMut for $run<'a> {
-            #[inline]
-            fn deref_mut(&mut self) -> &mut $below<'a> {
-                &mut self.$field
-            }
-        }
-    };
-}
-pub(super) use runs_on;
-
 /// How the text of a program becomes blocks. The value holds what reading needs besides the symbols: most languages
 /// need nothing.
 pub trait Language: Default {
@@ -69,6 +47,8 @@ pub trait Language: Default {
     const SPLIT: SplitRules;
     /// Errors after which a run ends.
     const MOST_ERRORS: u32 = u32::MAX;
+    /// Does a finding without help of its own get the usual one of its code?
+    const USUAL_HELP: bool = false;
 
     /// Fills `into` from the text of a block. The text is kept only where executing the block needs it.
     fn parse(
@@ -94,11 +74,6 @@ pub trait Language: Default {
     /// Does the block have a label besides its words, which is noted whenever the block is parsed?
     fn has_label(_block: &Self::Block) -> bool {
         false
-    }
-
-    /// What to do about a finding that brings no help of its own.
-    fn usual_help(_code: &'static Code) -> Option<Help> {
-        None
     }
 
     /// Is a problem of this kind said once for the whole program?

@@ -1,6 +1,8 @@
 //! Where axes stand as the configuration says it: behind a tool change, and behind moves in machine coordinates.
 
-use crate::diag::{Answer, Code, Diagnostic, Help, Raised};
+use std::fmt::Display;
+
+use crate::diag::{Answer, Diagnostic, Fault, Help, Label, codes};
 use crate::ir::Pos;
 use crate::ir::frame::Frame;
 use crate::machine::settings::Datums;
@@ -21,14 +23,7 @@ pub const BASIC: &str = "basic";
 
 /// What is wrong with a move that names only `named` while what is left out moved the axes `left`: the control moves at another place.
 /// In a frame that turns or mirrors, an axis of the program moves several of the machine.
-pub fn move_beside(
-    code: &'static Code,
-    position: &Position,
-    left: AxisSet,
-    named: AxisSet,
-    frame: &Frame,
-    here: Loc,
-) -> Option<Diagnostic> {
+pub fn move_beside(position: &Position, left: AxisSet, named: AxisSet, frame: &Frame, here: Loc) -> Option<Diagnostic> {
     let first = left.iter().next()?;
     let missing = if frame.is_shift() { left } else { left.union(AxisSet::MAIN) }.without(named);
     if missing.is_empty() {
@@ -37,9 +32,7 @@ pub fn move_beside(
     let letters: Vec<String> = missing.iter().map(|axis| axis.letter().to_string()).collect();
     let (letters, stand) = (letters.join(" and "), if missing.len() > 1 { "stand" } else { "stands" });
     let why = because(position.hidden(first), here);
-    let message = format!("this block moves without {letters}, and where {letters} {stand} is not known{why}");
-    let help = format!("program {letters} in absolute coordinates before this block, or in it");
-    Some(Diagnostic::new(code, here, message).help(help))
+    Some(codes::P2001::this_block_moves_without(&letters, &stand, &why).at(here))
 }
 
 /// Machine coordinate of the zero of nested systems, by their names under `[datums]`; the name of one that is not known.
@@ -66,31 +59,27 @@ pub enum Lack {
 }
 
 impl Lack {
-    /// What to do, behind `usual`.
-    fn help(&self, axis: Axis, usual: &str) -> Help {
-        let letter = axis.letter();
+    /// What else to do, as a help goes on.
+    fn or_give(&self, axis: Axis) -> Option<Help> {
         match self {
-            Lack::Datum(name) => Answer::datum(name).help(format!(
-                "{usual}; or say where the datum lies, in machine coordinates: `[datums] {name} = {{ X = …, Y = …, Z = … }}`"
-            )),
-            Lack::Length(Some(number)) => Answer::tool(number, "length").help(format!(
-                "{usual}; or give the length of the tool, which {letter} of the machine counts without: `[tools.{number}] length = …`"
-            )),
-            Lack::Length(None) | Lack::Nothing => usual.into(),
+            Lack::Datum(name) => Some(Answer::datum(name).help(codes::P2001::or_say_where_datum_lies(name))),
+            Lack::Length(Some(number)) => {
+                let length = codes::P2001::or_give_length_of_tool(&axis.letter(), number);
+                Some(Answer::tool(number, "length").help(length))
+            }
+            Lack::Length(None) | Lack::Nothing => None,
         }
     }
 }
 
 impl<L: Language> Core<'_, L> {
-    /// An error about an axis whose position is not known: `message` ends in front of why. `lack` is what a machine coordinate
+    /// An error about an axis whose position is not known: `fault` makes it of the axis and why. `lack` is what a machine coordinate
     /// of the axis lacks.
     pub fn position_unknown<T>(
         &self,
-        code: impl Into<Raised>,
         place: impl Into<Where>,
-        message: String,
-        usual: &str,
         unknown: Unknown<'_>,
+        fault: impl FnOnce(&dyn Display, &dyn Display) -> Fault,
     ) -> Outcome<T> {
         let Unknown { position, axis, lack, otherwise } = unknown;
         let loc = self.loc(place);
@@ -102,8 +91,11 @@ impl<L: Language> Core<'_, L> {
             Some((By::ToolChange, _)) => position.after_change().1 && position.after_change().0.get(axis).is_some(),
             Some((By::Edge | By::Call | By::Probe | By::Table, _)) | None => false,
         };
-        let help = if counts { lack().help(axis, usual) } else { position.help(axis, usual) };
-        let mut found = Diagnostic::new(code, loc, format!("{message}{why}")).help(help);
+        let mut fault = fault(&axis.letter(), &why);
+        if let Some(more) = if counts { lack().or_give(axis) } else { Some(position.or_say(axis)) } {
+            fault = fault.or(more);
+        }
+        let mut found = fault.at(loc);
         if let Some((by, at)) = hidden {
             found = found.also(at, label(by));
         }
@@ -122,14 +114,14 @@ pub struct Unknown<'a> {
     pub otherwise: &'a str,
 }
 
-fn label(by: By) -> &'static str {
+fn label(by: By) -> Label {
     match by {
-        By::ToolChange => "the tool changes here, and its tip stands elsewhere",
-        By::Edge => "another cutting edge is selected here, and its tip stands elsewhere",
-        By::Call => "what is called here moves the axis, as `[programs]` says",
-        By::Probe => "a probe moves the axis here, and what it does is left out",
-        By::Table => "a curve table names the axis here, and is left out",
-        By::Machine(_) => "the axis goes to a machine coordinate here",
+        By::ToolChange => Label::ToolChanges,
+        By::Edge => Label::EdgeChanges,
+        By::Call => Label::CallMoves,
+        By::Probe => Label::ProbeMoves,
+        By::Table => Label::CurveTableLeftOut,
+        By::Machine(_) => Label::MachineCoordinate,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Diagnostic, Help, Label, codes};
 use crate::machine::tools::ToolKey;
 use crate::sema::{Outcome, Reported};
 use crate::text::Loc;
@@ -85,7 +85,7 @@ impl<L: Language> Core<'_, L> {
             return Ok(());
         }
         let found = self.another_tool(own, other, number, place);
-        self.report(found.also(*at, format!("tool {other} is printed as T{number}")));
+        self.report(found.also(*at, Label::PrintedAs(format!("tool {other}"), format!("T{number}"))));
         Err(Reported)
     }
 
@@ -138,7 +138,7 @@ impl<L: Language> Core<'_, L> {
         );
         let help = Answer::key("datums", &key).help(help);
         let found = codes::P0202::is_to_be_printed(&said, &word, &theirs).at(self.loc(place)).help(help);
-        self.report(found.also(other_at, format!("{theirs} is printed as {word}")));
+        self.report(found.also(other_at, Label::PrintedAs(theirs, word)));
         Err(Reported)
     }
 

@@ -1,7 +1,7 @@
 //! Findings about the block in hand.
 
 use crate::diag::decimals::rounded;
-use crate::diag::{Answer, Diagnostic, Fault, Help, Raised, Severity, codes};
+use crate::diag::{Answer, Diagnostic, Fault, Severity, codes};
 use crate::parser::problem::Problem;
 use crate::sema::{Job, Outcome, Reported};
 use crate::text::{Loc, Span};
@@ -90,10 +90,9 @@ impl<L: Language> Core<'_, L> {
             }
         }
         found.message = rounded(found.message);
-        if found.help.is_none()
-            && let Some(help) = L::usual_help(found.code)
-        {
-            found = found.help(help);
+        let usual = found.code.usual;
+        if L::USUAL_HELP && found.help.is_none() && !usual.is_empty() {
+            found = found.help(usual);
         }
         let found = found.called(self.here.origin.call);
         if once { self.job.diags.push_cause(found) } else { self.job.diags.push(found) }
@@ -111,34 +110,10 @@ impl<L: Language> Core<'_, L> {
         report_problem::<L>(&self.job, &self.here, problem);
     }
 
-    /// Reports an error about the whole block.
-    pub fn error(&self, code: impl Into<Raised>, message: impl Into<String>) {
-        self.report(Diagnostic::new(code, self.here.origin.loc, message));
-    }
-
-    /// Reports an error about the whole block and ends the run: nobody knows where the program goes on.
-    pub fn fatal<T>(&self, code: impl Into<Raised>, message: impl Into<String>) -> Outcome<T> {
-        self.error(code, message);
-        self.stop_run();
-        Err(Reported)
-    }
-
     /// Reports a finding and ends the run.
     pub fn stop<T>(&self, found: Diagnostic) -> Outcome<T> {
         self.report(found);
         self.stop_run();
-        Err(Reported)
-    }
-
-    /// Reports an error about words of the block, or about all of it, with a line of help, and gives up the block.
-    pub fn fail_help<T>(
-        &self,
-        code: impl Into<Raised>,
-        place: impl Into<Where>,
-        message: impl Into<String>,
-        help: impl Into<Help>,
-    ) -> Outcome<T> {
-        self.report(Diagnostic::new(code, self.loc(place), message).help(help));
         Err(Reported)
     }
 

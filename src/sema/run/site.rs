@@ -48,11 +48,7 @@ impl Site {
     }
 
     pub fn diagnostic(&self, job: &Job<'_>, problem: Problem) -> Diagnostic {
-        let found = Diagnostic::new(problem.raised(), self.loc(job, problem.span), problem.message);
-        let found = match problem.help {
-            Some(help) => found.help(help),
-            None => found,
-        };
-        found.called(self.origin.call)
+        let loc = self.loc(job, problem.span);
+        problem.fault().at(loc).called(self.origin.call)
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 2.10 and 2.11 (docs/sources.md).
 
-use crate::diag::{self, codes};
+use crate::diag::{self, Label, codes};
 use crate::geo::open::{Coord, Data, Fault, NOT_FIXED, Rules, Start, solve};
 use crate::geo::{Deg, Plane, Point2, SAME_POINT};
 use crate::ir::contour::{Coords, Corner, Move, Path};
@@ -98,12 +98,12 @@ impl Channel<'_> {
         let lost = std::mem::take(&mut self.st.pair.lost);
         let Some(given) = angle else {
             let origin = self.st.pair.first.take().map(|pending| pending.origin);
-            let found = codes::S2070::second_line_of_pair_has_no_ang().at(self.here.origin.loc);
+            let found = codes::S2070::second_line_of_pair_has_no_ang().at(self.core.here.origin.loc);
             let found = match origin {
-                Some(origin) => found.also(origin.loc, "the first line"),
+                Some(origin) => found.also(origin.loc, Label::FirstLine),
                 None => found,
             };
-            self.report(
+            self.core.report(
                 found.help("give the angle and both end coordinates of the second line, or the end of the first"),
             );
             return Err(Reported);
@@ -116,13 +116,13 @@ impl Channel<'_> {
         match (named, self.st.pair.first.take()) {
             ([true, true], Some(pending)) => self.second_line(pending, angle, &end, path, given.span),
             (_, Some(pending)) => {
-                let found = codes::S2070::second_line_of_pair_needs_both_end().at(self.loc(given.span));
-                self.report(found.also(pending.origin.loc, "the first line"));
+                let found = codes::S2070::second_line_of_pair_needs_both_end().at(self.core.loc(given.span));
+                self.core.report(found.also(pending.origin.loc, Label::FirstLine));
                 Err(Reported)
             }
             // The first line was refused.
             ([true, true], None) if lost => Err(Reported),
-            ([true, true], None) => self.refuse(given.span, codes::S2070::both_end_coordinates()),
+            ([true, true], None) => self.core.refuse(given.span, codes::S2070::both_end_coordinates()),
             ([false, false], None) => {
                 self.st.pair.lost = true;
                 if self.st.position.in_plane(plane).is_none() {
@@ -132,9 +132,9 @@ impl Channel<'_> {
                 match self.st.offsets.outer() {
                     Outer::Machine => {
                         let message = "a contour definition cannot be printed in machine coordinates";
-                        return self.in_machine_only_lines(given.span, message);
+                        return self.core.in_machine_only_lines(given.span, message);
                     }
-                    Outer::Unrelated => return self.unrelated(given.span, "G500 stands beside"),
+                    Outer::Unrelated => return self.core.unrelated(given.span, "G500 stands beside"),
                     Outer::Basic | Outer::Printed(_) => {}
                 }
                 self.st.pair.lost = false;
@@ -145,7 +145,7 @@ impl Channel<'_> {
                     path,
                     side: self.st.side_of_move(),
                     corner: corner.copied(),
-                    origin: self.here.origin,
+                    origin: self.core.here.origin,
                     functions: Vec::new(),
                 }));
                 Ok(())
@@ -167,7 +167,7 @@ impl Channel<'_> {
             };
             if incremental {
                 self.st.pair.first = None;
-                return self.refuse(given.span, codes::S2070::second_line_of_pair_is_programmed());
+                return self.core.refuse(given.span, codes::S2070::second_line_of_pair_is_programmed());
             }
         }
         Ok(())
@@ -177,8 +177,9 @@ impl Channel<'_> {
     pub(super) fn only_lines_in_a_pair(&mut self, span: Span) -> Outcome {
         let Some(pending) = self.st.pair.first.take() else { return Ok(()) };
         self.st.position.lose(AxisSet::MAIN);
-        let found = codes::S2070::second_line_of_pair_is_no_straight().at(self.loc(span));
-        self.report(found.also(pending.origin.loc, "the first line").help("program G0 or G1 in both blocks of a pair"));
+        let found = codes::S2070::second_line_of_pair_is_no_straight().at(self.core.loc(span));
+        self.core
+            .report(found.also(pending.origin.loc, Label::FirstLine).help("program G0 or G1 in both blocks of a pair"));
         Err(Reported)
     }
 
@@ -191,10 +192,10 @@ impl Channel<'_> {
         let coord = |axis| end.get(axis).map_or(Coord::Open, Coord::At);
         let data = Data { x: coord(axes[0]), y: coord(axes[1]), ..line(angle) };
         let Ok(point) = ended(start, &data, None) else {
-            return self.refuse(span, codes::S2070::end_coordinate_cannot_be_reached());
+            return self.core.refuse(span, codes::S2070::end_coordinate_cannot_be_reached());
         };
         if (point - start).dot(&angle.unit()) < -BACK {
-            return self.refuse(span, codes::S2070::end_coordinate_lies_behind_start());
+            return self.core.refuse(span, codes::S2070::end_coordinate_lies_behind_start());
         }
         let mut made = *end;
         made.set_in_plane(plane, point);
@@ -203,7 +204,7 @@ impl Channel<'_> {
 
     fn second_line(&mut self, pending: Box<FirstLine>, angle: Deg, end: &Pos, path: Path, span: Span) -> Outcome {
         let refuse = |run: &Self, fault: diag::Fault| -> Outcome {
-            run.report(fault.at(run.loc(span)).also(pending.origin.loc, "the first line"));
+            run.core.report(fault.at(run.core.loc(span)).also(pending.origin.loc, Label::FirstLine));
             Err(Reported)
         };
         let (Some(start), Some(to)) = (self.st.position.in_plane(pending.plane), end.in_plane(pending.plane)) else {
@@ -250,9 +251,9 @@ impl Channel<'_> {
         let Some(pending) = self.st.pair.first.take() else { return Ok(()) };
         self.st.pair.lost = true;
         let found = codes::S2070::second_line_of_pair_is_missing().at(pending.origin.loc);
-        self.report(
+        self.core.report(
             found
-                .also(self.loc(place), "this comes before it")
+                .also(self.core.loc(place), Label::ComesBefore)
                 .help("write the second line after the first: X… Y… ANG=…"),
         );
         self.st.position.lose(AxisSet::MAIN);
@@ -265,13 +266,13 @@ impl Channel<'_> {
         self.st.pair.lost = true;
         self.st.position.lose(AxisSet::MAIN);
         let found = codes::S2070::first_line_of_pair_stands_under_mcall().at(pending.origin.loc);
-        self.report(found.help("program the end of the line, or end the modal call before by MCALL"));
+        self.core.report(found.help("program the end of the line, or end the modal call before by MCALL"));
         Err(Reported)
     }
 
     /// Holds a function back while the first line of a pair waits for its end.
     pub(super) fn held_back(&mut self, function: &Function) -> bool {
-        let origin = self.here.origin;
+        let origin = self.core.here.origin;
         match &mut self.st.pair.first {
             Some(pending) => {
                 pending.functions.push((function.clone(), origin));

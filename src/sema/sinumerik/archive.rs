@@ -12,26 +12,30 @@ use super::{Core, Outcome, Run, programs};
 impl Run<'_> {
     /// A `%` line: the program of an archive that follows is another one.
     pub(super) fn header(&mut self) -> Outcome {
-        let unit = self.level().frame.unit;
-        if self.here.at == self.units.list[unit].start.at || !self.starts_program() {
+        let unit = self.channel.core.level().frame.unit;
+        if self.channel.core.here.at == self.units.list[unit].start.at || !self.channel.core.starts_program() {
             return Ok(());
         }
-        if self.levels.len() == 1 && self.program_level().executed && self.units.list[unit].start.at == 0 {
-            let first = self.job.sources.bytes(self.here.file, Span::at(0, 4));
+        if self.channel.core.levels.len() == 1
+            && self.channel.core.program_level().executed
+            && self.units.list[unit].start.at == 0
+        {
+            let first = self.channel.core.job.sources.bytes(self.channel.core.here.file, Span::at(0, 4));
             if !first.contains(&b'%') {
-                return self.refuse(Where::Block, codes::S2013::blocks_stand_in_front_of_first_program());
+                return self.channel.core.refuse(Where::Block, codes::S2013::blocks_stand_in_front_of_first_program());
             }
         }
-        if self.levels.len() > 1 || self.program_level().executed {
-            let lost = self.blocks_behind_the_end();
+        if self.channel.core.levels.len() > 1 || self.channel.core.program_level().executed {
+            let lost = self.channel.core.blocks_behind_the_end();
             self.file_over();
             if lost {
-                return self.refuse(Where::Block, codes::S2013::blocks_stand_behind_that_closes_program());
+                return self.channel.core.refuse(Where::Block, codes::S2013::blocks_stand_behind_that_closes_program());
             }
             return Ok(());
         }
         // Comments in front of the first header.
-        let line = self.job.sources.bytes(self.here.file, Span::at(self.here.at, 200));
+        let line =
+            self.channel.core.job.sources.bytes(self.channel.core.here.file, Span::at(self.channel.core.here.at, 200));
         let line = line.split(|b| matches!(b, b'\n' | b'\r')).next().unwrap_or_default();
         if let Some((name, kind)) = programs::header_name(line) {
             let first = &mut self.units.list[unit];
@@ -39,7 +43,7 @@ impl Run<'_> {
             first.kind = kind;
             first.start = Place { at: self.channel.core.here.at, line: self.channel.core.here.line };
             let main = self.main_unit(unit);
-            self.level().frame.unit = main;
+            self.channel.core.level().frame.unit = main;
         }
         Ok(())
     }

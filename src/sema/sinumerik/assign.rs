@@ -42,7 +42,7 @@ impl Run<'_> {
 
     fn assign(&mut self, word: &Word, block: &Block, text: &[u8]) -> Outcome {
         let Value::Formula(formula) = word.value else {
-            return self.refuse(word.span, codes::P1001::value_are_missing());
+            return self.channel.core.refuse(word.span, codes::P1001::value_are_missing());
         };
         if let Target::Numbered(b'R', n, _) = word.target {
             let value = self.number(formula, block, text)?;
@@ -58,10 +58,10 @@ impl Run<'_> {
 
     fn set_r(&mut self, n: u32, value: f64, span: Span) -> Outcome {
         if n > MOST_R {
-            return self.refuse(span, codes::S2018::there_is_no_parameter_r(&n));
+            return self.channel.core.refuse(span, codes::S2018::there_is_no_parameter_r(&n));
         }
-        let origin = self.here.origin;
-        self.job.trail.assigns(origin.loc, origin.call, || format!("R{n}"), value);
+        let origin = self.channel.core.here.origin;
+        self.channel.core.job.trail.assigns(origin.loc, origin.call, || format!("R{n}"), value);
         self.vars.set_r(n, value);
         Ok(())
     }
@@ -88,24 +88,24 @@ impl Run<'_> {
                 }
                 match base {
                     Base::Letter(b'R') => {
-                        let n = self.r_index(&values, block.span)?;
+                        let n = self.channel.core.r_index(&values, block.span)?;
                         self.r_value(n, block.span)
                     }
                     Base::Name(name) => match self.vars.find(name) {
                         Some(slot) => {
-                            let indices = self.indices(&values, block.span)?;
+                            let indices = self.channel.core.indices(&values, block.span)?;
                             self.variable_value(slot, &indices, block.span)
                         }
                         None => self.undefined(name, block.span),
                     },
-                    _ => self.refuse(block.span, codes::P1001::this_cannot_count_loop()),
+                    _ => self.channel.core.refuse(block.span, codes::P1001::this_cannot_count_loop()),
                 }
             }
             Target::Letter(letter) => match self.letter_variable(letter) {
                 Some(slot) => self.variable_value(slot, &[], block.span),
-                None => self.refuse(block.span, codes::P1001::address_cannot_count_loop()),
+                None => self.channel.core.refuse(block.span, codes::P1001::address_cannot_count_loop()),
             },
-            Target::System(_) => self.refuse(block.span, codes::P1001::this_cannot_count_loop()),
+            Target::System(_) => self.channel.core.refuse(block.span, codes::P1001::this_cannot_count_loop()),
         }
     }
 
@@ -119,18 +119,23 @@ impl Run<'_> {
     ) -> Outcome {
         match target {
             Target::Numbered(b'R', n, _) => {
-                let value = self.as_number(&value, span)?;
+                let value = self.channel.core.as_number(&value, span)?;
                 self.set_r(n, value, span)
             }
             Target::Numbered(_, _, name) | Target::Name(name) => {
                 let Some(slot) = self.vars.find(name) else { return self.undefined(name, span) };
                 if let Some(number) = value.number() {
-                    let origin = self.here.origin;
-                    self.job.trail.assigns(origin.loc, origin.call, || self.symbols.name(name).to_owned(), number);
+                    let origin = self.channel.core.here.origin;
+                    self.channel.core.job.trail.assigns(
+                        origin.loc,
+                        origin.call,
+                        || self.channel.core.symbols.name(name).to_owned(),
+                        number,
+                    );
                 }
                 self.write_element(slot, &[], value, span)
             }
-            Target::System(name) => self.write_system(name, &[], value, span),
+            Target::System(name) => self.channel.write_system(name, &[], value, span),
             Target::Indexed(base, args) => {
                 let mut indices = Vec::new();
                 for formula in block.arguments(args).to_vec() {
@@ -138,24 +143,24 @@ impl Run<'_> {
                 }
                 match base {
                     Base::Letter(b'R') => {
-                        let n = self.r_index(&indices, span)?;
-                        let value = self.as_number(&value, span)?;
+                        let n = self.channel.core.r_index(&indices, span)?;
+                        let value = self.channel.core.as_number(&value, span)?;
                         self.set_r(n, value, span)
                     }
-                    Base::System(name) => self.write_system(name, &indices, value, span),
+                    Base::System(name) => self.channel.write_system(name, &indices, value, span),
                     Base::Name(name) => {
                         let Some(slot) = self.vars.find(name) else { return self.undefined(name, span) };
                         self.write_indexed(slot, &indices, value, span)
                     }
                     Base::Letter(letter) => match self.letter_variable(letter) {
                         Some(slot) => self.write_indexed(slot, &indices, value, span),
-                        None => self.refuse(span, codes::P1001::this_takes_no_value()),
+                        None => self.channel.core.refuse(span, codes::P1001::this_takes_no_value()),
                     },
                 }
             }
             Target::Letter(letter) => match self.letter_variable(letter) {
                 Some(slot) => self.write_element(slot, &[], value, span),
-                None => self.refuse(span, codes::P1001::this_takes_no_value()),
+                None => self.channel.core.refuse(span, codes::P1001::this_takes_no_value()),
             },
         }
     }
@@ -163,19 +168,19 @@ impl Run<'_> {
     fn write_indexed(&mut self, slot: Slot, indices: &[Val], value: Val, span: Span) -> Outcome {
         if let Some(Val::Frame(frame)) = self.vars.get(slot).and_then(|var| var.values.first()).cloned() {
             let mut changed = (*frame).clone();
-            self.set_frame_component(&mut changed, indices, &value, span)?;
+            self.channel.set_frame_component(&mut changed, indices, &value, span)?;
             return self.write_element(slot, &[], Val::Frame(Rc::new(changed)), span);
         }
-        let indices = self.indices(indices, span)?;
+        let indices = self.channel.core.indices(indices, span)?;
         // One character of a text.
         if let Some(var) = self.vars.get(slot)
             && let ([at], [], Some(Val::Text(old))) = (indices.as_slice(), var.sizes.as_slice(), var.values.first())
         {
-            let character = self.converted(&value, TypeName::Char, span)?;
+            let character = self.channel.core.converted(&value, TypeName::Char, span)?;
             let mut bytes = old.to_vec();
             let place = usize::try_from(*at).ok().and_then(|at| bytes.get_mut(at));
             let (Some(place), Val::Char(c)) = (place, character) else {
-                return self.refuse(span, codes::S2018::text_has_no_character(&at));
+                return self.channel.core.refuse(span, codes::S2018::text_has_no_character(&at));
             };
             *place = c;
             return self.write_element(slot, &[], Val::text(&bytes), span);
@@ -192,11 +197,11 @@ impl Run<'_> {
             } else {
                 codes::S2018::there_is_no_element(&format_args!("{:?}", var.sizes), &format_args!("{indices:?}"))
             };
-            return self.refuse(span, fault);
+            return self.channel.core.refuse(span, fault);
         };
-        let value = self.converted(&value, kind, span)?;
-        self.check_length(&value, length, span)?;
-        self.check_limits(&value, limits, [17080, 17090], span)?;
+        let value = self.channel.core.converted(&value, kind, span)?;
+        self.channel.core.check_length(&value, length, span)?;
+        self.channel.core.check_limits(&value, limits, [17080, 17090], span)?;
         if let Some(var) = self.vars.get_mut(slot)
             && let Some(element) = var.values.get_mut(at)
         {
@@ -217,7 +222,7 @@ impl Run<'_> {
                 self.list_values(inner, block, text).map(|list| Some(Fill::Set(list)))
             }
             [inner @ .., Op::Call(name, _, _)] => {
-                let word = self.symbols.name(*name);
+                let word = self.channel.core.symbols.name(*name);
                 if word != "SET" && word != "REP" {
                     return Ok(None);
                 }
@@ -234,14 +239,17 @@ impl Run<'_> {
                         match n {
                             Some(n) => Some(n),
                             None => {
-                                return self.refuse(formula.span, codes::S2017::rep_counts_elements_by_whole_number());
+                                return self
+                                    .channel
+                                    .core
+                                    .refuse(formula.span, codes::S2017::rep_counts_elements_by_whole_number());
                             }
                         }
                     }
                 };
                 match list.into_iter().next() {
                     Some(value) => Ok(Some(Fill::Repeat(value, count))),
-                    None => self.refuse(formula.span, codes::S2017::rep_needs_value()),
+                    None => self.channel.core.refuse(formula.span, codes::S2017::rep_needs_value()),
                 }
             }
             _ => Ok(None),
@@ -271,20 +279,20 @@ impl Run<'_> {
             Target::Letter(letter) if self.letter_variable(letter).is_some() => {
                 (self.letter_variable(letter).ok_or(Reported)?, None)
             }
-            _ => return self.refuse(span, codes::P2024::list_of_values_fills_array()),
+            _ => return self.channel.core.refuse(span, codes::P2024::list_of_values_fills_array()),
         };
         let mut values = Vec::new();
         for formula in args.map(|args| block.arguments(args).to_vec()).unwrap_or_default() {
             values.push(self.eval(formula, block, text)?);
         }
-        let indices = self.indices(&values, span)?;
+        let indices = self.channel.core.indices(&values, span)?;
         let Some(var) = self.vars.get(slot).cloned() else { return Err(Reported) };
         let start = if indices.is_empty() { Some(0) } else { var.offset(&indices) };
         let Some(start) = start.filter(|_| !var.sizes.is_empty()) else {
-            return self.refuse(span, codes::S2018::array_has_no_such_element());
+            return self.channel.core.refuse(span, codes::S2018::array_has_no_such_element());
         };
-        self.budget.take(var.values.len() as u64 / 16);
-        let filled = self.filled(&var, start, fill, span)?;
+        self.channel.core.budget.take(var.values.len() as u64 / 16);
+        let filled = self.channel.core.filled(&var, start, fill, span)?;
         if let Some(var) = self.vars.get_mut(slot) {
             *var = filled;
         }
@@ -296,8 +304,8 @@ impl Run<'_> {
         if let Some(Some(known)) = self.meanings.get(at) {
             return *known;
         }
-        let word = self.symbols.name(name);
-        let meaning = match self.axis_names.find(word) {
+        let word = self.channel.core.symbols.name(name);
+        let meaning = match self.channel.axis_names.find(word) {
             Some(axis) => Meaning::Axis(axis),
             None => self.vocabulary.get(word).copied().unwrap_or(Meaning::Unknown),
         };
@@ -311,13 +319,13 @@ impl Run<'_> {
 
 impl Channel<'_> {
     pub(super) fn frame_component(&self, frame: &super::frames::FrameValue, args: &[Val], span: Span) -> Outcome<Val> {
-        let (axis, component) = self.frame_place(args, span)?;
+        let (axis, component) = self.core.frame_place(args, span)?;
         let Some(axis) = axis else {
-            return self.refuse(span, codes::P2023::frame_of_axis_that_is_left_out());
+            return self.core.refuse(span, codes::P2023::frame_of_axis_that_is_left_out());
         };
         match frame.component(axis, component) {
             Some(value) => Ok(Val::Real(value / self.st.component_unit(axis, component))),
-            None => self.refuse(span, codes::S2034::this_chain_of_rotations()),
+            None => self.core.refuse(span, codes::S2034::this_chain_of_rotations()),
         }
     }
 
@@ -328,15 +336,15 @@ impl Channel<'_> {
         value: &Val,
         span: Span,
     ) -> Outcome {
-        let (axis, component) = self.frame_place(args, span)?;
-        let value = self.as_number(value, span)?;
+        let (axis, component) = self.core.frame_place(args, span)?;
+        let value = self.core.as_number(value, span)?;
         // The frame of an axis that is left out moves nothing.
         let Some(axis) = axis else { return Ok(()) };
         let value = value * self.st.component_unit(axis, component);
         if frame.set_component(axis, component, value) {
             return Ok(());
         }
-        self.refuse(span, codes::S2034::this_component_cannot_be_set())
+        self.core.refuse(span, codes::S2034::this_component_cannot_be_set())
     }
 }
 

@@ -130,7 +130,7 @@ impl Channel<'_> {
     fn given_axis(&mut self, named: NamedAxis, span: Span) -> Outcome<Option<Axis>> {
         let Some(axis) = named.axis else {
             if self.axis_names.noted.insert(named) {
-                self.report(codes::S8130::axis_is_left_out(&named.text()).at(self.loc(span)));
+                self.core.report(codes::S8130::axis_is_left_out(&named.text()).at(self.core.loc(span)));
             }
             return Ok(None);
         };
@@ -138,7 +138,7 @@ impl Channel<'_> {
         if first == named {
             return Ok(Some(axis));
         }
-        self.refuse(
+        self.core.refuse(
             span,
             codes::S2130::would_both_be_printed(&first.text(), &named.text(), &axis.letter()).answer(
                 Answer::entry("machine", "axes", named.text()).one_of(&[

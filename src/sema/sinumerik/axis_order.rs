@@ -36,7 +36,7 @@ impl Channel<'_> {
         let closes = |order: &[Axis; 3]| planes().any(|plane| self.closes(w, *order, plane, end));
         let Some(order) = ORDERS.into_iter().filter(|order| *order != now).find(closes) else { return Ok(()) };
         // One circle tells it for all.
-        if !self.job.diags.first_time(codes::P3001, order) {
+        if !self.core.job.diags.first_time(codes::P3001, order) {
             return Err(Reported);
         }
         let names = |order: [Axis; 3]| order.map(|axis| format!("\"{}\"", axis.letter())).join(", ");
@@ -47,8 +47,8 @@ impl Channel<'_> {
             order[0].letter()
         );
         let answer = Answer::key("machine", "geometry_axes").one_of(&[fitting, current]);
-        let span = self.arc_span(w);
-        self.refuse(span, codes::P3001::circle_ends(&a.letter(), &b.letter()).help(answer.help(help)))
+        let span = self.core.arc_span(w);
+        self.core.refuse(span, codes::P3001::circle_ends(&a.letter(), &b.letter()).help(answer.help(help)))
     }
 
     /// Are start and end equally far from the centre, with I, J and K along the axes of `order`?
@@ -71,9 +71,11 @@ impl Channel<'_> {
             }
             any = true;
         }
-        let to = self.end_in(end, plane, start);
+        let to = self.core.end_in(end, plane, start);
         let (at_start, at_end) = (distance(start, center), distance(to, center));
-        any && at_start > SAME && at_end > SAME && (at_start - at_end).abs() <= self.circle_tolerance(at_start) + 1e-9
+        any && at_start > SAME
+            && at_end > SAME
+            && (at_start - at_end).abs() <= self.core.circle_tolerance(at_start) + 1e-9
     }
 }
 

@@ -14,7 +14,7 @@ impl Channel<'_> {
         match self.printed_axis(named, given.span)? {
             Some(axis) => words.set_axis(&self.core, axis, given),
             None if words.beside.left_out.iter().any(|(known, _)| *known == named) => {
-                self.refuse(given.span, codes::P1002::axis_stands_twice_in_block(&named.text()))
+                self.core.refuse(given.span, codes::P1002::axis_stands_twice_in_block(&named.text()))
             }
             None => {
                 words.beside.left_out.push((named, given.span));
@@ -29,7 +29,7 @@ impl Channel<'_> {
         if !self.st.modal_call.is_on() {
             return Ok(());
         }
-        self.refuse(
+        self.core.refuse(
             *span,
             codes::S9130::takes_modal_call_to_another_place(&named.text()).answer(
                 Answer::entry("machine", "axes", named.text())
@@ -44,7 +44,7 @@ impl Channel<'_> {
             // What X1 is to X is no second name.
             Some(NamedAxis { axis: Some(printed), .. }) if axis.number == 1 => Ok(Some(printed)),
             Some(named) if axis.number == 1 => self.printed_axis(named, axis.span),
-            _ => self.unnamed_axis(axis),
+            _ => self.core.unnamed_axis(axis),
         }
     }
 }

@@ -6,7 +6,7 @@
 //! Source: S 6 (docs/sources.md). The blocks between CTABDEF and CTABEND describe a table and move nothing; after it the
 //! state of the program is that of before.
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::machine::AxisSet;
 use crate::parser::sinumerik::ast::{Base, Block, Formula, Op, Stmt, Target, Value, Word};
 use crate::sema::common::hidden::By;
@@ -100,11 +100,14 @@ impl Run<'_> {
     ) -> Outcome {
         let result = self.couple(beside, (name, call), formulas, block, text);
         if beside == Beside::Table {
-            self.curve_table =
-                Some(Box::new(CurveTable { loc: self.loc(call.span), axes: AxisSet::EMPTY, refused: false }));
+            self.channel.curve_table = Some(Box::new(CurveTable {
+                loc: self.channel.core.loc(call.span),
+                axes: AxisSet::EMPTY,
+                refused: false,
+            }));
         }
         if result.is_err() {
-            self.lose_all();
+            self.channel.lose_all();
         }
         result
     }
@@ -117,13 +120,13 @@ impl Run<'_> {
         block: &Block,
         text: &[u8],
     ) -> Outcome {
-        self.pending_must_be_done(call.span)?;
+        self.channel.pending_must_be_done(call.span)?;
         match beside {
             Beside::TableEnds => {
-                return self.refuse(call.span, codes::P9010::ctabend_ends_no_curve_table());
+                return self.channel.core.refuse(call.span, codes::P9010::ctabend_ends_no_curve_table());
             }
             Beside::Oscillates => {
-                return self.refuse(call.span, codes::P1001::lacks_axis_in_brackets(&name));
+                return self.channel.core.refuse(call.span, codes::P1001::lacks_axis_in_brackets(&name));
             }
             Beside::Couples | Beside::CouplesAll | Beside::CouplesAllButLast | Beside::Ends | Beside::Table => {}
         }
@@ -135,19 +138,19 @@ impl Run<'_> {
         };
         let couples = beside != Beside::Ends;
         if couples && following.is_empty() {
-            return self.refuse(call.span, codes::S2021::lacks_axis_that_follows(&name));
+            return self.channel.core.refuse(call.span, codes::S2021::lacks_axis_that_follows(&name));
         }
         for formula in following {
             match self.follower(*formula, block, text)? {
                 Follower::LeftOut => {}
                 Follower::Printed(axis) => {
-                    return self.refuse(
+                    return self.channel.core.refuse(
                         formula.span,
                         codes::P9010::lets_follow_and_is_in_output(&name, &axis).help(STANDS_IN_THE_OUTPUT),
                     );
                 }
                 Follower::Spindle(spindle) => {
-                    return self.refuse(formula.span, codes::P9010::lets_follow(&name, &spindle));
+                    return self.channel.core.refuse(formula.span, codes::P9010::lets_follow(&name, &spindle));
                 }
             }
         }
@@ -158,8 +161,10 @@ impl Run<'_> {
     /// What a coupling moves.
     fn follower(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<Follower> {
         let name = match block.formula(formula) {
-            [Op::Name(name, _)] => Some(self.symbols.name(*name).to_owned()),
-            [.., Op::Call(name, _, _)] if self.symbols.name(*name) == "SPI" => Some("the spindle".to_owned()),
+            [Op::Name(name, _)] => Some(self.channel.core.symbols.name(*name).to_owned()),
+            [.., Op::Call(name, _, _)] if self.channel.core.symbols.name(*name) == "SPI" => {
+                Some("the spindle".to_owned())
+            }
             _ => None,
         };
         let digits = |name: &str| {
@@ -170,26 +175,26 @@ impl Run<'_> {
             return Ok(Follower::Spindle(spindle));
         }
         match self.eval(formula, block, text)? {
-            Val::Axis(named) => Ok(match self.printed_axis(named, formula.span)? {
+            Val::Axis(named) => Ok(match self.channel.printed_axis(named, formula.span)? {
                 None => Follower::LeftOut,
                 Some(_) => Follower::Printed(named.text().to_owned()),
             }),
-            other => self.refuse(formula.span, codes::S2031::axis_is_needed(&other.what())),
+            other => self.channel.core.refuse(formula.span, codes::S2031::axis_is_needed(&other.what())),
         }
     }
 
     /// Only the key leaves it out, and each is named.
     fn is_left_out_beside(&mut self, beside: Beside, name: &str, span: Span, what: &str) -> Outcome {
         let kind = if beside == Beside::Oscillates { "oscillation" } else { "coupling of axes" };
-        if !beside.is_left_out(self.job.settings) {
+        if !beside.is_left_out(self.channel.core.job.settings) {
             let key = beside.key();
             let help = format!("it {what}: leave such words out, `[control] {key} = \"leave-out\"`");
             let help = Answer::key("control", key).one_of(&["\"leave-out\""]).help(help);
-            return self.refuse(span, codes::P9010::is_not_supported(&name, &kind).help(help));
+            return self.channel.core.refuse(span, codes::P9010::is_not_supported(&name, &kind).help(help));
         }
-        let found = codes::S8166::is_left_out(&name, &what).at(self.loc(span));
-        if !self.job.diags.knows(&found) {
-            self.report(found.help("check that the part does not depend on it"));
+        let found = codes::S8166::is_left_out(&name, &what).at(self.channel.core.loc(span));
+        if !self.channel.core.job.diags.knows(&found) {
+            self.channel.core.report(found.help("check that the part does not depend on it"));
         }
         Ok(())
     }
@@ -198,17 +203,17 @@ impl Run<'_> {
     pub(super) fn oscillation_word(&mut self, name: &str, word: &Word, block: &Block, text: &[u8]) -> Outcome {
         let result = self.oscillates(name, word, block, text);
         if result.is_err() {
-            self.lose_all();
+            self.channel.lose_all();
         }
         result
     }
 
     fn oscillates(&mut self, name: &str, word: &Word, block: &Block, text: &[u8]) -> Outcome {
         let Target::Indexed(_, args) = word.target else {
-            return self.refuse(word.span, codes::P1001::lacks_axis_in_brackets(&name));
+            return self.channel.core.refuse(word.span, codes::P1001::lacks_axis_in_brackets(&name));
         };
         let named = self.axis_index(args, block, text)?;
-        let mut printed = self.printed_axis(named, word.span)?.map(|_| named);
+        let mut printed = self.channel.printed_axis(named, word.span)?.map(|_| named);
         if let Value::Formula(formula) = word.value {
             let values = match self.eval(formula, block, text)? {
                 Val::List(list) => list.to_vec(),
@@ -217,7 +222,7 @@ impl Run<'_> {
             // Axes whose infeed waits for the turning points.
             for value in values {
                 if let Val::Axis(infeed) = value
-                    && self.printed_axis(infeed, word.span)?.is_some()
+                    && self.channel.printed_axis(infeed, word.span)?.is_some()
                 {
                     printed = printed.or(Some(infeed));
                 }
@@ -225,7 +230,7 @@ impl Run<'_> {
         }
         if let Some(axis) = printed {
             let axis = axis.text();
-            return self.refuse(
+            return self.channel.core.refuse(
                 word.span,
                 codes::P9010::oscillation_moves_beside_path(&name, &axis).help(STANDS_IN_THE_OUTPUT),
             );
@@ -240,16 +245,15 @@ impl Run<'_> {
         if block.stmt == Stmt::Empty {
             return Ok(());
         }
-        let ends =
-            |run: &Self, word: &Word| matches!(word.target, Target::Name(name) if run.symbols.name(name) == "CTABEND");
+        let ends = |run: &Self, word: &Word| matches!(word.target, Target::Name(name) if run.channel.core.symbols.name(name) == "CTABEND");
         if block.stmt == Stmt::Words && block.words.iter().any(|word| ends(self, word)) {
-            let Some(table) = self.curve_table.take() else { return Ok(()) };
-            let loc = self.here.origin.loc;
-            self.st.position.forget(table.axes);
-            self.st.position.hide(table.axes, By::Table, loc);
-            self.only_known_axes_stand();
+            let Some(table) = self.channel.curve_table.take() else { return Ok(()) };
+            let loc = self.channel.core.here.origin.loc;
+            self.channel.st.position.forget(table.axes);
+            self.channel.st.position.hide(table.axes, By::Table, loc);
+            self.channel.only_known_axes_stand();
             return match block.words.iter().find(|word| !ends(self, word)) {
-                Some(other) => self.call_not_alone(other.span),
+                Some(other) => self.channel.core.call_not_alone(other.span),
                 None => Ok(()),
             };
         }
@@ -260,19 +264,19 @@ impl Run<'_> {
         };
         let Some(span) = other else {
             let axes: Vec<_> = block.words.iter().filter_map(|word| self.axis_of(word)).collect();
-            if let Some(table) = &mut self.curve_table {
+            if let Some(table) = &mut self.channel.curve_table {
                 axes.into_iter().for_each(|axis| table.axes.insert(axis));
             }
             return Ok(());
         };
-        let Some(table) = self.curve_table.as_mut().filter(|table| !table.refused) else { return Ok(()) };
+        let Some(table) = self.channel.curve_table.as_mut().filter(|table| !table.refused) else { return Ok(()) };
         table.refused = true;
         let begun = table.loc;
-        self.lose_all();
+        self.channel.lose_all();
         let found = codes::P9010::in_curve_table_only_positions_of_axes()
-            .at(self.loc(span))
-            .also(begun, "the table begins here");
-        self.report(found.help("take the table out of the copy that is compiled"));
+            .at(self.channel.core.loc(span))
+            .also(begun, Label::TableBegins);
+        self.channel.core.report(found.help("take the table out of the copy that is compiled"));
         Err(Reported)
     }
 
@@ -284,7 +288,7 @@ impl Run<'_> {
             Target::Numbered(_, _, name) | Target::Name(name) if self.vars.find(name).is_some() => false,
             Target::Numbered(letter, _, name) => letter != b'R' && matches!(self.meaning(name), Meaning::Axis(_)),
             Target::Name(name) => {
-                let polynomial = matches!(self.symbols.name(name), "PL" | "PW" | "SD");
+                let polynomial = matches!(self.channel.core.symbols.name(name), "PL" | "PW" | "SD");
                 polynomial
                     || matches!(
                         (self.meaning(name), word.value),
@@ -301,7 +305,7 @@ impl Run<'_> {
     /// The printed axis that a word names.
     fn axis_of(&mut self, word: &Word) -> Option<crate::machine::Axis> {
         match word.target {
-            Target::Letter(letter) => self.axis_names.letter(letter).and_then(|named| named.axis),
+            Target::Letter(letter) => self.channel.axis_names.letter(letter).and_then(|named| named.axis),
             Target::Name(name) | Target::Numbered(_, _, name) => match self.meaning(name) {
                 Meaning::Axis(named) => named.axis,
                 _ => None,
@@ -312,14 +316,14 @@ impl Run<'_> {
 
     /// The program ends in a table.
     pub(super) fn report_open_table(&mut self) {
-        if let Some(table) = self.curve_table.take() {
+        if let Some(table) = self.channel.curve_table.take() {
             let found = codes::P9010::curve_table_has_no_ctabend().at(table.loc);
-            self.report(found.help("write CTABEND after the last point of the table"));
+            self.channel.core.report(found.help("write CTABEND after the last point of the table"));
         }
     }
 
     /// A word beside the path that stands alone in its block, like a call.
     pub(super) fn stands_beside_path(&self, w: &Words) -> Option<Beside> {
-        Beside::find(self.symbols.name(w.calls.word?.name))
+        Beside::find(self.channel.core.symbols.name(w.calls.word?.name))
     }
 }

@@ -50,13 +50,13 @@ impl Run<'_> {
 
     /// After an error nobody knows where the axes of the block are.
     fn lose_block(&mut self, words: &Words, block: &Block) {
-        let of_tap = self.st.codes.of(Group::Motion).is_tapping() && !words.axes.is_empty();
-        self.st.taps.block_is_refused(of_tap);
+        let of_tap = self.channel.st.codes.of(Group::Motion).is_tapping() && !words.axes.is_empty();
+        self.channel.st.taps.block_is_refused(of_tap);
         let mut axes = words.axes;
         for word in &block.words {
             match word.target {
                 Target::Letter(letter) => {
-                    if let Some(axis) = self.axis_names.letter(letter).and_then(|named| named.axis) {
+                    if let Some(axis) = self.channel.axis_names.letter(letter).and_then(|named| named.axis) {
                         axes.insert(axis);
                     }
                 }
@@ -74,87 +74,89 @@ impl Run<'_> {
             axes = axes.union(AxisSet::MAIN);
         }
         if words.get(Address::F).is_some() {
-            self.st.feed.lose();
+            self.channel.st.feed.lose();
         }
         if words.get(Address::Ang).is_some() {
-            self.st.pair.lose();
+            self.channel.st.pair.lose();
         }
         if !axes.is_empty() {
-            self.st.position.lose(axes);
-            self.st.pair.drop_first();
-            self.lost();
+            self.channel.st.position.lose(axes);
+            self.channel.st.pair.drop_first();
+            self.channel.lost();
         }
     }
 
     /// The words of a block that holds no call.
     pub(super) fn run_words_of(&mut self, w: &mut Words, block: &Block) -> Outcome {
-        if self.st.taps.are_open() {
-            self.beside_taps(w);
+        if self.channel.st.taps.are_open() {
+            self.channel.beside_taps(w);
         }
-        if self.st.threads.are_open() {
-            self.beside_threads(w);
+        if self.channel.st.threads.are_open() {
+            self.channel.beside_threads(w);
         }
-        if self.is_capturing() {
-            self.words_in_contour(w)?;
+        if self.channel.is_capturing() {
+            self.channel.words_in_contour(w)?;
         }
-        let triggers = self.st.modal_call.cycle().is_some()
+        let triggers = self.channel.st.modal_call.cycle().is_some()
             && (w.code_of(Group::Motion).is_some() || w.get(Address::F).is_some() || !w.s.is_empty());
         if let Some(probe) = w.probe
             && let Some((_, span)) =
                 [Group::Nonmodal, Group::Frame, Group::Buffer].into_iter().find_map(|group| w.code_of(group))
         {
-            return self.measures_beside(probe, span);
+            return self.channel.measures_beside(probe, span);
         }
         if !w.codes.is_empty() || w.diameter.is_some() || w.dynamics.is_some() || w.smoothing.is_given() {
-            self.check_codes(w)?;
+            self.channel.core.check_codes(w)?;
             if let Some((code, span)) = w.code_of(Group::Nonmodal) {
-                self.modal_codes(w)?;
+                self.channel.modal_codes(w)?;
                 return self.nonmodal_block(code, span, w);
             }
             if let Some((code, span)) = w.code_of(Group::Frame) {
-                self.modal_codes(w)?;
-                return self.frame_block(code, span, w);
+                self.channel.modal_codes(w)?;
+                return self.channel.frame_block(code, span, w);
             }
-            self.modal_codes(w)?;
+            self.channel.modal_codes(w)?;
             if let Some((code, span)) = w.code_of(Group::Buffer).filter(|(code, _)| *code != GCode::FIFOCTRL) {
-                return self.buffer_code(code, span, w);
+                return self.channel.buffer_code(code, span, w);
             }
         }
-        if self.st.codes.of(Group::Motion).is_tapping() && !w.axes.is_empty() {
-            self.only_tapping(w)?;
-            self.tap_begins();
+        if self.channel.st.codes.of(Group::Motion).is_tapping() && !w.axes.is_empty() {
+            self.channel.only_tapping(w)?;
+            self.channel.tap_begins();
         }
-        self.technology(w)?;
-        self.early_functions(w)?;
-        let corner_before = self.st.corners.open.site();
+        self.channel.technology(w)?;
+        self.channel.early_functions(w)?;
+        let corner_before = self.channel.st.corners.open.site();
         let moved = match w.probe {
-            Some(probe) if !probe.whole_way && !self.never_touches() => self.probe_block(w, probe).map(|()| false)?,
-            Some(probe) => {
-                self.may_leave_probe_out(probe)?;
-                let moved = self.motion(w, block)?;
-                self.measured_on_the_way(probe, moved)
+            Some(probe) if !probe.whole_way && !self.channel.never_touches() => {
+                self.channel.probe_block(w, probe).map(|()| false)?
             }
-            None => self.motion(w, block)?,
+            Some(probe) => {
+                self.channel.may_leave_probe_out(probe)?;
+                let moved = self.channel.motion(w, block)?;
+                self.channel.measured_on_the_way(probe, moved)
+            }
+            None => self.channel.motion(w, block)?,
         };
-        if moved && self.st.corners.open.site() == corner_before {
-            self.st.corners.open.close();
+        if moved && self.channel.st.corners.open.site() == corner_before {
+            self.channel.st.corners.open.close();
         }
-        self.block_behind_corner(moved)?;
+        self.channel.block_behind_corner(moved)?;
         if let Some(left) = w.left() {
-            return self.does_not_fit_motion(w, left.span);
+            return self.channel.core.does_not_fit_motion(w, left.span);
         }
         if let Some(axis) = w.beside.machine.first() {
-            return self.unnamed_axis(*axis);
+            return self.channel.core.unnamed_axis(*axis);
         }
         if let Some(passes) = w.calls.passes {
-            return self.does_not_fit(passes.span);
+            return self.channel.core.does_not_fit(passes.span);
         }
-        self.left_out_under_modal_call(w)?;
+        self.channel.left_out_under_modal_call(w)?;
         self.late_functions(w)?;
-        if moved && !self.has_ended() {
+        if moved && !self.channel.core.has_ended() {
             self.call_modal()?;
         } else if triggers && !moved {
-            self.warn_of_trigger(block.span);
+            self.channel.core.warn_of_trigger(block.span);
         }
         Ok(())
     }
@@ -180,20 +182,20 @@ impl Channel<'_> {
             && !matches!(interpolation, GCode::G0 | GCode::G1)
         {
             self.st.pair.drop_first();
-            return self.refuse(angle.span, codes::S2070::ang_is_for_straight_lines());
+            return self.core.refuse(angle.span, codes::S2070::ang_is_for_straight_lines());
         }
         if !moves && matches!(interpolation, GCode::G33 | GCode::G331 | GCode::G332) {
             let lead = [Address::I, Address::J, Address::K].into_iter().find_map(|address| w.get(address));
             if let Some(lead) = lead {
-                return self.refuse(lead.span, codes::S2081::thread_block_moves_no_axis());
+                return self.core.refuse(lead.span, codes::S2081::thread_block_moves_no_axis());
             }
         }
         if !moves {
-            if self.has_corner_words(w) {
-                return self.no_corner(block.span);
+            if self.core.has_corner_words(w) {
+                return self.core.no_corner(block.span);
             }
             if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.beside.positioning.is_empty()) {
-                self.control_words_are_left_out(span);
+                self.core.control_words_are_left_out(span);
             }
             return Ok(false);
         }
@@ -203,7 +205,7 @@ impl Channel<'_> {
         if matches!(interpolation, GCode::G33 | GCode::G331 | GCode::G332)
             && let Some(polar) = w.get(Address::Ap).or(w.get(Address::Rp))
         {
-            return self.does_not_fit_motion(w, polar.span);
+            return self.core.does_not_fit_motion(w, polar.span);
         }
         if let Some((_, span)) = suppressed {
             return self.machine_move(w, interpolation, span).map(|()| true);
@@ -234,7 +236,7 @@ impl Channel<'_> {
                 self.tap_block(w, interpolation, block.span)?;
                 return Ok(true);
             }
-            _ => return self.check_interpolation(interpolation, block.span).and(Err(Reported)),
+            _ => return self.core.check_interpolation(interpolation, block.span).and(Err(Reported)),
         }
         // The first line of a pair sends its corner when its end is known.
         if !self.st.pair.is_open() {
@@ -253,7 +255,7 @@ impl Channel<'_> {
         let [_, _, third] = self.st.roles();
         let lengths = if self.st.machine.lathe { [Axis::X, Axis::Z] } else { [third, third] };
         match w.axes.iter().find(|axis| lengths.contains(axis)).and_then(|axis| w.axis(axis)) {
-            Some(given) => self.refuse(given.span, codes::S9016::under_d0_position_counts_without_length()),
+            Some(given) => self.core.refuse(given.span, codes::S9016::under_d0_position_counts_without_length()),
             None => Ok(()),
         }
     }

@@ -3,7 +3,7 @@
 //! The contour is run and checked, and the arguments are; then the cycle is refused by name, because its tracks are not
 //! published. Source: C 1.12, 5.2 to 5.6 and 7 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::geo::arc::Closing;
 use crate::geo::{Element, Plane};
 use crate::ir::captured::{Captured, CapturedKind};
@@ -50,23 +50,26 @@ impl Run<'_> {
                 let shown = format!("{first} to {last} of {name}");
                 self.contour_between(given, unit, &shown, (first, last), LAB1)?
             }
-            _ => return self.refuse(given.place_of(TYPE), codes::P2090::type_name().of(&given.called)),
+            _ => return self.channel.core.refuse(given.place_of(TYPE), codes::P2090::type_name().of(&given.called)),
         };
         if std::mem::take(&mut self.contours.taken) {
             self.contours.list.clear();
         }
         if self.contours.list.len() >= MOST_CONTOURS {
-            return self.refuse(given.place, codes::P2090::there_are_too_many_contours().of(&given.called));
+            return self
+                .channel
+                .core
+                .refuse(given.place, codes::P2090::there_are_too_many_contours().of(&given.called));
         }
         // What is wrong with it shows here, also where no cycle follows that is built.
         self.contours.list.push(call.clone());
         let made = self.capture(&call)?;
-        self.check_elements(&call, &made)
+        self.channel.core.check_elements(&call, &made)
     }
 
     fn contour_program(&mut self, given: &Given, key: Name, name: &str) -> Outcome<ContourCall> {
         let unit = self.find_program(name, given.place_of(key).span())?;
-        Ok(ContourCall { unit, part: None, name: name.to_owned(), loc: self.loc(given.place) })
+        Ok(ContourCall { unit, part: None, name: name.to_owned(), loc: self.channel.core.loc(given.place) })
     }
 
     /// The blocks from one label to another of a program. The block of the last label belongs to it.
@@ -80,7 +83,7 @@ impl Run<'_> {
     ) -> Outcome<ContourCall> {
         let skeleton = match self.skeleton_of(unit) {
             Ok(made) => made,
-            Err(error) => return self.refuse(given.place, codes::P0105::file_cannot_be_read(&error)),
+            Err(error) => return self.channel.core.refuse(given.place, codes::P0105::file_cannot_be_read(&error)),
         };
         let mut find = |label: &str, from: u32| {
             let name = self.channel.core.symbols.intern(label.as_bytes());
@@ -93,11 +96,11 @@ impl Run<'_> {
         let end = start.and_then(|start| find(labels.1, start.place.at));
         if let (Some(start), Some(end)) = (start, end) {
             let part = Some((start.place, end.after.at));
-            return Ok(ContourCall { unit, part, name: name.to_owned(), loc: self.loc(given.place) });
+            return Ok(ContourCall { unit, part, name: name.to_owned(), loc: self.channel.core.loc(given.place) });
         }
         let missing = if start.is_none() { labels.0 } else { labels.1 };
         let program = self.units.list[unit].name.clone();
-        let known: Vec<&str> = skeleton.labels().map(|label| self.symbols.name(label)).collect();
+        let known: Vec<&str> = skeleton.labels().map(|label| self.channel.core.symbols.name(label)).collect();
         let like = crate::machine::tree::did_you_mean(missing, known);
         let help = match like {
             Some(like) if like == missing => "it stands before the label of the start".to_owned(),
@@ -105,8 +108,9 @@ impl Run<'_> {
             None => format!("write `{missing}:` before the contour, or after it"),
         };
         let behind = if start.is_some() { " after the label of the start" } else { "" };
-        let found = codes::S2091::there_is_no_label(&missing, &behind, &program).at(self.loc(given.place_of(key)));
-        self.report(found.help(help));
+        let found =
+            codes::S2091::there_is_no_label(&missing, &behind, &program).at(self.channel.core.loc(given.place_of(key)));
+        self.channel.core.report(found.help(help));
         Err(Reported)
     }
 
@@ -120,7 +124,7 @@ impl Run<'_> {
         } else {
             codes::S9020::cycle_is_read_without_fault(&given.called, &what, &shown)
         };
-        self.report(fault.at(self.loc(given.place)).here(named(given)));
+        self.channel.core.report(fault.at(self.channel.core.loc(given.place)).here(named(given)));
         Err(Reported)
     }
 
@@ -136,7 +140,10 @@ impl Run<'_> {
         };
         let refused = match (source, calls.len()) {
             (Source::Single, 0) => {
-                return self.refuse(given.place_of(KNAME), codes::P2090::no_contour_is_named().of(&given.called));
+                return self
+                    .channel
+                    .core
+                    .refuse(given.place_of(KNAME), codes::P2090::no_contour_is_named().of(&given.called));
             }
             (Source::Single, 2..) => Some(codes::P2090::more_than_one_contour_is_called()),
             (Source::Turned, 0) => Some(codes::P2090::no_contour_is_called().alarm(61701)),
@@ -145,7 +152,7 @@ impl Run<'_> {
             _ => None,
         };
         if let Some(fault) = refused {
-            return self.refuse(given.place, fault.of(&given.called));
+            return self.channel.core.refuse(given.place, fault.of(&given.called));
         }
         let mut made = Vec::with_capacity(calls.len());
         let mut failed = false;
@@ -163,7 +170,7 @@ impl Run<'_> {
             match result {
                 Ok(contour) => made.push(CalledContour { call, made: contour }),
                 // The next one may show more.
-                Err(Reported) if !self.has_ended() => failed = true,
+                Err(Reported) if !self.channel.core.has_ended() => failed = true,
                 Err(reported) => return Err(reported),
             }
         }
@@ -174,7 +181,10 @@ impl Run<'_> {
     fn named_contour(&mut self, given: &Given) -> Outcome<ContourCall> {
         let key = if given.takes(NPP) { NPP } else { KNAME };
         let Some(name) = given.text(key) else {
-            return self.refuse(given.place_of(key), codes::P2090::no_contour_is_named().of(&given.called));
+            return self
+                .channel
+                .core
+                .refuse(given.place_of(key), codes::P2090::no_contour_is_named().of(&given.called));
         };
         match name.split_once(':') {
             None => self.contour_program(given, key, name),
@@ -195,19 +205,19 @@ impl Run<'_> {
     ) -> Outcome {
         let turned = matches!(source, Source::Argument | Source::Turned);
         if turned && contour.plane != Plane::Zx {
-            return self.contour_fault(call, place, None, "it does not lie in the plane of Z and X (G18)");
+            return self.channel.core.contour_fault(call, place, None, "it does not lie in the plane of Z and X (G18)");
         }
         if source == Source::Argument && contour.pieces.len() + 1 < LEAST_BLOCKS {
-            return self.contour_fault(call, place, 10933, "it has fewer than 3 blocks with moves");
+            return self.channel.core.contour_fault(call, place, 10933, "it has fewer than 3 blocks with moves");
         }
         if contour.pieces.is_empty() {
-            return self.contour_fault(call, place, 61930, "it has no element");
+            return self.channel.core.contour_fault(call, place, 61930, "it has no element");
         }
-        self.check_elements(call, contour)?;
+        self.channel.core.check_elements(call, contour)?;
         match closed {
             Some(alarm) if !contour.is_closed() => {
                 let what = if turned { "the contour of the blank is not closed" } else { "it is not closed" };
-                self.contour_fault(call, place, alarm, what)
+                self.channel.core.contour_fault(call, place, alarm, what)
             }
             _ => Ok(()),
         }
@@ -228,7 +238,7 @@ impl Core<'_> {
                 CapturedKind::Cut => continue,
             };
             let found = fault.at(piece.origin.loc).called(piece.origin.call);
-            self.report(found.also(call.loc, "the contour is called here"));
+            self.report(found.also(call.loc, Label::ContourCalled));
             return Err(Reported);
         }
         if let Some((first, second)) = contour.crossing()
@@ -236,7 +246,7 @@ impl Core<'_> {
         {
             let alarm = if turned { 10931 } else { 61932 };
             let found = codes::S2091::contour_crosses_itself().alarm(alarm).at(b.origin.loc);
-            let found = found.called(b.origin.call).also(a.origin.loc, "it crosses the element of this block");
+            let found = found.called(b.origin.call).also(a.origin.loc, Label::Crosses);
             self.report(found.help("check the end points of both"));
             return Err(Reported);
         }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.6 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Diagnostic, Help, Label, codes};
 use crate::sema::run::{Wanted, no_root, not_opened, open_program};
 use crate::text::{FileError, Loc, Request, Span, Within};
 
@@ -40,10 +40,10 @@ impl Run<'_> {
             return Ok(unit);
         }
         if self.missing.contains(&key) {
-            let again = codes::S2002::there_is_no_program(&name).at(self.loc(span));
-            if self.job.diags.knows(&again) {
-                self.report(again);
-                self.go_on_in_doubt();
+            let again = codes::S2002::there_is_no_program(&name).at(self.channel.core.loc(span));
+            if self.channel.core.job.diags.knows(&again) {
+                self.channel.core.report(again);
+                self.channel.core.go_on_in_doubt();
                 return Err(Missing::Reported);
             }
         }
@@ -62,17 +62,17 @@ impl Run<'_> {
 
     fn found(&mut self, name: &str, span: Span) -> Result<usize, Missing> {
         let found = self.search(|path| path.look(name));
-        let loc = self.loc(span);
+        let loc = self.channel.core.loc(span);
         let said = match found {
             Found::One(At::Unit(unit)) => return Ok(unit),
             Found::One(At::File(file)) => return self.open_file(&file.name, file.within, Some((name, &file)), span),
             Found::Unplaced(unit, folder) => {
                 let program = &self.units.list[unit].name;
-                self.report(codes::P0107::no_folder_is_known(&folder, &program).at(loc));
+                self.channel.core.report(codes::P0107::no_folder_is_known(&folder, &program).at(loc));
                 return Ok(unit);
             }
             Found::BesideByLine(file, folder) => {
-                self.report(codes::P0107::by_its_path_line_lies(&file.shown, &folder).at(loc));
+                self.channel.core.report(codes::P0107::by_its_path_line_lies(&file.shown, &folder).at(loc));
                 return self.open_file(&file.name, file.within, Some((name, &file)), span);
             }
             Found::Nowhere(nowhere) => return Err(Missing::Nowhere(nowhere)),
@@ -81,8 +81,8 @@ impl Run<'_> {
                 return Err(Missing::Nowhere(Nowhere { tried, like, elsewhere: Vec::new() }));
             }
             Found::Fails(error, asked) => {
-                self.report(not_opened(error, &asked, loc));
-                self.stop_run();
+                self.channel.core.report(not_opened(error, &asked, loc));
+                self.channel.core.stop_run();
                 return Err(Missing::Reported);
             }
             Found::TwoPlaces(places) => in_two_places(&places, loc),
@@ -93,14 +93,14 @@ impl Run<'_> {
                 found.here(format!("CALLPATH names the folder: it may have `{}`, too", called_name(name)))
             }
         };
-        self.report(said);
-        self.go_on_in_doubt();
+        self.channel.core.report(said);
+        self.channel.core.go_on_in_doubt();
         Err(Missing::Reported)
     }
 
     /// Asks the search path, as it is for the program that runs.
     pub(super) fn search<T>(&mut self, ask: impl FnOnce(&SearchPath<'_, '_>) -> T) -> T {
-        self.budget.search();
+        self.channel.core.budget.search();
         let file = self.units.list[self.unit()].file;
         let core = &self.channel.core;
         let of = |file: usize| (file, core.programs.get(file).map_or(core.job.main, |program| program.source.file));
@@ -111,9 +111,11 @@ impl Run<'_> {
     /// Opens the file that `[programs]` gives.
     fn open_stand_in(&mut self, file: &str, name: &str, span: Span) -> Result<usize, Missing> {
         let request = Request { from: "", name: file, extensions: &[], within: Within::Configured };
-        if let Err(FileError::NotFound { .. }) = self.job.files.open(&request) {
-            self.report(codes::S2002::there_is_no_program_and_no(&name, &file).at(self.loc(span)));
-            self.go_on_in_doubt();
+        if let Err(FileError::NotFound { .. }) = self.channel.core.job.files.open(&request) {
+            self.channel
+                .core
+                .report(codes::S2002::there_is_no_program_and_no(&name, &file).at(self.channel.core.loc(span)));
+            self.channel.core.go_on_in_doubt();
             return Err(Missing::Reported);
         }
         self.open_file(file, Within::Configured, None, span)
@@ -127,11 +129,11 @@ impl Run<'_> {
         found: Option<(&str, &FileAt)>,
         span: Span,
     ) -> Result<usize, Missing> {
-        let loc = self.loc(span);
+        let loc = self.channel.core.loc(span);
         let wanted = Wanted { name: asked, extensions: &[], within };
-        let opened = open_program(&self.job, &wanted, loc, self.here.origin.call);
-        let Some(file) = opened.and_then(|id| self.open(id, loc)) else {
-            self.stop_run();
+        let opened = open_program(&self.channel.core.job, &wanted, loc, self.channel.core.here.origin.call);
+        let Some(file) = opened.and_then(|id| self.channel.core.open(id, loc)) else {
+            self.channel.core.stop_run();
             return Err(Missing::Reported);
         };
         let first = self.units.first_of(&self.channel.core.job, &self.channel.core.programs, file);
@@ -151,8 +153,8 @@ impl Run<'_> {
             [one] => Ok(one),
             _ => {
                 let places: Vec<At> = named.into_iter().map(At::Unit).collect();
-                self.report(self.several(name, &places, loc));
-                self.go_on_in_doubt();
+                self.channel.core.report(self.several(name, &places, loc));
+                self.channel.core.go_on_in_doubt();
                 Err(Missing::Reported)
             }
         }
@@ -160,9 +162,9 @@ impl Run<'_> {
 
     /// Says once that a folder of this computer stands for one of the control because of its name.
     pub(super) fn note_copy(&mut self, folder: &str, loc: Loc) {
-        let Some((copy, control)) = self.job.files.copy_of(folder) else { return };
+        let Some((copy, control)) = self.channel.core.job.files.copy_of(folder) else { return };
         if self.warned.copies.insert(control) {
-            self.report(codes::S8039::stands_for_because_of_its_name(&copy, &control).at(loc));
+            self.channel.core.report(codes::S8039::stands_for_because_of_its_name(&copy, &control).at(loc));
         }
     }
 
@@ -193,7 +195,7 @@ impl Run<'_> {
             found = found.here(format!("as `{}`", files.join("` and `")));
         }
         for unit in places.iter().filter_map(|at| self.unit_at(at)) {
-            found = found.also(self.head_of(unit), "one of them");
+            found = found.also(self.head_of(unit), Label::OneOfThem);
         }
         let answer = Answer::key("control", "called_first").one_of(&["\"spf\"", "\"mpf\""]);
         found.help(answer.help(format!(
@@ -210,7 +212,8 @@ impl Run<'_> {
 
     /// The line that begins a program.
     fn head_of(&self, unit: &Unit) -> Loc {
-        let file = self.programs.get(unit.file).map_or(self.job.main, |program| program.source.file);
+        let file =
+            self.channel.core.programs.get(unit.file).map_or(self.channel.core.job.main, |program| program.source.file);
         Loc { file, line: unit.start.line, span: Span::at(unit.start.at, 1) }
     }
 
@@ -223,13 +226,13 @@ impl Run<'_> {
     ) -> Outcome<T> {
         let Nowhere { tried, like, elsewhere } = nowhere;
         let found = codes::S2002::there_is_no_program(&name)
-            .at(self.loc(span))
+            .at(self.channel.core.loc(span))
             .here(format!("looked for {}", tried.join(", ")));
         let known: Vec<&str> =
             self.units.list.iter().map(|unit| unit.name.as_str()).filter(|known| *known != name).collect();
         let like = like.or_else(|| crate::machine::tree::did_you_mean(name, known).map(str::to_owned));
         let unknown = self.call_path.as_deref().filter(|folder| !self.search_knows(folder));
-        self.report(match (like, elsewhere.first()) {
+        self.channel.core.report(match (like, elsewhere.first()) {
             (_, Some(place)) => found.help(Answer::folder_of(&tried).help(format!(
                 "there is one {place}, where the control does not look: it looks in the folder of the main program, \
                  SPF_DIR, CUS_DIR, CMA_DIR and CST_DIR; name that folder so under `[include] roots`, or write its path"
@@ -245,7 +248,7 @@ impl Run<'_> {
                 None => found.help(help.into().and(Answer::folder_of(&tried))),
             },
         });
-        self.go_on_in_doubt();
+        self.channel.core.go_on_in_doubt();
         Err(Reported)
     }
 
@@ -263,7 +266,7 @@ impl Run<'_> {
         self.units.asked.clear();
         let _ = self.list_programs(0);
         if let Some(folder) = self.call_path.clone().filter(|folder| !self.search_knows(folder)) {
-            self.say_once(span, codes::S8037::no_folder_of_this_computer_stands(&folder));
+            self.channel.core.say_once(span, codes::S8037::no_folder_of_this_computer_stands(&folder));
         }
     }
 }
@@ -275,8 +278,8 @@ fn file_name(at: &At) -> Option<&str> {
     }
 }
 
-fn folder_of(unit: &Unit) -> String {
-    unit.folder.as_ref().map_or_else(|| "no line names its folder".to_owned(), |folder| format!("in `{folder}`"))
+fn folder_of(unit: &Unit) -> Label {
+    unit.folder.as_ref().map_or(Label::WithoutFolder, |folder| Label::InFolder(folder.clone()))
 }
 
 /// The name of a program without folder, `_N_` and `_SPF`.

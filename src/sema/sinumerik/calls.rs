@@ -77,7 +77,7 @@ impl Frame {
 impl Run<'_> {
     /// A section or program ran up to its last block. False if nothing ended.
     pub(super) fn ends_here(&mut self, at: u32) -> bool {
-        let level = self.level();
+        let level = self.channel.core.level();
         let back = level.back;
         match &mut level.frame.kind {
             FrameKind::Section { from, stop, left } if at >= *stop || at < from.at => {
@@ -86,11 +86,11 @@ impl Run<'_> {
                 if again {
                     *left -= 1;
                 } else {
-                    self.levels.pop();
-                    self.level_ended();
+                    self.channel.core.levels.pop();
+                    self.channel.level_ended();
                 }
                 // A file that was read once can be read again.
-                let _ = self.resume(if again { from } else { back });
+                let _ = self.channel.core.resume(if again { from } else { back });
                 true
             }
             FrameKind::Program { stop: Some(stop), .. } if at >= *stop => {
@@ -115,7 +115,7 @@ impl Run<'_> {
         modal: bool,
         part: Option<(Place, u32)>,
     ) -> Outcome {
-        self.check_depth()?;
+        self.channel.core.check_depth()?;
         let file = self.units.list[unit].file;
         let start = part.map_or(self.units.list[unit].start, |(start, _)| start);
         let kind = FrameKind::Program {
@@ -132,13 +132,13 @@ impl Run<'_> {
         let frame =
             Frame { kind, unit, counting: None, arguments, given, executed, declares: executed, further_pass: false };
         self.vars.enter();
-        self.enter(file, start, frame)
+        self.channel.core.enter(file, start, frame)
     }
 
     /// Leaves the current program without its further passes. Returns where in the caller it was called.
     pub(super) fn leave_for_good(&mut self) -> u32 {
-        let called = self.call_site().span.start;
-        if let FrameKind::Program { passes, .. } = &mut self.program_level().kind {
+        let called = self.channel.core.call_site().span.start;
+        if let FrameKind::Program { passes, .. } = &mut self.channel.core.program_level().kind {
             *passes = 1;
         }
         self.leave_program();
@@ -147,14 +147,15 @@ impl Run<'_> {
 
     /// The current program is over: M17, RET, its end of file.
     pub(super) fn leave_program(&mut self) {
-        if self.ends_inside_contour() {
+        if self.channel.ends_inside_contour() {
             return;
         }
-        while matches!(self.level().frame.kind, FrameKind::Section { .. }) {
-            self.levels.pop();
+        while matches!(self.channel.core.level().frame.kind, FrameKind::Section { .. }) {
+            self.channel.core.levels.pop();
         }
-        let FrameKind::Program { passes, start, saved, references, .. } = &mut self.level().frame.kind else {
-            self.stop_run();
+        let FrameKind::Program { passes, start, saved, references, .. } = &mut self.channel.core.level().frame.kind
+        else {
+            self.channel.core.stop_run();
             return;
         };
         let (start, again) = (*start, *passes > 1);
@@ -164,21 +165,21 @@ impl Run<'_> {
         }
         self.give_back(&references);
         if let Some(saved) = saved {
-            self.restore(*saved);
+            self.channel.restore(*saved);
         }
         if again {
             // Arguments are handed over once: the parameters keep what the pass before left in them.
             self.vars.next_pass();
-            let level = &mut self.level().frame;
+            let level = &mut self.channel.core.level().frame;
             level.executed = false;
             level.declares = false;
             level.further_pass = true;
-            let _ = self.jump_to(start);
+            let _ = self.channel.core.jump_to(start);
             return;
         }
         self.vars.leave();
-        let _ = self.leave();
-        self.level_ended();
+        let _ = self.channel.core.leave();
+        self.channel.level_ended();
     }
 
     // Forms of calls.
@@ -195,7 +196,7 @@ impl Run<'_> {
                         let name = self.program_name(formula, block, text)?;
                         self.find_program(&name, formula.span)?
                     }
-                    None => self.level().frame.unit,
+                    None => self.channel.core.level().frame.unit,
                 };
                 self.call_section(unit, from, to, block.span)
             }
@@ -206,10 +207,10 @@ impl Run<'_> {
             }
             CallForm::Modal { name, args } => self.modal_call(name, args, block, text),
             CallForm::ModalOff => {
-                self.st.modal_call = ModalCall::default();
+                self.channel.st.modal_call = ModalCall::default();
                 Ok(())
             }
-            CallForm::Iso => self.refuse(block.span, codes::P9012::isocall_calls_program_in_iso_dialect()),
+            CallForm::Iso => self.channel.core.refuse(block.span, codes::P9012::isocall_calls_program_in_iso_dialect()),
         }
     }
 
@@ -218,43 +219,49 @@ impl Run<'_> {
         if let [Op::Name(name, _)] = block.formula(formula)
             && self.vars.find(*name).is_none()
         {
-            return Ok(self.symbols.name(*name).to_owned());
+            return Ok(self.channel.core.symbols.name(*name).to_owned());
         }
         match self.eval(formula, block, text)? {
             Val::Text(text) if !text.is_empty() => Ok(String::from_utf8_lossy(&text).into_owned()),
-            other => self.refuse(formula.span, codes::P2024::name_of_program_is_text(&other.what())),
+            other => self.channel.core.refuse(formula.span, codes::P2024::name_of_program_is_text(&other.what())),
         }
     }
 
     fn call_section(&mut self, unit: usize, from: Symbol, to: Symbol, span: Span) -> Outcome {
         let skeleton = match self.skeleton_of(unit) {
             Ok(made) => made,
-            Err(error) => return self.refuse(span, codes::P0105::file_cannot_be_read(&error)),
+            Err(error) => return self.channel.core.refuse(span, codes::P0105::file_cannot_be_read(&error)),
         };
         let forward = crate::parser::sinumerik::ast::Search::Forward;
         let any = crate::parser::sinumerik::ast::Search::Both;
         let Some(start) = skeleton.label(from, 0, any) else {
-            self.stop_run();
-            return self.refuse(span, codes::P2011::there_is_no_label_in_program(&self.symbols.name(from)));
+            self.channel.core.stop_run();
+            return self
+                .channel
+                .core
+                .refuse(span, codes::P2011::there_is_no_label_in_program(&self.channel.core.symbols.name(from)));
         };
         let end = if from == to { Some(start) } else { skeleton.label(to, start.place.at, forward) };
         let Some(end) = end else {
-            self.stop_run();
-            return self.refuse(span, codes::P2011::there_is_no_label_behind_first(&self.symbols.name(to)));
+            self.channel.core.stop_run();
+            return self
+                .channel
+                .core
+                .refuse(span, codes::P2011::there_is_no_label_behind_first(&self.channel.core.symbols.name(to)));
         };
         self.call_part(unit, Vec::new(), 1, false, Some((start.place, end.after.at)))
     }
 
     fn modal_call(&mut self, name: Symbol, args: Args, block: &Block, text: &[u8]) -> Outcome {
-        let site = self.loc(block.span);
-        self.st.modal_call.begin(site);
+        let site = self.channel.core.loc(block.span);
+        self.channel.st.modal_call.begin(site);
         self.start_modal_call(name, args, block, text)?;
-        self.st.modal_call.stands();
+        self.channel.st.modal_call.stands();
         Ok(())
     }
 
     fn start_modal_call(&mut self, name: Symbol, args: Args, block: &Block, text: &[u8]) -> Outcome {
-        let word = self.symbols.name(name).to_owned();
+        let word = self.channel.core.symbols.name(name).to_owned();
         if let Some(result) = self.modal_machining_cycle(&word, args, block, text) {
             return result;
         }
@@ -268,30 +275,38 @@ impl Run<'_> {
             } else {
                 "replace it by plain moves, or compile the program without it"
             };
-            return self.refuse(block.span, codes::P9010::is_not_supported_as_modal_call(&word, &what).help(help));
+            return self
+                .channel
+                .core
+                .refuse(block.span, codes::P9010::is_not_supported_as_modal_call(&word, &what).help(help));
         }
         let arguments = self.arguments(args, block, text)?;
         if let Some(done) = self.modal_stand_in(&word, block.span, &arguments) {
             return done;
         }
         let unit = self.find_called(&word, block.span, &arguments)?;
-        self.st.modal_call.set_program(unit, arguments);
+        self.channel.st.modal_call.set_program(unit, arguments);
         Ok(())
     }
 
     /// Behind a block that moved: the modal program, unless it is the one that moved.
     pub(super) fn call_modal(&mut self) -> Outcome {
-        let inside = self.levels.iter().any(|level| matches!(level.frame.kind, FrameKind::Program { modal: true, .. }));
-        if !inside && self.st.modal_call.is_on() {
-            self.no_pair_under_a_modal_call()?;
+        let inside = self
+            .channel
+            .core
+            .levels
+            .iter()
+            .any(|level| matches!(level.frame.kind, FrameKind::Program { modal: true, .. }));
+        if !inside && self.channel.st.modal_call.is_on() {
+            self.channel.no_pair_under_a_modal_call()?;
         }
-        if self.st.modal_call.cycle().is_some() {
-            self.tapping_ends();
+        if self.channel.st.modal_call.cycle().is_some() {
+            self.channel.tapping_ends();
         }
-        if self.st.modal_call.cycle().is_some() && !inside {
-            return self.drill_modal();
+        if self.channel.st.modal_call.cycle().is_some() && !inside {
+            return self.channel.drill_modal();
         }
-        match self.st.modal_call.program() {
+        match self.channel.st.modal_call.program() {
             Some((unit, arguments)) if !inside => {
                 let arguments = arguments.to_vec();
                 self.call_unit(unit, arguments, 1, true)
@@ -302,26 +317,26 @@ impl Run<'_> {
 
     /// Kinds of programs that end without M17 or M30 are worth a word.
     pub(super) fn end_of_program_text(&mut self) {
-        self.tapping_ends();
-        self.refuse_arguments();
-        if self.in_main() {
+        self.channel.tapping_ends();
+        self.channel.core.refuse_arguments();
+        if self.channel.core.in_main() {
             let unit = &self.units.list[self.unit()];
-            let is_main = unit.kind == UnitKind::Main && !self.iso;
-            if is_main && self.may_end_open("M30, M2 or M17", "M30", Some(14000)) {
-                let loc = self.end_of_text();
+            let is_main = unit.kind == UnitKind::Main && !self.channel.iso;
+            if is_main && self.channel.core.may_end_open("M30, M2 or M17", "M30", Some(14000)) {
+                let loc = self.channel.core.end_of_text();
                 let found = codes::P1007::program_ends_without_m30().at(loc);
-                self.report(found.help("write M30 as its last block"));
-            } else if !is_main && !self.iso {
-                self.is_cut_off("M17 or RET", "M17");
+                self.channel.core.report(found.help("write M30 as its last block"));
+            } else if !is_main && !self.channel.iso {
+                self.channel.core.is_cut_off("M17 or RET", "M17");
             }
-            let behind = self.end_of_text();
-            let last = std::mem::replace(&mut self.here.origin.loc, behind);
-            self.function(crate::ir::Function::End { rewind: false });
-            self.here.origin.loc = last;
-            self.stop_run();
+            let behind = self.channel.core.end_of_text();
+            let last = std::mem::replace(&mut self.channel.core.here.origin.loc, behind);
+            self.channel.function(crate::ir::Function::End { rewind: false });
+            self.channel.core.here.origin.loc = last;
+            self.channel.core.stop_run();
             return;
         }
-        self.is_cut_off("M17 or RET", "M17");
+        self.channel.core.is_cut_off("M17 or RET", "M17");
         self.leave_program();
     }
 }

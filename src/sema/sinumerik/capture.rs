@@ -3,7 +3,7 @@
 //! The executor runs them as any other blocks – variables, loops, calls, stored contours, angles and corners included –
 //! and afterwards everything is what it was, variables too: when the control runs them, and how often, depends on the cycle.
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::ir::Function;
 use crate::ir::captured::{Captured, Unfit};
 use crate::sema::run::{Counted, Where, step};
@@ -33,37 +33,38 @@ pub(super) struct Capture {
 impl Run<'_> {
     /// Runs the blocks of a contour.
     pub(super) fn capture(&mut self, call: &ContourCall) -> Outcome<Captured> {
-        let here = self.here;
-        let back = self.place();
+        let here = self.channel.core.here;
+        let back = self.channel.core.place();
         let (before, counted) = self.enter_capture(call);
         let entered = self.enter_contour(call);
-        while entered.is_ok() && self.in_contour() && !self.has_ended() {
+        while entered.is_ok() && self.channel.in_contour() && !self.channel.core.has_ended() {
             step(self);
         }
-        let pending = self.pending_must_be_done(Where::Block);
-        let capture = self.capture.take();
+        let pending = self.channel.pending_must_be_done(Where::Block);
+        let capture = self.channel.capture.take();
         let made = self.channel.core.contour_ends(counted, &here.origin);
-        self.here = here;
-        (self.st, self.vars) = before;
+        self.channel.core.here = here;
+        (self.channel.st, self.vars) = before;
         entered?;
         pending?;
         let Some(capture) = capture else { return Err(Reported) };
-        if capture.failed || self.has_ended() {
+        if capture.failed || self.channel.core.has_ended() {
             return Err(Reported);
         }
-        if !capture.complete || self.place() != back {
-            self.stop_run();
-            return self.contour_fault(call, Where::Block, None, "the program jumps out of the contour");
+        if !capture.complete || self.channel.core.place() != back {
+            self.channel.core.stop_run();
+            return self.channel.core.contour_fault(call, Where::Block, None, "the program jumps out of the contour");
         }
-        made.or_else(|unfit| self.unfit(call, unfit))
+        made.or_else(|unfit| self.channel.core.unfit(call, unfit))
     }
 
     /// Everything as it is, and a fresh position: a contour does not depend on where the tool stands.
     fn enter_capture(&mut self, call: &ContourCall) -> ((State, Vars), Counted) {
-        let before = (self.st.clone(), self.vars.clone());
-        self.st.begin_contour();
-        let below = self.levels.len();
-        self.capture = Some(Box::new(Capture { below, complete: false, failed: false, name: call.name.clone() }));
+        let before = (self.channel.st.clone(), self.vars.clone());
+        self.channel.st.begin_contour();
+        let below = self.channel.core.levels.len();
+        self.channel.capture =
+            Some(Box::new(Capture { below, complete: false, failed: false, name: call.name.clone() }));
         let counted = self.channel.core.contour_begins(MOST_ELEMENTS, &self.channel.st.ctx);
         (before, counted)
     }
@@ -71,7 +72,7 @@ impl Run<'_> {
     fn enter_contour(&mut self, call: &ContourCall) -> Outcome {
         match call.part {
             // Blocks of the program that calls see its variables.
-            Some((from, stop)) if call.unit == self.unit() => self.enter_section(from, stop, 1),
+            Some((from, stop)) if call.unit == self.unit() => self.channel.core.enter_section(from, stop, 1),
             part => self.call_part(call.unit, Vec::new(), 1, false, part),
         }
     }
@@ -79,7 +80,7 @@ impl Run<'_> {
 
 impl Channel<'_> {
     fn in_contour(&self) -> bool {
-        self.capture.as_ref().is_some_and(|capture| self.levels.len() > capture.below)
+        self.capture.as_ref().is_some_and(|capture| self.core.levels.len() > capture.below)
     }
 
     pub(super) fn is_capturing(&self) -> bool {
@@ -88,7 +89,7 @@ impl Channel<'_> {
 
     /// A level ended by itself: perhaps it was the contour.
     pub(super) fn level_ended(&mut self) {
-        let levels = self.levels.len();
+        let levels = self.core.levels.len();
         if let Some(capture) = self.capture.as_mut().filter(|capture| levels <= capture.below) {
             capture.complete = true;
         }
@@ -97,12 +98,13 @@ impl Channel<'_> {
     /// May the program that runs end here? Not if only a part of it describes the contour.
     pub(super) fn ends_inside_contour(&mut self) -> bool {
         let Some(below) = self.capture.as_ref().map(|capture| capture.below) else { return false };
-        let own = self.levels.iter().skip(below).any(|level| matches!(level.frame.kind, FrameKind::Program { .. }));
+        let own =
+            self.core.levels.iter().skip(below).any(|level| matches!(level.frame.kind, FrameKind::Program { .. }));
         if own {
             return false;
         }
-        self.stop_run();
-        let _: Outcome = self.refuse(Where::Block, codes::S2091::program_ends_inside_contour());
+        self.core.stop_run();
+        let _: Outcome = self.core.refuse(Where::Block, codes::S2091::program_ends_inside_contour());
         true
     }
 
@@ -117,7 +119,7 @@ impl Channel<'_> {
         }
         capture.failed = true;
         let name = capture.name.clone();
-        let _: Outcome = self.refuse(Where::Block, codes::S2091::contour_holds_function_of_machine(&name));
+        let _: Outcome = self.core.refuse(Where::Block, codes::S2091::contour_holds_function_of_machine(&name));
         true
     }
 
@@ -126,7 +128,7 @@ impl Channel<'_> {
         let Some(capture) = self.capture.as_mut() else { return Ok(()) };
         capture.failed = true;
         let name = capture.name.clone();
-        self.refuse(span, codes::S2091::positioning_axis_moves_in_contour(&name))
+        self.core.refuse(span, codes::S2091::positioning_axis_moves_in_contour(&name))
     }
 
     /// Words that shape no contour: the cycle has its own compensation and feeds.
@@ -140,15 +142,15 @@ impl Channel<'_> {
             if let Some(capture) = &mut self.capture {
                 capture.failed = true;
             }
-            return self.refuse(span, codes::S2091::stands_in_contour_which_is_shape(&word, &name));
+            return self.core.refuse(span, codes::S2091::stands_in_contour_which_is_shape(&word, &name));
         }
         let feeds = [Address::F, Address::Frc, Address::Frcm];
         if let Some((word, given)) =
             feeds.iter().zip(["F", "FRC", "FRCM"]).find_map(|(address, word)| Some((word, w.get(*address)?)))
-            && self.job.diags.first_time(codes::P8103, (word, &name))
+            && self.core.job.diags.first_time(codes::P8103, (word, &name))
         {
-            let found = codes::P8103::in_contour_does_not_count(&word, &name).at(self.loc(given.span));
-            self.report(
+            let found = codes::P8103::in_contour_does_not_count(&word, &name).at(self.core.loc(given.span));
+            self.core.report(
                 found.help(
                     "give the feed to the cycle; whether a control finishes at F of the contour is not known here",
                 ),
@@ -162,7 +164,7 @@ impl Channel<'_> {
         let Some(capture) = self.capture.as_mut() else { return Ok(()) };
         capture.failed = true;
         let contour = capture.name.clone();
-        self.refuse(span, codes::S2091::stands_in_contour(&name, &contour))
+        self.core.refuse(span, codes::S2091::stands_in_contour(&name, &contour))
     }
 }
 
@@ -173,7 +175,7 @@ impl Core<'_> {
             Unfit::TooMany(origin) => {
                 let found =
                     codes::S4001::contour_has_more_than_elements(&MOST_ELEMENTS).at(origin.loc).called(origin.call);
-                self.report(found.also(call.loc, "called here").help("split it, or take splines of lines apart"));
+                self.report(found.also(call.loc, Label::CalledHere).help("split it, or take splines of lines apart"));
                 return Err(Reported);
             }
             Unfit::NoStart(origin) => (origin, codes::S2091::contour_has_no_start_point()),
@@ -182,7 +184,7 @@ impl Core<'_> {
             Unfit::Leaves(origin) => (origin, codes::S2091::block_of_contour_leaves_its_plane()),
         };
         let found = fault.at(origin.loc).called(origin.call);
-        self.report(found.also(call.loc, "called here"));
+        self.report(found.also(call.loc, Label::CalledHere));
         Err(Reported)
     }
 

@@ -7,7 +7,6 @@ use crate::ir::Function;
 use crate::ir::contour::Sink;
 use crate::machine::Proposed;
 use crate::sema::Job;
-use crate::sema::run::runs_on;
 use crate::text::Loc;
 
 use super::Core;
@@ -73,8 +72,6 @@ impl<'a> Channel<'a> {
         }
     }
 }
-
-runs_on!(Channel.core: Core);
 
 impl Channel<'_> {
     pub(super) fn comment(&mut self, text: &[u8]) {

@@ -62,26 +62,26 @@ impl Channel<'_> {
         }
         let plane = self.circle_plane(w, &self.parameters(CENTER));
         let feed = self.cutting_feed(w)?;
-        let turns = self.turns(w)?;
+        let turns = self.core.turns(w)?;
         let mut end = self.targets(w)?;
         self.order_of_axes_fits(w, plane, &end)?;
         let start = self.start_in(plane, w)?;
-        let named = self.plane_axes_named(w, plane);
-        let to = self.end_in(&end, plane, start);
-        let span = self.arc_span(w);
+        let named = self.core.plane_axes_named(w, plane);
+        let to = self.core.end_in(&end, plane, start);
+        let span = self.core.arc_span(w);
         let center = self.center(w, plane, start)?;
         let shape = match (w.take(Address::Cr), w.take(Address::Ar), center) {
             (Some(cr), None, None) => {
                 if !named {
-                    return self.refuse(cr.span, codes::P3002::arc_by_cr_needs_end_point());
+                    return self.core.refuse(cr.span, codes::P3002::arc_by_cr_needs_end_point());
                 }
                 let radius = cr.value * self.st.length_unit();
                 let chord = crate::geo::distance(start, to);
                 if chord <= SAME {
-                    return self.refuse(cr.span, codes::P3002::arc_by_cr_ends_where_it_starts());
+                    return self.core.refuse(cr.span, codes::P3002::arc_by_cr_ends_where_it_starts());
                 }
-                if radius == 0.0 || chord > 2.0 * radius.abs() + self.circle_tolerance(radius) {
-                    return self.refuse(
+                if radius == 0.0 || chord > 2.0 * radius.abs() + self.core.circle_tolerance(radius) {
+                    return self.core.refuse(
                         cr.span,
                         codes::S3001::points_are_mm_apart(
                             &chord,
@@ -91,20 +91,20 @@ impl Channel<'_> {
                         ),
                     );
                 }
-                ArcShape::Radius { radius, ccw, tol: self.circle_tolerance(radius) }
+                ArcShape::Radius { radius, ccw, tol: self.core.circle_tolerance(radius) }
             }
             (None, Some(ar), center) => {
-                let sweep = self.opening(ar, ccw)?;
+                let sweep = self.core.opening(ar, ccw)?;
                 match center {
                     Some(_) if named => {
-                        return self.refuse(ar.span, codes::S3002::ar_stands_beside_both_centre());
+                        return self.core.refuse(ar.span, codes::S3002::ar_stands_beside_both_centre());
                     }
                     Some(center) => {
                         end.set_in_plane(plane, rotated(start, center, sweep));
                         ArcShape::Sweep { center, sweep }
                     }
                     None if named => ArcShape::Opening { sweep },
-                    None => return self.refuse(ar.span, codes::P3002::ar_needs_end_point_or_centre()),
+                    None => return self.core.refuse(ar.span, codes::P3002::ar_needs_end_point_or_centre()),
                 }
             }
             (None, None, Some(center)) => {
@@ -112,15 +112,15 @@ impl Channel<'_> {
                 if let Some(stored) = &mut self.st.stored {
                     stored.note_centre(center);
                 }
-                let center = self.checked_center(start, to, center, ccw, span)?;
+                let center = self.core.checked_center(start, to, center, ccw, span)?;
                 let radius = crate::geo::distance(start, center);
-                ArcShape::Center { center, ccw, tol: self.circle_tolerance(radius) }
+                ArcShape::Center { center, ccw, tol: self.core.circle_tolerance(radius) }
             }
             (None, None, None) => {
-                return self.refuse(span, codes::P3002::arc_has_neither_centre_nor_so_give_i());
+                return self.core.refuse(span, codes::P3002::arc_has_neither_centre_nor_so_give_i());
             }
             _ => {
-                return self.refuse(span, codes::S3002::centre_cr());
+                return self.core.refuse(span, codes::S3002::centre_cr());
             }
         };
         if !matches!(shape, ArcShape::Sweep { .. }) {
@@ -175,7 +175,7 @@ impl Channel<'_> {
                 i if i == first => &mut point.x,
                 i if i == second => &mut point.y,
                 _ => {
-                    return self.refuse(given.span, codes::P1003::this_word_counts_along(&axis.letter()));
+                    return self.core.refuse(given.span, codes::P1003::this_word_counts_along(&axis.letter()));
                 }
             };
             w.take(*address);
@@ -185,7 +185,7 @@ impl Channel<'_> {
                 Mode::Ac => true,
                 Mode::Ic => false,
                 _ => {
-                    return self.refuse(given.span, codes::P1003::only_ac_ic());
+                    return self.core.refuse(given.span, codes::P1003::only_ac_ic());
                 }
             };
             if absolute {
@@ -204,18 +204,18 @@ impl Channel<'_> {
     fn polar_circle(&mut self, w: &mut Words, ccw: bool) -> Outcome {
         for address in [Address::I, Address::J, Address::K, Address::Cr, Address::Ar] {
             if let Some(given) = w.get(address) {
-                return self.refuse(given.span, codes::S3002::polar_arc_has_pole_as_its_centre());
+                return self.core.refuse(given.span, codes::S3002::polar_arc_has_pole_as_its_centre());
             }
         }
         let plane = self.st.plane();
         let feed = self.cutting_feed(w)?;
-        let turns = self.turns(w)?;
+        let turns = self.core.turns(w)?;
         self.start_in(plane, w)?;
         let span = w.get(Address::Ap).or(w.get(Address::Rp)).map(|given| given.span).unwrap_or_default();
         let end = self.polar_end(w)?;
         let center = self.st.polar.pole();
         let radius = self.st.polar.radius().unwrap_or(0.0);
-        let shape = ArcShape::Center { center, ccw, tol: self.circle_tolerance(radius) };
+        let shape = ArcShape::Center { center, ccw, tol: self.core.circle_tolerance(radius) };
         self.send_arc(&end, Arc { plane, shape, turns }, feed, span)
     }
 
@@ -256,13 +256,13 @@ impl Channel<'_> {
         if self.st.diameter_mode() == Diameter::Off {
             return;
         }
-        let across = self.parameters(VIA).into_iter().find(|(_, axis)| self.is_diameter_axis(*axis));
+        let across = self.parameters(VIA).into_iter().find(|(_, axis)| self.core.is_diameter_axis(*axis));
         let given = across.and_then(|(address, _)| w.get(address));
         if let Some(given) = given.filter(|given| !matches!(given.mode, Mode::Dac | Mode::Dic | Mode::Rac | Mode::Ric))
-            && self.job.diags.first_time(codes::S8048, ())
+            && self.core.job.diags.first_time(codes::S8048, ())
         {
-            let found = codes::S8048::intermediate_point_of_cip_is_read().at(self.loc(given.span));
-            self.report(found.help("program DIAMOF for the circle if a radius is meant"));
+            let found = codes::S8048::intermediate_point_of_cip_is_read().at(self.core.loc(given.span));
+            self.core.report(found.help("program DIAMOF for the circle if a radius is meant"));
         }
     }
 
@@ -270,7 +270,7 @@ impl Channel<'_> {
     pub(super) fn via_block(&mut self, w: &mut Words) -> Outcome {
         let plane = self.via_plane(w)?;
         let feed = self.cutting_feed(w)?;
-        let turns = self.turns(w)?;
+        let turns = self.core.turns(w)?;
         let start = self.start_in(plane, w)?;
         let span = VIA.into_iter().filter_map(|a| w.get(a)).map(|g| g.span).reduce(Span::to).unwrap_or_default();
         let (_, _, third) = plane.axes();
@@ -288,15 +288,15 @@ impl Channel<'_> {
                 None => None,
             };
             if !level(self.st.position.get(*axis)) || !level(end) {
-                return self.refuse(given.span, codes::S9013::circle_stands_obliquely_in_space());
+                return self.core.refuse(given.span, codes::S9013::circle_stands_obliquely_in_space());
             }
             w.take(*address);
         }
         self.says_via_in_diameters(w);
         let mut end = self.targets(w)?;
-        let to = self.end_in(&end, plane, start);
+        let to = self.core.end_in(&end, plane, start);
         let Some(point) = self.point_of(w, &self.parameters(VIA), plane, start, true)? else {
-            return self.refuse(
+            return self.core.refuse(
                 w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|g| g.span).unwrap_or_default(),
                 codes::S3006::cip_needs_intermediate_point(),
             );
@@ -309,7 +309,7 @@ impl Channel<'_> {
                 self.send(&end, Path::Line(feed));
                 return Ok(());
             }
-            return self.refuse(span, codes::S3006::start_intermediate_point());
+            return self.core.refuse(span, codes::S3006::start_intermediate_point());
         }
         self.send_arc(&end, Arc { plane, shape: ArcShape::Via { point }, turns }, feed, span)
     }

@@ -76,12 +76,12 @@ impl Channel<'_> {
         }
         if let Some(disc) = w.take(Address::Disc) {
             if !(0.0..=100.0).contains(&disc.value) {
-                return self.refuse(disc.span, codes::P1003::disc_lies_outside_0_to_100(&disc.value));
+                return self.core.refuse(disc.span, codes::P1003::disc_lies_outside_0_to_100(&disc.value));
             }
-            if self.resolves() {
+            if self.core.resolves() {
                 self.st.path.overshoot = disc.value;
             } else {
-                self.says_shape(disc.span, "DISC=");
+                self.core.says_shape(disc.span, "DISC=");
             }
         }
         Ok(())
@@ -89,18 +89,18 @@ impl Channel<'_> {
 
     fn normal_offset(&mut self, offn: Given) -> Outcome {
         let value = offn.value * self.st.length_unit();
-        if !self.resolves() {
+        if !self.core.resolves() {
             if value == 0.0 {
                 return Ok(());
             }
-            return self.refuse(
+            return self.core.refuse(
                 offn.span,
                 codes::P9013::offset_of_tool_that_program_adds_cannot()
                     .answer(Answer::key("output", "compensation").one_of(&["\"resolve\""])),
             );
         }
         if value != self.st.path.normal && self.st.side() != Side::None && !self.st.compensation.waits() {
-            return self.refuse(offn.span, codes::P9013::offn_changes_while_radius_compensation());
+            return self.core.refuse(offn.span, codes::P9013::offn_changes_while_radius_compensation());
         }
         self.st.path.normal = value;
         Ok(())
@@ -109,11 +109,11 @@ impl Channel<'_> {
     /// G41 or G42, once the edge is known: the radius, and where the centre lies.
     pub(super) fn compute_compensation(&mut self, number: u32, edge: u32, radius: Option<f64>, span: Span) -> Outcome {
         let listed = || {
-            let tool = self.job.settings.tools.called(number).filter(|_| edge == 1)?;
+            let tool = self.core.job.settings.tools.called(number).filter(|_| edge == 1)?;
             Some(tool.radius? + tool.deltas[1])
         };
         let Some(radius) = radius.or_else(listed) else {
-            return self.refuse(
+            return self.core.refuse(
                 span,
                 codes::P9013::radius_of_t_d_is_not_known(&number, &edge).answer(Answer::tool(number, "radius")),
             );
@@ -121,7 +121,7 @@ impl Channel<'_> {
         let nose = self.nose(number, edge, radius, span)?;
         let normal = self.st.path.normal;
         if normal != 0.0 && (radius + normal) * radius < 0.0 {
-            return self.refuse(span, codes::P9013::offn_is_larger_than_radius_of_tool(&normal, &radius));
+            return self.core.refuse(span, codes::P9013::offn_is_larger_than_radius_of_tool(&normal, &radius));
         }
         self.st.path.cutter = Some(Cutter { radius, nose });
         self.st.path.swaps = radius + normal < 0.0;
@@ -134,7 +134,7 @@ impl Channel<'_> {
         if old == GCode::G40 {
             // G40 has had no move at all: the contour goes on.
             let open = self.st.compensation.waits() && self.st.path.is_computed();
-            return if open { self.refuse(span, codes::S2080::g40_in_front_has_had_no_move()) } else { Ok(()) };
+            return if open { self.core.refuse(span, codes::S2080::g40_in_front_has_had_no_move()) } else { Ok(()) };
         }
         if self.st.compensation.waits() {
             return Ok(());
@@ -144,18 +144,18 @@ impl Channel<'_> {
         } else {
             codes::P9013::follows_without_g40(&code.word(), &old.word())
         };
-        self.refuse(span, fault)
+        self.core.refuse(span, fault)
     }
 
     /// The program gives the compensation other rules, if it is computed.
     pub(super) fn rules_change(&mut self, w: &Words) -> Outcome {
-        let (Some(cutter), true) = (self.st.path.cutter, self.resolves()) else { return Ok(()) };
+        let (Some(cutter), true) = (self.st.path.cutter, self.core.resolves()) else { return Ok(()) };
         // The block of G40 is the last one that asks for them.
         if self.st.side() == Side::None && w.code_of(Group::Compensation).is_none() {
             return Ok(());
         }
         if let Some((code, span)) = w.code_of(Group::CompensationType).filter(|(code, _)| code.index > 2) {
-            return self.refuse(span, codes::P9013::under_radius_is_compensated_in_space(&code.word()));
+            return self.core.refuse(span, codes::P9013::under_radius_is_compensated_in_space(&code.word()));
         }
         let place = w.codes.first().map_or(Where::Block, |(_, span)| (*span).into());
         self.check_corner_change(w);
@@ -174,9 +174,10 @@ impl Channel<'_> {
     }
 
     fn rules(&self, cutter: Cutter, place: Where) -> Outcome<ir::Compensation> {
-        let (rules, disc) = self.st.rules(cutter, self.job.settings).or_else(|fault| self.refuse(place, *fault))?;
+        let (rules, disc) =
+            self.st.rules(cutter, self.core.job.settings).or_else(|fault| self.core.refuse(place, *fault))?;
         if let Some(fault) = disc {
-            self.say_once(place, fault);
+            self.core.say_once(place, fault);
         }
         Ok(rules)
     }
@@ -185,11 +186,11 @@ impl Channel<'_> {
     fn check_corner_change(&self, w: &Words) {
         let Some((code, span)) = w.code_of(Group::Corner) else { return };
         let on = self.st.side() != Side::None && !self.st.compensation.waits();
-        if !on || w.axes.is_empty() || !self.job.diags.first_time(codes::S8195, code.word()) {
+        if !on || w.axes.is_empty() || !self.core.job.diags.first_time(codes::S8195, code.word()) {
             return;
         }
-        let found = codes::S8195::stands_in_block_of_contour(&code.word()).at(self.loc(span));
-        self.report(found.help("write it into a block without a move, before the element whose end it means"));
+        let found = codes::S8195::stands_in_block_of_contour(&code.word()).at(self.core.loc(span));
+        self.core.report(found.help("write it into a block without a move, before the element whose end it means"));
     }
 
     /// Where the edge points to from the centre of its nose, along Z and X: what a target is told with the radius.
@@ -206,7 +207,7 @@ impl Channel<'_> {
             let key = format!("$TC_DP{parameter}[{number},{edge}]");
             self.st.system.get(&key).and_then(Val::number)
         };
-        let tool = self.job.settings.tools.called(number).filter(|_| edge == 1);
+        let tool = self.core.job.settings.tools.called(number).filter(|_| edge == 1);
         let turns = match (written(1), tool.and_then(|tool| tool.kind.as_deref())) {
             (Some(kind), _) => kind >= TURNING_TOOLS,
             (None, Some(kind)) => !matches!(kind, "mill" | "drill" | "tap"),
@@ -216,7 +217,7 @@ impl Channel<'_> {
             return Ok(Vec2::zeros());
         }
         if self.st.plane() != Plane::Zx {
-            return self.refuse(span, codes::P9013::t_is_turning_tool(&number));
+            return self.core.refuse(span, codes::P9013::t_is_turning_tool(&number));
         }
         let position = self.edge_position(number, edge);
         let Some(way) = position.and_then(nose_of) else {
@@ -225,13 +226,13 @@ impl Channel<'_> {
                 None => codes::P9013::position_of_edge_is_not_known(&number, &edge)
                     .answer(Answer::tool(number, "orientation")),
             };
-            return self.refuse(span, fault);
+            return self.core.refuse(span, fault);
         };
         if way != Vec2::zeros() {
             let found =
                 codes::S8194::cutting_edge_position(&position.unwrap_or(0.0), &(way.x * radius), &(way.y * radius))
-                    .at(self.loc(span));
-            self.report_once(found.help("compare it with the position in the tool data of the control"));
+                    .at(self.core.loc(span));
+            self.core.report_once(found.help("compare it with the position in the tool data of the control"));
         }
         Ok(way * radius)
     }

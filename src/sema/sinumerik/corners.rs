@@ -52,13 +52,13 @@ impl Channel<'_> {
     pub(super) fn modal_contour_words(&mut self, w: &mut Words) -> Outcome {
         if let Some(rndm) = w.take(Address::Rndm) {
             if rndm.value < 0.0 {
-                return self.negative(rndm.span);
+                return self.core.negative(rndm.span);
             }
             self.st.corners.rounding = rndm.value * self.st.length_unit();
         }
         if let Some(frcm) = w.take(Address::Frcm) {
             if frcm.value < 0.0 {
-                return self.refuse(frcm.span, codes::P2003::feed_frcm_is_negative());
+                return self.core.refuse(frcm.span, codes::P2003::feed_frcm_is_negative());
             }
             self.st.corners.feed = (frcm.value > 0.0).then(|| self.st.feed_of(frcm.value));
         }
@@ -67,29 +67,29 @@ impl Channel<'_> {
 
     /// The corner that the block asks for at its end.
     pub(super) fn corner_words(&mut self, w: &mut Words) -> Outcome<Option<Corner>> {
-        if !self.has_corner_words(w) && self.st.corners.rounding == 0.0 {
+        if !self.core.has_corner_words(w) && self.st.corners.rounding == 0.0 {
             return Ok(None);
         }
         if self.st.is(GCode::G93) {
             let corner = [Address::Rnd, Address::Chr, Address::Chf, Address::Frc].iter().find_map(|a| w.get(*a));
             let span = corner.map(|given| given.span).unwrap_or_default();
-            return self.refuse(span, codes::S9009::corner_has_no_share_of_time());
+            return self.core.refuse(span, codes::S9009::corner_has_no_share_of_time());
         }
         let (rnd, chr, chf, frc) =
             (w.take(Address::Rnd), w.take(Address::Chr), w.take(Address::Chf), w.take(Address::Frc));
         for given in [rnd, chr, chf].into_iter().flatten() {
             if given.value < 0.0 {
-                return self.negative(given.span);
+                return self.core.negative(given.span);
             }
         }
         let unit = self.st.length_unit();
         // A rounding goes before a chamfer in the same block.
         if let (Some(_), Some(other)) = (rnd, chr.or(chf)) {
-            let found = codes::S8008::rnd_chamfer_stand_in_one_block().at(self.loc(other.span));
-            self.report(found.help("delete one of them"));
+            let found = codes::S8008::rnd_chamfer_stand_in_one_block().at(self.core.loc(other.span));
+            self.core.report(found.help("delete one of them"));
         }
         if let (Some(_), Some(chf)) = (chr, chf) {
-            return self.refuse(chf.span, codes::S2071::chr_chf_stand_in_one_block());
+            return self.core.refuse(chf.span, codes::S2071::chr_chf_stand_in_one_block());
         }
         let explicit = rnd.is_some() || chr.is_some() || chf.is_some();
         let shape = match (rnd, chr, chf) {
@@ -100,11 +100,11 @@ impl Channel<'_> {
         };
         let feed = match frc {
             Some(frc) if frc.value > 0.0 => Some(self.st.feed_of(frc.value)),
-            Some(frc) => return self.refuse(frc.span, codes::P2003::feed_frc_is_not_above_0()),
+            Some(frc) => return self.core.refuse(frc.span, codes::P2003::feed_frc_is_not_above_0()),
             None => self.modal_corner_feed()?,
         };
         if !explicit && self.st.corners.rounding == 0.0 {
-            return self.refuse(
+            return self.core.refuse(
                 frc.map(|given| given.span).unwrap_or_default(),
                 codes::S2071::frc_stands_without_chamfer_or_rounding(),
             );
@@ -115,7 +115,7 @@ impl Channel<'_> {
             CornerShape::ChamferLength { length } => length,
             CornerShape::Undercut(_) => 0.0,
         };
-        let (large, at_arc, blocks) = (self.large_corner(), self.arc_chamfer(), Blocks::PassedOver);
+        let (large, at_arc, blocks) = (self.core.large_corner(), self.core.arc_chamfer(), Blocks::PassedOver);
         Ok((size > 0.0).then_some(Corner { shape, feed, early: true, modal: !explicit, large, at_arc, blocks }))
     }
 
@@ -125,7 +125,7 @@ impl Channel<'_> {
         if fits {
             return Ok(self.st.corners.feed);
         }
-        self.refuse(Where::Block, codes::P2002::kind_of_feed_has_changed_since_frcm())
+        self.core.refuse(Where::Block, codes::P2002::kind_of_feed_has_changed_since_frcm())
     }
 
     pub(super) fn send_corner(&mut self, corner: Option<Corner>) {
@@ -139,7 +139,7 @@ impl Channel<'_> {
         }
         self.core.send_corner(&corner, &self.st.ctx);
         if !corner.modal {
-            self.st.corners.open.open(self.here.origin.loc);
+            self.st.corners.open.open(self.core.here.origin.loc);
         }
     }
 
@@ -150,7 +150,7 @@ impl Channel<'_> {
         }
         let Some(loc) = self.st.corners.open.wait(MOST_BETWEEN) else { return Ok(()) };
         let found = codes::S2071::more_than_blocks_without_move_stand(&MOST_BETWEEN).at(loc);
-        self.report(found.help("the control would leave the corner as it is: move the blocks away from it"));
+        self.core.report(found.help("the control would leave the corner as it is: move the blocks away from it"));
         Err(Reported)
     }
 }

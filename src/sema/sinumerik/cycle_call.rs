@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::diag::{Code, Diagnostic, codes};
+use crate::diag::codes;
 use crate::geo::{Plane, Point2};
 use crate::ir::Pos;
 use crate::ir::contour::{Ctx, Path};
@@ -62,8 +62,8 @@ impl Run<'_> {
         let result =
             self.given_of(row, call.args, call.span, block, text).and_then(|given| self.run_cycle(row, &given));
         if result.is_err() {
-            self.st.position.lose(AxisSet::ALL);
-            self.lost();
+            self.channel.st.position.lose(AxisSet::ALL);
+            self.channel.lost();
         }
         Some(result)
     }
@@ -77,10 +77,10 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome<Given> {
         let name = row.signature.name;
-        self.no_cycle_in_contour(name, span)?;
+        self.channel.no_cycle_in_contour(name, span)?;
         let formulas: Vec<Formula> = args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
         let parameters = row.signature.parameters;
-        let mut given = Given::new(&row.signature, name, span.into(), self.st.length_unit());
+        let mut given = Given::new(&row.signature, name, span.into(), self.channel.st.length_unit());
         let mut too_many = None;
         for (at, formula) in formulas.into_iter().enumerate() {
             let value = self.eval(formula, block, text)?;
@@ -90,9 +90,9 @@ impl Run<'_> {
             }
         }
         if let Some(at) = too_many {
-            return self.refuse(at, codes::S2021::takes_arguments(&name, &parameters.len()));
+            return self.channel.core.refuse(at, codes::S2021::takes_arguments(&name, &parameters.len()));
         }
-        self.asked(&given, |call| call.fits_its_row())?;
+        self.channel.asked(&given, |call| call.fits_its_row())?;
         Ok(given)
     }
 
@@ -100,39 +100,42 @@ impl Run<'_> {
         let place = given.place;
         let moves = !matches!(row.work, Work::NamesContour | Work::Unpublished(_));
         self.begins_executing();
-        self.no_turning_cycle_here(row.signature.name, place)?;
-        self.pending_must_be_done(place)?;
-        if self.st.side() != Side::None {
-            return self.refuse(place, codes::P2090::radius_compensation().of(&given.called));
+        self.channel.no_turning_cycle_here(row.signature.name, place)?;
+        self.channel.pending_must_be_done(place)?;
+        if self.channel.st.side() != Side::None {
+            return self.channel.core.refuse(place, codes::P2090::radius_compensation().of(&given.called));
         }
-        match self.st.offsets.outer() {
+        match self.channel.st.offsets.outer() {
             Outer::Machine => {
-                return self.in_machine_only_lines(place, "a cycle cannot be printed in machine coordinates");
+                return self
+                    .channel
+                    .core
+                    .in_machine_only_lines(place, "a cycle cannot be printed in machine coordinates");
             }
-            Outer::Unrelated => return self.unrelated(place, "G500 stands beside"),
+            Outer::Unrelated => return self.channel.core.unrelated(place, "G500 stands beside"),
             // A contour that is only named moves nothing.
             Outer::Basic | Outer::Printed(_) if !moves => {}
-            Outer::Basic | Outer::Printed(_) => self.note_outer(),
+            Outer::Basic | Outer::Printed(_) => self.channel.note_outer(),
         }
-        self.no_cycle_by_time(place)?;
+        self.channel.no_cycle_by_time(place)?;
         if moves {
-            self.speed_is_known()?;
-            if self.st.codes.per_revolution() {
-                self.master_feeds(place);
+            self.channel.speed_is_known()?;
+            if self.channel.st.codes.per_revolution() {
+                self.channel.master_feeds(place);
             }
         }
         if !matches!(row.work, Work::Hole(_)) {
-            self.meets_needs(row, given)?;
+            self.channel.meets_needs(row, given)?;
         }
         match &row.work {
             Work::Hole(_) => {
-                let hole = self.hole_of(row, given)?;
-                self.drill(&hole)
+                let hole = self.channel.hole_of(row, given)?;
+                self.channel.drill(&hole)
             }
-            Work::Plan(plan) => self.run_plan(row, given, plan),
+            Work::Plan(plan) => self.channel.run_plan(row, given, plan),
             Work::Along(contour, plan) => {
                 let contours = self.contours_of(given, *contour)?;
-                self.run_plan(row, given, |call| plan(call, &contours))
+                self.channel.run_plan(row, given, |call| plan(call, &contours))
             }
             Work::NamesContour => self.contour_call(given),
             Work::Unpublished(cycle) => self.unpublished_cycle(given, *cycle),
@@ -154,13 +157,13 @@ impl Run<'_> {
             return None;
         }
         Some(self.given_of(row, Some(args), block.span, block, text).and_then(|given| {
-            self.st.modal_call.end();
-            let hole = self.hole_of(row, &given)?;
+            self.channel.st.modal_call.end();
+            let hole = self.channel.hole_of(row, &given)?;
             let feed_of_block = drilling.modal_feed;
-            let under = (self.st.plane(), self.st.length_unit());
-            let (here, spindle) = (self.here, self.spindle_state());
+            let under = (self.channel.st.plane(), self.channel.st.length_unit());
+            let (here, spindle) = (self.channel.core.here, self.channel.spindle_state());
             let made = ModalCycle { hole, given, here, spindle, feed_of_block, under, refused: false };
-            self.st.modal_call.set_cycle(Box::new(made));
+            self.channel.st.modal_call.set_cycle(Box::new(made));
             Ok(())
         }))
     }
@@ -196,7 +199,7 @@ impl Channel<'_> {
         }
         self.say_remarks(remarks);
         for Elsewhere { place, fault, call } in elsewhere {
-            self.report(fault.at(place).also(self.loc(given.place), call));
+            self.core.report(fault.at(place).also(self.core.loc(given.place), call));
         }
         match made {
             Ok(made) => Ok((made, ways)),
@@ -205,7 +208,7 @@ impl Channel<'_> {
                 if fault.raised.code == codes::P2002 {
                     self.st.feed.lose();
                 }
-                self.refuse(place, *fault)
+                self.core.refuse(place, *fault)
             }
         }
     }
@@ -213,12 +216,12 @@ impl Channel<'_> {
     fn say_remarks(&self, remarks: Vec<Remark>) {
         for Remark { place, fault, kind } in remarks {
             if kind == Kind::Once {
-                self.say_once(place, fault);
+                self.core.say_once(place, fault);
                 continue;
             }
-            let found = fault.at(self.loc(place));
-            if kind == Kind::Each || !self.job.diags.knows(&found) {
-                self.report(found);
+            let found = fault.at(self.core.loc(place));
+            if kind == Kind::Each || !self.core.job.diags.knows(&found) {
+                self.core.report(found);
             }
         }
     }
@@ -234,15 +237,12 @@ impl Channel<'_> {
                 ways.push(fault.message);
             }
         }
-        self.say_together(given, codes::S8230, &open, &helps.join("; "));
-        let help = "docs/cycles.md describes the path; compare with what the machine does";
-        self.say_together(given, codes::P8101, &ways, help);
-    }
-
-    fn say_together(&self, given: &Given, code: &'static Code, what: &[String], help: &str) {
-        if !what.is_empty() {
-            let message = format!("{}: {}", given.called, what.join("; "));
-            self.report_once(Diagnostic::new(code, self.loc(given.place), message).help(help));
+        if !open.is_empty() {
+            let fault = codes::S8230::call_leaves_open(&given.called, &open.join("; "));
+            self.core.say_once(given.place, fault.help(helps.join("; ")));
+        }
+        if !ways.is_empty() {
+            self.core.say_once(given.place, codes::P8101::ways_of_call(&given.called, &ways.join("; ")));
         }
     }
 
@@ -270,7 +270,7 @@ impl Channel<'_> {
             match act {
                 Act::Cycle(cycle) => {
                     if matches!(&cycle, Cycle::Undercut(undercut) if undercut.compensated) {
-                        self.select_cutter(self.block_span())?;
+                        self.select_cutter(self.core.block_span())?;
                     }
                     self.send_cycle(&cycle);
                 }
@@ -297,9 +297,9 @@ impl Channel<'_> {
     /// Goes to each position and runs the modal cycle there.
     fn drill_pattern(&mut self, places: &[Point2]) -> Outcome {
         // Computing them is work, too.
-        self.budget.take(places.len() as u64 / 16);
+        self.core.budget.take(places.len() as u64 / 16);
         for place in places {
-            self.goes_on()?;
+            self.core.goes_on()?;
             let end = self.in_plane(*place);
             self.send(&end, Path::Rapid);
             self.drill_modal()?;
@@ -350,7 +350,7 @@ impl Channel<'_> {
             self.master_feeds(Where::Block);
         }
         if modal.under != (self.st.plane(), self.st.length_unit()) {
-            return self.refuse(Where::Block, codes::S9015::plane_or_unit_was_changed_since_mcall());
+            return self.core.refuse(Where::Block, codes::S9015::plane_or_unit_was_changed_since_mcall());
         }
         // The feeds of zones are shares of the one that is modal at each place.
         let zones = cycles::has_zones(&modal.given);
@@ -367,10 +367,10 @@ impl Channel<'_> {
 
     /// The hole of the modal call under the spindle of now.
     fn hole_made_anew(&mut self, mut modal: Box<ModalCycle>) -> Outcome<Drilling> {
-        let here = std::mem::replace(&mut self.here, modal.here);
+        let here = std::mem::replace(&mut self.core.here, modal.here);
         let made =
             cycles::find(modal.given.signature.name).map_or(Err(Reported), |row| self.hole_of(row, &modal.given));
-        self.here = here;
+        self.core.here = here;
         let hole = made?;
         modal.hole = hole.clone();
         modal.spindle = self.spindle_state();
@@ -382,7 +382,7 @@ impl Channel<'_> {
         if !self.st.is(GCode::G93) {
             return Ok(());
         }
-        self.refuse(place, codes::S9009::moves_of_cycle_have_no_share_of_time())
+        self.core.refuse(place, codes::S9009::moves_of_cycle_have_no_share_of_time())
     }
 
     /// In the plane across the hole, which may be another one than the active one.

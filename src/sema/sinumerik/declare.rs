@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.1 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::parser::sinumerik::SPLIT;
 use crate::parser::sinumerik::ast::{Block, Formula, Stmt, TypeName, Variable};
 use crate::parser::sinumerik::parse_block;
@@ -46,17 +46,17 @@ impl Run<'_> {
         block: &Block,
         text: &[u8],
     ) -> Outcome {
-        if self.program_level().executed && !global {
-            return self.refuse(block.span, codes::S2015::def_stands_behind_executed_blocks());
+        if self.channel.core.program_level().executed && !global {
+            return self.channel.core.refuse(block.span, codes::S2015::def_stands_behind_executed_blocks());
         }
-        self.program_level().declares |= !global;
+        self.channel.core.program_level().declares |= !global;
         let length = match length {
             Some(formula) => {
                 let n = self.number(formula, block, text)?;
                 match whole(n).and_then(|n| usize::try_from(n).ok()).filter(|n| *n <= LONGEST_TEXT) {
                     Some(n) => n,
                     None => {
-                        return self.refuse(formula.span, codes::S2030::text_has_0_to_200_characters());
+                        return self.channel.core.refuse(formula.span, codes::S2030::text_has_0_to_200_characters());
                     }
                 }
             }
@@ -82,23 +82,25 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome {
         let Some(name) = variable.name else { return Ok(()) };
-        let word = self.symbols.name(name).to_owned();
+        let word = self.channel.core.symbols.name(name).to_owned();
         if word.len() > LONGEST_NAME {
-            return self.refuse(variable.span, codes::S1014::name_has_characters(&word.len()));
+            return self.channel.core.refuse(variable.span, codes::S1014::name_has_characters(&word.len()));
         }
-        let defined = self.loc(variable.span);
+        let defined = self.channel.core.loc(variable.span);
         // Those of the definition files are one level, in whichever of them they stand.
         let known = if global { self.vars.get(Slot::Global(name)) } else { self.vars.of_level(name) };
         if let Some(first) = known.map(|var| var.defined).filter(|first| *first != defined) {
             let found = codes::S2016::is_defined_twice(&word).at(defined);
-            self.report(found.also(first, "the first definition").help("rename one of them"));
+            self.channel.core.report(found.also(first, Label::FirstDefinition).help("rename one of them"));
             return Err(Reported);
         }
         let taken = match self.meaning(name) {
-            Meaning::Axis(named) if named.axis.is_some_and(|axis| self.st.machine.geometry_axes.contains(&axis)) => {
+            Meaning::Axis(named)
+                if named.axis.is_some_and(|axis| self.channel.st.machine.geometry_axes.contains(&axis)) =>
+            {
                 Some("a geometry axis")
             }
-            Meaning::Axis(named) if self.axis_names.is_given(named) => Some("an axis"),
+            Meaning::Axis(named) if self.channel.axis_names.is_given(named) => Some("an axis"),
             Meaning::Axis(_) => None,
             Meaning::Unknown if is_address(&word) => Some("an address"),
             Meaning::Unknown if formula_functions::find(&word).is_some() => Some("a function"),
@@ -108,7 +110,7 @@ impl Run<'_> {
             _ => Some("a word of the language"),
         };
         if let Some(what) = taken {
-            return self.refuse(variable.span, codes::S2016::is_cannot_be_variable(&word, &what));
+            return self.channel.core.refuse(variable.span, codes::S2016::is_cannot_be_variable(&word, &what));
         }
         let mut sizes = Vec::new();
         for formula in block.arguments(variable.sizes).to_vec() {
@@ -116,37 +118,42 @@ impl Run<'_> {
             match whole(n).and_then(|n| u32::try_from(n).ok()).filter(|n| (1..=MOST_ELEMENTS).contains(n)) {
                 Some(n) => sizes.push(n),
                 None => {
-                    return self.refuse(formula.span, codes::S2018::array_has_1_to_32767_elements());
+                    return self.channel.core.refuse(formula.span, codes::S2018::array_has_1_to_32767_elements());
                 }
             }
         }
         if sizes.len() > 3 {
-            return self.refuse(variable.span, codes::S2018::array_has_at_most_three_directions());
+            return self.channel.core.refuse(variable.span, codes::S2018::array_has_at_most_three_directions());
         }
         let count = sizes.iter().map(|n| u64::from(*n)).product::<u64>();
         if count > u64::from(MOST_ELEMENTS) * 4 {
-            return self.refuse(variable.span, codes::S2018::elements_are_too_many(&count));
+            return self.channel.core.refuse(variable.span, codes::S2018::elements_are_too_many(&count));
         }
         // Making them is work.
-        self.budget.take(count / 64);
+        self.channel.core.budget.take(count / 64);
         let limits = block.limits;
         if let [Some(least), Some(most)] = limits
             && least > most
         {
-            return self.refuse(variable.span, codes::S2029::lli_is_above_uli(&least, &most));
+            return self.channel.core.refuse(variable.span, codes::S2029::lli_is_above_uli(&least, &most));
         }
         let mut zero = Val::zero(kind);
         if zero.number().is_some() {
             // The start value moves to the nearer limit.
             let least = limits[0].unwrap_or(f64::NEG_INFINITY);
             let most = limits[1].unwrap_or(f64::INFINITY);
-            zero = self.converted_or(&Val::Real(0.0f64.max(least).min(most)), kind, variable.span, [12390, 12160])?;
+            zero = self.channel.core.converted_or(
+                &Val::Real(0.0f64.max(least).min(most)),
+                kind,
+                variable.span,
+                [12390, 12160],
+            )?;
         }
         let values = vec![zero; count as usize];
         let mut var = Var { kind, sizes, values, length, defined, lost: false, kept: Kept::default(), limits };
         if let Some(formula) = variable.value {
             if kind == TypeName::Frame {
-                return self.refuse(formula.span, codes::S2017::frame_cannot_be_given_value_by_def());
+                return self.channel.core.refuse(formula.span, codes::S2017::frame_cannot_be_given_value_by_def());
             }
             var = self.started(var, formula, block, text)?;
         }
@@ -154,21 +161,21 @@ impl Run<'_> {
             var.kept = Kept::of_global(name);
             var = self.with_kept_values(&word, var, variable.span)?;
         }
-        self.job.trail.forget_zero(self.symbols.name(name));
+        self.channel.core.job.trail.forget_zero(self.channel.core.symbols.name(name));
         if !self.vars.define(name, var, global) {
-            return self.refuse(variable.span, codes::S2018::variables_of_program_are_too_large());
+            return self.channel.core.refuse(variable.span, codes::S2018::variables_of_program_are_too_large());
         }
         Ok(())
     }
 
     pub(super) fn started(&mut self, mut var: Var, formula: Formula, block: &Block, text: &[u8]) -> Outcome<Var> {
         if let Some(fill) = self.list_of(formula, block, text)? {
-            return self.filled(&var, 0, &fill, formula.span);
+            return self.channel.core.filled(&var, 0, &fill, formula.span);
         }
         let value = self.eval(formula, block, text)?;
-        let value = self.converted_or(&value, var.kind, formula.span, [12390, 12160])?;
-        self.check_length(&value, var.length, formula.span)?;
-        self.check_limits(&value, var.limits, [12160, 12160], formula.span)?;
+        let value = self.channel.core.converted_or(&value, var.kind, formula.span, [12390, 12160])?;
+        self.channel.core.check_length(&value, var.length, formula.span)?;
+        self.channel.core.check_limits(&value, var.limits, [12160, 12160], formula.span)?;
         // A single value fills the first element.
         if let Some(first) = var.values.first_mut() {
             *first = value;
@@ -187,7 +194,7 @@ impl Run<'_> {
             // In an archive they lie between the programs.
             if let Some((start, end)) = self.units.definitions(name) {
                 any = true;
-                self.read_definitions(self.job.main, Some(start), end);
+                self.read_definitions(self.channel.core.job.main, Some(start), end);
                 continue;
             }
             let from = Loc { line: 1, ..Loc::default() };
@@ -196,15 +203,15 @@ impl Run<'_> {
                 Ok(None) => continue,
                 // What it defines is not known, and may change the meaning of any word.
                 Err(error) => {
-                    self.job.diags.push(not_opened(error, &format!("{name}.DEF"), from));
-                    self.stop_run();
+                    self.channel.core.job.diags.push(not_opened(error, &format!("{name}.DEF"), from));
+                    self.channel.core.stop_run();
                     break;
                 }
             };
-            let file = match self.job.sources.add(opened) {
+            let file = match self.channel.core.job.sources.add(opened) {
                 Ok(file) => file,
                 Err(too_much) => {
-                    self.job.diags.push(refused(too_much, name, from));
+                    self.channel.core.job.diags.push(refused(too_much, name, from));
                     continue;
                 }
             };
@@ -219,10 +226,10 @@ impl Run<'_> {
 
     /// The file of definitions, and whether it lies in the folder of the control where they count; if not, beside the main program.
     fn definition_file(&self, name: &str) -> Result<Option<(Opened, bool)>, FileError> {
-        let from = self.job.sources.identity(self.job.main);
+        let from = self.channel.core.job.sources.identity(self.channel.core.job.main);
         let ask = |name: &str| {
             let request = Request { from: &from, name, extensions: &["DEF"], within: Within::Main };
-            match self.job.files.open(&request) {
+            match self.channel.core.job.files.open(&request) {
                 Ok(opened) => Ok(Some(opened)),
                 Err(FileError::NotFound { .. } | FileError::NoRoot { .. }) => Ok(None),
                 Err(error) => Err(error),
@@ -243,30 +250,36 @@ impl Run<'_> {
 
     /// Reads a definition file, or the part of an archive from `start` to the offset `end`.
     fn read_definitions(&mut self, file: crate::text::FileId, start: Option<Place>, end: u32) {
-        let Some(mut cursor) = open_cursor(&self.job, file, SPLIT, self.here.origin.loc) else { return };
+        let Some(mut cursor) = open_cursor(&self.channel.core.job, file, SPLIT, self.channel.core.here.origin.loc)
+        else {
+            return;
+        };
         if let Some(start) = start
-            && cursor.load(self.job.sources).and_then(|()| cursor.seek(self.job.sources, start)).is_err()
+            && cursor
+                .load(self.channel.core.job.sources)
+                .and_then(|()| cursor.seek(self.channel.core.job.sources, start))
+                .is_err()
         {
             return;
         }
-        let here = self.here;
+        let here = self.channel.core.here;
         let mut block = Block::default();
-        while let Ok(Next::Block(found)) = cursor.next(self.job.sources) {
+        while let Ok(Next::Block(found)) = cursor.next(self.channel.core.job.sources) {
             let (at, line, text) = (found.at, found.line, found.text.to_vec());
             if at >= end {
                 break;
             }
             parse_block(&text, &mut block, &mut self.channel.core.symbols, &mut self.channel.core.problems);
-            self.here = crate::sema::run::Site::new(file, at, line, 1, here.origin.call);
-            self.here.origin.loc.span = block.span.shifted(at);
-            self.report_problems();
+            self.channel.core.here = crate::sema::run::Site::new(file, at, line, 1, here.origin.call);
+            self.channel.core.here.origin.loc.span = block.span.shifted(at);
+            self.channel.core.report_problems();
             let _ = match block.stmt {
                 Stmt::Def { kind, length, .. } => self.def_block(kind, length, true, &block, &text),
                 Stmt::Define(span) => self.define_macro(span.of(&text), span),
                 Stmt::Empty | Stmt::Header | Stmt::Bad | Stmt::Redef(_) | Stmt::Words => Ok(()),
-                _ => self.refuse(block.span, codes::S2013::definition_file_holds_def()),
+                _ => self.channel.core.refuse(block.span, codes::S2013::definition_file_holds_def()),
             };
         }
-        self.here = here;
+        self.channel.core.here = here;
     }
 }

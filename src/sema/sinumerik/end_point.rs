@@ -43,9 +43,9 @@ impl Channel<'_> {
                     Mode::Acp => 16810,
                     _ => 16820,
                 };
-                return self.refuse(given.span, codes::S2061::is_no_rotary_axis(&axis.letter()).alarm(alarm));
+                return self.core.refuse(given.span, codes::S2061::is_no_rotary_axis(&axis.letter()).alarm(alarm));
             }
-            Mode::Quick | Mode::PerMinute | Mode::PerTurn => return self.does_not_fit(given.span),
+            Mode::Quick | Mode::PerMinute | Mode::PerTurn => return self.core.does_not_fit(given.span),
         };
         let value = self.length(axis, given, incremental)?;
         if incremental { Ok(self.increment_base(axis, given.span)? + value) } else { Ok(value) }
@@ -57,12 +57,12 @@ impl Channel<'_> {
         let value = given.value * self.st.length_unit();
         let diameter = match given.mode {
             Mode::Dac | Mode::Dic | Mode::Rac | Mode::Ric => {
-                if !self.is_diameter_axis(axis) {
-                    return self.no_diameter_axis(given.span);
+                if !self.core.is_diameter_axis(axis) {
+                    return self.core.no_diameter_axis(given.span);
                 }
                 matches!(given.mode, Mode::Dac | Mode::Dic)
             }
-            _ if !self.is_diameter_axis(axis) => false,
+            _ if !self.core.is_diameter_axis(axis) => false,
             _ => match self.st.diameter_mode() {
                 Diameter::Off => false,
                 Diameter::On => true,
@@ -84,19 +84,19 @@ impl Channel<'_> {
         }
         let with_offset = match self.st.system.get("$SC_FRAME_OFFSET_INCR_PROG").and_then(super::value::Val::truth) {
             Some(set) => set,
-            None => self.job.settings.control.sinumerik.frame_offset_incremental.unwrap_or(true),
+            None => self.core.job.settings.control.sinumerik.frame_offset_incremental.unwrap_or(true),
         };
         let chosen = if with_offset { programmed } else { at };
-        if self.job.settings.control.sinumerik.frame_offset_incremental.is_some() {
+        if self.core.job.settings.control.sinumerik.frame_offset_incremental.is_some() {
             return Ok(chosen);
         }
-        let found = codes::S8007::increment_of_follows_change_of_frame(&axis.letter()).at(self.loc(span));
+        let found = codes::S8007::increment_of_follows_change_of_frame(&axis.letter()).at(self.core.loc(span));
         let how = if with_offset {
             "the frame is travelled, too (SD 42440 = 1)"
         } else {
             "only the increment is travelled (SD 42440 = 0)"
         };
-        self.report(found.here(how).help(
+        self.core.report(found.here(how).help(
             Answer::key("control", "sd42440").help("set `[control] sd42440`, or program the position absolutely"),
         ));
         Ok(chosen)
@@ -106,7 +106,7 @@ impl Channel<'_> {
         if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
-        self.no_position(axis, place, "program the axis once in absolute coordinates before this block")
+        self.no_position(axis, place, codes::P2001::where_axis_stands_is_not_known)
     }
 }
 

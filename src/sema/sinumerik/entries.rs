@@ -11,7 +11,7 @@ use super::vocabulary::{Address, Indexed, Meaning, Procedure};
 impl Run<'_> {
     /// No entry of `[programs]` takes away what moves the tool or says where it goes; a file may stand for a cycle.
     pub(super) fn refuse_known_words(&self) {
-        let programs = &self.job.settings.programs;
+        let programs = &self.channel.core.job.settings.programs;
         let entries: Vec<(&str, &str)> = programs
             .iter()
             .filter(|(_, stands)| !matches!(stands, StandIn::File(_)))
@@ -19,7 +19,7 @@ impl Run<'_> {
             .collect();
         let help = "take them out: without them the tool would go another way; a file may run in place of a cycle: \
                     `CYCLE952 = { file = \"stubs/CYCLE952.SPF\" }`";
-        self.refuse_entries("[programs]", &entries, help);
+        self.channel.core.refuse_entries("[programs]", &entries, help);
         let fixed: Vec<(&str, &str)> = programs
             .iter()
             .filter(|(name, stands)| {
@@ -30,7 +30,7 @@ impl Run<'_> {
             .collect();
         let help =
             "take them out: they have no effect; what stands under `[programs]` is the name of a program or of a cycle";
-        self.refuse_entries("[programs]", &fixed, help);
+        self.channel.core.refuse_entries("[programs]", &fixed, help);
     }
 }
 

@@ -5,7 +5,7 @@
 use std::borrow::Cow;
 use std::rc::Rc;
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Help, codes};
 use crate::lexer::formula::Function;
 use crate::parser::sinumerik::ast::{Base, Block, Formula, Op};
 use crate::parser::symbols::Symbol;
@@ -88,15 +88,15 @@ impl Formulas for Run<'_> {
     fn operation(&mut self, op: &Op, machine: &mut Machine, at: At<'_>) -> Result<Val, Stop> {
         Ok(match *op {
             Op::Real(v) if v.is_finite() => Val::Real(v),
-            Op::Real(_) => return Ok(self.refuse(at.span, codes::S2029::number_is_too_large())?),
+            Op::Real(_) => return Ok(self.channel.core.refuse(at.span, codes::S2029::number_is_too_large())?),
             Op::Int(n) => int_or_real(n),
             Op::Bool(b) => Val::Bool(b),
             Op::Char(c) => Val::Char(c),
-            Op::Text(span) => self.text_value(span, at.text)?,
+            Op::Text(span) => self.channel.core.text_value(span, at.text)?,
             Op::Missing => Val::Missing,
             Op::Name(name, span) => self.name_value(name, span)?,
             Op::R(n, span) => self.r_value(n, span)?,
-            Op::System(name, span) => self.system_value(name, &[], span)?,
+            Op::System(name, span) => self.channel.system_value(name, &[], span)?,
             Op::Index(base, count, span) => {
                 let value = self.indexed_value(base, machine.last(count), span)?;
                 machine.discard(count);
@@ -118,7 +118,7 @@ impl Formulas for Run<'_> {
                 let value = machine.pop()?;
                 Val::Text(to_text(&value).ok_or(Fault::Misfit(value.what()))?.into())
             }
-            Op::Join => self.joined(machine)?,
+            Op::Join => self.channel.core.joined(machine)?,
             Op::Chain => match (machine.pop()?, machine.pop()?) {
                 (Val::Frame(b), Val::Frame(a)) => Val::Frame(Rc::new(a.chain(&b))),
                 (b, a) => return Err(Fault::Mismatch(a.what(), b.what()).into()),
@@ -135,7 +135,7 @@ impl Formulas for Run<'_> {
             Op::R(n, _) => {
                 let never = self.vars.r(n).is_some_and(|(_, set)| !set);
                 let (name, nobody) = (format!("R{n}"), if never { SetBy::Nobody } else { SetBy::Unknown });
-                let set = if never { None } else { SetBy::of(&self.job, &name, None) };
+                let set = if never { None } else { SetBy::of(&self.channel.core.job, &name, None) };
                 Divisor { set: set.unwrap_or(nobody), name }
             }
             Op::Name(name, span) => Divisor { name: self.written(span, at), set: self.set_to_zero(name) },
@@ -147,19 +147,19 @@ impl Formulas for Run<'_> {
     }
 
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
-        let (code, message) = match fault {
-            Fault::Misfit(what) => (codes::P2024.alarm(12150), format!("the operator does not fit {what}")),
-            Fault::Mismatch(a, b) => (codes::P2024.alarm(12150), format!("{a} and {b} do not go together here")),
-            Fault::Missing => (codes::P2024.alarm(12150), "a value is missing".to_owned()),
-            Fault::Said(why) => (codes::S2030.alarm(14099), why),
+        let found = match fault {
+            Fault::Misfit(what) => codes::P2024::operator_does_not_fit(&what),
+            Fault::Mismatch(a, b) => codes::P2024::values_do_not_go_together(&a, &b),
+            Fault::Missing => codes::P2024::value_is_missing(),
+            Fault::Said(found) => *found,
             Fault::Zero(_) => return self.divided_by_zero(None, at),
             Fault::ZeroBy(_, by) => return self.divided_by_zero(Some(&by), at),
-            Fault::TooLargeInt => (codes::P2022.alarm(14051), "the result is too large for an INT".to_owned()),
+            Fault::TooLargeInt => codes::P2022::result_is_too_large_for_int(),
             Fault::TooLarge | Fault::Domain(..) | Fault::Open(..) | Fault::Outside(..) | Fault::OpenBetween(..) => {
-                (codes::P2022.alarm(14051), "the result is too large".to_owned())
+                codes::P2022::result_is_too_large().alarm(14051)
             }
         };
-        self.report(Diagnostic::new(code, self.loc(at.span), message));
+        self.channel.core.say(at.span, found);
         Reported
     }
 }
@@ -167,27 +167,26 @@ impl Formulas for Run<'_> {
 impl Run<'_> {
     /// Names the divisor where it is a variable alone, and where it got its value.
     fn divided_by_zero(&self, by: Option<&Divisor>, at: At<'_>) -> Reported {
-        let message = match by {
-            Some(by) => format!("division by zero: {}", by.said(&self.job, self.here.origin.loc)),
-            None => "division by zero".to_owned(),
+        let mut fault = match by {
+            Some(by) => {
+                codes::P2022::division_by_zero_that(&by.said(&self.channel.core.job, self.channel.core.here.origin.loc))
+            }
+            None => codes::P2022::division_by_zero(),
         };
-        let found = Diagnostic::new(codes::P2022.alarm(14051), self.loc(at.span), message);
-        self.report(match &self.warned.unset[..] {
-            [] => found.help(ZERO[usize::from(by.is_none())]),
-            [first, rest @ ..] => found.help(rest.iter().fold(
-                Answer::key("variables", first).help("give the values that the control keeps under [variables]"),
-                |help, name| help.and(Answer::key("variables", name)),
-            )),
-        });
+        if let [first, rest @ ..] = &self.warned.unset[..] {
+            let help = Answer::key("variables", first).help(codes::P2022::give_values_that_control_keeps());
+            fault = fault.help(rest.iter().fold(help, |help, name| help.and(Answer::key("variables", name))));
+        }
+        self.channel.core.say(at.span, fault);
         Reported
     }
 
     /// As the block has it.
     fn written(&self, span: Span, at: At<'_>) -> String {
-        let loc = self.loc(span);
+        let loc = self.channel.core.loc(span);
         // A block that was read as it stands in its file has its text there.
         let written = match span.of(at.text) {
-            [] if !self.here.rewritten => self.job.sources.bytes(loc.file, loc.span),
+            [] if !self.channel.core.here.rewritten => self.channel.core.job.sources.bytes(loc.file, loc.span),
             text => text.to_vec(),
         };
         readable(&written).trim().to_uppercase()
@@ -196,19 +195,16 @@ impl Run<'_> {
     /// Who set the variable that is zero.
     fn set_to_zero(&self, name: Symbol) -> SetBy {
         let Some(slot) = self.vars.find(name) else { return SetBy::Unknown };
-        let own = matches!(slot, Slot::Local(_)).then_some(self.here.origin.call);
+        let own = matches!(slot, Slot::Local(_)).then_some(self.channel.core.here.origin.call);
         let defined = self.vars.get(slot).map(|var| SetBy::Definition(var.defined));
-        let set = SetBy::of(&self.job, self.symbols.name(name), own);
+        let set = SetBy::of(&self.channel.core.job, self.channel.core.symbols.name(name), own);
         match (set, slot) {
             (Some(set), _) => set,
-            (None, Slot::Local(_)) if !self.job.trail.has_returned() => defined.unwrap_or(SetBy::Unknown),
+            (None, Slot::Local(_)) if !self.channel.core.job.trail.has_returned() => defined.unwrap_or(SetBy::Unknown),
             (None, _) => SetBy::Unknown,
         }
     }
 }
-
-/// Behind a variable, and where none is named.
-const ZERO: [&str; 2] = ["give it another value before this block", "check what stands after `/`, DIV or MOD"];
 
 impl Run<'_> {
     /// The value of a formula.
@@ -227,7 +223,7 @@ impl Run<'_> {
     /// The value of a formula as a number.
     pub(super) fn number(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<f64> {
         let value = self.eval(formula, block, text)?;
-        self.as_number(&value, formula.span)
+        self.channel.core.as_number(&value, formula.span)
     }
 
     /// The value of a formula as a condition.
@@ -235,13 +231,13 @@ impl Run<'_> {
         let value = self.eval(formula, block, text)?;
         match value.truth() {
             Some(truth) => Ok(truth),
-            None => self.refuse(formula.span, codes::P2024::condition_is_needed(&value.what())),
+            None => self.channel.core.refuse(formula.span, codes::P2024::condition_is_needed(&value.what())),
         }
     }
 
     pub(super) fn r_value(&mut self, n: u32, span: Span) -> Outcome<Val> {
         if n > MOST_R {
-            return self.refuse(span, codes::S2018::there_is_no_parameter_r(&n));
+            return self.channel.core.refuse(span, codes::S2018::there_is_no_parameter_r(&n));
         }
         self.r_is_own(n, span)?;
         let (value, set) = self.vars.r(n).ok_or(Reported)?;
@@ -249,8 +245,8 @@ impl Run<'_> {
             self.warned.unset.push(format!("R{n}"));
         }
         if !set && self.warned.r.insert(n) {
-            let found = codes::P2021::r_is_read_before_program_sets(&n).at(self.loc(span));
-            self.report(
+            let found = codes::P2021::r_is_read_before_program_sets(&n).at(self.channel.core.loc(span));
+            self.channel.core.report(
                 found.help(
                     Answer::key("variables", format!("R{n}"))
                         .help(format!("set it in the program, or as `R{n} = …` under [variables]")),
@@ -267,9 +263,9 @@ impl Run<'_> {
         if let Some(slot) = self.known_variable(name) {
             return self.variable_value(slot, &[], span);
         }
-        let word = self.symbols.name(name);
-        if let Some(named) = self.axis_names.find(word) {
-            self.printed_axis(named, span)?;
+        let word = self.channel.core.symbols.name(name);
+        if let Some(named) = self.channel.axis_names.find(word) {
+            self.channel.printed_axis(named, span)?;
             return Ok(Val::Axis(named));
         }
         if let Some(value) = constant(word) {
@@ -284,7 +280,7 @@ impl Run<'_> {
 
     /// A result of the measuring cycles: their own, where one is left out or no variable has the name.
     fn found_by_cycle(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Option<Val>> {
-        let word = self.symbols.name(name);
+        let word = self.channel.core.symbols.name(name);
         if !word.starts_with('_') || super::measuring_data::find(word).is_none() {
             return Ok(None);
         }
@@ -300,8 +296,8 @@ impl Run<'_> {
         if let Some(slot) = self.vars.find(name) {
             return Some(slot);
         }
-        let word = self.symbols.name(name);
-        if self.definitions_read || self.axis_names.find(word).is_some() || constant(word).is_some() {
+        let word = self.channel.core.symbols.name(name);
+        if self.definitions_read || self.channel.axis_names.find(word).is_some() || constant(word).is_some() {
             return None;
         }
         self.definitions_known();
@@ -311,21 +307,22 @@ impl Run<'_> {
     /// A word that nothing is known of, or one of the language that is not compiled.
     pub(super) fn undefined_word<T>(&mut self, name: Symbol, span: Span) -> Outcome<T> {
         match self.meaning(name) {
-            Meaning::Known(known) => self.not_compiled(name, known, span),
-            Meaning::Procedure(Procedure::Refused(Refusal { what, .. })) => {
-                self.refuse(span, codes::P9010::is_not_supported_so_replace(&self.symbols.name(name), &what))
-            }
+            Meaning::Known(known) => self.channel.core.not_compiled(name, known, span),
+            Meaning::Procedure(Procedure::Refused(Refusal { what, .. })) => self
+                .channel
+                .core
+                .refuse(span, codes::P9010::is_not_supported_so_replace(&self.channel.core.symbols.name(name), &what)),
             _ => self.undefined(name, span),
         }
     }
 
     /// A name that nothing is known of.
     pub(super) fn undefined<T>(&self, name: Symbol, span: Span) -> Outcome<T> {
-        let word = self.symbols.name(name);
+        let word = self.channel.core.symbols.name(name);
         if matches!(self.vocabulary.get(word), Some(Meaning::Indexed(_))) {
-            return self.refuse(span, codes::P1001::lacks_axis_or_spindle_in_brackets(&word));
+            return self.channel.core.refuse(span, codes::P1001::lacks_axis_or_spindle_in_brackets(&word));
         }
-        let names: Vec<&str> = self.vars.names().map(|symbol| self.symbols.name(symbol)).collect();
+        let names: Vec<&str> = self.vars.names().map(|symbol| self.channel.core.symbols.name(symbol)).collect();
         let like = crate::machine::tree::did_you_mean(word, names);
         let help = match like {
             Some(like) => format!("did you mean `{like}`?").into(),
@@ -340,18 +337,18 @@ impl Run<'_> {
         // A variable of all programs is nothing like one of this program.
         let files: Vec<String> = super::declare::DEFINITION_FILES.iter().map(|file| format!("{file}.DEF")).collect();
         let help = help.and(Answer::folder_of(&files));
-        self.refuse(span, codes::S2001::name_is_not_defined(&word).help(&help))
+        self.channel.core.refuse(span, codes::S2001::name_is_not_defined(&word).help(&help))
     }
 
     /// The control has these in its own definition files.
     fn data_of_measuring<T>(&self, word: &str, result: bool, span: Span) -> Outcome<T> {
         let what = if result { "a result" } else { "an argument" };
-        let help = if self.job.settings.control.klartext_choices.probing_left_out {
+        let help = if self.channel.core.job.settings.control.klartext_choices.probing_left_out {
             "give it a value before the cycle that it is for".into()
         } else {
             super::measuring::leave_out()
         };
-        self.refuse(span, codes::S9133::is_of_measuring_cycles(&word, &what).help(help))
+        self.channel.core.refuse(span, codes::S9133::is_of_measuring_cycles(&word, &what).help(help))
     }
 
     pub(super) fn variable_value(&mut self, slot: Slot, indices: &[i32], span: Span) -> Outcome<Val> {
@@ -363,21 +360,21 @@ impl Run<'_> {
         }
         match var.offset(indices) {
             Some(at) => Ok(var.values[at].clone()),
-            None => self.refuse(span, no_element(var.sizes.len(), &var.sizes, indices)),
+            None => self.channel.core.refuse(span, no_element(var.sizes.len(), &var.sizes, indices)),
         }
     }
 
     fn indexed_value(&mut self, base: Base, args: &[Val], span: Span) -> Outcome<Val> {
         match base {
             Base::Letter(b'R') => {
-                let n = self.r_index(args, span)?;
+                let n = self.channel.core.r_index(args, span)?;
                 self.r_value(n, span)
             }
             Base::Letter(letter) => match self.letter_variable(letter) {
                 Some(slot) => self.indexed_variable(slot, args, span),
-                None => self.refuse(span, codes::P1001::has_no_index_here(&(letter as char))),
+                None => self.channel.core.refuse(span, codes::P1001::has_no_index_here(&(letter as char))),
             },
-            Base::System(name) => self.system_value(name, args, span),
+            Base::System(name) => self.channel.system_value(name, args, span),
             Base::Name(name) => {
                 if let Some(value) = self.found_by_cycle(name, args, span)? {
                     return Ok(value);
@@ -391,9 +388,9 @@ impl Run<'_> {
     fn indexed_variable(&mut self, slot: Slot, args: &[Val], span: Span) -> Outcome<Val> {
         if let Some(Val::Frame(frame)) = self.vars.get(slot).and_then(|var| var.values.first()).cloned() {
             self.warn_of_kept(slot, &[], span);
-            return self.frame_component(&frame, args, span);
+            return self.channel.frame_component(&frame, args, span);
         }
-        let indices = self.indices(args, span)?;
+        let indices = self.channel.core.indices(args, span)?;
         self.element_or_character(slot, &indices, span)
     }
 
@@ -406,21 +403,24 @@ impl Run<'_> {
             self.warn_of_kept(slot, &[], span);
             return match found {
                 Some(c) => Ok(Val::Char(c)),
-                None => self.refuse(span, codes::S2018::text_has_no_character(&index)),
+                None => self.channel.core.refuse(span, codes::S2018::text_has_no_character(&index)),
             };
         }
         self.variable_value(slot, indices, span)
     }
 
     fn function_value(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Val> {
-        if self.symbols.name(name) == "GETT" {
+        if self.channel.core.symbols.name(name) == "GETT" {
             return self.number_of_named_tool(args, span);
         }
-        let Some((word, function)) = formula_functions::find(self.symbols.name(name)) else {
+        let Some((word, function)) = formula_functions::find(self.channel.core.symbols.name(name)) else {
             if !matches!(self.meaning(name), Meaning::Unknown) {
                 return self.undefined_word(name, span);
             }
-            return self.refuse(span, codes::S2001::there_is_no_function(&self.symbols.name(name)));
+            return self
+                .channel
+                .core
+                .refuse(span, codes::S2001::there_is_no_function(&self.channel.core.symbols.name(name)));
         };
         let args = if args == [Val::Missing] { &[] } else { args };
         let made = match function {
@@ -433,15 +433,15 @@ impl Run<'_> {
                 if matches!(word, "ROUND" | "RTOI")
                     && let (Some(from), Some(made)) = (args.first().and_then(Val::number), value.number())
                 {
-                    self.says_negative_half(from, made, span);
+                    self.channel.core.says_negative_half(from, made, span);
                 }
                 return Ok(value);
             }
             Err(error) => error,
         };
         match error {
-            NoResult::Count(takes) => self.refuse(span, codes::S2021::takes(&word, &takes)),
-            NoResult::Type => self.refuse(span, codes::P2024::does_not_take_value_of_this_type(&word)),
+            NoResult::Count(takes) => self.channel.core.refuse(span, codes::S2021::takes(&word, &takes)),
+            NoResult::Type => self.channel.core.refuse(span, codes::P2024::does_not_take_value_of_this_type(&word)),
             NoResult::Domain(why) => {
                 let alarm = match word {
                     "SPRINT" => 14065,
@@ -450,7 +450,7 @@ impl Run<'_> {
                     "NUMBER" => 14098,
                     _ => 14051,
                 };
-                self.refuse(span, codes::P2022::formula_has_no_value(&word, &why).alarm(alarm))
+                self.channel.core.refuse(span, codes::P2022::formula_has_no_value(&word, &why).alarm(alarm))
             }
         }
     }
@@ -510,7 +510,7 @@ impl Core<'_> {
         };
         text.extend_from_slice(&rest);
         if text.len() > MOST_JOINED {
-            return Err(Fault::Said("the joined text is too long".to_owned()).into());
+            return Err(codes::S2030::joined_text_is_too_long().into());
         }
         Ok(Val::Text(text.into()))
     }

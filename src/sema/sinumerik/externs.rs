@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.6, 7.1 and 7.2 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::parser::sinumerik::ast::{Block, TypeName, Variable};
 use crate::parser::symbols::Symbol;
 use crate::text::Loc;
@@ -59,8 +59,8 @@ fn difference(said: &[Parameter], is: &[Parameter]) -> Option<String> {
 
 impl Run<'_> {
     pub(super) fn extern_block(&mut self, name: Symbol, block: &Block) -> Outcome {
-        self.program_level().declares = true;
-        let (unit, loc) = (self.unit(), self.loc(block.span));
+        self.channel.core.program_level().declares = true;
+        let (unit, loc) = (self.unit(), self.channel.core.loc(block.span));
         let parameters: Vec<Parameter> = block.variables.iter().map(Parameter::of).collect();
         let Some(first) = self.externs.iter().find(|known| known.unit == unit && known.name == name) else {
             self.externs.push(Extern { unit, name, parameters, loc, told: false });
@@ -69,16 +69,17 @@ impl Run<'_> {
         if first.parameters == parameters {
             return Ok(());
         }
-        let found = codes::S2021::is_declared_second_time_with_other_parameters(&self.symbols.name(name))
+        let found = codes::S2021::is_declared_second_time_with_other_parameters(&self.channel.core.symbols.name(name))
             .at(loc)
-            .also(first.loc, "the first declaration");
-        self.report(found.help("delete one of the two lines"));
+            .also(first.loc, Label::FirstDeclaration);
+        self.channel.core.report(found.help("delete one of the two lines"));
         Err(Reported)
     }
 
     /// Holds the EXTERN line of the calling program against the PROC that runs now.
     pub(super) fn check_extern(&mut self, block: &Block) {
-        let at = self.levels.iter().rposition(|level| matches!(level.frame.kind, FrameKind::Program { .. }));
+        let at =
+            self.channel.core.levels.iter().rposition(|level| matches!(level.frame.kind, FrameKind::Program { .. }));
         let Some(caller) = at.and_then(|at| at.checked_sub(1)).and_then(|at| self.channel.core.levels.get(at)) else {
             return;
         };
@@ -91,7 +92,9 @@ impl Run<'_> {
         let Some(what) = difference(&known.parameters, &is) else { return };
         known.told = true;
         let found = codes::S2021::extern_does_not_fit_program(&name, &what).at(known.loc);
-        let found = found.also(self.loc(block.span), "its PROC").help("write the types of PROC into the EXTERN line");
-        self.report(found);
+        let found = found
+            .also(self.channel.core.loc(block.span), Label::ItsProc)
+            .help("write the types of PROC into the EXTERN line");
+        self.channel.core.report(found);
     }
 }

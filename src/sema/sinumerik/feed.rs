@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diag::{Answer, Help, codes};
+use crate::diag::{Answer, Help, Label, codes};
 use crate::ir::Feed;
 use crate::machine::{Axis, MachineKind, Settings};
 use crate::sema::run::Where;
@@ -118,8 +118,8 @@ impl Channel<'_> {
         if !self.st.feed.take_kind_open() {
             return;
         }
-        let found = codes::S8045::no_block_says_what_f_counts().at(self.loc(Where::Block));
-        self.report(
+        let found = codes::S8045::no_block_says_what_f_counts().at(self.core.loc(Where::Block));
+        self.core.report(
             found.help(
                 Answer::key("control", "md20150").help("program G94 or G95, or set `[control] md20150 = \"g95\"`"),
             ),
@@ -128,16 +128,17 @@ impl Channel<'_> {
 
     /// Says once that nothing turns the spindle that a feed per revolution waits for.
     fn spindle_feeds(&self) {
-        if self.st.spindles.turn().is_none() && !self.is_capturing() && self.job.diags.first_time(codes::S8047, ()) {
-            let found = codes::S8047::no_block_in_front_of_this_feed().at(self.loc(Where::Block));
-            self.report(found.help(self.or_started_by_call("program M3 or M4 with a speed before it".into())));
+        if self.st.spindles.turn().is_none() && !self.is_capturing() && self.core.job.diags.first_time(codes::S8047, ())
+        {
+            let found = codes::S8047::no_block_in_front_of_this_feed().at(self.core.loc(Where::Block));
+            self.core.report(found.help(self.or_started_by_call("program M3 or M4 with a speed before it".into())));
         }
     }
 
     /// The feed of a straight path block; `None` at rapid traverse.
     pub(super) fn path_feed(&mut self, w: &mut Words, rapid: bool) -> Outcome<Option<Feed>> {
         if rapid {
-            self.block_feed(w)?;
+            self.core.block_feed(w)?;
             return Ok(None);
         }
         self.cutting_feed(w).map(Some)
@@ -148,7 +149,7 @@ impl Channel<'_> {
         if self.st.is(GCode::G93) && !self.is_capturing() {
             self.time_of_block(w)?;
         }
-        if let Some(fb) = self.block_feed(w)? {
+        if let Some(fb) = self.core.block_feed(w)? {
             if self.st.codes.per_revolution() {
                 self.master_feeds(fb.span);
             }
@@ -167,7 +168,7 @@ impl Channel<'_> {
         let waits = rotary_only && !matches!(self.st.feed.word(), Some(Feed::PerRevolution(_)));
         if !waits && self.st.spindles.close_cut_speed() {
             let help = self.or_left_at_rapid("program S in m/min with G96; the S of before is a speed in turns".into());
-            return self.refuse(Where::Block, codes::S2045::g96_has_no_cutting_speed().help(help));
+            return self.core.refuse(Where::Block, codes::S2045::g96_has_no_cutting_speed().help(help));
         }
         if self.st.spindles.is_cutting() {
             self.says_shifted_diameter();
@@ -202,7 +203,7 @@ impl Channel<'_> {
                     Some(help) => help.into(),
                     None => self.or_left_at_rapid(help),
                 };
-                self.refuse(Where::Block, codes::P2002::no_feed_is_programmed().help(help))
+                self.core.refuse(Where::Block, codes::P2002::no_feed_is_programmed().help(help))
             }
         }
     }
@@ -215,46 +216,50 @@ impl Channel<'_> {
         let Some(left) = self.st.feed.left.take() else { return };
         let name = &left.name;
         let message = format!("this cut takes the feed of before {name}, which is left out and may leave another one");
-        if !self.job.diags.first_text(codes::S8171, &message) {
+        if !self.core.job.diags.first_text(codes::S8171, &message) {
             return;
         }
         let help = format!(
             "program F after {name}; or say under `[programs]` what it leaves: `feed = …` beside the rest of `{name} = {{ … }}`"
         );
-        let found =
-            codes::S8171::this_cut_takes_feed_of_before(&name).at(self.loc(Where::Block)).also(left.call, "the call");
-        self.report(found.help(help));
+        let found = codes::S8171::this_cut_takes_feed_of_before(&name)
+            .at(self.core.loc(Where::Block))
+            .also(left.call, Label::Call);
+        self.core.report(found.help(help));
     }
 
     /// G96 of the target takes the diameter that is printed, with the shift of the frame in it.
     fn says_shifted_diameter(&self) {
-        let axis = self.job.settings.machine.diameter_axis;
+        let axis = self.core.job.settings.machine.diameter_axis;
         let shift = axis.map_or(0.0, |axis| self.st.ctx.frame.shift_of(axis));
-        if shift == 0.0 || self.st.spindles.keeps_speed() || !self.job.diags.first_time(codes::S8191, shift.to_bits()) {
+        if shift == 0.0
+            || self.st.spindles.keeps_speed()
+            || !self.core.job.diags.first_time(codes::S8191, shift.to_bits())
+        {
             return;
         }
-        self.report(codes::S8191::under_g96_frame_shifts_diameter_axis(&shift).at(self.loc(Where::Block)));
+        self.core.report(codes::S8191::under_g96_frame_shifts_diameter_axis(&shift).at(self.core.loc(Where::Block)));
     }
 
     /// Under G93 F is the time of its own block, which no other block has.
     fn time_of_block(&self, w: &Words) -> Outcome {
         if self.st.side() != crate::ir::Side::None {
-            return self.refuse(Where::Block, codes::S9009::time_under_compensation_is_of_target());
+            return self.core.refuse(Where::Block, codes::S9009::time_under_compensation_is_of_target());
         }
         if w.feed_given || w.get(Address::Fb).is_some() {
             return Ok(());
         }
-        self.refuse(Where::Block, codes::P2002::under_g93_block_has_no_f())
+        self.core.refuse(Where::Block, codes::P2002::under_g93_block_has_no_f())
     }
 
     pub(super) fn feed_code(&mut self, code: GCode, span: Span) -> Outcome {
         let old = self.st.codes.of(Group::FeedType);
         use GCode as G;
         if !matches!(code, G::G93 | G::G94 | G::G95 | G::G96 | G::G97 | G::G961 | G::G971) {
-            return self.refuse(span, codes::S9009::gives_feeds_that_plain_g_code_cannot(&code.word()));
+            return self.core.refuse(span, codes::S9009::gives_feeds_that_plain_g_code_cannot(&code.word()));
         }
-        if code.holds_cutting_speed() && self.job.settings.machine.diameter_axis.is_none() {
-            return self.refuse(
+        if code.holds_cutting_speed() && self.core.job.settings.machine.diameter_axis.is_none() {
+            return self.core.refuse(
                 span,
                 codes::S2060::constant_cutting_speed_needs_diameter_axis()
                     .answer(Answer::key("machine", "diameter_axis")),

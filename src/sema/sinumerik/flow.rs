@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.3 to 5.5 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::machine::tree::did_you_mean;
 use crate::parser::sinumerik::ast::{Arm, Block, Formula, Jump, JumpTarget, Search, Stmt, Target, When};
 use crate::parser::symbols::Symbol;
@@ -22,10 +22,10 @@ pub(super) const MOST_PASSES: i32 = 9999;
 
 impl Run<'_> {
     pub(super) fn skeleton(&mut self) -> Outcome<std::rc::Rc<Skeleton>> {
-        let unit = self.level().frame.unit;
+        let unit = self.channel.core.level().frame.unit;
         match self.skeleton_of(unit) {
             Ok(made) => Ok(made),
-            Err(error) => self.refuse(Where::Block, codes::P0105::file_cannot_be_read(&error)),
+            Err(error) => self.channel.core.refuse(Where::Block, codes::P0105::file_cannot_be_read(&error)),
         }
     }
 
@@ -37,13 +37,13 @@ impl Run<'_> {
 
     /// The structure that the current block belongs to. A structure that is not closed was reported.
     fn own_structure(&mut self) -> Outcome<Structure> {
-        let at = self.here.at;
+        let at = self.channel.core.here.at;
         let found = self.skeleton()?.structure_of(at);
         match found {
             Some(found) => Ok(found),
             None => {
                 // Without its partner nobody knows where the program goes on.
-                self.stop_run();
+                self.channel.core.stop_run();
                 Err(Reported)
             }
         }
@@ -66,19 +66,19 @@ impl Run<'_> {
                     self.go_behind(own.close)
                 }
             }
-            Stmt::EndWhile => self.go_to(own.open.place),
-            Stmt::EndLoop => self.go_to(own.open.after),
+            Stmt::EndWhile => self.channel.core.go_to(own.open.place),
+            Stmt::EndLoop => self.channel.core.go_to(own.open.after),
             Stmt::Until(condition) => {
                 if self.decides(condition, block, text)? {
                     Ok(())
                 } else {
-                    self.go_to(own.open.after)
+                    self.channel.core.go_to(own.open.after)
                 }
             }
             Stmt::For { variable, from, to } => self.for_block(own, variable, from, to, block, text),
             Stmt::EndFor => {
-                self.level().frame.counting = Some(own.open.place.at);
-                self.go_to(own.open.place)
+                self.channel.core.level().frame.counting = Some(own.open.place.at);
+                self.channel.core.go_to(own.open.place)
             }
             _ => Ok(()),
         }
@@ -88,23 +88,24 @@ impl Run<'_> {
     fn go_behind(&mut self, line: Mark) -> Outcome {
         let wrong = self.skeleton()?.wrong_line(line.place.at).cloned();
         if let Some((number, lines, problem)) = wrong {
-            let file = self.here.file;
-            let here = crate::sema::run::Site::new(file, line.place.at, number, lines, self.here.origin.call);
-            let found = here.diagnostic(&self.job, problem);
-            if !self.job.diags.knows(&found) {
-                self.job.diags.push(found);
+            let file = self.channel.core.here.file;
+            let here =
+                crate::sema::run::Site::new(file, line.place.at, number, lines, self.channel.core.here.origin.call);
+            let found = here.diagnostic(&self.channel.core.job, problem);
+            if !self.channel.core.job.diags.knows(&found) {
+                self.channel.core.job.diags.push(found);
             }
-            self.stop_run();
+            self.channel.core.stop_run();
             return Err(Reported);
         }
-        self.go_to(line.after)
+        self.channel.core.go_to(line.after)
     }
 
     /// A condition on which the way of the program depends: without it the run cannot go on.
     fn decides(&mut self, condition: Formula, block: &Block, text: &[u8]) -> Outcome<bool> {
         let result = self.condition(condition, block, text);
         if result.is_err() {
-            self.stop_run();
+            self.channel.core.stop_run();
         }
         result
     }
@@ -118,13 +119,13 @@ impl Run<'_> {
         block: &Block,
         text: &[u8],
     ) -> Outcome {
-        let counts = self.level().frame.counting.take() == Some(self.here.at);
+        let counts = self.channel.core.level().frame.counting.take() == Some(self.channel.core.here.at);
         let result = self.count(counts, variable, from, to, block, text);
         match result {
             Ok(true) => Ok(()),
             Ok(false) => self.go_behind(own.close),
             Err(reported) => {
-                self.stop_run();
+                self.channel.core.stop_run();
                 Err(reported)
             }
         }
@@ -143,13 +144,13 @@ impl Run<'_> {
             let value = run.number(formula, block, text)?;
             match whole(value) {
                 Some(n) => Ok(n),
-                None => run.refuse(formula.span, codes::S2029::count_of_for_fits_no_int()),
+                None => run.channel.core.refuse(formula.span, codes::S2029::count_of_for_fits_no_int()),
             }
         };
         let value = if counts {
             let now = self.read_target(variable, block, text)?;
             let Some(next) = now.number().and_then(whole).and_then(|n| n.checked_add(1)) else {
-                return self.refuse(block.span, codes::S2029::count_of_for_fits_no_int());
+                return self.channel.core.refuse(block.span, codes::S2029::count_of_for_fits_no_int());
             };
             next
         } else {
@@ -177,7 +178,7 @@ impl Run<'_> {
         let value = match self.number(formula, block, text) {
             Ok(value) => value,
             Err(reported) => {
-                self.stop_run();
+                self.channel.core.stop_run();
                 return Err(reported);
             }
         };
@@ -195,17 +196,17 @@ impl Run<'_> {
     pub(super) fn jump(&mut self, jump: Jump, block: &Block, text: &[u8]) -> Outcome {
         let result = self.find_target(jump, block, text);
         match result {
-            Ok(Some(mark)) => self.go_to(mark.place),
+            Ok(Some(mark)) => self.channel.core.go_to(mark.place),
             Ok(None) => Ok(()),
             Err(reported) => {
-                self.stop_run();
+                self.channel.core.stop_run();
                 Err(reported)
             }
         }
     }
 
     fn find_target(&mut self, jump: Jump, block: &Block, text: &[u8]) -> Outcome<Option<Mark>> {
-        let from = self.here.at;
+        let from = self.channel.core.here.at;
         let (found, what) = match jump.target {
             JumpTarget::Number(n) => (self.skeleton()?.number(n, from, jump.search), format!("block N{n}")),
             JumpTarget::Label(name) => self.label_or_variable(name, from, jump)?,
@@ -214,7 +215,7 @@ impl Run<'_> {
                 self.named_target(&value, from, jump)?
             }
             JumpTarget::Start => {
-                self.says_goto_start(jump.span);
+                self.channel.core.says_goto_start(jump.span);
                 return Ok(None);
             }
         };
@@ -233,13 +234,13 @@ impl Run<'_> {
             let value = self.variable_value(slot, &[], jump.span)?;
             return self.named_target(&value, from, jump);
         }
-        Ok((found, format!("label `{}`", self.symbols.name(name))))
+        Ok((found, format!("label `{}`", self.channel.core.symbols.name(name))))
     }
 
     /// `"N100"`, `"100"` or `"LABEL"`.
     fn named_target(&mut self, value: &Val, from: u32, jump: Jump) -> Outcome<(Option<Mark>, String)> {
         let Some(text) = to_text(value).filter(|text| !text.is_empty()) else {
-            return self.refuse(jump.span, codes::P2011::jump_target_is_no_text());
+            return self.channel.core.refuse(jump.span, codes::P2011::jump_target_is_no_text());
         };
         let shown = String::from_utf8_lossy(&text).into_owned();
         let upper = text.to_ascii_uppercase();
@@ -251,7 +252,7 @@ impl Run<'_> {
             Some(n) => skeleton.number(n, from, jump.search),
             None => {
                 let name = upper.strip_suffix(b":").unwrap_or(&upper).to_vec();
-                let name = self.symbols.intern(&name);
+                let name = self.channel.core.symbols.intern(&name);
                 skeleton.label(name, from, jump.search)
             }
         };
@@ -261,8 +262,8 @@ impl Run<'_> {
     fn no_target<T>(&mut self, jump: Jump, what: &str) -> Outcome<T> {
         let skeleton = self.skeleton()?;
         let elsewhere = match jump.target {
-            JumpTarget::Label(name) => skeleton.label(name, self.here.at, Search::Both),
-            JumpTarget::Number(n) => skeleton.number(n, self.here.at, Search::Both),
+            JumpTarget::Label(name) => skeleton.label(name, self.channel.core.here.at, Search::Both),
+            JumpTarget::Number(n) => skeleton.number(n, self.channel.core.here.at, Search::Both),
             JumpTarget::Text(_) | JumpTarget::Start => None,
         };
         let way = match jump.search {
@@ -270,16 +271,16 @@ impl Run<'_> {
             Search::Backward => " before this block",
             _ => "",
         };
-        let found = codes::P2011::there_is_no(&what, &way).at(self.loc(jump.span));
+        let found = codes::P2011::there_is_no(&what, &way).at(self.channel.core.loc(jump.span));
         let found = match (elsewhere, jump.target) {
             (Some(mark), _) => {
-                let loc = self.mark_loc(mark);
+                let loc = self.channel.core.mark_loc(mark);
                 let other = if jump.search == Search::Forward { "GOTOB" } else { "GOTOF" };
-                found.also(loc, "it stands here").help(format!("jump by {other} or GOTO"))
+                found.also(loc, Label::StandsHere).help(format!("jump by {other} or GOTO"))
             }
             (None, JumpTarget::Label(name)) => {
-                let wanted = self.symbols.name(name);
-                let names: Vec<&str> = skeleton.labels().map(|label| self.symbols.name(label)).collect();
+                let wanted = self.channel.core.symbols.name(name);
+                let names: Vec<&str> = skeleton.labels().map(|label| self.channel.core.symbols.name(label)).collect();
                 match did_you_mean(wanted, names) {
                     Some(like) => found.help(format!("did you mean `{like}`?")),
                     None => found.help("write the label before the block to jump to: `NAME:`"),
@@ -287,7 +288,7 @@ impl Run<'_> {
             }
             _ => found.help("check the target of the jump"),
         };
-        self.report(found);
+        self.channel.core.report(found);
         Err(Reported)
     }
 
@@ -306,17 +307,20 @@ impl Run<'_> {
             Some(to) => {
                 let end = self.section_label(to, block.span)?;
                 if end.place.at < start.place.at {
-                    return self.refuse(block.span, codes::P2011::last_label_of_section_stands_in_front());
+                    return self.channel.core.refuse(block.span, codes::P2011::last_label_of_section_stands_in_front());
                 }
                 end.after.at
             }
             None => {
-                let end = self.symbols.intern(b"ENDLABEL");
+                let end = self.channel.core.symbols.intern(b"ENDLABEL");
                 match self.skeleton()?.label(end, start.place.at, Search::Forward) {
                     Some(end) => end.after.at,
-                    None if start.place.at < self.here.at => self.here.at,
+                    None if start.place.at < self.channel.core.here.at => self.channel.core.here.at,
                     None => {
-                        return self.refuse(block.span, codes::P2011::section_behind_this_block_has_no_endlabel());
+                        return self
+                            .channel
+                            .core
+                            .refuse(block.span, codes::P2011::section_behind_this_block_has_no_endlabel());
                     }
                 }
             }
@@ -337,14 +341,14 @@ impl Run<'_> {
 
     /// A label of a repeat: the nearest one in front, else behind.
     pub(super) fn section_label(&mut self, name: Symbol, span: Span) -> Outcome<Mark> {
-        let at = self.here.at;
+        let at = self.channel.core.here.at;
         let skeleton = self.skeleton()?;
         match skeleton.label(name, at, Search::Backward).or_else(|| skeleton.label(name, at, Search::Forward)) {
             Some(mark) => Ok(mark),
             None => {
                 let jump = Jump { search: Search::Both, target: JumpTarget::Label(name), span };
-                let what = format!("label `{}`", self.symbols.name(name));
-                self.stop_run();
+                let what = format!("label `{}`", self.channel.core.symbols.name(name));
+                self.channel.core.stop_run();
                 self.no_target(jump, &what)
             }
         }
@@ -362,13 +366,13 @@ impl Run<'_> {
             Some(formula) => self.passes(formula, block, text)?,
             None => 1,
         };
-        self.enter_section(from, stop, times)
+        self.channel.core.enter_section(from, stop, times)
     }
 
     /// A number of passes.
     pub(super) fn passes(&mut self, formula: Formula, block: &Block, text: &[u8]) -> Outcome<u32> {
         let value = self.number(formula, block, text)?;
-        self.check_passes(value, formula.span)
+        self.channel.core.check_passes(value, formula.span)
     }
 
     // Return.
@@ -377,21 +381,21 @@ impl Run<'_> {
     pub(super) fn return_block(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
         let target = formulas.first().filter(|formula| !formula.is_missing());
         let sub = self.units.list[self.unit()].kind == super::programs::UnitKind::Sub;
-        if self.in_main() && sub && target.is_none() {
+        if self.channel.core.in_main() && sub && target.is_none() {
             // A subprogram that is compiled by itself ends here.
-            self.pending_must_be_done(span)?;
-            self.function(crate::ir::Function::End { rewind: false });
-            self.stop_run();
+            self.channel.pending_must_be_done(span)?;
+            self.channel.function(crate::ir::Function::End { rewind: false });
+            self.channel.core.stop_run();
             return Ok(());
         }
-        if self.in_main() {
+        if self.channel.core.in_main() {
             let help = if sub { "compile the program that calls this one" } else { "end it by M30" };
-            return self.refuse(span, codes::S2020::ret_stands_in_main_program().help(help));
+            return self.channel.core.refuse(span, codes::S2020::ret_stands_in_main_program().help(help));
         }
-        self.pending_must_be_done(span)?;
+        self.channel.pending_must_be_done(span)?;
         let result = self.return_to(target.copied(), formulas, span, block, text);
         if result.is_err() {
-            self.stop_run();
+            self.channel.core.stop_run();
         }
         result
     }
@@ -413,24 +417,30 @@ impl Run<'_> {
             let value = run.number(*formula, block, text)?;
             match whole(value) {
                 Some(n) => Ok(n),
-                None => run.refuse(formula.span, codes::S2021::this_argument_of_ret_is_whole_number()),
+                None => run.channel.core.refuse(formula.span, codes::S2021::this_argument_of_ret_is_whole_number()),
             }
         };
         let behind = number(self, 1, 0)? > 0;
         let levels = number(self, 2, 1)?;
         if number(self, 3, 0)? != 0 {
-            return self.refuse(span, codes::P9011::ret_back_to_start_of_main_program());
+            return self.channel.core.refuse(span, codes::P9011::ret_back_to_start_of_main_program());
         }
-        let programs = self.levels.iter().filter(|level| matches!(level.frame.kind, FrameKind::Program { .. })).count();
+        let programs = self
+            .channel
+            .core
+            .levels
+            .iter()
+            .filter(|level| matches!(level.frame.kind, FrameKind::Program { .. }))
+            .count();
         if levels < 1 || levels as usize > programs {
-            return self.refuse(span, codes::S2020::ret_goes_back_over_levels(&levels, &programs));
+            return self.channel.core.refuse(span, codes::S2020::ret_goes_back_over_levels(&levels, &programs));
         }
         if value.is_none() && levels == 1 {
             // Like M17: passes that remain are run.
             self.leave_program();
             return Ok(());
         }
-        let mut site = self.here.at;
+        let mut site = self.channel.core.here.at;
         for _ in 0..levels {
             site = self.leave_for_good();
         }
@@ -438,7 +448,7 @@ impl Run<'_> {
         let jump = Jump { search: Search::Both, target: JumpTarget::Text(formula), span };
         let (found, what) = self.named_target(&value, site, jump)?;
         match found {
-            Some(mark) => self.go_to(if behind { mark.after } else { mark.place }),
+            Some(mark) => self.channel.core.go_to(if behind { mark.after } else { mark.place }),
             None => self.no_target(jump, &what),
         }
     }

@@ -17,7 +17,7 @@ impl Channel<'_> {
     /// A code of group 3.
     pub(super) fn frame_block(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
         if let Some((_, suppressed)) = w.code_of(Group::Suppression) {
-            return self.not_alone(suppressed);
+            return self.core.not_alone(suppressed);
         }
         match code {
             GCode::G110 | GCode::G111 | GCode::G112 => self.pole_block(code, span, w)?,
@@ -27,7 +27,7 @@ impl Channel<'_> {
                 }
                 w.s.clear();
                 w.beside.left_out.clear();
-                self.limits_are_left_out(span);
+                self.core.limits_are_left_out(span);
             }
             GCode::G58 | GCode::G59 => self.axial_shift(code, span, w)?,
             _ => {
@@ -36,9 +36,9 @@ impl Channel<'_> {
             }
         }
         if let Some(m) = w.m.first() {
-            return self.not_alone(m.span);
+            return self.core.not_alone(m.span);
         }
-        self.nothing_left(w)
+        self.core.nothing_left(w)
     }
 
     /// No frame may change under a contour that is compensated: the elements before and behind would not meet.
@@ -46,7 +46,7 @@ impl Channel<'_> {
         if self.st.side() == Side::None {
             return Ok(());
         }
-        self.refuse(place, codes::S2080::frame_changes_while_radius_compensation())
+        self.core.refuse(place, codes::S2080::frame_changes_while_radius_compensation())
     }
 
     fn frame_statement(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
@@ -56,7 +56,7 @@ impl Channel<'_> {
         self.frame_is_free(span)?;
         let rpl = w.take(Address::Rpl);
         if let Some(rpl) = rpl.filter(|_| !matches!(code, GCode::ROT | GCode::AROT)) {
-            return self.does_not_fit(rpl.span);
+            return self.core.does_not_fit(rpl.span);
         }
         let bare = w.axes.is_empty() && rpl.is_none();
         let frame = match code {
@@ -64,7 +64,7 @@ impl Channel<'_> {
                 let mut values = Vec::new();
                 for axis in w.axes.iter() {
                     let Some(given) = w.axis(axis) else { continue };
-                    self.parameter_of_frame(given)?;
+                    self.core.parameter_of_frame(given)?;
                     let unit = if axis.is_rotary() { 1.0 } else { self.st.length_unit() };
                     values.push((axis, given.value * unit));
                 }
@@ -77,10 +77,10 @@ impl Channel<'_> {
                 FrameValue::shifted(&values)
             }
             GCode::ROT | GCode::AROT => {
-                let mut angles = self.geometry_values(w, 0.0)?;
+                let mut angles = self.core.geometry_values(w, 0.0)?;
                 if let Some(rpl) = rpl {
                     if !w.axes.is_empty() {
-                        return self.not_alone(rpl.span);
+                        return self.core.not_alone(rpl.span);
                     }
                     let [_, _, third] = self.st.roles();
                     if let Some(angle) = angles.get_mut(third.index()) {
@@ -90,14 +90,14 @@ impl Channel<'_> {
                 FrameValue::rotated(angles)
             }
             GCode::SCALE | GCode::ASCALE => {
-                let scale = self.geometry_values(w, 1.0)?;
+                let scale = self.core.geometry_values(w, 1.0)?;
                 if scale.contains(&0.0) {
-                    return self.refuse(span, codes::S2034::scaling_factor_is_0());
+                    return self.core.refuse(span, codes::S2034::scaling_factor_is_0());
                 }
                 FrameValue::scaled(scale)
             }
             GCode::MIRROR | GCode::AMIRROR => {
-                self.geometry_values(w, 0.0)?;
+                self.core.geometry_values(w, 0.0)?;
                 let mut mirror = [false; 3];
                 for axis in w.axes.iter() {
                     if let Some(place) = mirror.get_mut(axis.index()) {
@@ -107,7 +107,7 @@ impl Channel<'_> {
                 FrameValue::mirrored(mirror)
             }
             _ => {
-                return self.refuse(span, codes::P9011::turns_plane_by_solid_angles(&code.word()));
+                return self.core.refuse(span, codes::P9011::turns_plane_by_solid_angles(&code.word()));
             }
         };
         let frame = match (adds, bare) {
@@ -124,13 +124,14 @@ impl Channel<'_> {
 
     /// G58 and G59: parts of the programmable shift; settable offsets on small controls.
     fn axial_shift(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
-        let small = self.job.settings.control.sinumerik.model == "802d";
+        let small = self.core.job.settings.control.sinumerik.model == "802d";
         if w.axes.is_empty() && !small {
             return self
+                .core
                 .refuse(span, codes::S2013::has_no_axes(&code.word()).answer(Answer::key("control", "sinumerik")));
         }
         if small && !w.axes.is_empty() {
-            return self.refuse(span, codes::S2013::selects_work_offset_on_802d(&code.word()));
+            return self.core.refuse(span, codes::S2013::selects_work_offset_on_802d(&code.word()));
         }
         if w.axes.is_empty() && small {
             let number = if code == GCode::G58 { 5 } else { 6 };
@@ -141,7 +142,7 @@ impl Channel<'_> {
         w.beside.left_out.clear();
         for axis in w.axes.iter() {
             let Some(given) = w.axis(axis) else { continue };
-            self.parameter_of_frame(given)?;
+            self.core.parameter_of_frame(given)?;
             let unit = if axis.is_rotary() { 1.0 } else { self.st.length_unit() };
             let place = if code == GCode::G58 {
                 &mut self.st.frames.programmable_mut().shift

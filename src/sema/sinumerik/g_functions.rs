@@ -2,7 +2,7 @@
 //!
 //! Source: S 3 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::ir::Side;
 use crate::machine::AxisSet;
 use crate::text::Span;
@@ -22,7 +22,7 @@ impl Channel<'_> {
             self.axis_diameter(indexed, axis, span)?;
         }
         if let Some(span) = w.dynamics {
-            self.dynamics_are_left_out(span);
+            self.core.dynamics_are_left_out(span);
         }
         self.smoothing_words(w);
         Ok(())
@@ -32,14 +32,14 @@ impl Channel<'_> {
         let old = self.st.codes.of(code.group);
         match code.group {
             Group::Motion => {
-                self.check_interpolation(code, span)?;
+                self.core.check_interpolation(code, span)?;
                 self.st.codes.activate(code);
                 self.motion_left = None;
             }
             Group::Nonmodal | Group::Frame | Group::Suppression => {}
             Group::ExactStopBlock => {}
             Group::ExactStop => self.st.codes.activate(code),
-            Group::RepositioningPointBlock => self.left_out_code(code, span),
+            Group::RepositioningPointBlock => self.core.left_out_code(code, span),
             Group::Plane => {
                 self.st.codes.activate(code);
                 if old != code {
@@ -50,12 +50,12 @@ impl Channel<'_> {
             Group::WorkOffset => self.work_offset(code.index, span)?,
             Group::FeedType => self.feed_code(code, span)?,
             Group::Diameter => {
-                if code != GCode::DIAMOF && self.job.settings.machine.diameter_axis.is_none() {
-                    return self.no_diameter_axis(span);
+                if code != GCode::DIAMOF && self.core.job.settings.machine.diameter_axis.is_none() {
+                    return self.core.no_diameter_axis(span);
                 }
                 // DIAMCYCOF counts inside of cycles only.
                 if code == GCode::DIAMCYCOF {
-                    self.control_words_are_left_out(span);
+                    self.core.control_words_are_left_out(span);
                 } else {
                     self.st.codes.activate(code);
                     if let Some(stored) = self.st.stored.as_mut() {
@@ -66,7 +66,7 @@ impl Channel<'_> {
             }
             _ => {
                 self.refused_code(code, span)?;
-                self.left_out_code(code, span);
+                self.core.left_out_code(code, span);
                 self.st.codes.activate(code);
             }
         }
@@ -75,11 +75,12 @@ impl Channel<'_> {
 
     pub(super) fn plane_change(&mut self, code: GCode, span: Span) -> Outcome {
         if self.st.side() != Side::None {
-            return self.refuse(span, codes::S2080::plane_changes_while_radius_compensation());
+            return self.core.refuse(span, codes::S2080::plane_changes_while_radius_compensation());
         }
         if let Some(origin) = self.st.pair.refuse_first() {
             let found = codes::S2070::plane_changes_between_two_lines_of_pair().at(origin.loc);
-            self.report(found.also(self.loc(span), "here").help("change the plane before the first line"));
+            self.core
+                .report(found.also(self.core.loc(span), Label::Here).help("change the plane before the first line"));
             self.st.position.lose(AxisSet::MAIN);
             return Err(Reported);
         }
@@ -95,7 +96,7 @@ impl Channel<'_> {
                 self.iso = true;
                 self.st.position.lose(AxisSet::ALL);
                 self.lost();
-                return self.refuse(span, codes::P9012::g291_switches_to_iso_dialect());
+                return self.core.refuse(span, codes::P9012::g291_switches_to_iso_dialect());
             }
             GCode { group: Group::PointToPoint, index: 2.. } => "point-to-point travel",
             GCode::PAROT => "a frame turned to the workpiece",
@@ -103,10 +104,10 @@ impl Channel<'_> {
             GCode { group: Group::ToolCarrier, index: 2.. } => "an orientable tool carrier",
             GCode { group: Group::Punching, index: 2.. } => "punching",
             GCode { group: Group::Builder1 | Group::Builder2, .. } => "a code of the machine builder",
-            GCode::CUTCONON if !self.resolves() => "compensation with a constant offset",
+            GCode::CUTCONON if !self.core.resolves() => "compensation with a constant offset",
             _ => return Ok(()),
         };
-        self.refuse(span, codes::P9011::is_which_cannot_be_printed(&code.word(), &what))
+        self.core.refuse(span, codes::P9011::is_which_cannot_be_printed(&code.word(), &what))
     }
 }
 
@@ -123,7 +124,7 @@ impl Core<'_> {
     pub(super) fn two_shapes(&self, a: GCode, first: Span, b: GCode, second: Span) -> Outcome {
         let (a, b) = (a.word(), b.word());
         let found = codes::S2009::cannot_stand_in_one_block(&a, &b).at(self.loc(second));
-        self.report(found.also(self.loc(first), "the other one").help("give each a block of its own"));
+        self.report(found.also(self.loc(first), Label::OtherOne).help("give each a block of its own"));
         Err(Reported)
     }
 }

@@ -3,7 +3,7 @@
 //! What such a variable holds when the program begins is known only where `[variables]` says it. Until the program writes an
 //! element, reading it is a guess, which is said. Source: S 5.1 (docs/sources.md).
 
-use crate::diag::{Answer, Help, codes};
+use crate::diag::{Answer, Help, Label, codes};
 use crate::parser::sinumerik::ast::TypeName;
 use crate::text::Span;
 
@@ -17,11 +17,18 @@ impl Run<'_> {
         let word = word.to_ascii_uppercase();
         let of_variable =
             |key: &str| key.strip_prefix(&word).is_some_and(|rest| rest.is_empty() || rest.starts_with('['));
-        let said = self.job.settings.variables.range(word.clone()..).take_while(|(key, _)| key.starts_with(&word));
+        let said = self
+            .channel
+            .core
+            .job
+            .settings
+            .variables
+            .range(word.clone()..)
+            .take_while(|(key, _)| key.starts_with(&word));
         for (key, value) in said.filter(|(key, _)| of_variable(key)) {
             let Some(element) = element_of(&var, &key[word.len()..]) else { continue };
-            let value = self.converted_or(&Val::Real(*value), var.kind, span, [12390, 12160])?;
-            self.check_limits(&value, var.limits, [12160, 12160], span)?;
+            let value = self.channel.core.converted_or(&Val::Real(*value), var.kind, span, [12390, 12160])?;
+            self.channel.core.check_limits(&value, var.limits, [12160, 12160], span)?;
             if let Some(place) = var.values.get_mut(element) {
                 *place = value;
                 var.kept.knows(element);
@@ -39,7 +46,7 @@ impl Run<'_> {
         };
         let Some(name) = var.kept.open(element) else { return };
         let (kind, defined) = (var.kind, var.defined);
-        let mut word = self.symbols.name(name).to_owned();
+        let mut word = self.channel.core.symbols.name(name).to_owned();
         if !indices.is_empty() && !var_is_text(kind) {
             let indices: Vec<String> = indices.iter().map(ToString::to_string).collect();
             word = format!("{word}[{}]", indices.join(","));
@@ -55,8 +62,8 @@ impl Run<'_> {
         } else {
             "set it in the program: what the control keeps in it is not known here".into()
         };
-        let found = codes::P2021::is_read_before_program_sets(&word).at(self.loc(span));
-        self.report(found.also(defined, "it is defined here").help(help));
+        let found = codes::P2021::is_read_before_program_sets(&word).at(self.channel.core.loc(span));
+        self.channel.core.report(found.also(defined, Label::IsDefinedHere).help(help));
     }
 }
 

@@ -28,7 +28,7 @@ pub(super) enum Lane {
 impl Channel<'_> {
     /// Which straight blocks do nothing but move?
     pub(super) fn open_lane(&mut self) -> Lane {
-        if !(self.moves_straight() && self.nothing_waits() && self.program_level().executed) {
+        if !(self.moves_straight() && self.nothing_waits() && self.core.program_level().executed) {
             return Lane::Closed;
         }
         let feed = &self.st.feed;
@@ -52,7 +52,7 @@ impl Channel<'_> {
             // Behind an error the rules of the path may be missing: the next code gives them.
             && (st.side() == Side::None || st.path.is_computed() && st.ctx.compensation.is_some())
             && st.tool.edge() != Some(0)
-            && self.job.settings.machine.diameter_axis.is_none()
+            && self.core.job.settings.machine.diameter_axis.is_none()
             && !self.axis_names.are_given()
             && letters.into_iter().all(named)
     }
@@ -60,7 +60,7 @@ impl Channel<'_> {
     /// Nothing in front of a move waits for it, or takes it for something else.
     fn nothing_waits(&self) -> bool {
         !self.iso
-            && !self.language.has_macros()
+            && !self.core.language.has_macros()
             && self.capture.is_none()
             && self.soft.is_none()
             && self.st.stored.is_none()

@@ -21,11 +21,11 @@ impl Run<'_> {
                 named.insert(axis);
             }
         }
-        let geometry: AxisSet = self.st.machine.geometry_axes.into_iter().collect();
+        let geometry: AxisSet = self.channel.st.machine.geometry_axes.into_iter().collect();
         if named.is_empty() || named == geometry {
-            self.dynamics_are_left_out(span);
+            self.channel.core.dynamics_are_left_out(span);
         } else {
-            self.changes_feeds(codes::S8101::fgroup_is_left_out(), span);
+            self.channel.core.changes_feeds(codes::S8101::fgroup_is_left_out(), span);
         }
         Ok(())
     }
@@ -40,9 +40,9 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome {
         if !matches!(name, "WRITE" | "DELETE") {
-            return self.refuse(span, codes::P9011::takes_values_from_file_of_control(&name));
+            return self.channel.core.refuse(span, codes::P9011::takes_values_from_file_of_control(&name));
         }
-        self.say_once(span, codes::S8017::works_on_file_of_control(&name));
+        self.channel.core.say_once(span, codes::S8017::works_on_file_of_control(&name));
         let Some(formula) = formulas.first().filter(|formula| !formula.is_missing()) else { return Ok(()) };
         let Some(reference) = self.reference(*formula, block, text)? else {
             return match block.formula(*formula) {
@@ -52,11 +52,11 @@ impl Run<'_> {
         };
         self.set_reference(reference, 0);
         let shown = match block.formula(*formula) {
-            [Op::Name(name, _)] => self.symbols.name(*name).to_owned(),
+            [Op::Name(name, _)] => self.channel.core.symbols.name(*name).to_owned(),
             [Op::R(n, _)] => format!("R{n}"),
             _ => "its first argument".to_owned(),
         };
-        self.say_once(formula.span, codes::S8108::error_variable_is_set_to_0(&name, &shown));
+        self.channel.core.say_once(formula.span, codes::S8108::error_variable_is_set_to_0(&name, &shown));
         Ok(())
     }
 }

@@ -41,35 +41,18 @@ impl Channel<'_> {
             return;
         }
         self.report_lost_change();
-        let goes_on = "and no M6 changes it in before the next cut: the tool before it goes on cutting";
-        let message = match &may {
-            MayChange::Chosen(number) => format!("T chose tool {number} before {name}, which is left out, {goes_on}"),
+        let key = Answer::key("programs", name);
+        let to_argument = key.clone().one_of(&[format!("{{ tool = {place} }}")]);
+        let fault = match may {
+            MayChange::Chosen(number) => codes::S8163::t_chose_tool_before_call(&number, &name)
+                .answers([key.one_of(&["{ change = true }"]), Answer::key("control", "tool_change")]),
             MayChange::Named(number, tool) => {
-                format!("{name}, which is left out, names tool {number}, \"{tool}\", {goes_on}")
+                codes::S8163::call_names_tool(&name, &number, &tool, &place).answer(to_argument)
             }
-            MayChange::Unknown(tool) => {
-                format!(
-                    "{name}, which is left out, may name a tool, \"{tool}\", and the program has changed none: it cuts with whatever is in the spindle"
-                )
-            }
+            MayChange::Unknown(tool) => codes::S8163::call_may_name_tool(&name, &tool, &place).answer(to_argument),
         };
-        let entry = Answer::key("programs", name);
-        let help = match may {
-            MayChange::Chosen(_) => {
-                let text = format!(
-                    "if {name} changes the tool, say so: `{name} = {{ change = true }}` under `[programs]`; if T itself does, \
-                     set `[control] tool_change = \"t\"`"
-                );
-                entry.one_of(&["{ change = true }"]).help(text).and(Answer::key("control", "tool_change"))
-            }
-            MayChange::Named(..) | MayChange::Unknown(_) => {
-                let change = format!("{{ tool = {place} }}");
-                let text = format!("if {name} changes the tool, say so: `{name} = {change}` under `[programs]`");
-                entry.one_of(&[change]).help(text)
-            }
-        };
-        let found = Diagnostic::new(codes::S8163, self.loc(span), message).help(help);
-        let found = found.called(self.here.origin.call);
+        let found = fault.at(self.core.loc(span));
+        let found = found.called(self.core.here.origin.call);
         self.change_left_out = Some(Box::new(LeftOut { number, found, cut: false }));
     }
 
@@ -99,7 +82,7 @@ impl Channel<'_> {
 
     /// The tool that has this name in the table or by `$TC_TP2`.
     fn number_of_tool_named(&self, name: &str) -> Option<u32> {
-        let tools = &self.job.settings.tools;
+        let tools = &self.core.job.settings.tools;
         let listed = || match tools.key_of_name(name, false)? {
             crate::machine::tools::ToolKey::Number(own, _) => Some(*own),
             crate::machine::tools::ToolKey::Name(_) => tools.by_name(name)?.0,
@@ -137,7 +120,7 @@ impl Channel<'_> {
     /// The tool that a left-out call may have changed in was not changed in before cuts: another one is chosen, or the program ends.
     pub(super) fn report_lost_change(&mut self) {
         let Some(lost) = self.change_left_out.take().filter(|left| left.cut) else { return };
-        self.change_was_reported();
-        self.job.diags.push_cause(lost.found);
+        self.core.change_was_reported();
+        self.core.job.diags.push_cause(lost.found);
     }
 }

@@ -50,7 +50,7 @@ impl Channel<'_> {
         let edge = tool.edge_or_first();
         let written = |parameter: u8| self.st.system.number(&format!("$TC_DP{parameter}[{number},{edge}]"));
         let listed = || {
-            let tool = self.job.settings.tools.called(number).filter(|_| edge == 1)?;
+            let tool = self.core.job.settings.tools.called(number).filter(|_| edge == 1)?;
             tool.length.map(|length| length + tool.deltas[0])
         };
         match written(3).or_else(listed) {
@@ -69,13 +69,13 @@ impl Channel<'_> {
         if length == ToolLength::Off {
             return Ok(value);
         }
-        if !self.job.settings.output.prints_tool_length() {
-            self.says_tip_in_machine_coordinates(place);
+        if !self.core.job.settings.output.prints_tool_length() {
+            self.core.says_tip_in_machine_coordinates(place);
             return Ok(value);
         }
         match length {
             ToolLength::Known(length) => {
-                self.say_once(
+                self.core.say_once(
                     place,
                     codes::S8105::tool_length_is_added_to_machine_coordinates(&length, &axis.letter()),
                 );
@@ -88,14 +88,14 @@ impl Channel<'_> {
     /// G43 of the target adds the length of the tool to Z; on the control it acts along the third axis of the plane.
     pub(super) fn length_acts_along_z(&self) {
         let [_, _, third] = self.st.roles();
-        let output = &self.job.settings.output;
+        let output = &self.core.job.settings.output;
         if third == Axis::Z || !output.prints_tool_length() || self.st.machine.lathe || self.is_capturing() {
             return;
         }
         let tool = &self.st.tool;
         if tool.edge() == Some(0)
             || tool.active().is_none_or(|number| number == 0)
-            || !self.job.diags.first_time(codes::O9190, third)
+            || !self.core.job.diags.first_time(codes::O9190, third)
         {
             return;
         }
@@ -103,9 +103,9 @@ impl Channel<'_> {
         let [who, help] = output.length_along_z();
         let help = format!("{help}, or program the block under G17");
         let help = Answer::key("output", "tool_length").one_of(&["\"off\""]).help(help);
-        self.report(
+        self.core.report(
             codes::O9190::under_length_of_tool_acts_along(&plane, &third.letter(), &who)
-                .at(self.loc(Where::Block))
+                .at(self.core.loc(Where::Block))
                 .help(help),
         );
     }
@@ -119,7 +119,7 @@ impl Channel<'_> {
             _ => Help::from(ways),
         };
         let help = help.and(Answer::key("control", "md10760").one_of(&["true"]));
-        self.refuse(place, codes::P2005::control_goes_to_this_machine_coordinate(&axis.letter()).help(&help))
+        self.core.refuse(place, codes::P2005::control_goes_to_this_machine_coordinate(&axis.letter()).help(&help))
     }
 
     /// SUPD: the tool offsets do not count in this block.
@@ -128,9 +128,9 @@ impl Channel<'_> {
         let moves = self.st.machine.lathe || w.axes.iter().any(|axis| self.st.tool_axes().contains(axis));
         let radius = self.st.side() != crate::ir::Side::None;
         if radius || moves && self.active_length() != ToolLength::Off {
-            return self.refuse(span, codes::P2005::supd_moves_spindle());
+            return self.core.refuse(span, codes::P2005::supd_moves_spindle());
         }
-        self.say_once(span, codes::S8103::supd_is_left_out());
+        self.core.say_once(span, codes::S8103::supd_is_left_out());
         Ok(())
     }
 }

@@ -29,30 +29,36 @@ impl Run<'_> {
         let body = body.trim_ascii_start();
         let keyword = body.get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"AS"));
         if len == 0 || !keyword {
-            return self.refuse(span, codes::P1001::macro_is_written_define_name_as_words());
+            return self.channel.core.refuse(span, codes::P1001::macro_is_written_define_name_as_words());
         }
         let body = body[2..].trim_ascii();
         if body.len() > MOST_MACRO {
-            return self.refuse(span, codes::S2030::text_of_macro_has_at_most_256());
+            return self.channel.core.refuse(span, codes::S2030::text_of_macro_has_at_most_256());
         }
-        let symbol = self.symbols.intern(name);
+        let symbol = self.channel.core.symbols.intern(name);
         if let Some(fault) = self.macro_in_use(symbol) {
-            let digits = self.symbols.name(symbol).len() - 1;
+            let digits = self.channel.core.symbols.name(symbol).len() - 1;
             let long = matches!(name.first(), Some(b'G' | b'g')) && digits > 3
                 || matches!(name.first(), Some(b'M' | b'm')) && digits > 2;
             let numbered = name.get(1..).is_some_and(|rest| rest.iter().all(u8::is_ascii_digit));
             let alarm = if numbered && long { 12530 } else { 12270 };
-            return self.refuse(span, fault.alarm(alarm));
+            return self.channel.core.refuse(span, fault.alarm(alarm));
         }
-        if self.language.macros.get(&symbol).is_some_and(|known| **known != *body) {
-            return self.refuse(span, codes::S2016::macro_is_defined_twice(&self.symbols.name(symbol)));
+        if self.channel.core.language.macros.get(&symbol).is_some_and(|known| **known != *body) {
+            return self
+                .channel
+                .core
+                .refuse(span, codes::S2016::macro_is_defined_twice(&self.channel.core.symbols.name(symbol)));
         }
         if self.vars.find(symbol).is_some() {
-            return self.refuse(span, codes::S2016::is_variable_already(&self.symbols.name(symbol)));
+            return self
+                .channel
+                .core
+                .refuse(span, codes::S2016::is_variable_already(&self.channel.core.symbols.name(symbol)));
         }
-        if self.language.macros.insert(symbol, body.into()).as_deref() != Some(body) {
+        if self.channel.core.language.macros.insert(symbol, body.into()).as_deref() != Some(body) {
             // Blocks that were read before may contain the name.
-            for program in &mut self.programs {
+            for program in &mut self.channel.core.programs {
                 program.source.forget_blocks();
             }
         }
@@ -61,7 +67,7 @@ impl Run<'_> {
 
     /// A macro must not give a word of the language another meaning.
     pub(super) fn macro_in_use(&mut self, symbol: Symbol) -> Option<Fault> {
-        let word = self.symbols.name(symbol).to_owned();
+        let word = self.channel.core.symbols.name(symbol).to_owned();
         let digits = word.get(1..).filter(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()));
         let taken = match (word.as_bytes().first(), digits) {
             (Some(b'G'), Some(digits)) => {

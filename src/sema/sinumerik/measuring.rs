@@ -6,7 +6,7 @@
 //!
 //! Source: S 6, P 3.1 and 3.2 (docs/sources.md).
 
-use crate::diag::{Answer, Help, codes};
+use crate::diag::{Answer, Help, Label, codes};
 use crate::ir::Side;
 use crate::machine::{Axis, AxisSet, StandIn};
 use crate::parser::sinumerik::ast::{Block, Formula, Value, Word};
@@ -60,7 +60,7 @@ impl Run<'_> {
         for formula in formulas {
             values.push(self.eval(*formula, block, text)?);
         }
-        self.leave_cycle_out(name, &values, span)
+        self.channel.leave_cycle_out(name, &values, span)
     }
 
     // Global data of the cycles.
@@ -69,37 +69,39 @@ impl Run<'_> {
     pub(super) fn keeps_measuring_data(&mut self, name: &str, args: &[Val], value: Option<Val>, span: Span) {
         let key = super::system::system_key(name, args);
         match value {
-            Some(value) => self.st.system.set(key, value),
-            None => self.st.system.forget(&key),
+            Some(value) => self.channel.st.system.set(key, value),
+            None => self.channel.st.system.forget(&key),
         }
-        self.say_once(span, codes::S8168::arguments_of_measuring_cycles());
+        self.channel.core.say_once(span, codes::S8168::arguments_of_measuring_cycles());
     }
 
     /// The value of one of their names in a formula: what the program wrote, or what `[variables]` says; `None` for another name.
     pub(super) fn measuring_value(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
         let Some(result) = measuring_data::find(name) else { return Ok(None) };
         let key = super::system::system_key(name, args);
-        if let Some(value) = self.st.system.get(&key) {
+        if let Some(value) = self.channel.st.system.get(&key) {
             return Ok(Some(value.clone()));
         }
         if !result {
             return Ok(None);
         }
-        let Some(value) = self.job.settings.variables.get(&key).copied() else {
+        let Some(value) = self.channel.core.job.settings.variables.get(&key).copied() else {
             let help = format!(
                 "give it under [variables]: \"{key}\" = value; the measuring cycles keep it in the global data of the control"
             );
             let help = Answer::variable(&key, meaning_of(name, args).unwrap_or_default()).help(help);
             return self
+                .channel
+                .core
                 .refuse(span, codes::S9133::is_result_of_measuring_cycles(&key, &said_meaning(name, args)).help(help));
         };
-        self.says_given(&key, value, true, span);
+        self.channel.says_given(&key, value, true, span);
         Ok(Some(Val::Real(value)))
     }
 
     /// May a variable of this name hold what a left-out cycle found?
     pub(super) fn is_found_by_cycle(&self, name: &str) -> bool {
-        self.measured.cycle.is_some() && measuring_data::find(name) == Some(true)
+        self.channel.measured.cycle.is_some() && measuring_data::find(name) == Some(true)
     }
 }
 
@@ -121,12 +123,12 @@ impl Channel<'_> {
 
     fn cycle_left_out(&mut self, name: &str, values: &[Val], span: Span) -> Outcome {
         self.pending_must_be_done(span)?;
-        let ignored = self.job.settings.programs.get(name) == Some(&StandIn::Ignored);
-        if !ignored && !self.job.settings.control.klartext_choices.probing_left_out {
-            return self.refuse(span, codes::P9010::measuring_cycle_is_not_supported(&name).help(leave_out()));
+        let ignored = self.core.job.settings.programs.get(name) == Some(&StandIn::Ignored);
+        if !ignored && !self.core.job.settings.control.klartext_choices.probing_left_out {
+            return self.core.refuse(span, codes::P9010::measuring_cycle_is_not_supported(&name).help(leave_out()));
         }
         if self.st.side() != Side::None || self.is_capturing() {
-            return self.refuse(span, codes::P9010::stands_under_radius_compensation_or_in_contour(&name));
+            return self.core.refuse(span, codes::P9010::stands_under_radius_compensation_or_in_contour(&name));
         }
         let what = match self.set_by(name, values) {
             Sets::Nothing => "",
@@ -136,10 +138,10 @@ impl Channel<'_> {
                 "; the work offset of the target has to be as it sets it, before the program runs"
             }
         };
-        let loc = self.loc(span);
+        let loc = self.core.loc(span);
         let found = codes::S8167::is_left_out_what_it_measures(&name, &what).at(loc);
-        if !self.job.diags.knows(&found) {
-            self.report(found.help(
+        if !self.core.job.diags.knows(&found) {
+            self.core.report(found.help(
                 "set up on the target what this cycle measures, before the program runs; look at the next rapid move: the target stands \
                  where it stood before the cycle",
             ));
@@ -187,20 +189,20 @@ impl Channel<'_> {
     fn offset_by_probe(&mut self, name: &str, number: Option<i32>, span: Span) -> Outcome {
         let which = number.map_or_else(String::new, |number| format!(" (KNUM {number})"));
         let message = format!("{name} corrects a work offset{which} by what it measures");
-        match self.job.settings.control.klartext_choices.probing_datum {
+        match self.core.job.settings.control.klartext_choices.probing_datum {
             Some(true) if self.st.tool.others_worked() => {
-                self.refuse(span, codes::S9024::another_tool_worked_before(&message))
+                self.core.refuse(span, codes::S9024::another_tool_worked_before(&message))
             }
             Some(true) if self.st.offsets.is_basic_said() => {
-                self.refuse(span, codes::S9024::coordinates_count_from_basic_system(&message))
+                self.core.refuse(span, codes::S9024::coordinates_count_from_basic_system(&message))
             }
             Some(true) => Ok(()),
             Some(false) => {
                 let help = Answer::key("control", "probing_datum").one_of(&["\"set\""]);
                 let help = help.help("`[control] probing_datum = \"refuse\"` compiles no such program");
-                self.refuse(span, codes::S9024::corrects_work_offset_by_what(&name, &which).help(help))
+                self.core.refuse(span, codes::S9024::corrects_work_offset_by_what(&name, &which).help(help))
             }
-            None => self.refuse(
+            None => self.core.refuse(
                 span,
                 codes::S9024::corrects_work_offset_by_what_it_measures(&name, &which)
                     .answer(Answer::key("control", "probing_datum").one_of(&["\"set\""])),
@@ -229,7 +231,7 @@ impl Channel<'_> {
             self.lost();
             return result;
         }
-        let loc = self.loc(probe.span);
+        let loc = self.core.loc(probe.span);
         let letters: Vec<String> = axes.iter().map(|axis| axis.letter().to_string()).collect();
         let letters = letters.join(" and ");
         let stops = if axes.len() > 1 { "stop" } else { "stops" };
@@ -239,8 +241,8 @@ impl Channel<'_> {
             codes::S8167::is_left_out_with_its_move(&probe.name, &letters, &stops)
         };
         let found = fault.at(loc);
-        if !self.job.diags.knows(&found) {
-            self.report(found);
+        if !self.core.job.diags.knows(&found) {
+            self.core.report(found);
         }
         self.st.threads.end_chain();
         self.st.heading = super::tangent::Heading::None;
@@ -267,15 +269,15 @@ impl Channel<'_> {
 
     /// MEAW, and MEAS whose probe touches nothing: its move was printed, if there was one.
     pub(super) fn measured_on_the_way(&mut self, probe: ProbeWord, moved: bool) -> bool {
-        let (loc, name) = (self.loc(probe.span), probe.name);
+        let (loc, name) = (self.core.loc(probe.span), probe.name);
         let found = match (moved, self.never_touches()) {
             (true, true) => codes::S8167::probe_touches_nothing(&name),
             (true, false) => codes::S8167::its_move_is_not_left_out(&name),
             (false, _) => codes::S8167::its_block_moves_no_axis(&name),
         }
         .at(loc);
-        if !self.job.diags.knows(&found) {
-            self.report(found);
+        if !self.core.job.diags.knows(&found) {
+            self.core.report(found);
         }
         self.has_measured(name, loc);
         moved
@@ -283,7 +285,7 @@ impl Channel<'_> {
 
     /// Does the configuration say that the probe touches nothing, so that each move goes its whole way?
     pub(super) fn never_touches(&self) -> bool {
-        self.job.settings.control.klartext_choices.never_touches
+        self.core.job.settings.control.klartext_choices.never_touches
     }
 
     /// The probe touched nothing: what it measured has no value, and whether it touched is known.
@@ -295,34 +297,33 @@ impl Channel<'_> {
             return Ok(None);
         }
         if word != "$AC_MEA" {
-            return self.refuse(span, codes::P2023::has_no_value(&key, &name, &at.line));
+            return self.core.refuse(span, codes::P2023::has_no_value(&key, &name, &at.line));
         }
         let found = codes::S8169::is_0_in_line_touches_nothing(&key, &name, &at.line)
-            .at(self.loc(span))
-            .also(at, "it is measured here");
-        self.report_once(found.help("check that the control goes the same way through the program"));
+            .at(self.core.loc(span))
+            .also(at, Label::Measured);
+        self.core.report_once(found.help("check that the control goes the same way through the program"));
         Ok(Some(Val::Int(0)))
     }
 
     /// G4, TRANS and their kin take no words of moves.
     pub(super) fn measures_beside(&self, probe: ProbeWord, span: Span) -> Outcome {
-        let found = codes::S2013::needs_move(&probe.name).at(self.loc(probe.span));
-        self.report(
-            found
-                .also(self.loc(span), "this word moves no axis along a path")
-                .help("give it a block with G1 and an axis"),
-        );
+        let found = codes::S2013::needs_move(&probe.name).at(self.core.loc(probe.span));
+        self.core
+            .report(found.also(self.core.loc(span), Label::MovesNoAxis).help("give it a block with G1 and an axis"));
         Err(Reported)
     }
 
     pub(super) fn may_leave_probe_out(&mut self, probe: ProbeWord) -> Outcome {
-        if !self.job.settings.control.klartext_choices.probing_left_out {
-            return self.refuse(probe.span, codes::P9010::measuring_is_not_supported(&probe.name).help(leave_out()));
+        if !self.core.job.settings.control.klartext_choices.probing_left_out {
+            return self
+                .core
+                .refuse(probe.span, codes::P9010::measuring_is_not_supported(&probe.name).help(leave_out()));
         }
         self.pending_must_be_done(probe.span)?;
         let open = self.st.side() != Side::None || self.st.compensation.waits() || self.soft.is_some();
         if open || self.is_capturing() || self.st.modal_call.is_on() {
-            return self.refuse(probe.span, codes::P9010::stands_under_radius_compensation(&probe.name));
+            return self.core.refuse(probe.span, codes::P9010::stands_under_radius_compensation(&probe.name));
         }
         Ok(())
     }
@@ -337,10 +338,10 @@ impl Channel<'_> {
 
     /// A move to these axes, before it: those that stand where a probe left them have to be named.
     pub(super) fn leaves_touched(&mut self, axes: AxisSet, rapid: bool) -> Outcome {
-        let (position, here) = (&self.st.position, self.here.origin.loc);
+        let (position, here) = (&self.st.position, self.core.here.origin.loc);
         let left = if self.is_capturing() { AxisSet::EMPTY } else { position.left_by_calls() };
-        if let Some(found) = move_beside(codes::P2001, position, left, axes, &self.st.ctx.frame, here) {
-            self.report(found);
+        if let Some(found) = move_beside(position, left, axes, &self.st.ctx.frame, here) {
+            self.core.report(found);
             self.lose_all();
             return Err(Reported);
         }
@@ -356,9 +357,9 @@ impl Channel<'_> {
         let letters: Vec<String> = missing.iter().map(|axis| axis.letter().to_string()).collect();
         let letters = letters.join(" and ");
         let found = codes::S9023::this_block_moves(&letters)
-            .at(self.here.origin.loc)
-            .also(touched.loc, "the measuring is left out here");
-        self.report(found.help(format!("program {letters} in this block, in absolute coordinates")));
+            .at(self.core.here.origin.loc)
+            .also(touched.loc, Label::MeasuringLeftOut);
+        self.core.report(found.help(format!("program {letters} in this block, in absolute coordinates")));
         self.lose_all();
         Err(Reported)
     }
@@ -377,10 +378,10 @@ impl Channel<'_> {
         let last = if by_cycle { self.measured.cycle.as_ref() } else { self.measured.last.as_ref() };
         let Some((name, at)) = last else { return };
         let found = codes::S8169::of_variables_is_taken_for_what(&key, &value, &name, &at.line)
-            .at(self.loc(span))
-            .also(*at, "it is measured here");
-        if self.job.diags.first_text(codes::S8169, &found.message) {
-            self.report(
+            .at(self.core.loc(span))
+            .also(*at, Label::Measured);
+        if self.core.job.diags.first_text(codes::S8169, &found.message) {
+            self.core.report(
                 found.help("one value stands for all measurings of the program: check that it is right for this one"),
             );
         }

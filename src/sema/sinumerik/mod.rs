@@ -107,7 +107,7 @@ use crate::sema::run::Where;
 use crate::text::{Span, SplitRules};
 
 use super::run::unexecuted::Blocks;
-use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
+use super::run::{self, Interpreter, Language, Level, Parsed};
 use super::{Job, Outcome, Reported};
 use calls::Frame;
 use channel::Channel;
@@ -128,9 +128,9 @@ pub use unexecuted::check_unexecuted;
 /// Runs the main program of `job`; items go to `out`. Returns the hash of the main program's text.
 pub fn run(job: &Job<'_>, out: &mut dyn Sink) -> u64 {
     let mut run = Run::new(job, out);
-    let plane = run.st.codes.of(g_groups::Group::Plane);
-    run.st.set_plane(plane);
-    if run::run(&mut run) { run.core.hash() } else { 0 }
+    let plane = run.channel.st.codes.of(g_groups::Group::Plane);
+    run.channel.st.set_plane(plane);
+    if run::run(&mut run) { run.channel.core.hash() } else { 0 }
 }
 
 /// Reads every block of the file, whether it runs or not, and reports what is wrong with its form.
@@ -262,8 +262,6 @@ impl<'a> Run<'a> {
     }
 }
 
-runs_on!(Run.channel: Channel);
-
 impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Sinumerik;
 
@@ -283,54 +281,54 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
     #[inline]
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        if !self.straight_block(block) {
+        if !self.channel.straight_block(block) {
             // Blocks that this one runs itself (a contour, a text, a pattern) ask anew.
-            self.lane = Lane::Closed;
+            self.channel.lane = Lane::Closed;
             self.execute_any(block, text);
-            self.block_stop_ends();
-            self.lane = self.open_lane();
+            self.channel.block_stop_ends();
+            self.channel.lane = self.channel.open_lane();
         }
     }
 
     #[inline]
     fn line_lane(&mut self) -> bool {
-        self.straight_line()
+        self.channel.straight_line()
     }
 
     fn end_of_file(&mut self) {
-        self.lane = Lane::Closed;
+        self.channel.lane = Lane::Closed;
         self.file_over();
     }
 
     fn unread_block(&mut self) {
-        self.lane = Lane::Closed;
-        self.lose_all();
+        self.channel.lane = Lane::Closed;
+        self.channel.lose_all();
     }
 
     #[inline]
     fn level_ends(&mut self) -> bool {
-        let at = self.place().at;
-        if self.levels.len() > 1 && self.ends_here(at) {
-            self.lane = Lane::Closed;
+        let at = self.channel.core.place().at;
+        if self.channel.core.levels.len() > 1 && self.ends_here(at) {
+            self.channel.lane = Lane::Closed;
             return true;
         }
         let over = at >= self.units.list[self.unit()].end;
         if over {
-            self.lane = Lane::Closed;
+            self.channel.lane = Lane::Closed;
             self.file_over();
         }
         over
     }
 
     fn forgive(&mut self, _: &Block) {
-        if self.iso {
-            self.problems.clear();
+        if self.channel.iso {
+            self.channel.core.problems.clear();
         }
     }
 
     fn finish(&mut self) {
-        self.report_lost_change();
-        self.report_no_change();
+        self.channel.report_lost_change();
+        self.channel.core.report_no_change();
         self.report_open_table();
         self.report_open();
     }
@@ -338,30 +336,30 @@ impl<'a> Interpreter<'a> for Run<'a> {
 
 impl Run<'_> {
     fn execute_any(&mut self, block: &Block, text: &[u8]) {
-        if self.skips(block.skip) {
+        if self.channel.core.skips(block.skip) {
             return;
         }
         if let Some(span) = block.comment {
             let comment = span.of(text);
-            self.comment(comment);
-            if block.stmt == Stmt::Empty && (self.st.stored.is_some() || comment.starts_with(b"#")) {
-                self.here.origin.loc.span = span.shifted(self.here.at);
+            self.channel.comment(comment);
+            if block.stmt == Stmt::Empty && (self.channel.st.stored.is_some() || comment.starts_with(b"#")) {
+                self.channel.core.here.origin.loc.span = span.shifted(self.channel.core.here.at);
                 let _ = self.stored_record(comment);
             }
         }
-        if block.stmt == Stmt::Empty || self.iso && !self.iso_ends(block) {
+        if block.stmt == Stmt::Empty || self.channel.iso && !self.iso_ends(block) {
             return;
         }
-        if self.st.stored.is_some() {
-            self.note_stored_block();
+        if self.channel.st.stored.is_some() {
+            self.channel.note_stored_block();
         }
-        if self.curve_table.is_some() {
+        if self.channel.curve_table.is_some() {
             let _ = self.table_block(block);
             return;
         }
         // What went wrong was reported; the next block may show more.
         if self.statement(block, text).is_err() {
-            self.begin_no_compensation();
+            self.channel.begin_no_compensation();
         }
     }
 
@@ -380,7 +378,7 @@ impl Run<'_> {
 
     /// The program that runs.
     fn unit(&self) -> usize {
-        self.levels.last().map_or(0, |level| level.frame.unit)
+        self.channel.core.levels.last().map_or(0, |level| level.frame.unit)
     }
 
     /// Lists the programs of a file.
@@ -389,7 +387,7 @@ impl Run<'_> {
     }
 
     fn file_over(&mut self) {
-        let _ = self.pending_must_be_done(Where::Block);
+        let _ = self.channel.pending_must_be_done(Where::Block);
         self.end_of_program_text();
     }
 
@@ -398,8 +396,8 @@ impl Run<'_> {
         let ends = |word: &Word| {
             word.target == Target::Letter(b'G') && matches!(word.value, Value::Literal { value: 290.0, .. })
         };
-        self.iso = !block.words.iter().any(ends) && block.stmt != Stmt::Header;
-        !self.iso
+        self.channel.iso = !block.words.iter().any(ends) && block.stmt != Stmt::Header;
+        !self.channel.iso
     }
 
     fn statement(&mut self, block: &Block, text: &[u8]) -> Outcome {
@@ -415,11 +413,11 @@ impl Run<'_> {
                 self.begins_executing();
                 // Without the head of a loop or branch nobody knows where the program goes on.
                 if scan(text, &mut self.channel.core.symbols).structure.is_some() {
-                    self.stop_run();
+                    self.channel.core.stop_run();
                 }
-                self.st.position.lose(AxisSet::ALL);
-                self.st.pair.drop_first();
-                self.lost();
+                self.channel.st.position.lose(AxisSet::ALL);
+                self.channel.st.pair.drop_first();
+                self.channel.lost();
                 return Err(Reported);
             }
             Stmt::Def { kind, length, global } => return self.def_block(kind, length, global, block, text),
@@ -427,7 +425,7 @@ impl Run<'_> {
             Stmt::Extern(name) => return self.extern_block(name, block),
             Stmt::Redef(_) => return Ok(()),
             Stmt::Define(span) => {
-                self.program_level().declares = true;
+                self.channel.core.program_level().declares = true;
                 return self.define_macro(span.of(text), span);
             }
             _ => {}
@@ -437,18 +435,18 @@ impl Run<'_> {
             Stmt::IfJump => self.if_jumps(block, text),
             Stmt::Goto(jump) => self.jump(jump, block, text),
             Stmt::GotoStart => {
-                self.says_goto_start(block.span);
+                self.channel.core.says_goto_start(block.span);
                 Ok(())
             }
             Stmt::Case(formula) => self.case_block(formula, block, text),
             Stmt::Repeat { from, to, times } => self.repeat(from, to, times, block, text),
             Stmt::RepeatBlock { label, times } => self.repeat_block(label, times, block, text),
             Stmt::Call(form) => {
-                self.pending_must_be_done(block.span)?;
+                self.channel.pending_must_be_done(block.span)?;
                 let result = self.call_form(form, block, text);
                 if result.is_err() {
-                    self.st.position.lose(AxisSet::ALL);
-                    self.lost();
+                    self.channel.st.position.lose(AxisSet::ALL);
+                    self.channel.lost();
                 }
                 result
             }
@@ -459,13 +457,13 @@ impl Run<'_> {
 
     /// An executable block: DEF is too late from here on, arguments without PROC are too many.
     fn begins_executing(&mut self) {
-        let level = self.program_level();
+        let level = self.channel.core.program_level();
         if level.executed {
             return;
         }
         level.executed = true;
         if level.arguments.is_some() {
-            self.refuse_arguments();
+            self.channel.core.refuse_arguments();
         }
     }
 
@@ -476,14 +474,14 @@ impl Run<'_> {
     }
 
     fn block_text(&self, block: &Block) -> Vec<u8> {
-        self.job.sources.bytes(self.here.file, block.span.shifted(self.here.at))
+        self.channel.core.job.sources.bytes(self.channel.core.here.file, block.span.shifted(self.channel.core.here.at))
     }
 
     /// Executes a text as a block: EXECSTRING, or a block with macros.
     fn execute_line(&mut self, line: &[u8], span: Span) -> Outcome {
         if self.depth >= MOST_TEXTS {
-            self.stop_run();
-            return self.refuse(span, codes::P4003::texts_that_execute_texts_are_nested_too());
+            self.channel.core.stop_run();
+            return self.channel.core.refuse(span, codes::P4003::texts_that_execute_texts_are_nested_too());
         }
         self.depth += 1;
         let result = self.execute_text(line, span);
@@ -492,14 +490,14 @@ impl Run<'_> {
     }
 
     fn execute_text(&mut self, line: &[u8], span: Span) -> Outcome {
-        let loc = self.loc(span);
-        self.budget.text(line.len());
-        let line = self.expanded(line).unwrap_or_else(|| line.to_vec());
+        let loc = self.channel.core.loc(span);
+        self.channel.core.budget.text(line.len());
+        let line = self.channel.core.expanded(line).unwrap_or_else(|| line.to_vec());
         let mut block = Block::default();
         parse_block(&line, &mut block, &mut self.channel.core.symbols, &mut self.channel.core.problems);
-        self.here.rewritten = true;
-        self.here.origin.loc = loc;
-        self.report_problems();
+        self.channel.core.here.rewritten = true;
+        self.channel.core.here.origin.loc = loc;
+        self.channel.core.report_problems();
         match block.stmt {
             Stmt::Words => {
                 // The words of the block around are in use.
@@ -516,7 +514,7 @@ impl Run<'_> {
             // The program goes on at the target, as behind a jump that stands there.
             Stmt::IfJump => self.if_jumps(&block, &line),
             Stmt::Goto(jump) => self.jump(jump, &block, &line),
-            _ => self.refuse(span, codes::S2013::control_structure_or_declaration_cannot_be_executed()),
+            _ => self.channel.core.refuse(span, codes::S2013::control_structure_or_declaration_cannot_be_executed()),
         }
     }
 

@@ -49,7 +49,7 @@ impl Channel<'_> {
     /// G500 is in force beside offsets of the machine: the coordinates are the machine's.
     pub(super) fn send_in_machine(&mut self, end: &Pos, path: Path) {
         if self.st.offsets.outer() == Outer::Unrelated {
-            let _: Outcome = self.unrelated(Where::Block, "G500 stands beside");
+            let _: Outcome = self.core.unrelated(Where::Block, "G500 stands beside");
             self.st.position.lose(end.known());
             return;
         }
@@ -63,7 +63,7 @@ impl Channel<'_> {
             ""
         };
         if !wrong.is_empty() {
-            let _: Outcome = self.in_machine_only_lines(Where::Block, wrong);
+            let _: Outcome = self.core.in_machine_only_lines(Where::Block, wrong);
             return;
         }
         // What is printed with G53 and what the program writes itself count from different places.
@@ -82,10 +82,10 @@ impl Channel<'_> {
     pub(super) fn machine_move(&mut self, w: &mut Words, code: GCode, span: Span) -> Outcome {
         self.pending_must_be_done(span)?;
         if !matches!(code, GCode::G0 | GCode::G1) || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
-            return self.refuse(span, codes::S9011::in_machine_coordinates_only_straight_moves_can());
+            return self.core.refuse(span, codes::S9011::in_machine_coordinates_only_straight_moves_can());
         }
         if self.st.side() != Side::None {
-            return self.refuse(span, codes::S2080::block_in_machine_coordinates_under_radius_compensation());
+            return self.core.refuse(span, codes::S2080::block_in_machine_coordinates_under_radius_compensation());
         }
         let feed = self.path_feed(w, code == GCode::G0)?;
         // Where the tip goes; nothing where the spindle nose does.
@@ -98,15 +98,17 @@ impl Channel<'_> {
                 _ => false,
             };
             if incremental {
-                return self.refuse(given.span, codes::S9011::increment_in_machine_coordinates_starts_from_place());
+                return self
+                    .core
+                    .refuse(given.span, codes::S9011::increment_in_machine_coordinates_starts_from_place());
             }
             let directed = matches!(given.mode, Mode::Dc | Mode::Acp | Mode::Acn);
             if axis.is_rotary() && (directed || self.st.machine.modulo.contains(axis)) {
                 let letter = axis.letter();
-                self.say_once(given.span, codes::S8044::way_of_to_machine_position_is_left(&letter));
+                self.core.say_once(given.span, codes::S8044::way_of_to_machine_position_is_left(&letter));
             }
             let mut value = if axis.is_rotary() { given.value } else { self.length(axis, given, false)? };
-            if !self.job.settings.control.sinumerik.machine_moves_without_tool {
+            if !self.core.job.settings.control.sinumerik.machine_moves_without_tool {
                 tip.set(axis, value);
                 value = self.machine_place(axis, value, given.span)?;
             }
@@ -117,7 +119,7 @@ impl Channel<'_> {
         self.machine_moves_beside_g500(span);
         let mv = Move { end, path: Path::straight(feed), side: Side::None, coords: Coords::Machine };
         self.core.send_move(&mv, &self.st.ctx);
-        if self.resolves() {
+        if self.core.resolves() {
             self.st.compensation.is_over();
         }
         self.moved_by_machine(&end, &tip);
@@ -128,26 +130,26 @@ impl Channel<'_> {
     pub(super) fn positioning(&mut self, w: &mut Words) -> Outcome {
         if !w.axes.is_empty() || w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some() {
             let span = w.beside.positioning[0].given.span;
-            return self.refuse(span, codes::S9008::pos_beside_path_motion());
+            return self.core.refuse(span, codes::S9008::pos_beside_path_motion());
         }
         if let Some(first) = w.beside.positioning.first() {
             self.no_positioning_in_contour(first.given.span)?;
         }
         if let Some((_, span)) = w.code_of(Group::Suppression) {
-            return self.refuse(span, codes::S9011::positioning_axis_in_machine_coordinates());
+            return self.core.refuse(span, codes::S9011::positioning_axis_in_machine_coordinates());
         }
         for at in 0..w.beside.positioning.len() {
             let positioning = w.beside.positioning[at];
             let axis = positioning.axis;
             if axis.is_main() && !self.st.ctx.frame.is_shift() {
-                return self.refuse(
+                return self.core.refuse(
                     positioning.given.span,
                     codes::S9008::is_positioning_axis_while_frame_is_turned(&axis.letter()),
                 );
             }
             let value = self.target(axis, positioning.given)?;
             let Some(feed) = self.st.feed.of_axis(axis) else {
-                return self.refuse(
+                return self.core.refuse(
                     positioning.given.span,
                     codes::P2002::feed_of_as_positioning_axis_is_machine(&axis.letter()),
                 );

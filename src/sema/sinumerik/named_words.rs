@@ -39,7 +39,7 @@ impl Run<'_> {
         };
         let meaning = self.meaning(name);
         match (meaning, args) {
-            (Meaning::Code(code), None) => words.add_code(&self.core, code, word.span)?,
+            (Meaning::Code(code), None) => words.add_code(&self.channel.core, code, word.span)?,
             (Meaning::Procedure(Procedure::NoEffect), _) if words.calls.word.is_none() => {
                 self.without_effect(name, args, word.span)?;
             }
@@ -48,7 +48,7 @@ impl Run<'_> {
                 words.calls.interrupt = Some(word.span);
             }
             _ if words.calls.word.is_some() => {
-                return self.refuse(word.span, codes::S2013::two_calls_stand_in_one_block());
+                return self.channel.core.refuse(word.span, codes::S2013::two_calls_stand_in_one_block());
             }
             _ => words.calls.word = Some(CallWord { name, meaning, args, span: word.span }),
         }
@@ -72,7 +72,7 @@ impl Run<'_> {
             Meaning::Address(Address::Prio) if interrupts(words) => {
                 let given = self.given(word, block, text)?;
                 if !(1.0..=128.0).contains(&given.value) {
-                    return self.refuse(word.span, codes::S2021::priority_of_interrupt_is_1_to_128());
+                    return self.channel.core.refuse(word.span, codes::S2021::priority_of_interrupt_is_1_to_128());
                 }
             }
             Meaning::Address(Address::Dynamics) => {
@@ -81,29 +81,31 @@ impl Run<'_> {
             }
             Meaning::Address(address) => {
                 let given = self.given(word, block, text)?;
-                words.set_address(&self.core, address, given)?;
+                words.set_address(&self.channel.core, address, given)?;
             }
             Meaning::Axis(named) => {
                 let given = self.given(word, block, text)?;
-                self.axis_word(words, named, given)?;
+                self.channel.axis_word(words, named, given)?;
             }
             Meaning::Procedure(Procedure::Refused(_))
-                if probe_state::word(self.symbols.name(name), word.span).is_some() =>
+                if probe_state::word(self.channel.core.symbols.name(name), word.span).is_some() =>
             {
-                let probe = probe_state::word(self.symbols.name(name), word.span);
+                let probe = probe_state::word(self.channel.core.symbols.name(name), word.span);
                 if let Some(probe) = probe {
                     self.probe_word(words, probe, word, block, text)?;
                 }
             }
             Meaning::Procedure(Procedure::Refused(_)) | Meaning::Known(_)
-                if Beside::find(self.symbols.name(name)).is_some() =>
+                if Beside::find(self.channel.core.symbols.name(name)).is_some() =>
             {
-                let own = self.symbols.name(name).to_owned();
+                let own = self.channel.core.symbols.name(name).to_owned();
                 self.oscillation_word(&own, word, block, text)?;
             }
             Meaning::Procedure(Procedure::Refused(Refusal { what, .. })) => {
-                return self
-                    .refuse(word.span, codes::P9010::is_not_supported_so_replace(&self.symbols.name(name), &what));
+                return self.channel.core.refuse(
+                    word.span,
+                    codes::P9010::is_not_supported_so_replace(&self.channel.core.symbols.name(name), &what),
+                );
             }
             _ => {
                 if self.definitions_known() {
@@ -117,9 +119,9 @@ impl Run<'_> {
 
     /// OVR, ADIS, CTOL and the like.
     fn dynamics_word(&self, words: &mut Words, name: Symbol, value: Option<f64>, span: Span) -> Outcome {
-        match self.symbols.name(name) {
+        match self.channel.core.symbols.name(name) {
             "OVR" if value != Some(100.0) => {
-                return self.refuse(span, codes::S9009::ovr_changes_every_feed_by_factor());
+                return self.channel.core.refuse(span, codes::S9009::ovr_changes_every_feed_by_factor());
             }
             "ADIS" => words.smoothing.distance = value,
             "CTOL" => words.smoothing.tolerance = value,
@@ -130,19 +132,19 @@ impl Run<'_> {
 
     /// STOPRE and other words that do nothing to the path.
     fn without_effect(&mut self, name: Symbol, args: Option<Args>, span: Span) -> Outcome {
-        let own = self.symbols.name(name);
+        let own = self.channel.core.symbols.name(name);
         if own == "SAVE" || own == "STOPRE" && args.is_some_and(|args| args.count > 0) {
             let fault = if own == "SAVE" {
                 codes::P1001::save_is_attribute_of_proc()
             } else {
                 codes::P1001::stopre_takes_no_argument()
             };
-            return self.refuse(span, fault);
+            return self.channel.core.refuse(span, fault);
         }
-        self.control_words_are_left_out(span);
+        self.channel.core.control_words_are_left_out(span);
         // It ends the look-ahead.
-        if self.st.pair.is_open() && self.symbols.name(name) == "STOPRE" {
-            self.pending_must_be_done(span)?;
+        if self.channel.st.pair.is_open() && self.channel.core.symbols.name(name) == "STOPRE" {
+            self.channel.pending_must_be_done(span)?;
         }
         Ok(())
     }
@@ -176,20 +178,20 @@ impl Run<'_> {
             Meaning::Indexed(indexed) => self.indexed_address(words, indexed, args, word, block, text).map(|()| false),
             Meaning::Address(Address::Lims | Address::Spos | Address::Sposa) => {
                 let spindle = self.spindle_index(args, block, text)?;
-                if spindle == self.st.spindles.master()
+                if spindle == self.channel.st.spindles.master()
                     && let Meaning::Address(address) = self.meaning(name)
                 {
                     let given = self.given(word, block, text)?;
-                    words.set_address(&self.core, address, given)?;
+                    words.set_address(&self.channel.core, address, given)?;
                     return Ok(false);
                 }
                 if self.meaning(name) == Meaning::Address(Address::Lims) {
                     let given = self.given(word, block, text)?;
-                    self.speed_limit_of(spindle, given)?;
+                    self.channel.speed_limit_of(spindle, given)?;
                     return Ok(false);
                 }
                 let given = self.given(word, block, text)?;
-                self.spindle_position_of(spindle, given).map(|()| false)
+                self.channel.spindle_position_of(spindle, given).map(|()| false)
             }
             Meaning::Address(Address::Dynamics) => {
                 self.given(word, block, text)?;
@@ -198,21 +200,21 @@ impl Run<'_> {
             }
             Meaning::Address(address @ (Address::Toff | Address::Toffl | Address::Toffr)) => {
                 let given = self.given(word, block, text)?;
-                words.set_address(&self.core, address, given).map(|()| false)
+                words.set_address(&self.channel.core, address, given).map(|()| false)
             }
             Meaning::Procedure(Procedure::Refused(_))
-                if probe_state::word(self.symbols.name(name), word.span).is_some() =>
+                if probe_state::word(self.channel.core.symbols.name(name), word.span).is_some() =>
             {
                 self.axis_index(args, block, text)?;
-                if let Some(probe) = probe_state::word(self.symbols.name(name), word.span) {
+                if let Some(probe) = probe_state::word(self.channel.core.symbols.name(name), word.span) {
                     self.probe_word(words, probe, word, block, text)?;
                 }
                 Ok(false)
             }
             Meaning::Procedure(Procedure::Refused(_)) | Meaning::Known(_)
-                if Beside::find(self.symbols.name(name)).is_some() =>
+                if Beside::find(self.channel.core.symbols.name(name)).is_some() =>
             {
-                let own = self.symbols.name(name).to_owned();
+                let own = self.channel.core.symbols.name(name).to_owned();
                 self.oscillation_word(&own, word, block, text).map(|()| false)
             }
             _ => {
@@ -233,8 +235,10 @@ impl Run<'_> {
         block: &Block,
         text: &[u8],
     ) -> Outcome<bool> {
-        let own = self.symbols.name(name);
-        if super::measuring_data::find(own).is_none() || !self.job.settings.control.klartext_choices.probing_left_out {
+        let own = self.channel.core.symbols.name(name);
+        if super::measuring_data::find(own).is_none()
+            || !self.channel.core.job.settings.control.klartext_choices.probing_left_out
+        {
             return self.undefined_word(name, word.span);
         }
         let own = own.to_owned();
@@ -264,9 +268,9 @@ impl Run<'_> {
                 let spindle = self.spindle_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
                 if letter == b'M' {
-                    return words.add_m(&self.core, Some(spindle), given);
+                    return words.add_m(&self.channel.core, Some(spindle), given);
                 }
-                self.no_modifier(given)?;
+                self.channel.core.no_modifier(given)?;
                 words.s.push(SWord { spindle: Some(spindle), value: given.value, span: given.span });
                 Ok(())
             }
@@ -281,27 +285,30 @@ impl Run<'_> {
                 let given = self.given(word, block, text)?;
                 let known = u8::try_from(group).ok().and_then(Group::of).filter(|group| group.takes_index());
                 let Some(known) = known else {
-                    return self.refuse(word.span, codes::S2010::g_group_cannot_be_set_by_index(&group));
+                    return self.channel.core.refuse(word.span, codes::S2010::g_group_cannot_be_set_by_index(&group));
                 };
                 let size = known.size();
                 let index = whole(given.value).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=size).contains(n));
                 match index {
-                    Some(index) => words.add_code(&self.core, GCode::new(known, index), word.span),
-                    None => self.refuse(word.span, codes::S2011::g_group_has_indices_1(&group, &size, &given.value)),
+                    Some(index) => words.add_code(&self.channel.core, GCode::new(known, index), word.span),
+                    None => self
+                        .channel
+                        .core
+                        .refuse(word.span, codes::S2011::g_group_has_indices_1(&group, &size, &given.value)),
                 }
             }
-            _ => self.refuse(word.span, codes::P1001::takes_no_index(&(letter as char))),
+            _ => self.channel.core.refuse(word.span, codes::P1001::takes_no_index(&(letter as char))),
         }
     }
 
     pub(super) fn index_number(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<i32> {
         let [formula] = *block.arguments(args) else {
-            return self.refuse(block.span, codes::S2018::one_index_is_needed());
+            return self.channel.core.refuse(block.span, codes::S2018::one_index_is_needed());
         };
         let value = self.number(formula, block, text)?;
         match whole(value) {
             Some(n) => Ok(n),
-            None => self.refuse(formula.span, codes::S2018::index_is_whole_number()),
+            None => self.channel.core.refuse(formula.span, codes::S2018::index_is_whole_number()),
         }
     }
 
@@ -309,18 +316,18 @@ impl Run<'_> {
         let n = self.index_number(args, block, text)?;
         match u8::try_from(n) {
             Ok(n) if (1..=20).contains(&n) => Ok(n),
-            _ => self.refuse(block.span, codes::S2018::there_is_no_spindle(&n)),
+            _ => self.channel.core.refuse(block.span, codes::S2018::there_is_no_spindle(&n)),
         }
     }
 
     /// The axis in brackets.
     pub(super) fn axis_index(&mut self, args: Args, block: &Block, text: &[u8]) -> Outcome<NamedAxis> {
         let [formula] = *block.arguments(args) else {
-            return self.refuse(block.span, codes::S2031::one_axis_is_needed_in_brackets());
+            return self.channel.core.refuse(block.span, codes::S2031::one_axis_is_needed_in_brackets());
         };
         match self.eval(formula, block, text)? {
             Val::Axis(axis) => Ok(axis),
-            other => self.refuse(formula.span, codes::S2031::axis_is_needed_in_brackets(&other.what())),
+            other => self.channel.core.refuse(formula.span, codes::S2031::axis_is_needed_in_brackets(&other.what())),
         }
     }
 
@@ -339,14 +346,16 @@ impl Run<'_> {
                 let given = self.given(word, block, text)?;
                 if named.axis.is_some_and(|axis| words.axes.contains(axis)) {
                     return self
+                        .channel
+                        .core
                         .refuse(given.span, codes::P1002::axis_stands_twice_in_block_so_delete_one(&named.text()));
                 }
-                self.axis_word(words, named, given)
+                self.channel.axis_word(words, named, given)
             }
             Indexed::Pos => {
                 let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
-                match self.printed_axis(named, given.span)? {
+                match self.channel.printed_axis(named, given.span)? {
                     Some(axis) => words.beside.positioning.push(Positioning { axis, given }),
                     None => words.beside.left_out.push((named, given.span)),
                 }
@@ -356,7 +365,10 @@ impl Run<'_> {
                 let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
                 if given.value <= 0.0 {
-                    return self.refuse(given.span, codes::P2003::feed_of_positioning_axis_is_not_above(&given.value));
+                    return self
+                        .channel
+                        .core
+                        .refuse(given.span, codes::P2003::feed_of_positioning_axis_is_not_above(&given.value));
                 }
                 if let Some(axis) = named.axis {
                     words.beside.feeds.push((axis, given.value));
@@ -365,7 +377,7 @@ impl Run<'_> {
             }
             Indexed::Override => {
                 if self.given(word, block, text)?.value != 100.0 {
-                    return self.refuse(word.span, codes::S9009::ovra_changes_feed_of_axis_or_speed());
+                    return self.channel.core.refuse(word.span, codes::S9009::ovra_changes_feed_of_axis_or_speed());
                 }
                 Ok(())
             }
@@ -379,32 +391,32 @@ impl Run<'_> {
             Indexed::DiameterOn | Indexed::Diameter90 | Indexed::DiameterOff | Indexed::DiameterChannel => {
                 match self.axis_index(args, block, text)?.axis {
                     Some(axis) => words.diameter = Some((indexed, axis, word.span)),
-                    None => return self.no_diameter_axis(word.span),
+                    None => return self.channel.core.no_diameter_axis(word.span),
                 }
                 Ok(())
             }
             Indexed::Posa => {
                 let named = self.axis_index(args, block, text)?;
-                if self.printed_axis(named, word.span)?.is_none() {
+                if self.channel.printed_axis(named, word.span)?.is_none() {
                     words.beside.left_out.push((named, word.span));
                     return Ok(());
                 }
-                self.refuse(
+                self.channel.core.refuse(
                     word.span,
                     codes::S9008::axis_that_moves_beside_path_cannot().answer(Answer::key("machine", "axes")),
                 )
             }
             Indexed::CutAxis => {
                 let named = self.axis_index(args, block, text)?;
-                if named.axis.is_some() && named.axis == self.job.settings.machine.diameter_axis {
+                if named.axis.is_some() && named.axis == self.channel.core.job.settings.machine.diameter_axis {
                     return Ok(());
                 }
-                self.refuse(
+                self.channel.core.refuse(
                     word.span,
                     codes::S9132::scc_refers_g96(&named.text()).answer(Answer::key("machine", "diameter_axis")),
                 )
             }
-            Indexed::Polynomial => self.refuse(word.span, codes::S9002::polynomials_cannot_be_printed()),
+            Indexed::Polynomial => self.channel.core.refuse(word.span, codes::S9002::polynomials_cannot_be_printed()),
         }
     }
 
@@ -426,12 +438,12 @@ impl Run<'_> {
         match self.meaning(name) {
             Meaning::Address(address) => {
                 let given = self.given(word, block, text)?;
-                words.set_address(&self.core, address, given)?;
+                words.set_address(&self.channel.core, address, given)?;
                 return Ok(false);
             }
             Meaning::Axis(named) => {
                 let given = self.given(word, block, text)?;
-                self.axis_word(words, named, given)?;
+                self.channel.axis_word(words, named, given)?;
                 return Ok(false);
             }
             _ => {}
@@ -444,19 +456,22 @@ impl Run<'_> {
             }
             b'S' => {
                 let given = self.given(word, block, text)?;
-                self.no_modifier(given)?;
+                self.channel.core.no_modifier(given)?;
                 words.s.push(SWord { spindle, value: given.value, span: given.span });
             }
             b'M' => {
                 let given = self.given(word, block, text)?;
-                words.add_m(&self.core, spindle, given)?;
+                words.add_m(&self.channel.core, spindle, given)?;
             }
             b'H' => {
                 self.given(word, block, text)?;
                 words.h = Some(word.span);
             }
             b'A' | b'B' | b'C' if (2..=7).contains(&number) => {
-                return self.refuse(word.span, codes::S9006::gives_direction_of_tool(&(letter as char), &number));
+                return self
+                    .channel
+                    .core
+                    .refuse(word.span, codes::S9006::gives_direction_of_tool(&(letter as char), &number));
             }
             b'X' | b'Y' | b'Z' | b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => {
                 self.given(word, block, text)?;

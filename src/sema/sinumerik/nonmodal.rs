@@ -21,49 +21,49 @@ impl Run<'_> {
     pub(super) fn nonmodal_block(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
         let mut moved = false;
         if let Some((_, suppressed)) = w.code_of(Group::Suppression) {
-            return self.not_alone(suppressed);
+            return self.channel.core.not_alone(suppressed);
         }
         if code != GCode::G4 {
-            self.st.threads.end_chain();
+            self.channel.st.threads.end_chain();
         }
         match code {
             GCode::G4 => {
                 if let Some(m) = w.m.first() {
-                    return self.not_alone(m.span);
+                    return self.channel.core.not_alone(m.span);
                 }
-                self.dwell(span, w)?;
+                self.channel.dwell(span, w)?;
             }
             GCode::G63 => {
-                self.say_once(span, codes::S8025::g63_tap_needs_compensating_chuck_on_target());
-                self.technology(w)?;
-                self.early_functions(w)?;
+                self.channel.core.say_once(span, codes::S8025::g63_tap_needs_compensating_chuck_on_target());
+                self.channel.technology(w)?;
+                self.channel.early_functions(w)?;
                 moved = true;
-                let feed = self.cutting_feed(w)?;
-                let end = self.targets(w)?;
-                self.pending_must_be_done(span)?;
+                let feed = self.channel.cutting_feed(w)?;
+                let end = self.channel.targets(w)?;
+                self.channel.pending_must_be_done(span)?;
                 if !end.known().is_empty() {
-                    self.send(&end, Path::Line(feed));
+                    self.channel.send(&end, Path::Line(feed));
                 }
                 w.beside.left_out.clear();
             }
             GCode::G74 | GCode::G75 => {
-                self.technology(w)?;
-                self.early_functions(w)?;
-                self.fixed_point(code, span, w)?;
+                self.channel.technology(w)?;
+                self.channel.early_functions(w)?;
+                self.channel.fixed_point(code, span, w)?;
                 w.beside.machine.clear();
                 w.beside.left_out.clear();
             }
             _ => {
-                let rapid = self.st.is(GCode::G0);
-                let before = Path::straight(self.st.feed.word().filter(|_| !rapid));
-                self.technology(w)?;
-                self.early_functions(w)?;
-                self.soft_block(code, span, w, before)?;
+                let rapid = self.channel.st.is(GCode::G0);
+                let before = Path::straight(self.channel.st.feed.word().filter(|_| !rapid));
+                self.channel.technology(w)?;
+                self.channel.early_functions(w)?;
+                self.channel.soft_block(code, span, w, before)?;
             }
         }
-        self.nothing_left(w)?;
+        self.channel.core.nothing_left(w)?;
         self.late_functions(w)?;
-        if moved && !self.has_ended() {
+        if moved && !self.channel.core.has_ended() {
             self.call_modal()?;
         }
         Ok(())
@@ -75,17 +75,17 @@ impl Channel<'_> {
     pub(super) fn buffer_code(&mut self, code: GCode, span: Span, w: &Words) -> Outcome {
         let axis = w.axes.iter().next().and_then(|axis| w.axis(axis)).map(|given| given.span);
         if let Some(other) = axis.or(w.m.first().map(|m| m.span)) {
-            return self.not_alone(other);
+            return self.core.not_alone(other);
         }
-        self.nothing_left(w)?;
-        self.dynamics_are_left_out(span);
+        self.core.nothing_left(w)?;
+        self.core.dynamics_are_left_out(span);
         self.st.codes.activate(code);
         Ok(())
     }
 
     fn dwell(&mut self, span: Span, w: &mut Words) -> Outcome {
         if let Some(axis) = w.axes.iter().next().and_then(|axis| w.axis(axis)) {
-            return self.not_alone(axis.span);
+            return self.core.not_alone(axis.span);
         }
         let seconds = match (w.take(Address::F), w.s.pop()) {
             (Some(f), None) => f.value,
@@ -96,16 +96,16 @@ impl Channel<'_> {
                 match speed {
                     Some(speed) => s.value * 60.0 / speed,
                     None => {
-                        return self.refuse(s.span, codes::S2045::dwell_in_turns_needs_fixed_spindle_speed());
+                        return self.core.refuse(s.span, codes::S2045::dwell_in_turns_needs_fixed_spindle_speed());
                     }
                 }
             }
             _ => {
-                return self.refuse(span, codes::S2013::g4_takes_f_or_s());
+                return self.core.refuse(span, codes::S2013::g4_takes_f_or_s());
             }
         };
         if !(0.0..=MOST_SECONDS).contains(&seconds) {
-            return self.refuse(span, codes::P2003::dwell_lies_between_0());
+            return self.core.refuse(span, codes::P2003::dwell_lies_between_0());
         }
         if !self.waits_in_tap(seconds) {
             self.function(Function::Dwell(seconds));
@@ -120,7 +120,7 @@ impl Channel<'_> {
         }
         let mv = Move { end, path: Path::Rapid, side: Side::None, coords: Coords::Machine };
         self.core.send_move(&mv, &self.st.ctx);
-        if self.resolves() {
+        if self.core.resolves() {
             self.st.compensation.is_over();
         }
         self.moved_by_machine(&end, &Pos::UNKNOWN);
@@ -129,12 +129,12 @@ impl Channel<'_> {
     /// G74 and G75: points that are machine data.
     fn fixed_point(&mut self, code: GCode, span: Span, w: &mut Words) -> Outcome {
         self.pending_must_be_done(span)?;
-        let number = if code == GCode::G75 { self.fixed_point_number(w)? } else { 0 };
+        let number = if code == GCode::G75 { self.core.fixed_point_number(w)? } else { 0 };
         let mut named: Vec<Axis> = w.axes.iter().collect();
         for machine_axis in &w.beside.machine {
             named.extend(self.machine_axis(*machine_axis)?);
         }
-        let machine = &self.job.settings.machine;
+        let machine = &self.core.job.settings.machine;
         let (points, key) = match number {
             0 => (&machine.reference_point, "reference_point"),
             1 => (&machine.fixed_point[0], "fixed_point"),
@@ -148,7 +148,7 @@ impl Channel<'_> {
                 Some(value) => end.set(*axis, *value),
                 None => {
                     let letter = axis.letter();
-                    return self.refuse(
+                    return self.core.refuse(
                         span,
                         codes::S9008::where_moves_to_is_machine_datum(&code.word(), &letter, &key)
                             .answer(Answer::entry("machine", key, letter)),
@@ -157,11 +157,11 @@ impl Channel<'_> {
             }
         }
         if self.st.side() != Side::None {
-            return self.refuse(span, codes::S2080::fixed_point_is_approached_under_radius_compensation());
+            return self.core.refuse(span, codes::S2080::fixed_point_is_approached_under_radius_compensation());
         }
         if named.is_empty() && w.beside.machine.is_empty() && w.beside.left_out.is_empty() {
-            let found = codes::S8192::names_no_axis(&code.word()).at(self.loc(span));
-            self.report(found.help(format!("name the axes, as in {} X1=0 Z1=0", code.word())));
+            let found = codes::S8192::names_no_axis(&code.word()).at(self.core.loc(span));
+            self.core.report(found.help(format!("name the axes, as in {} X1=0 Z1=0", code.word())));
         } else if !named.is_empty() {
             self.machine_rapid(end);
         }

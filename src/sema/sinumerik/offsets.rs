@@ -95,15 +95,15 @@ impl Channel<'_> {
         self.st.codes.activate(GCode::new(Group::WorkOffset, index));
         self.st.frames.select_offset(number);
         if self.st.side() != Side::None {
-            return self.refuse(place, codes::S2080::work_offset_changes_while_radius_compensation());
+            return self.core.refuse(place, codes::S2080::work_offset_changes_while_radius_compensation());
         }
         if let Some(frame) = self.st.frames.written(number).cloned() {
-            self.resolved_offset_note(place);
+            self.core.resolved_offset_note(place);
             self.resolves_offsets(place)?;
             self.counts_from(Outer::Basic, Some(frame));
             return Ok(());
         }
-        let mapped = self.job.settings.datums.words.get(&offset_word(number)).copied();
+        let mapped = self.core.job.settings.datums.words.get(&offset_word(number)).copied();
         let printed = match (mapped, number) {
             (Some(printed), _) => printed,
             (None, 0) => {
@@ -111,14 +111,14 @@ impl Channel<'_> {
                 return Ok(());
             }
             (None, 1..=9) => number,
-            (None, _) if self.job.settings.output.target.offset(number).is_some() => number,
+            (None, _) if self.core.job.settings.output.target.offset(number).is_some() => number,
             _ => {
                 let word = offset_word(number);
-                if self.job.settings.output.target.offset_range().is_none() {
+                if self.core.job.settings.output.target.offset_range().is_none() {
                     return self.core.prints_offset(OffsetName::Word { word: &word, mapped: false }, number, place);
                 }
                 let free = self.core.free_offset(&word);
-                return self.refuse(
+                return self.core.refuse(
                     place,
                     codes::P9014::has_no_counterpart_on_target(&word, &free).answer(Answer::key("datums", &word)),
                 );
@@ -138,7 +138,7 @@ impl Channel<'_> {
         let moved = std::mem::take(&mut self.st.offsets.moved_from_basic);
         if moved == FromBasic::UnderG500 {
             self.st.position.clear();
-            return self.offset_behind_g500(place, &offset_word(number));
+            return self.core.offset_behind_g500(place, &offset_word(number));
         }
         self.function(Function::WorkOffset(printed));
         self.st.position.clear();
@@ -146,8 +146,8 @@ impl Channel<'_> {
         self.st.position.take_start(&self.st.ctx.frame);
         if moved == FromBasic::AtStart {
             let word = offset_word(number);
-            let found = codes::P2032::moves_stand_in_front_of_they_run(&word).at(self.loc(place));
-            self.report(found.help("select the work offset before the first move"));
+            let found = codes::P2032::moves_stand_in_front_of_they_run(&word).at(self.core.loc(place));
+            self.core.report(found.help("select the work offset before the first move"));
         }
         Ok(())
     }
@@ -155,7 +155,7 @@ impl Channel<'_> {
     /// G500: positions count from the basic system, the machine zero shifted by the basic frame.
     fn basic_system(&mut self, place: impl Into<Where>) {
         let place = place.into();
-        let datums = &self.job.settings.datums;
+        let datums = &self.core.job.settings.datums;
         if self.st.offsets.resolved || !self.st.offsets.printed && datums.basic.is_none() {
             // Everything that is printed counts from there.
             self.st.offsets.under_g500 = true;
@@ -163,7 +163,7 @@ impl Channel<'_> {
         }
         if let Some(basic) = &datums.basic {
             let frame = FrameValue::shifted(&basic.iter().map(|(axis, value)| (*axis, *value)).collect::<Vec<_>>());
-            self.say_once(place, codes::S8011::under_g500_positions_are_printed_in_machine());
+            self.core.say_once(place, codes::S8011::under_g500_positions_are_printed_in_machine());
             return self.counts_from(Outer::Machine, Some(frame));
         }
         // Seen from a printed offset whose place is known, the basic system lies the other way.
@@ -172,7 +172,7 @@ impl Channel<'_> {
         {
             let back: Vec<_> = values.iter().map(|(axis, value)| (*axis, -*value)).collect();
             let word = offset_word(number);
-            self.say_once(place, codes::S8011::positions_under_g500_are_printed_in_through(&word));
+            self.core.say_once(place, codes::S8011::positions_under_g500_are_printed_in_through(&word));
             return self.counts_from(Outer::Printed(number), Some(FrameValue::shifted(&back)));
         }
         self.counts_from(Outer::Unrelated, None);
@@ -202,7 +202,7 @@ impl Channel<'_> {
             return;
         }
         self.st.offsets.moved_from_basic = FromBasic::UnderG500;
-        self.say_once(Where::Block, codes::S8011::positions_under_g500_are_printed());
+        self.core.say_once(Where::Block, codes::S8011::positions_under_g500_are_printed());
         self.machine_moves_beside_g500(Where::Block);
     }
 
@@ -210,12 +210,12 @@ impl Channel<'_> {
     /// where the basic frame is known.
     pub(super) fn machine_moves_beside_g500(&self, place: impl Into<Where>) {
         let both = self.st.offsets.machine_moved && self.st.offsets.moved_from_basic == FromBasic::UnderG500;
-        if !both || self.job.settings.datums.basic.is_some() || !self.job.diags.first_time(codes::S8190, ()) {
+        if !both || self.core.job.settings.datums.basic.is_some() || !self.core.job.diags.first_time(codes::S8190, ()) {
             return;
         }
         let help = "give the basic frame: `[datums] basic = { X = 0.0, Y = 0.0, Z = 0.0 }`";
         let help = Answer::datum("basic").help(help);
-        self.report(codes::S8190::moves_in_machine_coordinates().at(self.loc(place)).help(help));
+        self.core.report(codes::S8190::moves_in_machine_coordinates().at(self.core.loc(place)).help(help));
     }
 
     /// A written offset counts from the basic system, a printed one from where the machine has it: nobody knows the
@@ -227,7 +227,7 @@ impl Channel<'_> {
 
     pub(super) fn mixed_offsets(&mut self, place: impl Into<Where>) -> Outcome {
         self.st.position.clear();
-        self.refuse(place, codes::S9017::program_uses_work_offset_that_it_writes())
+        self.core.refuse(place, codes::S9017::program_uses_work_offset_that_it_writes())
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Source: S 5.6 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::parser::sinumerik::ast::{Args, Base, Block, Formula, Op, TypeName, Variable};
 use crate::parser::symbols::Symbol;
 use crate::text::Span;
@@ -25,7 +25,7 @@ impl Run<'_> {
                 _ => false,
             };
             let value = if array { Val::Missing } else { self.eval(formula, block, text)? };
-            list.push(Argument { value, reference, loc: self.loc(formula.span) });
+            list.push(Argument { value, reference, loc: self.channel.core.loc(formula.span) });
         }
         Ok(list)
     }
@@ -43,7 +43,7 @@ impl Run<'_> {
                     values.push(self.eval(formula, &one, text)?);
                 }
                 match base {
-                    Base::Letter(b'R') => Some(Reference::R(self.r_index(&values, *span)?)),
+                    Base::Letter(b'R') => Some(Reference::R(self.channel.core.r_index(&values, *span)?)),
                     Base::Name(name) => match self.known_variable(*name) {
                         Some(slot) => self.element(slot, &values, *span)?,
                         None => None,
@@ -60,7 +60,7 @@ impl Run<'_> {
     }
 
     fn element(&self, slot: Slot, values: &[Val], span: Span) -> Outcome<Option<Reference>> {
-        let indices = self.indices(values, span)?;
+        let indices = self.channel.core.indices(values, span)?;
         let offset = self.vars.get(slot).and_then(|var| var.offset(&indices));
         Ok(offset.map(|at| Reference::Element(slot, at)))
     }
@@ -69,13 +69,13 @@ impl Run<'_> {
     pub(super) fn set_reference(&mut self, reference: Reference, value: i32) {
         let (slot, at) = match reference {
             Reference::R(n) => {
-                self.job.trail.returns();
+                self.channel.core.job.trail.returns();
                 return self.vars.set_r(n, f64::from(value));
             }
             Reference::Variable(slot) => (slot, 0),
             Reference::Element(slot, at) => (slot, at),
         };
-        self.job.trail.returns();
+        self.channel.core.job.trail.returns();
         let Some(var) = self.vars.get_mut(slot) else { return };
         let Ok(value) = Val::Int(value).converted(var.kind) else { return };
         if let Some(element) = var.values.get_mut(at) {
@@ -87,7 +87,7 @@ impl Run<'_> {
 
     pub(super) fn give_back(&mut self, references: &[(Symbol, Reference)]) {
         if !references.is_empty() {
-            self.job.trail.returns();
+            self.channel.core.job.trail.returns();
         }
         for (name, reference) in references {
             let Some(own) = self.vars.of_level(*name) else { continue };
@@ -114,25 +114,25 @@ impl Run<'_> {
 
     /// PROC: the arguments of the call become variables.
     pub(super) fn proc_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
-        let level = self.program_level();
+        let level = self.channel.core.program_level();
         if level.executed {
-            return self.refuse(block.span, codes::S2015::proc_stands_behind_executed_blocks());
+            return self.channel.core.refuse(block.span, codes::S2015::proc_stands_behind_executed_blocks());
         }
         if std::mem::replace(&mut level.declares, true) {
             // Its parameters are defined all the same: what reads them is right.
-            let _: Outcome = self.refuse(block.span, codes::S2015::proc_stands_inside_definition_part());
+            let _: Outcome = self.channel.core.refuse(block.span, codes::S2015::proc_stands_inside_definition_part());
         }
-        let level = self.program_level();
+        let level = self.channel.core.program_level();
         let arguments = level.arguments.take().unwrap_or_default();
         let (in_main, further_pass) = (matches!(level.kind, FrameKind::Main), level.further_pass);
         let save = block.words.iter().any(|word| match word.target {
-            crate::parser::sinumerik::ast::Target::Name(name) => self.symbols.name(name) == "SAVE",
+            crate::parser::sinumerik::ast::Target::Name(name) => self.channel.core.symbols.name(name) == "SAVE",
             _ => false,
         });
         self.check_extern(block);
         if save {
-            let state = self.st.save();
-            if let FrameKind::Program { saved, .. } = &mut self.program_level().kind {
+            let state = self.channel.st.save();
+            if let FrameKind::Program { saved, .. } = &mut self.channel.core.program_level().kind {
                 *saved = Some(Box::new(state));
             }
         }
@@ -143,7 +143,7 @@ impl Run<'_> {
             let loc = arguments[block.variables.len()].loc;
             let count = block.variables.len();
             let found = codes::S2021::program_takes_arguments(&count).at(loc);
-            self.report(found.also(self.loc(block.span), "its parameters"));
+            self.channel.core.report(found.also(self.channel.core.loc(block.span), Label::ItsParameters));
             for variable in block.variables.clone() {
                 self.lose_parameter(variable);
             }
@@ -172,27 +172,27 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome {
         let Some(name) = variable.name else {
-            return self.refuse(variable.span, codes::S2021::parameter_of_proc_needs_name());
+            return self.channel.core.refuse(variable.span, codes::S2021::parameter_of_proc_needs_name());
         };
         let left_out = argument.is_some();
         let given = argument.as_ref().filter(|a| a.reference.is_some() || a.value != Val::Missing);
-        self.program_level().given.push(given.is_some());
+        self.channel.core.program_level().given.push(given.is_some());
         if variable.by_reference {
             return self.reference_parameter(name, variable, given, left_out, in_main);
         }
-        let shown = self.symbols.name(name).to_owned();
+        let shown = self.channel.core.symbols.name(name).to_owned();
         let value = match (given, variable.value) {
             (Some(argument), _) => match argument.value.converted(variable.kind) {
                 Ok(value) => {
                     if variable.kind == TypeName::Int
                         && let (Some(from), Some(made)) = (argument.value.number(), value.number())
                     {
-                        self.says_negative_half(from, made, variable.span);
+                        self.channel.core.says_negative_half(from, made, variable.span);
                     }
                     value
                 }
                 Err(_) => {
-                    self.report(
+                    self.channel.core.report(
                         codes::S2021::parameter_is_argument(&shown, &type_name(variable.kind), &argument.value.what())
                             .at(argument.loc),
                     );
@@ -201,10 +201,10 @@ impl Run<'_> {
             },
             (None, Some(formula)) => {
                 let value = self.eval(formula, block, text)?;
-                self.converted(&value, variable.kind, formula.span)?
+                self.channel.core.converted(&value, variable.kind, formula.span)?
             }
             (None, None) if variable.kind == TypeName::Axis && !in_main => {
-                return self.missing_argument(&shown, if left_out { 14010 } else { 12310 });
+                return self.channel.core.missing_argument(&shown, if left_out { 14010 } else { 12310 });
             }
             (None, None) => Val::zero(variable.kind),
         };
@@ -215,7 +215,7 @@ impl Run<'_> {
         if let (Val::Text(text), Some(argument)) = (&value, given)
             && text.len() > length
         {
-            self.report(
+            self.channel.core.report(
                 codes::S2030::text_has_characters_parameter_takes(&text.len(), &shown, &length).at(argument.loc),
             );
             return Err(Reported);
@@ -225,7 +225,7 @@ impl Run<'_> {
             sizes: Vec::new(),
             values: vec![value],
             length,
-            defined: self.loc(variable.span),
+            defined: self.channel.core.loc(variable.span),
             lost: false,
             kept: Kept::default(),
             limits: [None; 2],
@@ -242,7 +242,7 @@ impl Run<'_> {
             sizes: Vec::new(),
             values: vec![Val::zero(variable.kind)],
             length: super::value::MOST_TEXT,
-            defined: self.loc(variable.span),
+            defined: self.channel.core.loc(variable.span),
             lost: true,
             kept: Kept::default(),
             limits: [None; 2],
@@ -258,21 +258,24 @@ impl Run<'_> {
         left_out: bool,
         in_main: bool,
     ) -> Outcome {
-        let shown = self.symbols.name(name).to_owned();
+        let shown = self.channel.core.symbols.name(name).to_owned();
         let Some(argument) = given else {
             if in_main {
                 self.lose_parameter(variable);
                 // One of them says it for all.
-                if !self.job.diags.first_time(codes::S2021, ()) {
+                if !self.channel.core.job.diags.first_time(codes::S2021, ()) {
                     return Err(Reported);
                 }
-                return self.refuse(variable.span, codes::S2021::parameter_is_var_this_is_subprogram(&shown));
+                return self
+                    .channel
+                    .core
+                    .refuse(variable.span, codes::S2021::parameter_is_var_this_is_subprogram(&shown));
             }
             // An empty place between commas, or too few arguments.
-            return self.missing_argument(&shown, if left_out { 14010 } else { 12300 });
+            return self.channel.core.missing_argument(&shown, if left_out { 14010 } else { 12300 });
         };
         let Some(reference) = argument.reference else {
-            self.report(codes::S2021::parameter_is_var_and_needs_variable(&shown).at(argument.loc));
+            self.channel.core.report(codes::S2021::parameter_is_var_and_needs_variable(&shown).at(argument.loc));
             return Err(Reported);
         };
         let (kind, array) = match reference {
@@ -286,7 +289,7 @@ impl Run<'_> {
         if kind != variable.kind || array != wants_array {
             let what = |kind, array| format!("{}{}", type_name(kind), if array { " array" } else { "" });
             let alarm = if array == wants_array { 12330 } else { 12360 };
-            self.report(
+            self.channel.core.report(
                 codes::S2021::parameter_is_var(&shown, &what(variable.kind, wants_array), &what(kind, array))
                     .alarm(alarm)
                     .at(argument.loc),
@@ -312,7 +315,7 @@ impl Run<'_> {
             limits: [None; 2],
         });
         self.vars.define(name, var, false);
-        if let FrameKind::Program { references, .. } = &mut self.program_level().kind {
+        if let FrameKind::Program { references, .. } = &mut self.channel.core.program_level().kind {
             references.push((name, reference));
         }
         Ok(())

@@ -78,7 +78,7 @@ impl Channel<'_> {
             && matches!(code.index, 4..)
             && self.st.smoothing.mode(&self.st.codes).is_none()
         {
-            self.say_once(span, codes::S8002::rounds_corners_by_machine_data(&code.word()));
+            self.core.say_once(span, codes::S8002::rounds_corners_by_machine_data(&code.word()));
         }
         self.send_smoothing();
     }
@@ -138,24 +138,26 @@ impl Run<'_> {
             None => false,
             // The modes have names, which the control defines.
             Some(formula) => match block.formula(*formula) {
-                [Op::Name(name, _)] if self.symbols.name(*name).starts_with('_') => self.symbols.name(*name) == "_OFF",
+                [Op::Name(name, _)] if self.channel.core.symbols.name(*name).starts_with('_') => {
+                    self.channel.core.symbols.name(*name) == "_OFF"
+                }
                 _ => self.number(*formula, block, text)? == 0.0,
             },
         };
         if tolerance < 0.0 {
-            return self.refuse(span, codes::S2045::cycle832_with_tolerance(&tolerance));
+            return self.channel.core.refuse(span, codes::S2045::cycle832_with_tolerance(&tolerance));
         }
         if given.nth(1).is_some() {
-            self.dynamics_are_left_out(span);
+            self.channel.core.dynamics_are_left_out(span);
         }
-        let unit = self.st.codes.length_unit();
-        let smoothing = &mut self.st.smoothing;
+        let unit = self.channel.st.codes.length_unit();
+        let smoothing = &mut self.channel.st.smoothing;
         smoothing.cycle = (tolerance > 0.0 && !off).then_some(tolerance * unit);
         if smoothing.cycle.is_none() {
             // Which code of the group holds now is a matter of the machine builder.
             (smoothing.said, smoothing.tolerance) = (false, 0.0);
         }
-        self.send_smoothing();
+        self.channel.send_smoothing();
         Ok(())
     }
 }

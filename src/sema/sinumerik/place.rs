@@ -3,7 +3,9 @@
 //! A work offset counts from the basic frame, and that from the machine zero; `[datums]` has both. Source: S 4.7 and 4.8
 //! (docs/sources.md).
 
-use crate::diag::codes;
+use std::fmt::Display;
+
+use crate::diag::Fault;
 use crate::ir::Pos;
 use crate::machine::{Axis, AxisSet};
 use crate::sema::common::hidden::By;
@@ -30,7 +32,7 @@ impl Channel<'_> {
             Outer::Machine => &[],
             Outer::Unrelated => return Err(Lack::Nothing),
         };
-        zero(&self.job.settings.datums, names, axis).map_err(|name| Lack::Datum(name.to_owned()))
+        zero(&self.core.job.settings.datums, names, axis).map_err(|name| Lack::Datum(name.to_owned()))
     }
 
     /// What lies between the machine coordinate of an axis, where the spindle nose or the turret stands, and the place of the tip.
@@ -49,7 +51,7 @@ impl Channel<'_> {
 
     /// A machine move led the axes of `end` there, and the tip to the coordinates of `tip`.
     pub(super) fn moved_by_machine(&mut self, end: &Pos, tip: &Pos) {
-        let (ctx, loc) = (self.st.ctx.clone(), self.here.origin.loc);
+        let (ctx, loc) = (self.st.ctx.clone(), self.core.here.origin.loc);
         self.st.position.moved_by_machine(end, &ctx.frame, loc);
         let places = out_of_machine(end, |axis, value| match tip.get(axis) {
             Some(tip) => Some(tip - self.zero(axis).ok()?),
@@ -63,7 +65,7 @@ impl Channel<'_> {
         let [_, _, third] = self.st.roles();
         let lathe = self.st.machine.lathe;
         let axes = if lathe { [Axis::X, Axis::Z].into_iter().collect() } else { AxisSet::of(third) };
-        let loc = self.here.origin.loc;
+        let loc = self.core.here.origin.loc;
         self.st.position.forget_tip(axes, by, loc);
     }
 
@@ -95,10 +97,14 @@ impl Channel<'_> {
     }
 
     /// An error where the position of an axis is needed and not known.
-    pub(super) fn no_position<T>(&self, axis: Axis, place: impl Into<Where>, usual: &str) -> Outcome<T> {
+    pub(super) fn no_position<T>(
+        &self,
+        axis: Axis,
+        place: impl Into<Where>,
+        fault: impl FnOnce(&dyn Display, &dyn Display) -> Fault,
+    ) -> Outcome<T> {
         let lack = || self.zero_in_machine(axis).err().unwrap_or(Lack::Nothing);
         let unknown = Unknown { position: &self.st.position, axis, lack: &lack, otherwise: "" };
-        let message = format!("where {} stands is not known", axis.letter());
-        self.position_unknown(codes::P2001, place, message, usual, unknown)
+        self.core.position_unknown(place, unknown, fault)
     }
 }

@@ -66,7 +66,9 @@ impl Channel<'_> {
                 let given = w.axis(axis).unwrap_or_default();
                 let help = format!("a pole has {} and {}", first.letter(), second.letter());
                 let help = if axis == third { format!("{help}; check G17, G18, G19") } else { help };
-                return self.refuse(given.span, codes::S2050::is_no_axis_of_working_plane(&axis.letter()).help(&help));
+                return self
+                    .core
+                    .refuse(given.span, codes::S2050::is_no_axis_of_working_plane(&axis.letter()).help(&help));
             }
         }
         let base = match code {
@@ -88,20 +90,20 @@ impl Channel<'_> {
         let (ap, rp) = (w.take(Address::Ap), w.take(Address::Rp));
         let pole = if ap.is_some() || rp.is_some() {
             if !w.axes.is_empty() {
-                return self.mixed(span);
+                return self.core.mixed(span);
             }
             let (Some(ap), Some(rp)) = (ap, rp) else {
-                return self.refuse(span, codes::P1003::polar_pole_needs_ap());
+                return self.core.refuse(span, codes::P1003::polar_pole_needs_ap());
             };
-            self.check_angle(ap, 14260)?;
-            self.check_radius(rp, 14250)?;
+            self.core.check_angle(ap, 14260)?;
+            self.core.check_radius(rp, 14250)?;
             polar_point(base, rp.value * self.st.length_unit(), Deg(ap.value))
         } else {
             // G90, G91, AC and IC do not matter; the diameter axis counts as it is programmed.
             let mut way = [0.0; 2];
             for (place, axis) in way.iter_mut().zip([first, second]) {
                 if let Some(given) = w.axis(axis) {
-                    self.parameter_of_frame(given)?;
+                    self.core.parameter_of_frame(given)?;
                     *place = self.length(axis, Given { mode: Mode::Plain, ..given }, false)?;
                 }
             }
@@ -121,11 +123,11 @@ impl Channel<'_> {
         let (ap, rp) = (w.take(Address::Ap), w.take(Address::Rp));
         let span = ap.or(rp).map(|given| given.span).unwrap_or_default();
         if w.axes.contains(first) || w.axes.contains(second) {
-            return self.mixed(span);
+            return self.core.mixed(span);
         }
         let radius = match rp {
             Some(rp) => {
-                self.check_radius(rp, 14200)?;
+                self.core.check_radius(rp, 14200)?;
                 rp.value * self.st.length_unit()
             }
             None => match self.st.polar.radius {
@@ -133,18 +135,18 @@ impl Channel<'_> {
                 None => {
                     self.st.position.lose(AxisSet::MAIN);
                     self.lost();
-                    return self.refuse(span, codes::S2054::rp_was_never_programmed());
+                    return self.core.refuse(span, codes::S2054::rp_was_never_programmed());
                 }
             },
         };
         let angle = match ap {
             Some(ap) => {
-                self.check_angle(ap, 14210)?;
+                self.core.check_angle(ap, 14210)?;
                 let incremental = match ap.mode {
                     Mode::Plain => self.st.is(GCode::G91),
                     Mode::Ac => false,
                     Mode::Ic => true,
-                    _ => return self.refuse(ap.span, codes::P1003::only_ac_and_ic_fit_ap()),
+                    _ => return self.core.refuse(ap.span, codes::P1003::only_ac_and_ic_fit_ap()),
                 };
                 if incremental {
                     let base = match self.st.polar.angle {
@@ -174,7 +176,7 @@ impl Channel<'_> {
         self.st.polar.lost = true;
         self.st.position.lose(AxisSet::MAIN);
         self.lost();
-        self.refuse(span, codes::S2054::was_not_programmed_since_pole_or_plane(&what))
+        self.core.refuse(span, codes::S2054::was_not_programmed_since_pole_or_plane(&what))
     }
 }
 

@@ -21,26 +21,26 @@ impl Run<'_> {
     /// A block with a call: of a procedure of the language or of a program.
     pub(super) fn call_block(&mut self, w: &mut Words, block: &Block, text: &[u8]) -> Outcome {
         let is_text = w.calls.word.is_some_and(|call| matches!(call.meaning, Meaning::Procedure(Procedure::Message)));
-        if !(is_text && self.st.taps.go_on_beside_text()) {
-            self.tapping_ends();
+        if !(is_text && self.channel.st.taps.go_on_beside_text()) {
+            self.channel.tapping_ends();
         }
         let passes = w.calls.passes.take();
         if let Some((name, span)) = w.calls.number.take() {
             if block.words.len() > 1 + usize::from(passes.is_some()) {
-                return self.call_not_alone(span);
+                return self.channel.core.call_not_alone(span);
             }
             return self.call_program(&name, span, None, passes, block, text);
         }
         let Some(call) = w.calls.word else { return Ok(()) };
         if let Some(probe) = w.probe {
-            return self.call_not_alone(probe.span);
+            return self.channel.core.call_not_alone(probe.span);
         }
         if let (Some(beside), Meaning::Procedure(_) | Meaning::Known(_)) = (self.stands_beside_path(w), call.meaning) {
-            if self.has_other_words(w) || passes.is_some() {
-                return self.call_not_alone(call.span);
+            if self.channel.core.has_other_words(w) || passes.is_some() {
+                return self.channel.core.call_not_alone(call.span);
             }
             self.begins_executing();
-            let name = self.symbols.name(call.name).to_owned();
+            let name = self.channel.core.symbols.name(call.name).to_owned();
             let formulas: Vec<Formula> = call.args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
             return self.coupling(beside, (&name, call), &formulas, block, text);
         }
@@ -55,52 +55,59 @@ impl Run<'_> {
                     | Procedure::Transformation(_)
                     | Procedure::Refused(_)
             );
-            if alone && (self.has_other_words(w) || w.calls.passes.is_some()) {
-                return self.call_not_alone(call.span);
+            if alone && (self.channel.core.has_other_words(w) || w.calls.passes.is_some()) {
+                return self.channel.core.call_not_alone(call.span);
             }
             self.procedure(procedure, call, w, block, text)?;
             return self.rest_of_block(w, block);
         }
         // A name in a definition file may be a macro.
-        if !self.definitions_known() && self.language.is_macro(call.name) {
+        if !self.definitions_known() && self.channel.core.language.is_macro(call.name) {
             return self.again(block, text);
         }
         self.begins_executing();
         if let Meaning::Known(known) = call.meaning {
-            let name = self.symbols.name(call.name).to_owned();
+            let name = self.channel.core.symbols.name(call.name).to_owned();
             if !self.own_program(&name) {
-                self.st.position.lose(AxisSet::ALL);
-                self.lost();
-                return self.not_compiled(call.name, known, call.span);
+                self.channel.st.position.lose(AxisSet::ALL);
+                self.channel.lost();
+                return self.channel.core.not_compiled(call.name, known, call.span);
             }
         }
-        if self.has_other_words(w) {
+        if self.channel.core.has_other_words(w) {
             // Words beside the name of a program; of an unknown word most often.
-            let name = self.symbols.name(call.name).to_owned();
-            return if self.own_program(&name) { self.call_not_alone(call.span) } else { self.unknown_word(call) };
+            let name = self.channel.core.symbols.name(call.name).to_owned();
+            return if self.own_program(&name) {
+                self.channel.core.call_not_alone(call.span)
+            } else {
+                self.unknown_word(call)
+            };
         }
-        let name = self.symbols.name(call.name).to_owned();
+        let name = self.channel.core.symbols.name(call.name).to_owned();
         if (super::formula_functions::find(&name).is_some() || super::words::is_modifier(&name))
             && !self.own_program(&name)
         {
-            return self.refuse(call.span, codes::P1001::is_function_no_block(&name));
+            return self.channel.core.refuse(call.span, codes::P1001::is_function_no_block(&name));
         }
         let cycle = name.strip_prefix("CYCLE").is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
         if cycle && !self.own_program(&name) {
-            self.st.position.lose(AxisSet::ALL);
-            self.lost();
+            self.channel.st.position.lose(AxisSet::ALL);
+            self.channel.lost();
             let line = NameOfCall { name: &name, text: None, arguments: true, tool_waits: false }.line();
-            return self.refuse(call.span, codes::P9010::cycle_of_control_or_of_machine_builder(&name, &line));
+            return self
+                .channel
+                .core
+                .refuse(call.span, codes::P9010::cycle_of_control_or_of_machine_builder(&name, &line));
         }
         if matches!(self.meaning(call.name), Meaning::Address(_) | Meaning::Indexed(_)) && !self.own_program(&name) {
-            return self.refuse(call.span, codes::P1001::is_word_of_language(&name));
+            return self.channel.core.refuse(call.span, codes::P1001::is_word_of_language(&name));
         }
         self.call_program(&name, call.span, Some(call), passes, block, text)
     }
 
     /// A program of the user with the name of a cycle goes before it, and so does what `[programs]` gives in its place.
     pub(super) fn own_program(&mut self, name: &str) -> bool {
-        self.job.settings.programs.contains_key(name) || self.is_here(name)
+        self.channel.core.job.settings.programs.contains_key(name) || self.is_here(name)
     }
 
     /// Is there a program of this name in the file, or beside it?
@@ -125,11 +132,11 @@ impl Run<'_> {
     }
 
     pub(super) fn unknown_word<T>(&self, call: CallWord) -> Outcome<T> {
-        let name = self.symbols.name(call.name);
+        let name = self.channel.core.symbols.name(call.name);
         let letters = name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '.');
         if letters.len() < name.len() && matches!(self.vocabulary.get(letters), Some(Meaning::Address(_))) {
             let digits = &name[letters.len()..];
-            return self.refuse(call.span, codes::P1001::is_missing(&name, &letters, &digits));
+            return self.channel.core.refuse(call.span, codes::P1001::is_missing(&name, &letters, &digits));
         }
         let mut known: Vec<&str> = self.vocabulary.keys().copied().collect();
         known.sort_unstable();
@@ -138,7 +145,7 @@ impl Run<'_> {
             Some(like) => format!("did you mean `{like}`?"),
             None => "a call needs a block of its own; an address takes `=`".to_owned(),
         };
-        self.refuse(call.span, codes::S2001::word_is_not_known_here(&name).help(&help))
+        self.channel.core.refuse(call.span, codes::S2001::word_is_not_known_here(&name).help(&help))
     }
 
     pub(super) fn call_program(
@@ -151,14 +158,14 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome {
         let passes = match passes {
-            Some(given) => self.check_passes(given.value, given.span)?,
+            Some(given) => self.channel.core.check_passes(given.value, given.span)?,
             None => 1,
         };
         let arguments = match call.and_then(|call| call.args) {
             Some(args) => self.arguments(args, block, text)?,
             None => Vec::new(),
         };
-        self.pending_must_be_done(span)?;
+        self.channel.pending_must_be_done(span)?;
         self.call_by_name(name, span, arguments, passes)
     }
 
@@ -171,15 +178,15 @@ impl Run<'_> {
         block: &Block,
         text: &[u8],
     ) -> Outcome {
-        let name = self.symbols.name(call.name).to_owned();
+        let name = self.channel.core.symbols.name(call.name).to_owned();
         let formulas: Vec<Formula> = call.args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
         if let Some(result) = self.machining_cycle(&name, call, block, text) {
-            if self.has_other_words(w) {
-                return self.call_not_alone(call.span);
+            if self.channel.core.has_other_words(w) {
+                return self.channel.core.call_not_alone(call.span);
             }
             return result;
         }
-        let by_file = matches!(self.job.settings.programs.get(&name), Some(StandIn::File(_)));
+        let by_file = matches!(self.channel.core.job.settings.programs.get(&name), Some(StandIn::File(_)));
         match procedure {
             Procedure::Refused(_) if super::cycles::measures(&name) && !by_file && !self.is_here(&name) => {
                 self.measuring_cycle((&name, call.span), &formulas, block, text)
@@ -191,39 +198,39 @@ impl Run<'_> {
                 self.call_program(&name, call.span, Some(call), None, block, text)
             }
             Procedure::Dynamics | Procedure::Swivel if super::cycles::is_program(&name) && self.own_program(&name) => {
-                if self.has_other_words(w) {
-                    return self.call_not_alone(call.span);
+                if self.channel.core.has_other_words(w) {
+                    return self.channel.core.call_not_alone(call.span);
                 }
                 let passes = w.calls.passes.take();
                 self.call_program(&name, call.span, Some(call), passes, block, text)
             }
             Procedure::NoEffect => {
-                self.control_words_are_left_out(call.span);
+                self.channel.core.control_words_are_left_out(call.span);
                 Ok(())
             }
             Procedure::WheelSpeed => {
-                self.changes_feeds(codes::S8101::speed_of_wheel_is_left_out(&name), call.span);
+                self.channel.core.changes_feeds(codes::S8101::speed_of_wheel_is_left_out(&name), call.span);
                 Ok(())
             }
             Procedure::Dynamics if name == "FGROUP" => self.feed_axes(&formulas, call.span, block, text),
             Procedure::Dynamics if name == "CYCLE832" => self.high_speed_settings(&formulas, call.span, block, text),
             Procedure::Dynamics => {
-                self.dynamics_are_left_out(call.span);
+                self.channel.core.dynamics_are_left_out(call.span);
                 Ok(())
             }
             Procedure::Message => self.message(&formulas, block, text),
             Procedure::SetAlarm => self.set_alarm(&formulas, call.span, block, text),
             Procedure::SetMaster => self.set_master_block(&formulas, call.span, block, text),
             Procedure::Channel => {
-                self.say_once(call.span, codes::S8015::words_that_synchronize_channels_are_left_out());
+                self.channel.core.say_once(call.span, codes::S8015::words_that_synchronize_channels_are_left_out());
                 Ok(())
             }
             Procedure::Actions => {
-                self.say_once(call.span, codes::S8170::acts_on_synchronized_actions(&name));
+                self.channel.core.say_once(call.span, codes::S8170::acts_on_synchronized_actions(&name));
                 Ok(())
             }
             Procedure::Interrupt => {
-                self.say_once(call.span, codes::S8016::interrupt_programs_are_left_out());
+                self.channel.core.say_once(call.span, codes::S8016::interrupt_programs_are_left_out());
                 Ok(())
             }
             Procedure::FileAccess => self.file_access(&name, &formulas, call.span, block, text),
@@ -232,24 +239,24 @@ impl Run<'_> {
             Procedure::Return => self.return_block(&formulas, call.span, block, text),
             Procedure::Transformation(on) => self.transformation(on, &formulas, call.span, block, text),
             Procedure::TransformationOff | Procedure::DiameterChannel if !formulas.is_empty() => {
-                self.refuse(call.span, codes::S2021::takes_no_argument(&name))
+                self.channel.core.refuse(call.span, codes::S2021::takes_no_argument(&name))
             }
             Procedure::TransformationOff => {
-                if !self.transformation_off(call.span)? {
-                    self.control_words_are_left_out(call.span);
+                if !self.channel.transformation_off(call.span)? {
+                    self.channel.core.control_words_are_left_out(call.span);
                 }
                 Ok(())
             }
             Procedure::Swivel if formulas.is_empty() => {
-                self.swivel_off();
-                self.control_words_are_left_out(call.span);
+                self.channel.swivel_off();
+                self.channel.core.control_words_are_left_out(call.span);
                 Ok(())
             }
             Procedure::Swivel => self.swivel(&formulas, call.span, block, text),
             Procedure::GeoAxes => self.geo_axes(&formulas, call.span, block, text),
-            Procedure::EndLabel => self.refuse(call.span, codes::P1001::endlabel_is_label()),
+            Procedure::EndLabel => self.channel.core.refuse(call.span, codes::P1001::endlabel_is_label()),
             Procedure::DiameterChannel => {
-                self.st.diameter = None;
+                self.channel.st.diameter = None;
                 Ok(())
             }
             Procedure::Refused(refusal) => self.refused_procedure(&name, refusal, call.span),
@@ -261,8 +268,8 @@ impl Run<'_> {
         let mut shown = String::new();
         let alarm = formulas.first().and_then(|formula| self.number(*formula, block, text).ok());
         if let Some(number) = alarm.filter(|number| !(60_000.0..70_000.0).contains(number)) {
-            self.stop_run();
-            return self.refuse(span, codes::P2026::setal_is_no_alarm_of_program(&number));
+            self.channel.core.stop_run();
+            return self.channel.core.refuse(span, codes::P2026::setal_is_no_alarm_of_program(&number));
         }
         for formula in formulas {
             let value = self.eval(*formula, block, text)?;
@@ -270,12 +277,12 @@ impl Run<'_> {
                 shown = format!("{shown} {}", String::from_utf8_lossy(&text));
             }
         }
-        self.stop_run();
+        self.channel.core.stop_run();
         let (cause, help) = match alarm.and_then(super::cycle_alarms::meaning) {
             Some((cause, help)) => (format!(": {cause}"), help),
             None => (String::new(), "it found its own data wrong: look at the conditions before SETAL"),
         };
-        self.refuse(span, codes::P2026::program_raises_alarm(&shown, &cause).help(help))
+        self.channel.core.refuse(span, codes::P2026::program_raises_alarm(&shown, &cause).help(help))
     }
 
     /// SETMS
@@ -285,35 +292,34 @@ impl Run<'_> {
             None => 1.0,
         };
         match whole(n).and_then(|n| u8::try_from(n).ok()).filter(|n| (1..=20).contains(n)) {
-            Some(n) => self.set_master(n, span),
-            None => self.refuse(span, codes::S2045::there_is_no_spindle(&n)),
+            Some(n) => self.channel.set_master(n, span),
+            None => self.channel.core.refuse(span, codes::S2045::there_is_no_spindle(&n)),
         }
     }
 
     /// A procedure that cannot be compiled: nobody knows where it leaves the axes.
     fn refused_procedure(&mut self, name: &str, Refusal { what, code, .. }: Refusal, span: Span) -> Outcome {
-        self.st.position.lose(AxisSet::ALL);
-        self.lost();
-        let help = super::cycles::instead(name);
-        let help = if code.id != codes::P9010.id {
-            help.into()
+        self.channel.st.position.lose(AxisSet::ALL);
+        self.channel.lost();
+        let key = Answer::key("programs", name);
+        let instead = super::cycles::instead(name);
+        let fault = if code == codes::S9006 {
+            codes::S9006::procedure_is_not_supported(&name, &what).help(instead)
         } else if super::cycles::is_program(name) {
-            let file = format!("{{ file = \"stubs/{name}.SPF\" }}");
-            let text = format!("{help}; or say what runs instead: `[programs] {name} = {file}`");
-            Answer::key("programs", name).one_of(&[file]).help(text)
+            let file = key.one_of(&[format!("{{ file = \"stubs/{name}.SPF\" }}")]);
+            codes::P9010::cycle_is_not_supported_but_file_may_run(&name, &what, &instead).answer(file)
         } else if LEFT_OUT_BY_ENTRY.contains(&name) {
-            let text =
-                format!("leave it out, where the target manages its tools: `[programs] {name} = {{ ignore = true }}`");
-            Answer::key("programs", name).one_of(&["{ ignore = true }"]).help(text)
+            let ignored = key.one_of(&["{ ignore = true }"]);
+            codes::P9010::procedure_may_be_left_out(&name, &what).answer(ignored)
         } else {
-            "take it out of the copy that is compiled, or program what it does in blocks".into()
+            codes::P9010::procedure_is_not_supported(&name, &what)
         };
-        self.fail_help(code, span, format!("{name} ({what}) is not supported"), &help)
+        self.channel.core.refuse(span, fault)
     }
 
     /// Words beside a procedure that has no effect.
     pub(super) fn rest_of_block(&mut self, w: &mut Words, block: &Block) -> Outcome {
-        if self.has_other_words(w) || w.calls.passes.is_some() {
+        if self.channel.core.has_other_words(w) || w.calls.passes.is_some() {
             w.calls.word = None;
             self.begins_executing();
             return self.words_again(w, block);
@@ -324,22 +330,22 @@ impl Run<'_> {
     pub(super) fn message(&mut self, formulas: &[Formula], block: &Block, text: &[u8]) -> Outcome {
         let Some(formula) = formulas.first().filter(|formula| !formula.is_missing()) else { return Ok(()) };
         let value = self.eval(*formula, block, text)?;
-        if self.job.settings.output.comments
+        if self.channel.core.job.settings.output.comments
             && let Some(shown) = to_text(&value)
             && !shown.is_empty()
         {
-            self.function(Function::Comment(shown));
+            self.channel.function(Function::Comment(shown));
         }
         Ok(())
     }
 
     pub(super) fn exec_string(&mut self, formulas: &[Formula], span: Span, block: &Block, text: &[u8]) -> Outcome {
         let [formula] = *formulas else {
-            return self.refuse(span, codes::S2021::execstring_takes_one_text());
+            return self.channel.core.refuse(span, codes::S2021::execstring_takes_one_text());
         };
         match self.eval(formula, block, text)? {
             Val::Text(line) => self.execute_line(&line, span),
-            other => self.refuse(formula.span, codes::P2024::text_is_needed(&other.what())),
+            other => self.channel.core.refuse(formula.span, codes::P2024::text_is_needed(&other.what())),
         }
     }
 
@@ -351,13 +357,13 @@ impl Run<'_> {
                 Val::Text(folder) => Some(String::from_utf8_lossy(&folder).into_owned()).filter(|it| !it.is_empty()),
                 Val::Missing => None,
                 other => {
-                    return self.refuse(formula.span, codes::P2024::text_is_needed(&other.what()));
+                    return self.channel.core.refuse(formula.span, codes::P2024::text_is_needed(&other.what()));
                 }
             },
-            _ => return self.refuse(span, codes::S2021::callpath_takes_one_text()),
+            _ => return self.channel.core.refuse(span, codes::S2021::callpath_takes_one_text()),
         };
         if let Some(wrong) = folder.as_deref().filter(|folder| !folder.starts_with('/')) {
-            return self.refuse(span, codes::S2021::is_no_folder_of_control(&wrong));
+            return self.channel.core.refuse(span, codes::S2021::is_no_folder_of_control(&wrong));
         }
         self.extend_search(folder, span);
         Ok(())
@@ -368,25 +374,25 @@ impl Run<'_> {
             let [number, axis] = pair else { break };
             let n = self.number(*number, block, text)?;
             if !(0.0..=3.0).contains(&n) {
-                return self.refuse(span, codes::S2021::geoax_names_geometry_axis(&n));
+                return self.channel.core.refuse(span, codes::S2021::geoax_names_geometry_axis(&n));
             }
             let place = whole(n).and_then(|n| usize::try_from(n).ok()).and_then(|n| n.checked_sub(1));
             let same = match (
-                place.and_then(|at| self.st.machine.geometry_axes.get(at)).copied(),
+                place.and_then(|at| self.channel.st.machine.geometry_axes.get(at)).copied(),
                 self.eval(*axis, block, text)?,
             ) {
                 (Some(known), Val::Axis(named)) => named.axis == Some(known),
                 _ => false,
             };
             if !same {
-                return self.refuse(
+                return self.channel.core.refuse(
                     span,
                     codes::P9011::geoax_gives_geometry_axes_other_names()
                         .answer(Answer::key("machine", "geometry_axes")),
                 );
             }
         }
-        self.control_words_are_left_out(span);
+        self.channel.core.control_words_are_left_out(span);
         Ok(())
     }
 }

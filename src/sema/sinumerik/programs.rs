@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use rustc_hash::FxHashMap;
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Diagnostic, Label, codes};
 use crate::parser::problem::Problem;
 use crate::parser::sinumerik::ast::Search;
 use crate::parser::sinumerik::scan::{Word, scan, skipped_line};
@@ -342,7 +342,7 @@ impl Skeleton {
                 let opened =
                     Loc { line: from.place.line, span: Span::at(from.place.at, from.after.at - from.place.at), ..loc };
                 found
-                    .also(opened, format!("{} is open here", name(*opener)))
+                    .also(opened, Label::IsOpen(name(*opener).to_owned()))
                     .help(format!("close it by {} first", closing(*opener)))
             }
             None => found.help(format!("delete {} or write its opening", name(word))),
@@ -384,7 +384,7 @@ fn label_again(name: &str, loc: Loc, first: &Mark) -> Diagnostic {
     let place = Span::at(first.place.at, first.after.at.saturating_sub(first.place.at + 1));
     codes::S8036::label_stands_twice_in_this_program(&name)
         .at(loc)
-        .also(Loc { line: first.place.line, span: place, ..loc }, "here for the first time")
+        .also(Loc { line: first.place.line, span: place, ..loc }, Label::FirstTime)
 }
 
 /// The nearest mark in the direction of the search; a block finds itself backwards.

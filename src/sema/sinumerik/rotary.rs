@@ -18,7 +18,7 @@ impl Channel<'_> {
             Mode::Ac => false,
             Mode::Ic => true,
             Mode::Dc | Mode::Acp | Mode::Acn => return self.directed_target(axis, given),
-            _ => return self.no_diameter_axis(given.span),
+            _ => return self.core.no_diameter_axis(given.span),
         };
         if incremental {
             return Ok(self.increment_base(axis, given.span)? + given.value);
@@ -28,7 +28,7 @@ impl Channel<'_> {
 
     /// DC, ACP and ACN: the shortest way, or a way of one sense.
     fn directed_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        self.inside_one_turn(given)?;
+        self.core.inside_one_turn(given)?;
         self.st.machine.modulo.insert(axis);
         let Some(at) = self.st.position.get(axis) else {
             return self.first_rotary_target(axis, given);
@@ -43,20 +43,20 @@ impl Channel<'_> {
 
     /// `C20` of a modulo axis: up or down inside the turn in which it stands.
     fn modulo_target(&mut self, axis: Axis, given: Given) -> Outcome<f64> {
-        self.inside_one_turn(given)?;
+        self.core.inside_one_turn(given)?;
         if self.st.position.is_lost(axis) {
             return Err(Reported);
         }
         let Some(at) = self.st.position.get(axis) else {
             let letter = axis.letter();
-            self.say_once(given.span, codes::S8044::where_stands_is_not_known_its_way(&letter));
+            self.core.say_once(given.span, codes::S8044::where_stands_is_not_known_its_way(&letter));
             return Ok(given.value);
         };
         let shift = self.st.ctx.frame.shift_of(axis);
-        if reduced(shift) != 0.0 && !self.job.settings.control.sinumerik.modulo_shortest {
-            return self.modulo_under_a_shift(axis, given.span);
+        if reduced(shift) != 0.0 && !self.core.job.settings.control.sinumerik.modulo_shortest {
+            return self.core.modulo_under_a_shift(axis, given.span);
         }
-        let shortest = self.job.settings.control.sinumerik.modulo_shortest;
+        let shortest = self.core.job.settings.control.sinumerik.modulo_shortest;
         Ok(counted_on(at, given.value, if shortest { Way::Short } else { Way::Inside }))
     }
 
@@ -66,7 +66,7 @@ impl Channel<'_> {
             return self.unknown_axis(axis, given.span);
         }
         let letter = axis.letter();
-        self.say_once(given.span, codes::S8044::where_stands_is_not_known(&letter));
+        self.core.say_once(given.span, codes::S8044::where_stands_is_not_known(&letter));
         Ok(given.value)
     }
 }

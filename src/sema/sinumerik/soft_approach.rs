@@ -96,11 +96,11 @@ impl Channel<'_> {
     /// A block with one of the codes. `before` is the way of the block before; the technology of the block was taken.
     pub(super) fn soft_block(&mut self, code: GCode, span: Span, w: &mut Words, before: Path) -> Outcome {
         let Some((shape, approaches)) = shape_of(code) else {
-            return self.refuse(span, codes::P9011::is_not_supported_so_program_way(&code.word()));
+            return self.core.refuse(span, codes::P9011::is_not_supported_so_program_way(&code.word()));
         };
         let ends = w.code_of(Group::Compensation).is_some_and(|(code, _)| code == GCode::G40);
         let side = if ends && self.st.compensation.waits() { self.st.compensation.left() } else { self.st.side() };
-        let other = if !self.resolves() && side != Side::None {
+        let other = if !self.core.resolves() && side != Side::None {
             "beside radius compensation by the target"
         } else if self.capture.is_some() {
             "inside a contour"
@@ -112,19 +112,19 @@ impl Channel<'_> {
             ""
         };
         if !other.is_empty() {
-            return self.refuse(span, codes::P9011::is_not_supported_so_program_approach(&code.word(), &other));
+            return self.core.refuse(span, codes::P9011::is_not_supported_so_program_approach(&code.word(), &other));
         }
         if self.soft.is_some() {
-            return self.refuse(span, codes::S2083::approach_before_has_no_contour());
+            return self.core.refuse(span, codes::S2083::approach_before_has_no_contour());
         }
-        if approaches && side != Side::None && self.resolves() && !self.st.compensation.waits() {
-            return self.refuse(span, codes::P9013::stands_in_contour_whose_compensation_has_begun(&code.word()));
+        if approaches && side != Side::None && self.core.resolves() && !self.st.compensation.waits() {
+            return self.core.refuse(span, codes::P9013::stands_in_contour_whose_compensation_has_begun(&code.word()));
         }
         self.pending_must_be_done(span)?;
         let sizes = self.soft_sizes((shape, approaches), side, span, w)?;
         let scale = self.st.ctx.frame.uniform_scale();
         if side != Side::None && scale.is_none_or(|scale| (scale - 1.0).abs() > SAME_DIRECTION) {
-            return self.refuse(span, codes::P9011::under_scaling_is_not_supported(&code.word()));
+            return self.core.refuse(span, codes::P9011::under_scaling_is_not_supported(&code.word()));
         }
         let end = self.targets(w)?;
         self.st.compensation.is_over();
@@ -147,7 +147,7 @@ impl Channel<'_> {
         let size = w.take(Address::Disr).map(|disr| disr.value * mm);
         let fits = size.is_some_and(|size| if shape == Shape::Line { size + radius > 0.0 } else { size > 0.0 });
         let Some(size) = size.filter(|_| fits) else {
-            return self.refuse(span, codes::S2083::disr_is_missing_or_too_small());
+            return self.core.refuse(span, codes::S2083::disr_is_missing_or_too_small());
         };
         let height = |given: Option<Given>| match given {
             None => Ok(None),
@@ -159,11 +159,11 @@ impl Channel<'_> {
         };
         let (safe, plane) = match (height(w.take(Address::Discl)), height(w.take(Address::Disrp))) {
             (Ok(safe), Ok(plane)) => (safe, plane),
-            (Err(span), _) | (_, Err(span)) => return self.misplaced_modifier(span).and(Err(Reported)),
+            (Err(span), _) | (_, Err(span)) => return self.core.misplaced_modifier(span).and(Err(Reported)),
         };
         let infeed = match w.take(Address::Fad) {
             Some(fad) if fad.value <= 0.0 => {
-                return self.refuse(fad.span, codes::P2003::feed_fad_is_not_above_0());
+                return self.core.refuse(fad.span, codes::P2003::feed_fad_is_not_above_0());
             }
             fad => {
                 let falls = self.st.is(GCode::G340);
@@ -176,7 +176,7 @@ impl Channel<'_> {
                     None
                 };
                 if let (Some(fad), Some(why)) = (fad, why) {
-                    self.say_once(fad.span, codes::S8196::fad_has_no_effect_here(&why));
+                    self.core.say_once(fad.span, codes::S8196::fad_has_no_effect_here(&why));
                 }
                 fad.map(|fad| self.infeed(fad))
             }
@@ -204,13 +204,13 @@ impl Channel<'_> {
         let feed = if w.feed_given || !before.is_rapid() { self.st.feed.word() } else { None };
         let whole = sizes.infeed.is_some() && self.st.is(GCode::G340);
         if feed.is_none() && !whole {
-            return self.refuse(span, codes::P2002::has_no_feed(&code.word()));
+            return self.core.refuse(span, codes::P2002::has_no_feed(&code.word()));
         }
         let named = end.get(first).is_some() || end.get(second).is_some();
         self.soft = Some(Box::new(Soft {
             sizes,
             name: code.word(),
-            here: self.here,
+            here: self.core.here,
             span,
             from: *self.st.position.at(),
             named,
@@ -226,8 +226,8 @@ impl Channel<'_> {
     /// Something that cannot stand between an approach and its contour.
     pub(super) fn soft_must_be_done(&mut self) -> Outcome {
         let Some(soft) = self.soft.take() else { return Ok(()) };
-        let found = codes::S2083::no_contour_element_follows(&soft.name).at(soft.here.loc(&self.job, soft.span));
-        self.job.diags.push(found.called(soft.here.origin.call).help("let a path block of the plane follow"));
+        let found = codes::S2083::no_contour_element_follows(&soft.name).at(soft.here.loc(&self.core.job, soft.span));
+        self.core.job.diags.push(found.called(soft.here.origin.call).help("let a path block of the plane follow"));
         self.lose_all();
         Err(Reported)
     }
@@ -242,7 +242,7 @@ impl Channel<'_> {
             let _: Outcome = self.soft_must_be_done();
             return false;
         }
-        let origin = self.here.origin;
+        let origin = self.core.here.origin;
         if let Some(soft) = &mut self.soft {
             soft.held.push((function.clone(), origin));
         }
@@ -261,7 +261,7 @@ impl Channel<'_> {
         if !soft.named {
             if matches!(path, Path::Arc(..)) || soft.height_named && end.get(third).is_some() {
                 self.soft = Some(soft);
-                self.say(Where::Block, codes::S2083::end_point_is_no_point_of_plane());
+                self.core.say(Where::Block, codes::S2083::end_point_is_no_point_of_plane());
                 self.soft = None;
                 self.lose_all();
                 return true;
@@ -318,9 +318,9 @@ impl Channel<'_> {
         };
         match chosen {
             Some(chosen) if own.is_none_or(|own| own == chosen) => Ok(chosen),
-            Some(_) => self.refuse(span, codes::P9011::way_leads_to_other_side_of_contour()),
+            Some(_) => self.core.refuse(span, codes::P9011::way_leads_to_other_side_of_contour()),
             None if shape == Shape::Line => Ok(1.0),
-            None => self.refuse(span, codes::S2083::side_of_way_is_not_known()),
+            None => self.core.refuse(span, codes::S2083::side_of_way_is_not_known()),
         }
     }
 
@@ -333,7 +333,7 @@ impl Channel<'_> {
             return self.unknown_axis(axis, soft.span);
         };
         let Some(heading) = self.direction_at_start(end, path) else {
-            return self.refuse(soft.span, codes::S2083::direction_behind_is_not_known());
+            return self.core.refuse(soft.span, codes::S2083::direction_behind_is_not_known());
         };
         let side = self.st.side();
         let way = Way { shape: soft.sizes.shape, at, heading, span: soft.span };
@@ -348,10 +348,10 @@ impl Channel<'_> {
         if heights.is_some()
             && soft.sizes.safe.is_none()
             && soft.before.is_rapid()
-            && self.job.diags.first_time(codes::S8197, &soft.name)
+            && self.core.job.diags.first_time(codes::S8197, &soft.name)
         {
-            let found = codes::S8197::has_no_discl(&soft.name).at(self.loc(soft.span));
-            self.report(found.help("program DISCL, and FAD for the way from there"));
+            let found = codes::S8197::has_no_discl(&soft.name).at(self.core.loc(soft.span));
+            self.core.report(found.help("program DISCL, and FAD for the way from there"));
         }
         let place = |p: Option<Point2>, z: Option<f64>| {
             let mut end = Pos::UNKNOWN;
@@ -410,14 +410,14 @@ impl Channel<'_> {
 
     fn check_heights(&self, span: Span, start: f64, contour: f64, safe: f64, plane: Option<Height>) -> Outcome {
         if safe < contour || safe > start + SAME_POINT {
-            return self.refuse(span, codes::S2083::discl_lies_outside_way());
+            return self.core.refuse(span, codes::S2083::discl_lies_outside_way());
         }
         if self.st.is(GCode::G340) && safe == contour && start != contour {
-            return self.refuse(span, codes::P9011::under_g340_without_discl_tool_comes_down());
+            return self.core.refuse(span, codes::P9011::under_g340_without_discl_tool_comes_down());
         }
         let between = |height: Height| (safe..=start.max(safe)).contains(&height.over(contour));
         if plane.is_some_and(|height| !between(height)) {
-            return self.refuse(span, codes::S2083::disrp_lies_outside_way());
+            return self.core.refuse(span, codes::S2083::disrp_lies_outside_way());
         }
         Ok(())
     }
@@ -436,14 +436,14 @@ impl Channel<'_> {
         let plane = self.st.plane();
         let [first, second, third] = self.st.roles();
         if side != Side::None && !ends {
-            return self.refuse(span, codes::P9011::leaves_radius_compensation(&code.word()));
+            return self.core.refuse(span, codes::P9011::leaves_radius_compensation(&code.word()));
         }
         let Some(at) = self.st.position.in_plane(plane) else {
             let axis = if self.st.position.get(first).is_none() { first } else { second };
             return self.unknown_axis(axis, span);
         };
         let Some(heading) = self.heading_at(at) else {
-            return self.refuse(span, codes::S2083::direction_in_front_is_not_known());
+            return self.core.refuse(span, codes::S2083::direction_in_front_is_not_known());
         };
         let corner = |axis: Axis, old: f64| end.get(axis).unwrap_or(old);
         let named = end.get(first).is_some() || end.get(second).is_some();
@@ -454,7 +454,7 @@ impl Channel<'_> {
         let heights = self.retract_heights(&sizes, end.get(third), span)?;
         let Some(feed) = self.st.feed.word() else {
             self.st.feed.lose();
-            return self.refuse(span, codes::P2002::no_feed_is_programmed_so_program_f());
+            return self.core.refuse(span, codes::P2002::no_feed_is_programmed_so_program_f());
         };
         self.straight_border();
         let rises = self.st.is(GCode::G340);

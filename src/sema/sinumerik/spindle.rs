@@ -39,7 +39,7 @@ impl Channel<'_> {
     pub(super) fn master_feeds(&self, place: impl Into<Where>) {
         let master = self.st.spindles.master();
         if master != MAIN_SPINDLE && !self.is_capturing() {
-            self.say_once(place, codes::S8253::feed_per_revolution_of_spindle(&master));
+            self.core.say_once(place, codes::S8253::feed_per_revolution_of_spindle(&master));
         }
     }
 
@@ -49,7 +49,7 @@ impl Channel<'_> {
         if master == MAIN_SPINDLE {
             return Ok(());
         }
-        self.refuse(place, codes::S9007::follows_spindle(&what, &master))
+        self.core.refuse(place, codes::S9007::follows_spindle(&what, &master))
     }
 
     /// S words of a block.
@@ -105,14 +105,14 @@ impl Channel<'_> {
         }
         // Once is enough.
         self.st.spindles.end_cutting_speed();
-        self.refuse(Where::Block, codes::S2045::block_cuts_at_speed_kept_since_g96())
+        self.core.refuse(Where::Block, codes::S2045::block_cuts_at_speed_kept_since_g96())
     }
 
     /// Refuses what needs a speed where a left-out call leaves another one.
     pub(super) fn left_speed_is_known(&mut self, needs: &str) -> Outcome {
         let Some(lost) = self.speed_lost.take().filter(|_| !self.is_capturing()) else { return Ok(()) };
         let (name, call) = *lost;
-        self.refuse(Where::Block, codes::S2045::in_line_leaves_speed_that_is_not(&needs, &name, &call.line))
+        self.core.refuse(Where::Block, codes::S2045::in_line_leaves_speed_that_is_not(&needs, &name, &call.line))
     }
 
     /// Refuses to start spindle `n` without a speed that is known.
@@ -121,21 +121,21 @@ impl Channel<'_> {
             return Ok(());
         }
         self.st.spindles.end_cutting_speed();
-        self.refuse(span, codes::S2045::spindle_starts_without_speed())
+        self.core.refuse(span, codes::S2045::spindle_starts_without_speed())
     }
 
     fn speed(&mut self, s: SWord, constant: bool) -> Outcome {
         if s.value > 1e6 {
-            return self.refuse(s.span, codes::S2045::speed_s_is_out_of_all_range(&s.value));
+            return self.core.refuse(s.span, codes::S2045::speed_s_is_out_of_all_range(&s.value));
         }
         if s.value < 0.0 {
-            return self.refuse(s.span, codes::S2045::speed_s_is_negative(&s.value));
+            return self.core.refuse(s.span, codes::S2045::speed_s_is_negative(&s.value));
         }
         match s.spindle {
             Some(n) if n != self.st.spindles.master() => {
-                self.spindle_number(n, s.span)?;
+                self.core.spindle_number(n, s.span)?;
                 let highest = self.st.spindles.set_speed_of(n, s.value);
-                let limited = self.limited(s.value, highest, s.span);
+                let limited = self.core.limited(s.value, highest, s.span);
                 self.send_spindle(n, Spindle::Speed(limited));
             }
             _ if constant => {
@@ -145,7 +145,7 @@ impl Channel<'_> {
                 self.send_cutting_speed();
             }
             _ => {
-                let limited = self.limited(s.value, self.st.limit_of_turns(), s.span);
+                let limited = self.core.limited(s.value, self.st.limit_of_turns(), s.span);
                 self.st.spindles.set_turns(s.value, limited);
                 if !self.st.taps.take_speed() {
                     self.send_spindle(self.st.spindles.master(), Spindle::Speed(limited));
@@ -166,7 +166,7 @@ impl Channel<'_> {
         }
         self.limit_changed(span);
         if let Some(now) = self.st.spindles.turns().filter(|now| *now > before) {
-            self.say(span, codes::S8032::lims_does_not_count(&code.word(), &before, &now));
+            self.core.say(span, codes::S8032::lims_does_not_count(&code.word(), &before, &now));
         }
     }
 
@@ -176,7 +176,8 @@ impl Channel<'_> {
             return Ok(());
         }
         let limit = self.st.spindles.limit();
-        let radius = self.job.settings.machine.diameter_axis.and_then(|axis| self.st.position.get(axis)).map(f64::abs);
+        let radius =
+            self.core.job.settings.machine.diameter_axis.and_then(|axis| self.st.position.get(axis)).map(f64::abs);
         let free = match (self.st.spindles.speed(), radius) {
             (Some(speed), Some(radius)) if radius > 1e-3 => {
                 Some(libm::round(1000.0 * speed / (2.0 * std::f64::consts::PI * radius)))
@@ -185,9 +186,9 @@ impl Channel<'_> {
         };
         let Some(turns) = [free, limit].into_iter().flatten().reduce(f64::min) else {
             self.st.spindles.end_cutting_speed();
-            return self.refuse(span, codes::S2045::g96_ends_at_unknown_diameter());
+            return self.core.refuse(span, codes::S2045::g96_ends_at_unknown_diameter());
         };
-        self.say(span, codes::S8046::g96_ends_without_s(&turns));
+        self.core.say(span, codes::S8046::g96_ends_without_s(&turns));
         self.st.spindles.print_turns(turns);
         self.send_spindle(self.st.spindles.master(), Spindle::Speed(turns));
         Ok(())
@@ -201,7 +202,7 @@ impl Channel<'_> {
             return self.send_cutting_speed();
         }
         let Some(speed) = self.st.spindles.speed() else { return };
-        let limited = self.limited(speed, self.st.limit_of_turns(), span);
+        let limited = self.core.limited(speed, self.st.limit_of_turns(), span);
         if self.st.spindles.turns().is_some_and(|turns| turns != limited) {
             self.st.spindles.print_turns(limited);
             self.send_spindle(self.st.spindles.master(), Spindle::Speed(limited));
@@ -213,11 +214,11 @@ impl Channel<'_> {
         let (spos, sposa) = (w.take(Address::Spos), w.take(Address::Sposa));
         let Some(given) = spos.or(sposa) else { return Ok(()) };
         if let (Some(_), Some(second)) = (spos, sposa) {
-            return self.refuse(second.span, codes::P1002::spos_sposa_stand_in_one_block());
+            return self.core.refuse(second.span, codes::P1002::spos_sposa_stand_in_one_block());
         }
         let master = self.st.spindles.master();
         if let Some(m) = w.m.iter().find(|m| m.number == 19 && m.spindle.is_none_or(|n| n == master)) {
-            return self.refuse(m.span, codes::S2045::m19_spos_stop_spindle_in_one_block());
+            return self.core.refuse(m.span, codes::S2045::m19_spos_stop_spindle_in_one_block());
         }
         let from = match given.mode {
             Mode::Plain | Mode::Ac | Mode::Dc => 0.0,
@@ -228,10 +229,10 @@ impl Channel<'_> {
             Mode::Ic => match self.st.spindles.angle() {
                 Some(angle) => angle,
                 None => {
-                    return self.refuse(given.span, codes::S2045::where_spindle_stands_from_which_spos());
+                    return self.core.refuse(given.span, codes::S2045::where_spindle_stands_from_which_spos());
                 }
             },
-            _ => return self.does_not_fit(given.span),
+            _ => return self.core.does_not_fit(given.span),
         };
         let angle = from + given.value;
         let angle = angle - 360.0 * libm::floor(angle / 360.0);
@@ -242,14 +243,14 @@ impl Channel<'_> {
 
     /// `SPOS[2]=90` of a spindle that is not the master.
     pub(super) fn spindle_position_of(&mut self, n: u8, given: Given) -> Outcome {
-        self.spindle_number(n, given.span)?;
+        self.core.spindle_number(n, given.span)?;
         match given.mode {
             Mode::Plain | Mode::Ac | Mode::Dc => {}
             Mode::Acp | Mode::Acn => self.sense_of_position_is_left_out(given.span),
             Mode::Ic => {
-                return self.refuse(given.span, codes::S2045::where_spindle_stands(&n));
+                return self.core.refuse(given.span, codes::S2045::where_spindle_stands(&n));
             }
-            _ => return self.does_not_fit(given.span),
+            _ => return self.core.does_not_fit(given.span),
         }
         self.st.spindles.set_turn_of(n, None);
         self.send_spindle(n, Spindle::Orient(super::rotary::reduced(given.value)));
@@ -257,12 +258,12 @@ impl Channel<'_> {
     }
 
     fn sense_of_position_is_left_out(&self, span: Span) {
-        self.say_once(span, codes::S8031::sense_in_which_spos_acp());
+        self.core.say_once(span, codes::S8031::sense_in_which_spos_acp());
     }
 
     /// `LIMS=` of the master.
     pub(super) fn speed_limit(&mut self, lims: Given, speed_follows: bool) -> Outcome {
-        self.check_limit("LIMS=", lims.value, lims.span)?;
+        self.core.check_limit("LIMS=", lims.value, lims.span)?;
         self.st.spindles.set_limit(None, lims.value);
         if !speed_follows {
             self.limit_changed(lims.span);
@@ -272,7 +273,7 @@ impl Channel<'_> {
 
     /// `LIMS[n]=` of a spindle that is not the master: it counts when it becomes one.
     pub(super) fn speed_limit_of(&mut self, n: u8, lims: Given) -> Outcome {
-        self.check_limit("LIMS=", lims.value, lims.span)?;
+        self.core.check_limit("LIMS=", lims.value, lims.span)?;
         self.st.spindles.set_limit(Some(n), lims.value);
         Ok(())
     }
@@ -280,12 +281,12 @@ impl Channel<'_> {
     /// `G26 S3000`: the highest speed of a spindle. `G25 S30` is the lowest one, which the target does not keep.
     pub(super) fn speed_range(&mut self, code: GCode, s: SWord) -> Outcome {
         if let Some(n) = s.spindle {
-            self.spindle_number(n, s.span)?;
+            self.core.spindle_number(n, s.span)?;
         }
         if code == GCode::G25 && s.value >= 0.0 {
             return Ok(());
         }
-        self.check_limit(&format!("{} S", code.word()), s.value, s.span)?;
+        self.core.check_limit(&format!("{} S", code.word()), s.value, s.span)?;
         self.st.spindles.set_highest(s.spindle, s.value);
         if self.st.spindles.is_master(s.spindle) {
             self.limit_changed(s.span);
@@ -306,11 +307,11 @@ impl Channel<'_> {
             return Ok(());
         }
         if self.st.spindles.is_cutting() && self.st.spindles.turn().is_some() {
-            return self.refuse(span, codes::S2045::master_spindle_changes_while_it_turns());
+            return self.core.refuse(span, codes::S2045::master_spindle_changes_while_it_turns());
         }
         self.st.spindles.select_master(n);
         self.function(Function::FeedSpindle(n));
-        self.say_once(span, codes::S8014::s_m_words_without_number_go(&n));
+        self.core.say_once(span, codes::S8014::s_m_words_without_number_go(&n));
         Ok(())
     }
 }

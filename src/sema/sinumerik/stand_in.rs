@@ -37,7 +37,7 @@ impl Run<'_> {
                     name: without_extension(&plain),
                     text: text.map(|at| at + 1),
                     arguments: !arguments.is_empty(),
-                    tool_waits: self.st.tool.waiting().is_some() || self.st.tool.waits_unnamed,
+                    tool_waits: self.channel.st.tool.waiting().is_some() || self.channel.st.tool.waits_unnamed,
                 };
                 let known = self.vocabulary.get(call.name).is_some_and(|known| reserved(*known).is_some());
                 let help = if known { call.help_of_word() } else { call.help() };
@@ -46,15 +46,15 @@ impl Run<'_> {
         });
         if found.is_err() {
             // What it would have done is not known.
-            self.st.position.lose(AxisSet::ALL);
-            self.lost();
+            self.channel.st.position.lose(AxisSet::ALL);
+            self.channel.lost();
         }
         found
     }
 
     /// The file that `[programs]` gives in place of `name`, unless there is a program of that name.
     pub(super) fn file_in_place_of(&mut self, name: &str) -> Option<String> {
-        match self.job.settings.programs.get(name) {
+        match self.channel.core.job.settings.programs.get(name) {
             Some(StandIn::File(file)) if !self.is_here(name) => Some(file.clone()),
             _ => None,
         }
@@ -64,7 +64,7 @@ impl Run<'_> {
     fn stand_in(&mut self, name: &str, span: Span, arguments: &[Argument], passes: u32) -> Option<Outcome> {
         let name = called_name(name);
         let name = without_extension(&name);
-        let change = match self.job.settings.programs.get(name)? {
+        let change = match self.channel.core.job.settings.programs.get(name)? {
             StandIn::File(_) => return None,
             StandIn::Change(change) => Some(*change),
             StandIn::Ignored => None,
@@ -73,29 +73,29 @@ impl Run<'_> {
             return None;
         }
         let done = match change {
-            Some(change) => self.change_by_program(name, &change, span, arguments, passes),
+            Some(change) => self.channel.change_by_program(name, &change, span, arguments, passes),
             None if super::cycles::measures(name) => self.measuring_is_ignored(name, span, arguments),
-            None => self.leave_call_out(name, span, arguments),
+            None => self.channel.leave_call_out(name, span, arguments),
         };
         Some(done.and_then(|()| self.leave_technology(name, span)))
     }
 
     /// What `[programs]` says of feed and spindle is done as a block of these words would do it.
     fn leave_technology(&mut self, name: &str, span: Span) -> Outcome {
-        let left = self.job.settings.left_by(name);
-        let loc = self.loc(span);
+        let left = self.channel.core.job.settings.left_by(name);
+        let loc = self.channel.core.loc(span);
         let mut words: Vec<String> = Vec::new();
         match left.feed {
             Some(Left::Value(feed)) => words.push(format!("F{feed}")),
-            Some(Left::Lost) => self.st.feed.leave(FeedLeft { name: name.to_owned(), call: loc, lost: true }),
-            None if self.st.feed.word().is_some() => {
-                self.st.feed.leave(FeedLeft { name: name.to_owned(), call: loc, lost: false });
+            Some(Left::Lost) => self.channel.st.feed.leave(FeedLeft { name: name.to_owned(), call: loc, lost: true }),
+            None if self.channel.st.feed.word().is_some() => {
+                self.channel.st.feed.leave(FeedLeft { name: name.to_owned(), call: loc, lost: false });
             }
             None => {}
         }
         match left.speed {
             Some(Left::Value(speed)) => words.push(format!("S{speed}")),
-            Some(Left::Lost) => self.speed_lost = Some(Box::new((name.to_owned(), loc))),
+            Some(Left::Lost) => self.channel.speed_lost = Some(Box::new((name.to_owned(), loc))),
             None => {}
         }
         words.extend(left.spindle.map(|spindle| match spindle {
@@ -103,14 +103,14 @@ impl Run<'_> {
             LeftSpindle::CounterClockwise => "M4".to_owned(),
             LeftSpindle::Stopped => "M5".to_owned(),
         }));
-        self.call_left = Some(Box::new((name.to_owned(), loc)));
+        self.channel.call_left = Some(Box::new((name.to_owned(), loc)));
         if words.is_empty() { Ok(()) } else { self.execute_line(words.join(" ").as_bytes(), span) }
     }
 
     /// The same of a call behind MCALL.
     pub(super) fn modal_stand_in(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Option<Outcome> {
         let name = without_extension(name);
-        let changes = match self.job.settings.programs.get(name)? {
+        let changes = match self.channel.core.job.settings.programs.get(name)? {
             StandIn::File(_) => return None,
             StandIn::Change(_) => true,
             StandIn::Ignored => false,
@@ -118,24 +118,24 @@ impl Run<'_> {
         if self.is_here(name) {
             return None;
         }
-        self.st.modal_call.end();
+        self.channel.st.modal_call.end();
         if changes {
-            return Some(self.refuse(span, codes::S2043::changes_tool(&name)));
+            return Some(self.channel.core.refuse(span, codes::S2043::changes_tool(&name)));
         }
         if super::cycles::measures(name) {
             return Some(self.measuring_is_ignored(name, span, arguments));
         }
-        let left = self.job.settings.left_by(name);
+        let left = self.channel.core.job.settings.left_by(name);
         if left != Leaves::default() {
-            return Some(self.refuse(span, codes::S2043::mcall_calls_after_each_move(&name)));
+            return Some(self.channel.core.refuse(span, codes::S2043::mcall_calls_after_each_move(&name)));
         }
-        Some(self.leave_call_out(name, span, arguments).and_then(|()| self.leave_technology(name, span)))
+        Some(self.channel.leave_call_out(name, span, arguments).and_then(|()| self.leave_technology(name, span)))
     }
 
     /// What a measuring cycle sets, and where it leaves the probe, is as open as where the key leaves it out.
     fn measuring_is_ignored(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome {
         let values: Vec<Val> = arguments.iter().map(|argument| argument.value.clone()).collect();
-        self.leave_cycle_out(name, &values, span)
+        self.channel.leave_cycle_out(name, &values, span)
     }
 }
 
@@ -144,20 +144,21 @@ impl Channel<'_> {
     fn leave_call_out(&mut self, name: &str, span: Span, arguments: &[Argument]) -> Outcome {
         self.says_stand_in(span, codes::P8105::is_left_out_as_programs_says(&name));
         self.may_have_changed(name, span, arguments);
-        self.motion_left = Some(Box::new((name.to_owned(), self.loc(span))));
+        self.motion_left = Some(Box::new((name.to_owned(), self.core.loc(span))));
         self.leave_behind(name, span)
     }
 
     /// What `[programs]` says that the call leaves behind.
     fn leave_behind(&mut self, name: &str, span: Span) -> Outcome {
-        let left = self.job.settings.left_by(name);
+        let left = self.core.job.settings.left_by(name);
         if let Some(rapid) = left.rapid {
             self.st.codes.activate(if rapid { GCode::G0 } else { GCode::G1 });
         }
         if !left.lost.is_empty() {
-            let loc = self.loc(span);
+            let loc = self.core.loc(span);
             if self.st.side() != Side::None {
-                let refused = self.refuse(span, codes::P2001::moves_axes_under_radius_compensation_as_programs(&name));
+                let refused =
+                    self.core.refuse(span, codes::P2001::moves_axes_under_radius_compensation_as_programs(&name));
                 self.lose_all();
                 return refused;
             }
@@ -172,7 +173,7 @@ impl Channel<'_> {
     /// the machine, that the call may leave G0 active.
     pub(super) fn or_left_at_rapid(&self, usual: Help) -> Help {
         let Some((name, loc)) = self.motion_left.as_deref() else { return usual };
-        let settings = &self.job.settings;
+        let settings = &self.core.job.settings;
         if settings.left_by(name).rapid.is_some() {
             return usual;
         }
@@ -189,7 +190,7 @@ impl Channel<'_> {
 
     /// The entry of `[programs]` for this call with one thing more in it.
     fn entry_with(&self, name: &str, more: &str) -> Option<String> {
-        let settings = &self.job.settings;
+        let settings = &self.core.job.settings;
         let what = match settings.programs.get(name)? {
             StandIn::Change(ChangeCall { tool: Some(tool), .. }) => format!("tool = {tool}"),
             StandIn::Change(ChangeCall { tool: None, .. }) => "change = true".to_owned(),
@@ -217,7 +218,7 @@ impl Channel<'_> {
     /// start it.
     pub(super) fn or_started_by_call(&self, usual: Help) -> Help {
         let Some((name, loc)) = self.call_left.as_deref() else { return usual };
-        if self.job.settings.left_by(name).spindle.is_some() {
+        if self.core.job.settings.left_by(name).spindle.is_some() {
             return usual;
         }
         let entries: Vec<String> =
@@ -234,9 +235,9 @@ impl Channel<'_> {
     }
 
     fn says_stand_in(&mut self, span: Span, fault: Fault) {
-        let found = fault.at(self.loc(span));
-        if !self.job.diags.knows(&found) {
-            self.report(found);
+        let found = fault.at(self.core.loc(span));
+        if !self.core.job.diags.knows(&found) {
+            self.core.report(found);
         }
     }
 
@@ -249,7 +250,7 @@ impl Channel<'_> {
         passes: u32,
     ) -> Outcome {
         if passes != 1 {
-            return self.refuse(span, codes::S2043::changes_tool_times(&name, &passes));
+            return self.core.refuse(span, codes::S2043::changes_tool_times(&name, &passes));
         }
         match change.tool {
             Some(place) => {
@@ -257,7 +258,7 @@ impl Channel<'_> {
                 self.st.tool.choose(number);
             }
             None if self.st.tool.next().is_none() => {
-                return self.refuse(span, codes::S2043::no_tool_is_chosen(&name));
+                return self.core.refuse(span, codes::S2043::no_tool_is_chosen(&name));
             }
             None => {}
         }
@@ -268,18 +269,18 @@ impl Channel<'_> {
             Some((place, value)) => match value.number() {
                 Some(edge) => self.edge_number(edge, span)?,
                 None => {
-                    return self.refuse(span, codes::S2043::argument_of_is_no_d_number(&place, &name));
+                    return self.core.refuse(span, codes::S2043::argument_of_is_no_d_number(&place, &name));
                 }
             },
         }
         // Where it leaves the axes only the configuration knows.
         self.st.position.clear();
-        let loc = self.loc(span);
+        let loc = self.core.loc(span);
         self.st.position.hide(AxisSet::MAIN, By::ToolChange, loc);
         self.only_known_axes_stand();
         self.stand_after_change();
         self.leave_behind(name, span)?;
-        self.motion_left = Some(Box::new((name.to_owned(), self.loc(span))));
+        self.motion_left = Some(Box::new((name.to_owned(), self.core.loc(span))));
         let left = left_out(change, arguments);
         self.says_stand_in(span, codes::P8105::changes_tool_as_programs_says(&name, &left));
         Ok(())
@@ -292,10 +293,10 @@ impl Channel<'_> {
                 let tool = String::from_utf8_lossy(text).into_owned();
                 self.tool_by_name(&tool, span)
             }
-            None | Some(Val::Missing) => self.refuse(span, codes::S2043::has_no_argument(&name, &place)),
+            None | Some(Val::Missing) => self.core.refuse(span, codes::S2043::has_no_argument(&name, &place)),
             Some(value) => match value.number().filter(|n| n.fract() == 0.0 && (0.0..=32_000.0).contains(n)) {
                 Some(number) => self.tool_by_number(number as u32, span),
-                None => self.refuse(span, codes::S2043::argument_of_is_no_tool(&place, &name)),
+                None => self.core.refuse(span, codes::S2043::argument_of_is_no_tool(&place, &name)),
             },
         }
     }

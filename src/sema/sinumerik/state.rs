@@ -284,12 +284,12 @@ impl Channel<'_> {
 
     /// The same work offset is in force, with another frame than at the call: bit 0 of MD 10617 decides.
     fn restore_offset_frame(&mut self, frame: Option<FrameValue>) {
-        let chosen = self.job.settings.control.sinumerik.save_restores_offset;
+        let chosen = self.core.job.settings.control.sinumerik.save_restores_offset;
         if chosen == Some(true) {
             self.st.frames.set_settable(frame);
         } else if chosen.is_none() {
-            let found = codes::S9018::program_with_save_changed_frame_of_work().at(self.here.origin.loc);
-            self.report(
+            let found = codes::S9018::program_with_save_changed_frame_of_work().at(self.core.here.origin.loc);
+            self.core.report(
                 found.help(
                     Answer::key("control", "md10617")
                         .help("set `[control] md10617`, or select the offset again in the calling program"),
@@ -303,7 +303,7 @@ impl Channel<'_> {
         let Some(frame) = self.st.frames.total().map() else {
             self.st.position.lose(AxisSet::ALL);
             self.st.frames.set_programmable(FrameValue::default());
-            let _: super::Outcome = self.refuse(Where::Block, codes::S2034::frame_cannot_be_used());
+            let _: super::Outcome = self.core.refuse(Where::Block, codes::S2034::frame_cannot_be_used());
             return;
         };
         if frame != self.st.ctx.frame {
@@ -320,8 +320,8 @@ impl Channel<'_> {
         let [_, _, axis] = self.st.roles();
         let turned = |frame: &Frame| frame.linear()[(axis.index(), axis.index())] < 0.0;
         if turned(next) && !turned(&self.st.ctx.frame) {
-            let found = codes::P2030::tool_axis_is_mirrored_2(&axis.letter()).at(self.here.origin.loc);
-            self.report(found.help("check that this is meant; most often another axis is"));
+            let found = codes::P2030::tool_axis_is_mirrored_2(&axis.letter()).at(self.core.here.origin.loc);
+            self.core.report(found.help("check that this is meant; most often another axis is"));
         }
     }
 }

@@ -55,19 +55,21 @@ impl Run<'_> {
             match values.get_mut(at) {
                 Some(place) => *place = value,
                 None => {
-                    return self.refuse(formula.span, codes::S2021::cycle800_takes_arguments(&MOST));
+                    return self.channel.core.refuse(formula.span, codes::S2021::cycle800_takes_arguments(&MOST));
                 }
             }
             if (ANGLES..AFTER).contains(&at) && value != 0.0 {
-                self.st.position.lose(AxisSet::ALL);
-                self.lost();
+                self.channel.st.position.lose(AxisSet::ALL);
+                self.channel.lost();
                 let name = ["_A", "_B", "_C"].get(at - ANGLES).copied().unwrap_or_default();
                 return self
+                    .channel
+                    .core
                     .refuse(formula.span, codes::S9006::cycle800_swivels_working_plane(&name, &value, &(at + 1)));
             }
-            self.known_code(at, value, formula.span)?;
+            self.channel.known_code(at, value, formula.span)?;
         }
-        let unit = self.st.length_unit();
+        let unit = self.channel.st.length_unit();
         let swivel = Swivel {
             retraction: values[RETRACTION],
             way: values[RETRACTION_WAY] * unit,
@@ -75,7 +77,7 @@ impl Run<'_> {
             additive: whole(values[STATE]).is_some_and(|state| state % 10 == 1),
             shift: [0, 1, 2].map(|axis| (values[BEFORE + axis] + values[AFTER + axis]) * unit),
         };
-        self.swivel_by_nothing(&swivel, span)
+        self.channel.swivel_by_nothing(&swivel, span)
     }
 }
 
@@ -99,13 +101,13 @@ impl Channel<'_> {
         }
         self.st.position.lose(AxisSet::ALL);
         self.lost();
-        self.refuse(span, codes::S9006::cycle800_has_no(&value, &name, &(at + 1), &wanted))
+        self.core.refuse(span, codes::S9006::cycle800_has_no(&value, &name, &(at + 1), &wanted))
     }
 
     fn swivel_by_nothing(&mut self, swivel: &Swivel, span: Span) -> Outcome {
         let turned = Axis::ALL.into_iter().filter(|axis| axis.is_rotary());
         if let Some(axis) = turned.into_iter().find(|axis| self.st.position.get(*axis).is_some_and(|at| at != 0.0)) {
-            return self.refuse(span, codes::S9006::cycle800_may_turn_back_to_0(&axis.letter()));
+            return self.core.refuse(span, codes::S9006::cycle800_may_turn_back_to_0(&axis.letter()));
         }
         self.shift_is_clear(swivel, span)?;
         self.swivel_retracts(swivel, span)?;
@@ -120,7 +122,7 @@ impl Channel<'_> {
         } else {
             codes::S8029::turns_nothing_and_only_retracts()
         };
-        self.say_once(span, fault);
+        self.core.say_once(span, fault);
         self.shift_workpiece(shift);
         Ok(())
     }
@@ -139,7 +141,7 @@ impl Channel<'_> {
     fn shift_is_clear(&mut self, swivel: &Swivel, span: Span) -> Outcome {
         let shifts = swivel.shift != [0.0; 3] || *self.st.frames.swivelled() != FrameValue::default();
         if self.st.side() != Side::None && shifts {
-            return self.refuse(span, codes::S2080::frame_changes_while_radius_compensation());
+            return self.core.refuse(span, codes::S2080::frame_changes_while_radius_compensation());
         }
         let programmed = !swivel.resets && self.st.frames.programmable().map().is_none_or(|frame| !frame.is_identity());
         let lathe = shifts && self.st.machine.lathe;
@@ -149,15 +151,15 @@ impl Channel<'_> {
         self.st.position.lose(AxisSet::ALL);
         self.lost();
         if lathe {
-            return self.refuse(span, codes::S9006::cycle800_shifts_workpiece());
+            return self.core.refuse(span, codes::S9006::cycle800_shifts_workpiece());
         }
-        self.refuse(span, codes::S9006::cycle800_for_new_plane_deletes_programmed_frames())
+        self.core.refuse(span, codes::S9006::cycle800_for_new_plane_deletes_programmed_frames())
     }
 
     /// The retraction in front of swivelling: 0 none, 1 along Z, 2 along Z and then X and Y, 4 as far as possible along
     /// the tool, 5 by a way along the tool.
     fn swivel_retracts(&mut self, swivel: &Swivel, span: Span) -> Outcome {
-        let machine = &self.job.settings.machine;
+        let machine = &self.core.job.settings.machine;
         let (steps, points, key): (&[&[Axis]], _, _) = match swivel.retraction {
             0.0 => return Ok(()),
             1.0 => (&[&[Axis::Z]], &machine.swivel_retract, "swivel_retract"),
@@ -165,7 +167,7 @@ impl Channel<'_> {
             4.0 => (&[&[Axis::Z]], &machine.swivel_retract_most, "swivel_retract_most"),
             5.0 => return self.swivel_retracts_by(swivel.way, span),
             other => {
-                return self.refuse(span, codes::S9006::cycle800_has_no_retraction(&other));
+                return self.core.refuse(span, codes::S9006::cycle800_has_no_retraction(&other));
             }
         };
         let missing: Vec<Axis> = steps.concat().into_iter().filter(|axis| !points.contains_key(axis)).collect();
@@ -177,7 +179,7 @@ impl Channel<'_> {
                  (SUPA G0 Z…) and 0 as the first argument"
             ));
             let help = others.iter().fold(help, |help, axis| help.and(Answer::entry("machine", key, axis.letter())));
-            return self.refuse(span, codes::S9006::cycle800_retracts_tool_to_place().help(&help));
+            return self.core.refuse(span, codes::S9006::cycle800_retracts_tool_to_place().help(&help));
         }
         self.retracts_uncompensated(span)?;
         for axes in steps {
@@ -193,7 +195,7 @@ impl Channel<'_> {
     fn retracts_uncompensated(&mut self, span: Span) -> Outcome {
         self.pending_must_be_done(span)?;
         if self.st.side() != Side::None {
-            return self.refuse(span, codes::S2080::cycle800_retracts_under_radius_compensation());
+            return self.core.refuse(span, codes::S2080::cycle800_retracts_under_radius_compensation());
         }
         Ok(())
     }
@@ -202,7 +204,7 @@ impl Channel<'_> {
     fn swivel_retracts_by(&mut self, way: f64, span: Span) -> Outcome {
         self.retracts_uncompensated(span)?;
         if way < 0.0 {
-            return self.refuse(span, codes::S9006::retraction_fr_i());
+            return self.core.refuse(span, codes::S9006::retraction_fr_i());
         }
         let Some(at) = self.st.position.get(Axis::Z) else { return self.unknown_axis(Axis::Z, span) };
         let mut end = Pos::UNKNOWN;

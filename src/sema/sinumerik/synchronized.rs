@@ -5,7 +5,7 @@
 //!
 //! Source: S 6 (docs/sources.md).
 
-use crate::diag::{Answer, Diagnostic, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::parser::sinumerik::ast::Block;
 use crate::text::{Loc, Span};
 
@@ -67,7 +67,7 @@ impl Run<'_> {
         let code = String::from_utf8_lossy(block.span.of(text)).to_ascii_uppercase();
         let shown = shown(&code);
         let Some(effects) = effects(&code) else {
-            return self.refuse(span, codes::S9004::synchronized_action_has_no_do_that_can());
+            return self.channel.core.refuse(span, codes::S9004::synchronized_action_has_no_do_that_can());
         };
         for effect in &effects {
             let reached = match effect {
@@ -77,21 +77,24 @@ impl Run<'_> {
                 }
                 _ => continue,
             };
-            return self.refuse(span, codes::S9004::synchronized_action_cannot_be_left_out(&shown, &reached));
+            return self
+                .channel
+                .core
+                .refuse(span, codes::S9004::synchronized_action_cannot_be_left_out(&shown, &reached));
         }
-        if !self.job.settings.control.sinumerik.beside.synchronized {
+        if !self.channel.core.job.settings.control.sinumerik.beside.synchronized {
             let help = "if the target needs nothing of it, leave such actions out: `[control] synchronized_actions = \
                         \"leave-out\"`; or replace it by blocks of the program";
             let help = Answer::key("control", "synchronized_actions").one_of(&["\"leave-out\""]).help(help);
-            return self.refuse(span, codes::S9004::synchronized_actions_run_beside_program().help(help));
+            return self.channel.core.refuse(span, codes::S9004::synchronized_actions_run_beside_program().help(help));
         }
-        let loc = self.loc(span);
+        let loc = self.channel.core.loc(span);
         for effect in &effects {
             match effect {
-                Effect::Writes(name) => self.set_beside.names.push((name.clone(), loc)),
+                Effect::Writes(name) => self.channel.set_beside.names.push((name.clone(), loc)),
                 Effect::WritesName(name) => {
                     let slot = self.global_named(name);
-                    self.set_beside.globals.extend(slot.map(|slot| (slot, loc)));
+                    self.channel.set_beside.globals.extend(slot.map(|slot| (slot, loc)));
                 }
                 Effect::Function(_) | Effect::Pace | Effect::Manages | Effect::Reaches(_) => {}
             }
@@ -102,40 +105,42 @@ impl Run<'_> {
 
     /// A variable of all programs, which an action may set.
     fn global_named(&mut self, name: &str) -> Option<Slot> {
-        let symbol = self.symbols.intern(name.as_bytes());
+        let symbol = self.channel.core.symbols.intern(name.as_bytes());
         self.known_variable(symbol).filter(|slot| matches!(slot, Slot::Global(_)))
     }
 
     fn says_left_out(&self, shown: &str, effects: &[Effect], loc: Loc) {
-        let mut message = format!("the synchronized action `{shown}` is left out");
         let functions: Vec<&str> = effects
             .iter()
             .filter_map(|effect| if let Effect::Function(text) = effect { Some(text.as_str()) } else { None })
             .collect();
-        if !functions.is_empty() {
-            message.push_str(&format!(", and with it {}", functions.join(", ")));
-        }
-        if effects.contains(&Effect::Pace) {
-            message.push_str("; feed and waits are not those of the control");
-        }
-        let found = Diagnostic::new(codes::S8165, loc, message);
-        if !self.job.diags.knows(&found) {
-            self.report(found.help("check that the target needs nothing of it"));
+        let list = functions.join(", ");
+        let found = match (functions.is_empty(), effects.contains(&Effect::Pace)) {
+            (true, false) => codes::S8165::synchronized_action_is_left_out(&shown),
+            (false, false) => codes::S8165::synchronized_action_is_left_out_with(&shown, &list),
+            (true, true) => codes::S8165::synchronized_action_of_pace_is_left_out(&shown),
+            (false, true) => codes::S8165::synchronized_action_of_pace_is_left_out_with(&shown, &list),
+        };
+        let found = found.at(loc);
+        if !self.channel.core.job.diags.knows(&found) {
+            self.channel.core.report(found);
         }
     }
 
     /// No value of an R parameter that an action beside the program sets.
     pub(super) fn r_is_own(&self, n: u32, span: Span) -> Outcome {
-        match self.set_beside.sets_r(n) {
-            Some(at) => self.is_set_beside(&format!("R{n}"), at, span),
+        match self.channel.set_beside.sets_r(n) {
+            Some(at) => self.channel.is_set_beside(&format!("R{n}"), at, span),
             None => Ok(()),
         }
     }
 
     /// The same of a variable of all programs.
     pub(super) fn variable_is_own(&self, slot: Slot, span: Span) -> Outcome {
-        match (self.set_beside.sets_global(slot), slot) {
-            (Some(at), Slot::Global(name)) => self.is_set_beside(self.symbols.name(name), at, span),
+        match (self.channel.set_beside.sets_global(slot), slot) {
+            (Some(at), Slot::Global(name)) => {
+                self.channel.is_set_beside(self.channel.core.symbols.name(name), at, span)
+            }
             _ => Ok(()),
         }
     }
@@ -152,9 +157,9 @@ impl Channel<'_> {
 
     fn is_set_beside<T>(&self, name: &str, at: Loc, span: Span) -> Outcome<T> {
         let found = codes::S9022::is_set_by_synchronized_action_in_line(&name, &at.line)
-            .at(self.loc(span))
-            .also(at, "this action sets it");
-        self.report(found.help("let the program compute the value itself, and take it out of the action"));
+            .at(self.core.loc(span))
+            .also(at, Label::ActionSets);
+        self.core.report(found.help("let the program compute the value itself, and take it out of the action"));
         Err(super::Reported)
     }
 }

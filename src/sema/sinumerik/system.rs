@@ -40,52 +40,52 @@ impl Run<'_> {
     /// Functions that make frames or ask about the program.
     pub(super) fn program_function(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Val> {
         match name {
-            "CTRANS" => self.axis_pairs(args, span).map(|pairs| frame(FrameValue::shifted(&pairs))),
-            "CFINE" => self.axis_pairs(args, span).map(|pairs| frame(FrameValue::fine(&pairs))),
-            "CROT" => self.triple(args, 0.0, span).map(|angles| frame(FrameValue::rotated(angles))),
-            "CSCALE" => self.triple(args, 1.0, span).and_then(|scale| {
+            "CTRANS" => self.channel.axis_pairs(args, span).map(|pairs| frame(FrameValue::shifted(&pairs))),
+            "CFINE" => self.channel.axis_pairs(args, span).map(|pairs| frame(FrameValue::fine(&pairs))),
+            "CROT" => self.channel.core.triple(args, 0.0, span).map(|angles| frame(FrameValue::rotated(angles))),
+            "CSCALE" => self.channel.core.triple(args, 1.0, span).and_then(|scale| {
                 if scale.contains(&0.0) {
-                    return self.refuse(span, codes::S2034::scaling_factor_is_0());
+                    return self.channel.core.refuse(span, codes::S2034::scaling_factor_is_0());
                 }
                 Ok(frame(FrameValue::scaled(scale)))
             }),
-            "CMIRROR" => self.mirrored(args, span),
-            "CRPL" => self.rotated_in_plane(args, span),
+            "CMIRROR" => self.channel.core.mirrored(args, span),
+            "CRPL" => self.channel.rotated_in_plane(args, span),
             "INVFRAME" => match args {
                 [Val::Frame(inner)] => match inner.inverse() {
                     Some(made) => Ok(frame(made)),
-                    None => self.refuse(span, codes::S2034::frame_cannot_be_inverted()),
+                    None => self.channel.core.refuse(span, codes::S2034::frame_cannot_be_inverted()),
                 },
-                _ => self.refuse(span, codes::S2021::invframe_takes_frame()),
+                _ => self.channel.core.refuse(span, codes::S2021::invframe_takes_frame()),
             },
-            "AXNAME" => self.axis_of_text(args, span),
+            "AXNAME" => self.channel.axis_of_text(args, span),
             "ISVAR" | "ISFILE" => self.is_known(name, args, span),
             "MODAXVAL" => match args {
                 [_, value] => match value.number() {
                     Some(v) => Ok(Val::Real(v - 360.0 * libm::floor(v / 360.0))),
-                    None => self.refuse(span, codes::P2024::modaxval_takes_axis()),
+                    None => self.channel.core.refuse(span, codes::P2024::modaxval_takes_axis()),
                 },
-                _ => self.refuse(span, codes::S2021::modaxval_takes_axis()),
+                _ => self.channel.core.refuse(span, codes::S2021::modaxval_takes_axis()),
             },
             // SET and REP
-            _ => self.refuse(span, codes::P2024::fills_array(&name)),
+            _ => self.channel.core.refuse(span, codes::P2024::fills_array(&name)),
         }
     }
 
     fn is_known(&mut self, name: &str, args: &[Val], span: Span) -> Outcome<Val> {
         let [Val::Text(text)] = args else {
-            return self.refuse(span, codes::S2021::takes_text(&name));
+            return self.channel.core.refuse(span, codes::S2021::takes_text(&name));
         };
         let wanted = String::from_utf8_lossy(text).into_owned();
         if name == "ISVAR" {
             if wanted.trim_start().starts_with('$') {
-                return self.refuse(span, codes::P2023::whether_control_has_is_known_on_machine(&wanted));
+                return self.channel.core.refuse(span, codes::P2023::whether_control_has_is_known_on_machine(&wanted));
             }
             return Ok(Val::Bool(self.is_variable(&wanted)));
         }
         let file = self.units.list[self.unit()].file;
         if let Err(error) = self.list_programs(0).and_then(|()| self.list_programs(file)) {
-            return self.refuse(span, codes::P0105::file_cannot_be_read(&error));
+            return self.channel.core.refuse(span, codes::P0105::file_cannot_be_read(&error));
         }
         // Of a folder that nothing is known of, what lies beside the main program is asked for.
         let there = self.search(|path| {
@@ -106,7 +106,7 @@ impl Run<'_> {
         if name.trim().eq_ignore_ascii_case("R") || letter.eq_ignore_ascii_case("R") && rest.is_empty() {
             return number.trim().parse::<u32>().is_ok_and(|n| n <= super::vars::MOST_R);
         }
-        let symbol = self.symbols.intern(name.trim().as_bytes());
+        let symbol = self.channel.core.symbols.intern(name.trim().as_bytes());
         let Some(slot) = self.vars.find(symbol) else { return false };
         let Some(var) = self.vars.get(slot) else { return false };
         let Some(rest) = rest.strip_suffix(']') else { return rest.is_empty() };
@@ -126,14 +126,14 @@ fn or_untouched(mut help: Help) -> Help {
 impl Channel<'_> {
     /// What the program and `[tools]` determine goes before a value of `[variables]`.
     fn says_unused(&self, key: &str, value: &Val, span: Span) {
-        let Some(given) = self.job.settings.variables.get(key).copied() else { return };
+        let Some(given) = self.core.job.settings.variables.get(key).copied() else { return };
         let Some(taken) = value.number().filter(|taken| *taken != given) else { return };
-        self.report_once(codes::S8172::of_variables_is_not_used(&key, &given, &taken).at(self.loc(span)));
+        self.core.report_once(codes::S8172::of_variables_is_not_used(&key, &given, &taken).at(self.core.loc(span)));
     }
 
     /// Reads `$NAME[args]`.
     pub(super) fn system_value(&mut self, name: Symbol, args: &[Val], span: Span) -> Outcome<Val> {
-        let word = self.symbols.name(name).to_owned();
+        let word = self.core.symbols.name(name).to_owned();
         if !self.set_beside.is_empty() {
             self.system_is_own(&word, &system_key(&word, args), span)?;
         }
@@ -153,7 +153,7 @@ impl Channel<'_> {
                 _ => value.clone(),
             });
         }
-        if let Some(value) = self.job.settings.variables.get(&key).copied() {
+        if let Some(value) = self.core.job.settings.variables.get(&key).copied() {
             if is_measured(&word) {
                 self.says_given(&key, value, false, span);
             }
@@ -164,7 +164,7 @@ impl Channel<'_> {
             let help = Answer::variable(&key, meaning).help(format!("give it under [variables]: \"{key}\" = value"));
             if word == "$AC_MEA" && !self.never_touches() { or_untouched(help) } else { help }
         });
-        self.refuse(span, codes::P2023::value_of_is_known_on_machine(&key, &said_meaning(&word, args)).help(help))
+        self.core.refuse(span, codes::P2023::value_of_is_known_on_machine(&key, &said_meaning(&word, args)).help(help))
     }
 
     fn known_value(&mut self, word: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
@@ -172,7 +172,7 @@ impl Channel<'_> {
             "$PI" => Val::Real(core::f64::consts::PI),
             "$P_EP" | "$AA_IW" => {
                 let [Val::Axis(named)] = args else {
-                    return self.refuse(span, codes::S2031::needs_axis(&word));
+                    return self.core.refuse(span, codes::S2031::needs_axis(&word));
                 };
                 let Some(axis) = named.axis else { return Ok(None) };
                 Val::Real(self.position_value(axis, span)?)
@@ -215,7 +215,7 @@ impl Channel<'_> {
                 let group = args.first().and_then(Val::number).and_then(whole).and_then(|n| usize::try_from(n).ok());
                 match group.and_then(|group| self.st.codes.shown(group)) {
                     Some(index) => Val::Int(i32::from(index)),
-                    None => return self.refuse(span, codes::S2018::there_is_no_such_g_group()),
+                    None => return self.core.refuse(span, codes::S2018::there_is_no_such_g_group()),
                 }
             }
             "$P_AXN1" => Val::Axis(self.axis_names.of(self.st.roles()[0])),
@@ -236,7 +236,7 @@ impl Channel<'_> {
             },
             "$P_MSNUM" => Val::Int(i32::from(self.st.spindles.master())),
             "$P_SIM" | "$P_SEARCH" | "$P_SEARCHL" | "$P_ISTEST" | "$P_DRYRUN" | "$P_PROGPATH_SIM" => {
-                if self.job.settings.variables.contains_key(word) {
+                if self.core.job.settings.variables.contains_key(word) {
                     return Ok(None);
                 }
                 Val::Bool(false)
@@ -254,13 +254,13 @@ impl Channel<'_> {
                 return self.frame_or_component(&Rc::new(frame), args, span).map(Some);
             }
             "$P_UIFR" => {
-                let Some((number, rest)) = self.offset_number(args, span)? else { return Ok(None) };
+                let Some((number, rest)) = self.core.offset_number(args, span)? else { return Ok(None) };
                 let Some(frame) = self.offset_frame(number) else { return Ok(None) };
                 return self.frame_or_component(&Rc::new(frame), rest, span).map(Some);
             }
             "$P_SUBPAR" => {
                 let n = args.first().and_then(Val::number).and_then(whole).and_then(|n| usize::try_from(n).ok());
-                let given = &self.program_level().given;
+                let given = &self.core.program_level().given;
                 Val::Bool(n.and_then(|n| n.checked_sub(1)).and_then(|n| given.get(n)).is_some_and(|given| *given))
             }
             "$P_MC" => Val::Bool(self.st.modal_call.is_on()),
@@ -271,7 +271,7 @@ impl Channel<'_> {
                 None => 5,
             }),
             "$AC_MARKER" | "$AC_PARAM" if !self.st.system.is_written(&system_key(word, args)) => Val::Int(0),
-            "$P_STACK" => Val::Int(self.levels.len() as i32 - 1),
+            "$P_STACK" => Val::Int(self.core.levels.len() as i32 - 1),
             _ => return Ok(None),
         }))
     }
@@ -296,7 +296,7 @@ impl Channel<'_> {
         if let Some(frame) = self.st.frames.written(number) {
             return Some(frame.clone());
         }
-        let values = self.job.settings.datums.offsets.get(&offset_word(number))?;
+        let values = self.core.job.settings.datums.offsets.get(&offset_word(number))?;
         let values: Vec<(Axis, f64)> = values.iter().map(|(axis, value)| (*axis, *value)).collect();
         Some(FrameValue::shifted(&values))
     }
@@ -307,22 +307,18 @@ impl Channel<'_> {
             return Err(Reported);
         }
         let Some(value) = self.st.position.get(axis) else {
-            return self.no_position(
-                axis,
-                span,
-                "program the axis once in absolute coordinates before reading its position",
-            );
+            return self.no_position(axis, span, codes::P2001::where_axis_stands_is_not_known_2);
         };
         if axis.is_rotary() {
             return Ok(if self.st.machine.modulo.contains(axis) { super::rotary::reduced(value) } else { value });
         }
-        let diameter = self.is_diameter_axis(axis) && self.st.diameter_mode() != super::diameter::Diameter::Off;
+        let diameter = self.core.is_diameter_axis(axis) && self.st.diameter_mode() != super::diameter::Diameter::Off;
         Ok(value * if diameter { 2.0 } else { 1.0 } / self.st.feed_unit())
     }
 
     /// Writes `$NAME[args]`.
     pub(super) fn write_system(&mut self, name: Symbol, args: &[Val], value: Val, span: Span) -> Outcome {
-        let word = self.symbols.name(name).to_owned();
+        let word = self.core.symbols.name(name).to_owned();
         match word.as_str() {
             "$P_PFRAME" => {
                 let frame = self.new_frame(&self.st.frames.programmable().clone(), args, &value, span)?;
@@ -335,21 +331,21 @@ impl Channel<'_> {
                 let old = self.st.frames.settable().cloned().unwrap_or_default();
                 let frame = self.new_frame(&old, args, &value, span)?;
                 self.frame_is_free(span)?;
-                self.resolved_offset_note(span);
+                self.core.resolved_offset_note(span);
                 self.resolves_offsets(span)?;
                 self.counts_from(super::offsets::Outer::Basic, Some(frame));
                 Ok(())
             }
             "$P_UIFR" => {
-                let Some((number, rest)) = self.offset_number(args, span)? else {
-                    return self.refuse(span, codes::S2018::number_of_work_offset_is_missing());
+                let Some((number, rest)) = self.core.offset_number(args, span)? else {
+                    return self.core.refuse(span, codes::S2018::number_of_work_offset_is_missing());
                 };
                 let old = match self.offset_frame(number) {
                     Some(frame) => frame,
                     None if rest.is_empty() => FrameValue::default(),
                     None => {
                         let word = offset_word(number);
-                        return self.refuse(
+                        return self.core.refuse(
                             span,
                             codes::P2023::one_component_of_is_set(&word).answer(Answer::key("datums", &word)),
                         );
@@ -357,7 +353,7 @@ impl Channel<'_> {
                 };
                 let frame = self.new_frame(&old, rest, &value, span)?;
                 self.st.frames.write(number, frame);
-                self.resolved_offset_note(span);
+                self.core.resolved_offset_note(span);
                 Ok(())
             }
             _ if word.starts_with("$SC_") || word.starts_with("$SN_") => {
@@ -373,37 +369,37 @@ impl Channel<'_> {
                     Some(number) if unit != 1.0 => Val::Real(number * unit),
                     _ => value,
                 };
-                self.note_tool_data(&word, span);
+                self.core.note_tool_data(&word, span);
                 let key = system_key(&word, args);
                 self.radius_is_written(&word, &key);
                 self.st.system.set(key, value);
                 Ok(())
             }
             _ if word.starts_with("$A_") || word.starts_with("$AC_") || word.starts_with("$AN_") => {
-                self.say_once(span, codes::S8006::is_output_or_counter_of_control(&word));
+                self.core.say_once(span, codes::S8006::is_output_or_counter_of_control(&word));
                 self.st.system.set(system_key(&word, args), value);
                 Ok(())
             }
             _ if word.starts_with("$P_") && !word.contains("FR") => {
-                self.refuse(span, codes::P2023::is_state_of_program(&word))
+                self.core.refuse(span, codes::P2023::is_state_of_program(&word))
             }
-            _ => self.refuse(span, codes::P2023::cannot_be_set_by_compiled_program(&word)),
+            _ => self.core.refuse(span, codes::P2023::cannot_be_set_by_compiled_program(&word)),
         }
     }
 
     /// `$SC_…`, `$SN_…`: setting data, which change what other words do.
     fn write_setting(&mut self, word: &str, key: String, value: Val, span: Span) -> Outcome {
-        let on_the_machine = self.job.settings.variables.get(&key).copied();
+        let on_the_machine = self.core.job.settings.variables.get(&key).copied();
         let changes = on_the_machine.is_none() || on_the_machine != value.number();
         match word {
             // Read by increments and threads. Behind a new tool length no increment has a place to count from.
             "$SC_FRAME_OFFSET_INCR_PROG" | "$SC_THREAD_START_ANGLE" | "$SC_TOOL_OFFSET_INCR_PROG" => {}
             "$SC_DRY_RUN_FEED" | "$SC_SINGLEBLOCK2_STOPRE" => {
-                self.say_once(span, codes::S8006::is_for_trial_runs(&word));
+                self.core.say_once(span, codes::S8006::is_for_trial_runs(&word));
             }
             _ if changes => {
                 let shown = value.number().unwrap_or(0.0);
-                return self.refuse(
+                return self.core.refuse(
                     span,
                     codes::S9103::is_setting_datum(&word, &key, &shown).answer(Answer::key("variables", &key)),
                 );
@@ -418,7 +414,7 @@ impl Channel<'_> {
         if args.is_empty() {
             return match value {
                 Val::Frame(frame) => Ok((**frame).clone()),
-                other => self.refuse(span, codes::P2024::frame_is_needed(&other.what())),
+                other => self.core.refuse(span, codes::P2024::frame_is_needed(&other.what())),
             };
         }
         let mut frame = old.clone();
@@ -429,11 +425,11 @@ impl Channel<'_> {
     /// `AXNAME("X")`
     fn axis_of_text(&mut self, args: &[Val], span: Span) -> Outcome<Val> {
         let [Val::Text(text)] = args else {
-            return self.refuse(span, codes::S2021::axname_takes_text());
+            return self.core.refuse(span, codes::S2021::axname_takes_text());
         };
         let name = String::from_utf8_lossy(text).to_ascii_uppercase();
         let Some(named) = self.axis_names.find(&name) else {
-            return self.refuse(span, codes::P2022::axname_names_no_axis_of_this_machine(&name));
+            return self.core.refuse(span, codes::P2022::axname_names_no_axis_of_this_machine(&name));
         };
         self.printed_axis(named, span)?;
         Ok(Val::Axis(named))
@@ -444,9 +440,9 @@ impl Channel<'_> {
         let mut pairs = Vec::new();
         for pair in args.chunks(2) {
             let [Val::Axis(axis), value] = pair else {
-                return self.refuse(span, codes::S2021::axes_and_values_follow_each_other());
+                return self.core.refuse(span, codes::S2021::axes_and_values_follow_each_other());
             };
-            let value = self.as_number(value, span)?;
+            let value = self.core.as_number(value, span)?;
             // The shift of an axis that is left out moves nothing.
             let Some(axis) = axis.axis else { continue };
             let unit = if axis.is_rotary() { 1.0 } else { self.st.feed_unit() };
@@ -458,15 +454,15 @@ impl Channel<'_> {
     /// `CRPL(n, angle)`: 0 the working plane, 1 about Z, 2 about Y, 3 about X.
     fn rotated_in_plane(&self, args: &[Val], span: Span) -> Outcome<Val> {
         let [plane, angle] = args else {
-            return self.refuse(span, codes::S2021::crpl_takes_plane());
+            return self.core.refuse(span, codes::S2021::crpl_takes_plane());
         };
-        let angle = self.as_number(angle, span)?;
+        let angle = self.core.as_number(angle, span)?;
         let about = match plane.number().and_then(whole) {
             Some(0) => self.st.roles()[2].index(),
             Some(1) => 2,
             Some(2) => 1,
             Some(3) => 0,
-            _ => return self.refuse(span, codes::S2021::plane_of_crpl_is_0_to_3()),
+            _ => return self.core.refuse(span, codes::S2021::plane_of_crpl_is_0_to_3()),
         };
         let mut angles = [0.0; 3];
         if let Some(place) = angles.get_mut(about) {

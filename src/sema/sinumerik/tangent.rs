@@ -132,11 +132,11 @@ impl Channel<'_> {
     pub(super) fn tangent_block(&mut self, w: &mut Words) -> Outcome {
         let plane = self.st.plane();
         let feed = self.cutting_feed(w)?;
-        let turns = self.turns(w)?;
+        let turns = self.core.turns(w)?;
         let start = self.start_in(plane, w)?;
         let polar = w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some();
         let mut end = if polar { self.polar_end(w)? } else { self.targets(w)? };
-        let to = self.end_in(&end, plane, start);
+        let to = self.core.end_in(&end, plane, start);
         end.set_in_plane(plane, to);
         let tangential = Arc { plane, shape: ArcShape::Tangent, turns };
         if self.st.pair.is_open() || self.st.offsets.in_machine() {
@@ -145,7 +145,7 @@ impl Channel<'_> {
         let known = self.tangential_arc(plane, start, to, turns)?;
         let frame_changed = matches!(self.st.heading, Heading::Behind { .. });
         if let Heading::Behind { turned: true, .. } = self.st.heading {
-            self.say_once(Where::Block, codes::S8042::frame_has_turned_since_block_in_front());
+            self.core.say_once(Where::Block, codes::S8042::frame_has_turned_since_block_in_front());
         }
         match known {
             Some(TangentArc::Arc { center, ccw }) if frame_changed => {
@@ -171,11 +171,11 @@ impl Channel<'_> {
         let tangent = match self.st.heading.tangent_in(plane, start) {
             Tangent::Known(tangent) => tangent,
             Tangent::Later => return Ok(None),
-            Tangent::Missing(fault) => return self.refuse(Where::Block, fault),
+            Tangent::Missing(fault) => return self.core.refuse(Where::Block, fault),
         };
         match tangent_arc(start, tangent, to, SAME, 1e-9 * length(to - start)) {
-            TangentArc::Behind => self.refuse(Where::Block, codes::S3008::end_lies_straight_behind_start()),
-            TangentArc::Line if turns > 0 => self.refuse(Where::Block, codes::S3008::straight_line_has_no_turns()),
+            TangentArc::Behind => self.core.refuse(Where::Block, codes::S3008::end_lies_straight_behind_start()),
+            TangentArc::Line if turns > 0 => self.core.refuse(Where::Block, codes::S3008::straight_line_has_no_turns()),
             found => Ok(Some(found)),
         }
     }

@@ -135,7 +135,7 @@ impl Channel<'_> {
         let master = self.st.spindles.master();
         let alone = w.axes.is_empty() && w.m.len() == functions && w.codes.is_empty() && w.get(Address::T).is_none();
         if alone && master == MAIN_SPINDLE && w.beside.positioning.is_empty() && !self.is_capturing() {
-            self.st.taps.angle = Some((angle, self.here.origin));
+            self.st.taps.angle = Some((angle, self.core.here.origin));
         } else {
             self.send_spindle(master, Spindle::Orient(angle));
         }
@@ -144,9 +144,9 @@ impl Channel<'_> {
     /// No tap took the angle at which the spindle was stopped.
     fn angle_is_of_no_tap(&mut self) {
         if let Some((angle, origin)) = self.st.taps.angle.take() {
-            let here = std::mem::replace(&mut self.here.origin, origin);
+            let here = std::mem::replace(&mut self.core.here.origin, origin);
             self.send_spindle(self.st.spindles.master(), Spindle::Orient(angle));
-            self.here.origin = here;
+            self.core.here.origin = here;
         }
     }
 
@@ -174,7 +174,7 @@ impl Channel<'_> {
         if open.inside.is_some() {
             let found = codes::S2081::g331_taps_down().at(open.origin.loc);
             let help = "program G332 to the height where G331 began after it, with nothing but G4 in between";
-            self.report(found.help(help));
+            self.core.report(found.help(help));
             self.st.position.lose(AxisSet::of(open.tap.axis));
             return self.lost();
         }
@@ -201,7 +201,7 @@ impl Channel<'_> {
             self.st.taps.lead = Some((given.axis, given.lead));
         }
         let Some((axis, lead)) = self.st.taps.lead else {
-            return self.refuse(span, codes::S2081::tapped_thread_has_no_lead());
+            return self.core.refuse(span, codes::S2081::tapped_thread_has_no_lead());
         };
         self.starts_are_known(w, span)?;
         self.taps_along(axis, &end, w, span)?;
@@ -211,7 +211,7 @@ impl Channel<'_> {
             return Ok(());
         }
         if self.st.offsets.in_machine() {
-            return self.refuse(span, codes::S2081::hole_is_tapped_in_coordinates_of_machine());
+            return self.core.refuse(span, codes::S2081::hole_is_tapped_in_coordinates_of_machine());
         }
         if code == GCode::G331 {
             self.taps_in((axis, lead), to, span)?
@@ -255,7 +255,7 @@ impl Channel<'_> {
                 pause: 0.0,
                 again: None,
             };
-            let (origin, ctx) = (self.here.origin, Rc::clone(&self.st.ctx));
+            let (origin, ctx) = (self.core.here.origin, Rc::clone(&self.st.ctx));
             let open = OpenTap { tap, origin, ctx, inside: Some((to, 0.0)), speeds: [speed; 2], before };
             self.st.taps.open = Some(Box::new(open));
             return Ok(());
@@ -266,10 +266,10 @@ impl Channel<'_> {
         let waits = open.inside.is_some_and(|(_, waits)| waits > 0.0);
         if !same || !deeper || waits || open.speeds[0] != speed {
             self.st.taps.open = None;
-            return self.refuse(span, codes::S2081::g331_goes_on_with_another_pitch());
+            return self.core.refuse(span, codes::S2081::g331_goes_on_with_another_pitch());
         }
         if open.tap.strokes.len() >= MOST_PECKS {
-            return self.refuse(span, codes::S2081::tap_makes_too_many_steps());
+            return self.core.refuse(span, codes::S2081::tap_makes_too_many_steps());
         }
         open.inside = Some((to, 0.0));
         Ok(())
@@ -282,14 +282,14 @@ impl Channel<'_> {
         let Some((open, (depth, dwell))) =
             self.st.taps.open.as_mut().and_then(|open| open.inside.map(|inside| (open, inside)))
         else {
-            return self.refuse(span, codes::S2081::g332_comes_back());
+            return self.core.refuse(span, codes::S2081::g332_comes_back());
         };
         let from = open.tap.strokes.last().map_or(open.tap.start, |stroke| stroke.back);
         let same = open.tap.axis == axis && open.tap.turn == turn && (open.tap.lead - lead.abs()).abs() <= STILL;
         let alike = open.tap.strokes.is_empty() || open.speeds[1] == speed;
         if !same || !alike || (to - depth) * (from - depth) <= 0.0 {
             self.st.taps.open = None;
-            return self.refuse(span, codes::S2081::g332_comes_back_with_another_pitch());
+            return self.core.refuse(span, codes::S2081::g332_comes_back_with_another_pitch());
         }
         open.tap.strokes.push(Stroke { to: depth, back: to, dwell });
         (open.inside, open.speeds[1]) = (None, speed);
@@ -300,7 +300,7 @@ impl Channel<'_> {
         if let Some(before) = self.st.spindles.turn() {
             self.st.spindles.set_turn(None);
             let (m, word) = (if before == Turn::Clockwise { "M3" } else { "M4" }, code.word());
-            self.say_once(span, codes::S8041::spindle_stands_after(&word, &m));
+            self.core.say_once(span, codes::S8041::spindle_stands_after(&word, &m));
         }
         self.st.spindles.forget_angle();
     }
@@ -309,19 +309,19 @@ impl Channel<'_> {
     pub(super) fn only_tapping(&self, w: &Words) -> Outcome {
         let master = |m: &&MWord| self.st.spindles.is_master(m.spindle);
         if let Some(m) = w.m.iter().filter(master).find(|m| matches!(m.number, 3..=5 | 19 | 70)) {
-            return self.refuse(m.span, codes::S2045::m_stands_in_block_that_taps(&m.number));
+            return self.core.refuse(m.span, codes::S2045::m_stands_in_block_that_taps(&m.number));
         }
         if self.st.codes.of(Group::Motion) == GCode::G332 && self.st.taps.is_inside() {
             self.nothing_at_the_depth(w)?;
         }
         if let Some(given) = w.get(Address::Spos).or(w.get(Address::Sposa)) {
-            return self.refuse(given.span, codes::S2045::spos_stands_in_block_that_taps());
+            return self.core.refuse(given.span, codes::S2045::spos_stands_in_block_that_taps());
         }
         if let Some(s) = w.s.iter().find(|s| s.value < 0.0) {
-            return self.refuse(s.span, codes::S2045::speed_s_is_negative_so_sign(&s.value));
+            return self.core.refuse(s.span, codes::S2045::speed_s_is_negative_so_sign(&s.value));
         }
         match [Address::Rnd, Address::Chf, Address::Chr, Address::Frc].iter().find_map(|address| w.get(*address)) {
-            Some(given) => self.does_not_fit(given.span),
+            Some(given) => self.core.does_not_fit(given.span),
             None => Ok(()),
         }
     }
@@ -331,17 +331,17 @@ impl Channel<'_> {
         let m = w.m.iter().find(|m| !matches!(m.number, 0..=2 | COOLANT_OFF | 17 | 30));
         let tool = w.get(Address::T).map(|tool| ("T".to_owned(), tool.span));
         let Some((name, span)) = m.map(|m| (format!("M{}", m.number), m.span)).or(tool) else { return Ok(()) };
-        self.refuse(span, codes::S2045::stands_in_block_of_g332(&name))
+        self.core.refuse(span, codes::S2045::stands_in_block_of_g332(&name))
     }
 
     fn tapping_speed(&self, span: Span) -> Outcome {
         if self.st.codes.of(Group::FeedType).holds_cutting_speed() || self.st.spindles.is_cutting() {
-            return self.refuse(span, codes::S2045::rigid_tapping_under_constant_cutting_speed());
+            return self.core.refuse(span, codes::S2045::rigid_tapping_under_constant_cutting_speed());
         }
         match self.st.spindles.speed() {
             Some(speed) if speed > 0.0 => Ok(()),
-            Some(_) => self.refuse(span, codes::S2045::speed_of_rigid_tapping_is_0()),
-            None => self.refuse(span, codes::S2045::rigid_tapping_has_no_speed_s()),
+            Some(_) => self.core.refuse(span, codes::S2045::speed_of_rigid_tapping_is_0()),
+            None => self.core.refuse(span, codes::S2045::rigid_tapping_has_no_speed_s()),
         }
     }
 
@@ -353,14 +353,14 @@ impl Channel<'_> {
         };
         if let Some(other) = w.axes.iter().filter(|other| *other != axis).find(moves) {
             let given = w.axis(other).map(|given| given.span).unwrap_or_default();
-            return self.refuse(given, codes::S2081::moves_beside_tapping_axis(&other.letter(), &axis.letter()));
+            return self.core.refuse(given, codes::S2081::moves_beside_tapping_axis(&other.letter(), &axis.letter()));
         }
         if !moves(&axis) {
-            return self.refuse(span, codes::S2081::does_not_move(&axis.letter()));
+            return self.core.refuse(span, codes::S2081::does_not_move(&axis.letter()));
         }
         let column = self.st.ctx.frame.linear().column(axis.index());
         if (0..3).any(|row| column[row] != f64::from(u8::from(row == axis.index()))) {
-            return self.refuse(span, codes::S9002::frame_turns(&axis.letter()));
+            return self.core.refuse(span, codes::S9002::frame_turns(&axis.letter()));
         }
         Ok(())
     }

@@ -22,21 +22,21 @@ impl Run<'_> {
     pub(super) fn late_functions(&mut self, w: &Words) -> Outcome {
         for m in &w.m {
             if matches!(m.number, 0..=2 | 17 | 30) {
-                self.tapping_ends();
+                self.channel.tapping_ends();
             }
             match m.number {
                 0 | 1 => {
-                    self.function(if m.number == 0 { Function::Stop } else { Function::OptionalStop });
+                    self.channel.function(if m.number == 0 { Function::Stop } else { Function::OptionalStop });
                 }
                 2 | 17 | 30 => {
-                    self.end_is_whole();
-                    if self.in_main() {
-                        if self.ends_inside_contour() {
+                    self.channel.core.end_is_whole();
+                    if self.channel.core.in_main() {
+                        if self.channel.ends_inside_contour() {
                             return Err(super::Reported);
                         }
-                        let done = self.pending_must_be_done(m.span);
-                        self.function(Function::End { rewind: m.number == 30 });
-                        self.stop_run();
+                        let done = self.channel.pending_must_be_done(m.span);
+                        self.channel.function(Function::End { rewind: m.number == 30 });
+                        self.channel.core.stop_run();
                         done?;
                     } else {
                         self.leave_program();
@@ -56,7 +56,7 @@ impl Channel<'_> {
         if let Some(f) = w.take(Address::F) {
             if f.value <= 0.0 {
                 self.st.feed.lose();
-                return self.refuse(f.span, codes::P2003::feed_f_is_not_above_0(&f.value));
+                return self.core.refuse(f.span, codes::P2003::feed_f_is_not_above_0(&f.value));
             }
             w.feed_given = true;
             self.st.feed.program(self.st.feed_of(f.value));
@@ -68,7 +68,7 @@ impl Channel<'_> {
         }
         if let Some(d) = w.take(Address::D) {
             if let Some(h) = w.h {
-                return self.refuse(h, codes::P1003::d_h_stand_in_one_block());
+                return self.core.refuse(h, codes::P1003::d_h_stand_in_one_block());
             }
             // The edge is that of the tool that M6 brings.
             if w.m.iter().any(|m| m.number == 6) {
@@ -93,19 +93,19 @@ impl Channel<'_> {
             if let Some(given) = w.take(address)
                 && given.value != 0.0
             {
-                return self.refuse(given.span, codes::P9013::offset_of_tool_that_program_adds());
+                return self.core.refuse(given.span, codes::P9013::offset_of_tool_that_program_adds());
             }
         }
         if let Some(given) = w.take(Address::Tcarr)
             && given.value != 0.0
         {
-            return self.refuse(given.span, codes::P9011::orientable_tool_carriers_cannot_be_printed());
+            return self.core.refuse(given.span, codes::P9011::orientable_tool_carriers_cannot_be_printed());
         }
         if self.st.path.is_computed() && (!w.codes.is_empty() || shaped) {
             self.rules_change(w)?;
         }
         if let Some(span) = w.h {
-            self.say_once(span, codes::S8005::h_functions_are_for_machines_own_control());
+            self.core.say_once(span, codes::S8005::h_functions_are_for_machines_own_control());
         }
         Ok(())
     }
@@ -126,17 +126,17 @@ impl Channel<'_> {
         if let [first, second, ..] = spindles.as_slice()
             && first.spindle == second.spindle
         {
-            return self.refuse(second.span, codes::S2045::m_and_m_stand_in_one(&first.number, &second.number));
+            return self.core.refuse(second.span, codes::S2045::m_and_m_stand_in_one(&first.number, &second.number));
         }
         let mut ends = w.m.iter().filter(|m| matches!(m.number, 2 | 17 | 30));
         if let (Some(first), Some(second)) = (ends.next(), ends.next()) {
-            return self.refuse(second.span, codes::S2045::m_m_stand_in_one_block(&first.number, &second.number));
+            return self.core.refuse(second.span, codes::S2045::m_m_stand_in_one_block(&first.number, &second.number));
         }
         if let Some(sixth) = w.m.get(MOST_M) {
-            return self.refuse(sixth.span, codes::P1002::block_has_at_most_five_m_functions());
+            return self.core.refuse(sixth.span, codes::P1002::block_has_at_most_five_m_functions());
         }
         if let Some(fourth) = w.s.get(MOST_S) {
-            return self.refuse(fourth.span, codes::P1002::block_has_at_most_three_s_words());
+            return self.core.refuse(fourth.span, codes::P1002::block_has_at_most_three_s_words());
         }
         for m in &w.m {
             self.early_function(*m, w)?;
@@ -149,7 +149,7 @@ impl Channel<'_> {
             && !matches!(m.number, 3..=5 | 19 | 40..=45 | 70)
         {
             // `M80=1` is M function 1 of address extension 80, which is neither M80 nor M1.
-            return self.refuse(m.span, codes::P2007::what_m(&n, &m.number));
+            return self.core.refuse(m.span, codes::P2007::what_m(&n, &m.number));
         }
         let spindle = match m.number {
             3 => Spindle::Start(Turn::Clockwise),
@@ -170,7 +170,7 @@ impl Channel<'_> {
         }
         match m.spindle {
             Some(n) if n != self.st.spindles.master() => {
-                self.spindle_number(n, m.span)?;
+                self.core.spindle_number(n, m.span)?;
                 self.st.spindles.set_turn_of(n, turn);
                 self.send_spindle(n, spindle);
             }
@@ -195,13 +195,13 @@ impl Channel<'_> {
             // In the block of G332 it follows the tap.
             9 if self.st.taps.is_inside() => {}
             9 => self.function(Function::Coolant(Coolant::Off)),
-            number if self.job.settings.output.pass_m.contains(&number) => self.function(Function::Aux(number)),
-            40..=45 => self.say_once(m.span, codes::S8004::gear_steps_m40_to_m45_are_left()),
+            number if self.core.job.settings.output.pass_m.contains(&number) => self.function(Function::Aux(number)),
+            40..=45 => self.core.say_once(m.span, codes::S8004::gear_steps_m40_to_m45_are_left()),
             70 => {
-                return self.refuse(m.span, codes::P9011::m70_makes_spindle_axis().answer(Answer::pass_m(70)));
+                return self.core.refuse(m.span, codes::P9011::m70_makes_spindle_axis().answer(Answer::pass_m(70)));
             }
             96..=99 => {
-                return self.refuse(m.span, codes::P2007::m_calls_programs_in_iso_dialect(&m.number));
+                return self.core.refuse(m.span, codes::P2007::m_calls_programs_in_iso_dialect(&m.number));
             }
             number => {
                 let usual = format!("if it may be printed as it stands, list it: `[output] pass_m = [{number}]`");
@@ -213,15 +213,15 @@ impl Channel<'_> {
                         .and(Answer::changing_m(number)),
                     None => Answer::pass_m(number).help(usual),
                 };
-                return self.refuse(m.span, codes::P2007::what_m_does_is_up_to_machine(&number).help(help));
+                return self.core.refuse(m.span, codes::P2007::what_m_does_is_up_to_machine(&number).help(help));
             }
         }
         Ok(())
     }
 
     pub(super) fn axis_diameter(&mut self, indexed: Indexed, axis: Axis, span: Span) -> Outcome {
-        if !self.is_diameter_axis(axis) {
-            return self.no_diameter_axis(span);
+        if !self.core.is_diameter_axis(axis) {
+            return self.core.no_diameter_axis(span);
         }
         use super::diameter::Diameter;
         self.st.diameter = match indexed {

@@ -2,7 +2,7 @@
 //!
 //! Source: S 0, 2.1, 7.2 and 7.3 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::ir::Pos;
 use crate::ir::contour::{Path, Thread};
 use crate::machine::{Axis, AxisSet};
@@ -63,7 +63,7 @@ impl Channel<'_> {
     #[cold]
     pub(super) fn beside_threads(&mut self, w: &Words) {
         if self.st.threads.chain.is_some() {
-            let broken = breaks_chain(w).map(|(span, alarm)| (self.loc(span), alarm));
+            let broken = breaks_chain(w).map(|(span, alarm)| (self.core.loc(span), alarm));
             if let Some(chain) = &mut self.st.threads.chain {
                 chain.broken = chain.broken.or(broken);
             }
@@ -74,9 +74,9 @@ impl Channel<'_> {
     pub(super) fn thread_block(&mut self, w: &mut Words, span: Span) -> Outcome {
         self.master_is_main(span, "the lead of a thread")?;
         self.speed_is_known()?;
-        if self.st.spindles.turn().is_none() && self.job.diags.first_time(codes::S8034, ()) {
-            let found = codes::S8034::no_block_in_front_of_this_thread().at(self.loc(span));
-            self.report(found.help("program M3 or M4 with a speed before the thread"));
+        if self.st.spindles.turn().is_none() && self.core.job.diags.first_time(codes::S8034, ()) {
+            let found = codes::S8034::no_block_in_front_of_this_thread().at(self.core.loc(span));
+            self.core.report(found.help("program M3 or M4 with a speed before the thread"));
         }
         let follows = self.st.threads.chain.is_some();
         self.chain_is_whole(span)?;
@@ -87,12 +87,12 @@ impl Channel<'_> {
         let start_angle = named.or_else(set).filter(|(_, given)| given.value != 0.0);
         if let Some(given) = self.lead_words(w)? {
             if given.lead < 0.0 {
-                return self.refuse(given.span, codes::S2081::lead_of_thread_is_negative());
+                return self.core.refuse(given.span, codes::S2081::lead_of_thread_is_negative());
             }
             self.st.threads.lead = Some((given.axis, given.lead));
         }
         let Some((axis, lead)) = self.st.threads.lead else {
-            return self.refuse(span, codes::S2081::thread_has_no_lead());
+            return self.core.refuse(span, codes::S2081::thread_has_no_lead());
         };
         self.starts_are_known(w, span)?;
         let way = |axis: Axis| match (end.get(axis), self.st.position.get(axis)) {
@@ -100,14 +100,14 @@ impl Channel<'_> {
             _ => 0.0,
         };
         if let Some(longer) = AxisSet::MAIN.iter().find(|other| way(*other) > way(axis) + STILL) {
-            return self.refuse(span, codes::S2081::lead_is_given_along(&axis.letter(), &longer.letter()));
+            return self.core.refuse(span, codes::S2081::lead_is_given_along(&axis.letter(), &longer.letter()));
         }
         if let Some((word, given)) = start_angle {
             self.shift_start(word, given, &end, (axis, lead), follows)?;
         }
         self.send(&end, Path::Thread(Thread { lead, along: Some(axis) }));
-        let broken = standstill_behind(w).map(|span| (self.loc(span), STANDSTILL));
-        self.st.threads.chain = Some(ThreadChain { last: self.here.origin.loc, broken });
+        let broken = standstill_behind(w).map(|span| (self.core.loc(span), STANDSTILL));
+        self.st.threads.chain = Some(ThreadChain { last: self.core.here.origin.loc, broken });
         Ok(())
     }
 
@@ -122,7 +122,7 @@ impl Channel<'_> {
         follows: bool,
     ) -> Outcome {
         if !(0.0..360.0).contains(&start.value) {
-            return self.refuse(start.span, codes::S9012::start_angle_lies_outside_0_to_359(&word, &start.value));
+            return self.core.refuse(start.span, codes::S9012::start_angle_lies_outside_0_to_359(&word, &start.value));
         }
         let why = if follows {
             "this thread follows on another one, which fixes its angle"
@@ -134,12 +134,12 @@ impl Channel<'_> {
             ""
         };
         if !why.is_empty() {
-            return self.refuse(start.span, codes::S9012::start_angle_of_thread_cannot_be_made(&why));
+            return self.core.refuse(start.span, codes::S9012::start_angle_of_thread_cannot_be_made(&why));
         }
         let back = lead * start.value / 360.0;
         let (Some(to), Some(from)) = (end.get(axis), self.st.position.get(axis)) else { return Err(Reported) };
         if (to - from).abs() <= STILL {
-            return self.refuse(start.span, codes::S2081::thread_does_not_move_along_its_lead());
+            return self.core.refuse(start.span, codes::S2081::thread_does_not_move_along_its_lead());
         }
         // The start lies on the line of the thread, tapered ones included.
         let part = back / (to - from).abs();
@@ -150,8 +150,8 @@ impl Channel<'_> {
             }
         }
         let found = codes::S8133::is_made_by_start_that_lies_mm(&word, &start.value, &back, &axis.letter())
-            .at(self.loc(start.span));
-        self.report(found.help("see that nothing stands there"));
+            .at(self.core.loc(start.span));
+        self.core.report(found.help("see that nothing stands there"));
         self.send(&shifted, Path::Rapid);
         Ok(())
     }
@@ -169,7 +169,7 @@ impl Channel<'_> {
             return Ok(());
         }
         let span = corner.map_or(span, |given| given.span);
-        self.refuse(span, codes::S2071::thread_has_no_corner_to_chamfer())
+        self.core.refuse(span, codes::S2071::thread_has_no_corner_to_chamfer())
     }
 
     /// I, J and K.
@@ -179,10 +179,10 @@ impl Channel<'_> {
         for (address, axis) in [Address::I, Address::J, Address::K].into_iter().zip(axes) {
             let Some(lead) = w.take(address) else { continue };
             if lead.value == 0.0 {
-                return self.refuse(lead.span, codes::S2081::lead_of_thread_is_0());
+                return self.core.refuse(lead.span, codes::S2081::lead_of_thread_is_0());
             }
             if !w.axes.contains(axis) {
-                return self.refuse(lead.span, codes::S2081::lead_counts_along(&axis.letter()));
+                return self.core.refuse(lead.span, codes::S2081::lead_counts_along(&axis.letter()));
             }
             found = Some(Lead { axis, lead: lead.value * self.st.length_unit(), span: lead.span });
         }
@@ -206,8 +206,8 @@ impl Channel<'_> {
         } else {
             codes::S2081::axes_stand_in_chain()
         };
-        let found = fault.alarm(alarm).at(place).also(last, "the thread before");
-        self.report(found.also(self.loc(span), "the thread after"));
+        let found = fault.alarm(alarm).at(place).also(last, Label::ThreadBefore);
+        self.core.report(found.also(self.core.loc(span), Label::ThreadAfter));
         Err(Reported)
     }
 }

@@ -161,19 +161,19 @@ impl Channel<'_> {
             None if t.value.fract() == 0.0 && (0.0..=32_000.0).contains(&t.value) => {
                 self.tool_by_number(t.value as u32, t.span)?
             }
-            None => return self.refuse(t.span, codes::S2043::t_is_no_tool_number(&t.value)),
+            None => return self.core.refuse(t.span, codes::S2043::t_is_no_tool_number(&t.value)),
         };
         self.proposed.call(number);
         if number != 0 {
             let unit = if self.st.feed_unit() == Unit::Inch.mm() { Unit::Inch } else { Unit::Mm };
-            self.job.calls_tool_in(unit, self.loc(t.span));
+            self.core.job.calls_tool_in(unit, self.core.loc(t.span));
         }
         self.chosen_after_left_out(number);
         self.st.tool.choose(number);
-        let settings = &self.job.settings.tools;
+        let settings = &self.core.job.settings.tools;
         if settings.complete && number != 0 && settings.called(number).is_none() {
-            let found = codes::P2006::tool_is_not_in_tool_table(&number).at(self.loc(t.span));
-            self.report(found.help("add it to the table, or check the number"));
+            let found = codes::P2006::tool_is_not_in_tool_table(&number).at(self.core.loc(t.span));
+            self.core.report(found.help("add it to the table, or check the number"));
         }
         if self.changes_by_t() {
             return self.change_tool();
@@ -186,7 +186,7 @@ impl Channel<'_> {
 
     /// Turrets change with T (MD 22550 = 0), mills with M6.
     pub(super) fn changes_by_t(&self) -> bool {
-        let settings = &self.job.settings;
+        let settings = &self.core.job.settings;
         // A program that changes to the chosen tool would have nothing to do.
         let by_program =
             || settings.programs.values().any(|known| matches!(known, StandIn::Change(ChangeCall { tool: None, .. })));
@@ -196,42 +196,42 @@ impl Channel<'_> {
 
     pub(super) fn tool_by_number(&mut self, number: u32, span: Span) -> Outcome<u32> {
         if number != 0 {
-            let printed = self.job.settings.tools.printed_number(number);
-            self.prints_tool(&ToolKey::Number(number, 0), printed, span)?;
+            let printed = self.core.job.settings.tools.printed_number(number);
+            self.core.prints_tool(&ToolKey::Number(number, 0), printed, span)?;
         }
         Ok(number)
     }
 
     pub(super) fn tool_by_name(&mut self, name: &str, span: Span) -> Outcome<u32> {
-        let tools = &self.job.settings.tools;
+        let tools = &self.core.job.settings.tools;
         match tools.by_exact_name(name) {
             Some((Some(printed), _)) => {
                 let Some(key) = tools.key_of_name(name, true) else { return Ok(printed) };
                 let written = self.st.system.tool_named(name).filter(|own| tools.printed_number(*own) != printed);
                 if let Some(other) = tools.other_of_number(key).or(written) {
-                    self.report(self.another_tool(key, &ToolKey::Number(other, 0), printed, span));
+                    self.core.report(self.core.another_tool(key, &ToolKey::Number(other, 0), printed, span));
                     return Err(Reported);
                 }
-                self.prints_tool(key, printed, span)?;
+                self.core.prints_tool(key, printed, span)?;
                 // What has no number of its own is known by the printed one.
                 Ok(if let ToolKey::Number(own, _) = key { *own } else { printed })
             }
             _ => {
                 let help = self.proposed.help(name, tools);
                 self.st.tool.waits_unnamed = true;
-                self.refuse(span, codes::S2043::tool_has_no_number(&name).help(&help))
+                self.core.refuse(span, codes::S2043::tool_has_no_number(&name).help(&help))
             }
         }
     }
 
     pub(super) fn change_tool(&mut self) -> Outcome {
         let Some(number) = self.st.tool.next else {
-            return self.refuse(Where::Block, codes::S2043::no_tool_is_chosen_so_program_t());
+            return self.core.refuse(Where::Block, codes::S2043::no_tool_is_chosen_so_program_t());
         };
         if self.st.side() != Side::None {
-            return self.refuse(Where::Block, codes::S2080::tool_changes_while_radius_compensation());
+            return self.core.refuse(Where::Block, codes::S2080::tool_changes_while_radius_compensation());
         }
-        let printed = self.job.settings.tools.printed_number(number);
+        let printed = self.core.job.settings.tools.printed_number(number);
         self.st.tool.change_to(number);
         self.changed_after_left_out();
         self.function(Function::ToolChange { number: printed });
@@ -253,7 +253,7 @@ impl Channel<'_> {
             if let (Some(first), Some(other)) = (length(1), length(edge))
                 && first != other
             {
-                return self.refuse(
+                return self.core.refuse(
                     span,
                     codes::S9021::length_of_d_of_t_is_mm(&(parameter - 2), &edge, &number, &other, &first),
                 );
@@ -265,7 +265,7 @@ impl Channel<'_> {
     /// Edge number `d` comes into force.
     pub(super) fn edge_number(&mut self, d: f64, span: Span) -> Outcome {
         if d.fract() != 0.0 || !(0.0..=32_000.0).contains(&d) {
-            return self.refuse(span, codes::S2043::d_is_no_edge_number(&d));
+            return self.core.refuse(span, codes::S2043::d_is_no_edge_number(&d));
         }
         let edge = d as u32;
         if self.st.tool.edge.is_some_and(|old| old != edge) {
@@ -273,14 +273,14 @@ impl Channel<'_> {
         }
         let changes = self.st.tool.edge != Some(edge) || self.st.tool.rewritten;
         if self.st.side() != Side::None && !self.st.compensation.starts && changes {
-            return self.refuse(span, codes::S2080::cutting_edge_changes_while_radius_compensation());
+            return self.core.refuse(span, codes::S2080::cutting_edge_changes_while_radius_compensation());
         }
         self.refuse_other_length(edge, span)?;
         self.st.tool.select_edge(edge);
         if edge > 1 && self.has_length_of_first(edge) {
-            self.say_once(span, codes::S8010::cutting_edges_other_than_d1_are_not());
-        } else if edge > 1 && self.job.diags.first_time(codes::S8254, (self.st.tool.active, edge)) {
-            self.report(codes::S8254::d_is_not_printed(&edge).at(self.loc(span)));
+            self.core.say_once(span, codes::S8010::cutting_edges_other_than_d1_are_not());
+        } else if edge > 1 && self.core.job.diags.first_time(codes::S8254, (self.st.tool.active, edge)) {
+            self.core.report(codes::S8254::d_is_not_printed(&edge).at(self.core.loc(span)));
         }
         Ok(())
     }
@@ -304,32 +304,32 @@ impl Channel<'_> {
 
     /// Position of a cutting edge.
     pub(super) fn edge_position(&self, number: u32, edge: u32) -> Option<f64> {
-        self.st.edge_position(self.job.settings, number, edge)
+        self.st.edge_position(self.core.job.settings, number, edge)
     }
 
     /// The radius of the active edge with its wear.
     pub(super) fn known_radius(&self) -> Option<f64> {
-        self.st.known_radius(self.job.settings)
+        self.st.known_radius(self.core.job.settings)
     }
 
     pub(super) fn compensation_code(&mut self, code: GCode, span: Span) -> Outcome {
         if code != GCode::G40 {
-            if self.resolves() {
+            if self.core.resolves() {
                 self.begins_again(code, span)?;
             }
             if self.st.codes.of(Group::CompensationType).index > 2 {
                 let kind = self.st.codes.of(Group::CompensationType).word();
-                return self.refuse(span, codes::P9013::under_radius_is_compensated_in_space(&kind));
+                return self.core.refuse(span, codes::P9013::under_radius_is_compensated_in_space(&kind));
             }
             self.st.compensation.open = Some(span);
-            if !self.resolves() {
+            if !self.core.resolves() {
                 self.says_shape_of_compensation(span);
             }
         } else {
             self.st.compensation.open = None;
         }
         if code != GCode::G40 && self.st.compensation.leaving_open {
-            return self.refuse(span, codes::S2080::side_stands_behind_g40_without_move());
+            return self.core.refuse(span, codes::S2080::side_stands_behind_g40_without_move());
         }
         if code == GCode::G40 && self.st.side() != Side::None {
             self.st.compensation.leaving = self.st.side();
@@ -344,7 +344,7 @@ impl Channel<'_> {
     fn says_shape_of_compensation(&self, span: Span) {
         let shapes = [Group::Approach, Group::Corner, Group::Collision, Group::CompensationEnds];
         if let Some(code) = shapes.into_iter().map(|group| self.st.codes.of(group)).find(|code| code.index != 1) {
-            self.says_shape(span, &code.word());
+            self.core.says_shape(span, &code.word());
         }
     }
 
@@ -357,15 +357,15 @@ impl Channel<'_> {
             "select a tool before".into()
         };
         let Some(number) = self.st.tool.active.filter(|n| *n != 0) else {
-            return self.refuse(span, codes::S2080::radius_compensation_without_tool().help(help));
+            return self.core.refuse(span, codes::S2080::radius_compensation_without_tool().help(help));
         };
         if self.st.tool.edge_in_doubt {
-            return self.refuse(span, codes::S2080::d_was_programmed_between_t());
+            return self.core.refuse(span, codes::S2080::d_was_programmed_between_t());
         }
         let edge = self.st.tool.edge_or_first();
         let radius = self.cutter_radius(number, edge, span)?;
         self.edge_is_as_selected(number, edge, span)?;
-        if self.resolves() {
+        if self.core.resolves() {
             return self.compute_compensation(number, edge, radius, span);
         }
         let edge = match radius {
@@ -373,7 +373,7 @@ impl Channel<'_> {
             None => [0, 0],
             Some(radius) => self.edge_points_to(number, edge, radius, span)?,
         };
-        let number = self.job.settings.tools.printed_number(number);
+        let number = self.core.job.settings.tools.printed_number(number);
         self.function(Function::Cutter(CutterData { number, radius, edge, ..CutterData::default() }));
         Ok(())
     }
@@ -387,7 +387,7 @@ impl Channel<'_> {
         if !self.st.tool.rewritten {
             return Ok(());
         }
-        self.refuse(span, codes::P9013::data_of_t_d_were_written_after(&number, &edge))
+        self.core.refuse(span, codes::P9013::data_of_t_d_were_written_after(&number, &edge))
     }
 
     /// The same for G41 and G42 themselves, which do not come into force without it.
@@ -414,17 +414,17 @@ impl Channel<'_> {
     /// The radius that the program gives an edge, with its wear; `None` for that of the target's own table.
     fn cutter_radius(&self, number: u32, edge: u32, span: Span) -> Outcome<Option<f64>> {
         if edge == 0 {
-            return self.refuse(span, codes::S2080::radius_compensation_under_d0());
+            return self.core.refuse(span, codes::S2080::radius_compensation_under_d0());
         }
         if self.st.system.is_written("$P_AD[6]") || self.st.system.is_written("$P_AD[15]") {
-            return self.refuse(span, codes::P9013::program_changes_radius_of_active_tool());
+            return self.core.refuse(span, codes::P9013::program_changes_radius_of_active_tool());
         }
         let written = |parameter: u8| {
             let key = format!("$TC_DP{parameter}[{number},{edge}]");
             self.st.system.number(&key)
         };
         let listed = || {
-            let tool = self.job.settings.tools.called(number).filter(|_| edge == 1);
+            let tool = self.core.job.settings.tools.called(number).filter(|_| edge == 1);
             tool.and_then(|tool| tool.radius)
         };
         match (written(6), written(15).filter(|wear| *wear != 0.0)) {
@@ -435,7 +435,7 @@ impl Channel<'_> {
             (_, wear) => {
                 let what =
                     if wear.is_some() { "the program writes its wear only" } else { "the target knows that of D1" };
-                self.refuse(span, codes::P9013::radius_of_t_d_is_not(&number, &edge, &what))
+                self.core.refuse(span, codes::P9013::radius_of_t_d_is_not(&number, &edge, &what))
             }
         }
     }
@@ -447,12 +447,13 @@ impl Channel<'_> {
         }
         let on = self.st.side() != Side::None;
         let line = matches!(code, GCode::G0 | GCode::G1);
-        if !on && line && !in_plane && !self.job.settings.control.sinumerik.g40_needs_motion {
+        if !on && line && !in_plane && !self.core.job.settings.control.sinumerik.g40_needs_motion {
             // The plane position does not change, so the offset can wait for the next move in the plane.
             self.st.compensation.leaving_open = true;
-            if !self.resolves() && self.job.diags.first_time(codes::S8134, ()) {
-                let found = codes::S8134::g40_stands_in_front_of_move().at(self.loc(span));
-                self.report(found.help("program G40 with a move in the plane; some controls show alarm 10754 here"));
+            if !self.core.resolves() && self.core.job.diags.first_time(codes::S8134, ()) {
+                let found = codes::S8134::g40_stands_in_front_of_move().at(self.core.loc(span));
+                self.core
+                    .report(found.help("program G40 with a move in the plane; some controls show alarm 10754 here"));
             }
             return Ok(());
         }
@@ -462,7 +463,8 @@ impl Channel<'_> {
         }
         let alarm = if on { 10753 } else { 10754 };
         let what = if in_plane { "on an arc" } else { "without a move in the plane" };
-        self.refuse(span, codes::S2080::radius_compensation(&(if on { "starts" } else { "ends" }), &what).alarm(alarm))
+        self.core
+            .refuse(span, codes::S2080::radius_compensation(&(if on { "starts" } else { "ends" }), &what).alarm(alarm))
     }
 
     /// What ends the compensation on the target while the tool still stands beside the contour: its next move would go
@@ -470,14 +472,14 @@ impl Channel<'_> {
     pub(super) fn leaves_in_front_of(&mut self, function: &Function) -> Outcome {
         let ends = match function {
             // The path was computed, and stays where it is.
-            Function::ToolChange { .. } => !self.resolves(),
+            Function::ToolChange { .. } => !self.core.resolves(),
             _ => matches!(function, Function::WorkOffset(_) | Function::Plane(_) | Function::Transformation(_)),
         };
         if !ends || !self.st.compensation.leaving_open {
             return Ok(());
         }
         self.st.compensation.leaving_open = false;
-        self.refuse(Where::Block, codes::S2080::g40_has_had_no_move_in_plane())
+        self.core.refuse(Where::Block, codes::S2080::g40_has_had_no_move_in_plane())
     }
 }
 

@@ -23,17 +23,17 @@ impl Run<'_> {
             [Val::Text(name)] => (name, Some(1)),
             [Val::Text(name), sister] => (name, sister.number().and_then(whole)),
             _ => {
-                return self.refuse(span, codes::S2021::gett_takes_name_of_tool());
+                return self.channel.core.refuse(span, codes::S2021::gett_takes_name_of_tool());
             }
         };
         let name = String::from_utf8_lossy(name).into_owned();
         if sister != Some(1) {
-            return self.refuse(span, codes::P9010::gett_asks_for_sister(&name));
+            return self.channel.core.refuse(span, codes::P9010::gett_asks_for_sister(&name));
         }
-        if let Some(number) = self.st.system.tool_named(&name) {
+        if let Some(number) = self.channel.st.system.tool_named(&name) {
             return Ok(Val::Int(i32::try_from(number).unwrap_or(0)));
         }
-        let number = self.tool_by_name(&name, span)?;
+        let number = self.channel.tool_by_name(&name, span)?;
         Ok(Val::Int(i32::try_from(number).unwrap_or(0)))
     }
 
@@ -47,24 +47,24 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome {
         let [variable, spindle @ ..] = formulas else {
-            return self.refuse(span, codes::S2021::lacks_variable_that_takes_tool(&name));
+            return self.channel.core.refuse(span, codes::S2021::lacks_variable_that_takes_tool(&name));
         };
         if let Some(spindle) = spindle.first().filter(|formula| !formula.is_missing()) {
             let number = self.number(*spindle, block, text)?;
-            if whole(number) != Some(i32::from(self.st.spindles.master())) {
-                return self.refuse(spindle.span, codes::P9010::asks_for_tool_of_spindle(&name, &number));
+            if whole(number) != Some(i32::from(self.channel.st.spindles.master())) {
+                return self.channel.core.refuse(spindle.span, codes::P9010::asks_for_tool_of_spindle(&name, &number));
             }
         }
-        let tool = &self.st.tool;
+        let tool = &self.channel.st.tool;
         let (number, variable_name) = match name {
             "GETSELT" => (tool.next().or(tool.active()), "$P_TOOLP"),
             _ => (tool.active(), "$P_TOOLNO"),
         };
-        let given = || self.job.settings.variables.get(variable_name).copied().and_then(whole);
+        let given = || self.channel.core.job.settings.variables.get(variable_name).copied().and_then(whole);
         let Some(number) = number.and_then(|number| i32::try_from(number).ok()).or_else(given) else {
             let meaning = meaning_of(variable_name, &[]).unwrap_or_default();
             let help = format!("select a tool before it, or give it under [variables]: \"{variable_name}\" = number");
-            return self.refuse(
+            return self.channel.core.refuse(
                 span,
                 codes::P2023::asks_for_program_has_selected_none(&name, &meaning)
                     .help(Answer::variable(variable_name, meaning).help(help)),
@@ -75,7 +75,7 @@ impl Run<'_> {
                 self.set_reference(reference, number);
                 Ok(())
             }
-            None => self.refuse(variable.span, codes::S2021::needs_variable(&name)),
+            None => self.channel.core.refuse(variable.span, codes::S2021::needs_variable(&name)),
         }
     }
 }
@@ -89,7 +89,7 @@ impl Channel<'_> {
             return Some(length).filter(|_| matches!(args, [first] if first.number() == Some(1.0)));
         }
         let (number, parameter) = self.asked_parameter(word, args)?;
-        let tool = self.job.settings.tools.called(number)?;
+        let tool = self.core.job.settings.tools.called(number)?;
         let told = |delta: f64| Some(delta).filter(|delta| *delta != 0.0);
         match parameter {
             2 => tool.orientation.map(f64::from),
@@ -118,7 +118,7 @@ impl Channel<'_> {
     pub(super) fn told_of_tool(&self, word: &str, args: &[Val]) -> Option<Val> {
         let [number] = args else { return None };
         let number = u32::try_from(number.number().and_then(whole)?).ok()?;
-        let tools = &self.job.settings.tools;
+        let tools = &self.core.job.settings.tools;
         match word {
             "$TC_TP2" => {
                 let named = |(key, tool): (&ToolKey, &Tool)| match key {
@@ -155,7 +155,7 @@ impl Channel<'_> {
         if number == 0 {
             return None;
         }
-        let tools = &self.job.settings.tools;
+        let tools = &self.core.job.settings.tools;
         let named = |(key, tool): (&ToolKey, &Tool)| matches!(key, ToolKey::Name(_)) && tool.number == Some(number);
         let own = ToolKey::Number(number, 0);
         let entry = if tools.table.contains_key(&own) { None } else { tools.table.iter().find(|entry| named(*entry)) };

@@ -45,7 +45,7 @@ impl Run<'_> {
         let mut given = [None; 3];
         let most = if on == OnSurface::Face { 1 } else { 3 };
         if let Some(more) = formulas.get(most) {
-            return self.refuse(
+            return self.channel.core.refuse(
                 more.span,
                 codes::S2021::takes_argument(&on.word(), &most, &(if most == 1 { "" } else { "s" })),
             );
@@ -59,10 +59,13 @@ impl Run<'_> {
             OnSurface::Face => [None, given[0], None],
             OnSurface::Mantle => given,
         };
-        let made = self.surface(on, diameter, number, wall, span).and_then(|surface| self.transform(on, surface, span));
+        let made = self
+            .channel
+            .surface(on, diameter, number, wall, span)
+            .and_then(|surface| self.channel.transform(on, surface, span));
         if made.is_err() {
-            self.st.position.lose(AxisSet::ALL);
-            self.lost();
+            self.channel.st.position.lose(AxisSet::ALL);
+            self.channel.lost();
         }
         made
     }
@@ -80,10 +83,10 @@ impl Channel<'_> {
         span: Span,
     ) -> Outcome<Surface> {
         if let Some((number, span)) = number.filter(|(number, _)| *number != 1.0) {
-            return self.refuse(span, codes::S2280::selects_transformation(&on.word(), &number));
+            return self.core.refuse(span, codes::S2280::selects_transformation(&on.word(), &number));
         }
         if let Some((_, span)) = wall.filter(|(wall, _)| *wall != 0.0) {
-            return self.refuse(span, codes::S2280::tracyl_corrects_walls_of_groove_by_real());
+            return self.core.refuse(span, codes::S2280::tracyl_corrects_walls_of_groove_by_real());
         }
         if on == OnSurface::Face {
             return Ok(Surface::Face);
@@ -91,17 +94,17 @@ impl Channel<'_> {
         let (given, at) = diameter.unwrap_or((0.0, span));
         let diameter = given * self.st.length_unit();
         if !(1e-3..1e6).contains(&diameter) {
-            return self.refuse(at, codes::S2280::working_diameter_of_tracyl(&given));
+            return self.core.refuse(at, codes::S2280::working_diameter_of_tracyl(&given));
         }
         Ok(Surface::Mantle { diameter })
     }
 
     fn transform(&mut self, on: OnSurface, surface: Surface, span: Span) -> Outcome {
-        let (word, rotary) = (on.word(), self.job.settings.machine.rotary_axis);
-        let as_seen = match self.job.settings.cycles.transmit {
+        let (word, rotary) = (on.word(), self.core.job.settings.machine.rotary_axis);
+        let as_seen = match self.core.job.settings.cycles.transmit {
             Transmit::Refuse => {
                 let what = if on == OnSurface::Face { "face" } else { "mantle" };
-                return self.refuse(
+                return self.core.refuse(
                     span,
                     codes::S9006::machines_in_axes_that_target_may_not(&word, &what)
                         .answer(Answer::key("cycles", "transmit").one_of(&["\"polar\"", "\"cartesian\""])),
@@ -122,7 +125,7 @@ impl Channel<'_> {
         self.axes_change(rotary);
         if as_seen {
             self.lost();
-            self.say_once(span, codes::S8250::face_machining_in_virtual_cartesian_axes(&word));
+            self.core.say_once(span, codes::S8250::face_machining_in_virtual_cartesian_axes(&word));
         } else {
             self.st.position.move_to(&seen);
             self.function(Function::Transformation(Some(by)));
@@ -131,7 +134,7 @@ impl Channel<'_> {
                 OnSurface::Face => format!("the tool stands over the positive X of the program at {letter}0"),
                 OnSurface::Mantle => format!("Y0 of the program lies at {letter}0"),
             };
-            self.say_once(span, codes::S8251::is_printed_with_x(&word, &letter, &zero));
+            self.core.say_once(span, codes::S8251::is_printed_with_x(&word, &letter, &zero));
         }
         self.says_diameter(on, span);
         Ok(())
@@ -170,11 +173,11 @@ impl Channel<'_> {
     fn may_transform(&mut self, span: Span) -> Outcome {
         self.pending_must_be_done(span)?;
         if self.st.side() != Side::None || self.st.compensation.is_leaving() {
-            return self.refuse(span, codes::S2281::radius_compensation_is_on_where_axes_change());
+            return self.core.refuse(span, codes::S2281::radius_compensation_is_on_where_axes_change());
         }
-        let kept = self.job.settings.control.sinumerik.transformation_keeps_frame;
+        let kept = self.core.job.settings.control.sinumerik.transformation_keeps_frame;
         if !self.st.ctx.frame.is_identity() && !kept {
-            return self.refuse(
+            return self.core.refuse(
                 span,
                 codes::S2281::frame_is_in_force_where_axes_change()
                     .answer(Answer::key("control", "md10602").one_of(&["1"])),
@@ -185,16 +188,16 @@ impl Channel<'_> {
 
     /// Is the machine one whose X and rotary axis make the surface?
     fn has_axes_for(&mut self, on: OnSurface, span: Span) -> Outcome {
-        let machine = &self.job.settings.machine;
+        let machine = &self.core.job.settings.machine;
         if on == OnSurface::Mantle && machine.kind != MachineKind::Lathe {
-            return self.refuse(
+            return self.core.refuse(
                 span,
                 codes::S2280::which_axes_tracyl_uses_on_milling_machine().answer(Answer::key("machine", "kind")),
             );
         }
         let y = self.st.ctx.frame.apply(self.st.position.at()).get(Axis::Y).filter(|y| y.abs() > 1e-6);
         if let Some(y) = y.filter(|_| self.st.transformation.is_none()) {
-            return self.refuse(span, codes::S2281::y_axis_stands_at_where_x(&y));
+            return self.core.refuse(span, codes::S2281::y_axis_stands_at_where_x(&y));
         }
         Ok(())
     }
@@ -202,10 +205,10 @@ impl Channel<'_> {
     /// X of a face under DIAMON.
     fn says_diameter(&self, on: OnSurface, span: Span) {
         let counts =
-            self.job.settings.machine.diameter_axis == Some(Axis::X) && self.st.diameter_mode() != Diameter::Off;
-        if on == OnSurface::Face && counts && self.job.diags.first_time(codes::S8252, ()) {
-            let found = codes::S8252::diameter_programming_is_on_at_transmit().at(self.loc(span));
-            self.report(found.help("program DIAMOF after TRANSMIT if X and Y of the face count alike"));
+            self.core.job.settings.machine.diameter_axis == Some(Axis::X) && self.st.diameter_mode() != Diameter::Off;
+        if on == OnSurface::Face && counts && self.core.job.diags.first_time(codes::S8252, ()) {
+            let found = codes::S8252::diameter_programming_is_on_at_transmit().at(self.core.loc(span));
+            self.core.report(found.help("program DIAMOF after TRANSMIT if X and Y of the face count alike"));
         }
     }
 
@@ -214,6 +217,6 @@ impl Channel<'_> {
         if self.st.transformation.is_none() || !TURNING.contains(&name) {
             return Ok(());
         }
-        self.refuse(place, codes::S2282::is_not_possible_while_transmit_or_tracyl(&name))
+        self.core.refuse(place, codes::S2282::is_not_possible_while_transmit_or_tracyl(&name))
     }
 }

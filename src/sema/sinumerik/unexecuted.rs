@@ -6,7 +6,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::diag::{Code, Diagnostic, codes};
+use crate::diag::{Code, Diagnostic, Label, codes};
 use crate::parser::sinumerik::ast::{
     Block, CallForm, Formula, Jump, JumpTarget, Op, Search, Stmt, Target, Value, Word,
 };
@@ -307,7 +307,7 @@ impl<'a> Unexecuted<'a> {
                     codes::S2008::are_of_one_group(&a, &b)
                 };
                 let found = fault.at(here.loc(self.job, word.span));
-                return Some(found.also(here.loc(self.job, *at), "the other one").help("delete one of them"));
+                return Some(found.also(here.loc(self.job, *at), Label::OtherOne).help("delete one of them"));
             }
             seen.push((code, word.span));
         }

@@ -2,7 +2,7 @@
 //!
 //! Source: S 1.2 and 1.3 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::machine::axis::AXES;
 use crate::machine::{Axis, AxisSet};
 use crate::parser::sinumerik::ast::{Args, Block, Formula, Op, Target, Value, Word};
@@ -291,7 +291,7 @@ impl Run<'_> {
             seen.get_or_insert(word.span);
         }
         if let (Some(assigned), Some(_)) = (words.assigned, words.other) {
-            return self.refuse(assigned, codes::S2014::assignment_stands_beside_other_words());
+            return self.channel.core.refuse(assigned, codes::S2014::assignment_stands_beside_other_words());
         }
         Ok(())
     }
@@ -323,7 +323,7 @@ impl Run<'_> {
     pub(super) fn letter_variable(&self, letter: u8) -> Option<super::vars::Slot> {
         let name = [letter];
         let name = std::str::from_utf8(&name).ok()?;
-        self.vars.find(self.symbols.find(name)?)
+        self.vars.find(self.channel.core.symbols.find(name)?)
     }
 
     #[inline]
@@ -335,54 +335,59 @@ impl Run<'_> {
         }
         let given = self.given(word, block, text)?;
         if given.mode != Mode::Plain && b"GSPHL".contains(&letter) {
-            self.no_modifier(given)?;
+            self.channel.core.no_modifier(given)?;
         }
         if letter == b'R' {
-            return self.refuse(word.span, codes::S2016::address_r_has_no_meaning());
+            return self.channel.core.refuse(word.span, codes::S2016::address_r_has_no_meaning());
         }
-        if let Some(named) = self.axis_names.letter(letter) {
-            return self.axis_word(words, named, given);
+        if let Some(named) = self.channel.axis_names.letter(letter) {
+            return self.channel.axis_word(words, named, given);
         }
         match letter {
             b'G' => self.g_word(words, given),
-            b'M' => words.add_m(&self.core, None, given),
-            b'F' => words.set_address(&self.core, Address::F, given),
+            b'M' => words.add_m(&self.channel.core, None, given),
+            b'F' => words.set_address(&self.channel.core, Address::F, given),
             b'S' if words.s.iter().any(|s| s.spindle.is_none()) => {
-                self.refuse(given.span, codes::P1002::s_stands_twice_in_block())
+                self.channel.core.refuse(given.span, codes::P1002::s_stands_twice_in_block())
             }
             b'S' => {
                 words.s.push(SWord { spindle: None, value: given.value, span: given.span });
                 Ok(())
             }
-            b'T' => words.set_address(&self.core, Address::T, given),
-            b'D' => words.set_address(&self.core, Address::D, given),
-            b'I' => words.set_address(&self.core, Address::I, given),
-            b'J' => words.set_address(&self.core, Address::J, given),
-            b'K' => words.set_address(&self.core, Address::K, given),
+            b'T' => words.set_address(&self.channel.core, Address::T, given),
+            b'D' => words.set_address(&self.channel.core, Address::D, given),
+            b'I' => words.set_address(&self.channel.core, Address::I, given),
+            b'J' => words.set_address(&self.channel.core, Address::J, given),
+            b'K' => words.set_address(&self.channel.core, Address::K, given),
             b'H' => {
                 words.h = Some(given.span);
                 Ok(())
             }
-            b'P' if words.calls.passes.is_some() => self.refuse(given.span, codes::P1002::p_stands_twice_in_block()),
+            b'P' if words.calls.passes.is_some() => {
+                self.channel.core.refuse(given.span, codes::P1002::p_stands_twice_in_block())
+            }
             b'P' => {
                 words.calls.passes = Some(given);
                 Ok(())
             }
-            b'L' => words.set_subprogram(&self.core, word, given),
+            b'L' => words.set_subprogram(&self.channel.core, word, given),
             _ => {
                 let help = match letter {
                     b'E' => "an exponent is written EX: 1EX5 for 1e5; axes are X Y Z A B C U V W",
                     _ => "check the letter; axes are X Y Z A B C U V W",
                 };
-                self.refuse(word.span, codes::S2016::address_is_not_known(&(letter as char)).help(help))
+                self.channel.core.refuse(word.span, codes::S2016::address_is_not_known(&(letter as char)).help(help))
             }
         }
     }
 
     fn g_word(&mut self, words: &mut Words, given: Given) -> Outcome {
         match self.gcodes.get(given.value) {
-            Some(code) => words.add_code(&self.core, code, given.span),
-            None => self.refuse(given.span, codes::S2010::g_is_not_known(&given.value).help(in_place_of(given.value))),
+            Some(code) => words.add_code(&self.channel.core, code, given.span),
+            None => self
+                .channel
+                .core
+                .refuse(given.span, codes::S2010::g_is_not_known(&given.value).help(in_place_of(given.value))),
         }
     }
 
@@ -397,11 +402,11 @@ impl Run<'_> {
         match self.eval(formula, block, text)? {
             Val::Text(name) => {
                 words.tool_name = Some(String::from_utf8_lossy(&name).into_owned());
-                words.set_address(&self.core, Address::T, Given { value: 0.0, mode: Mode::Plain, span })
+                words.set_address(&self.channel.core, Address::T, Given { value: 0.0, mode: Mode::Plain, span })
             }
             value => {
-                let value = self.as_number(&value, formula.span)?;
-                words.set_address(&self.core, Address::T, Given { value, mode: Mode::Plain, span })
+                let value = self.channel.core.as_number(&value, formula.span)?;
+                words.set_address(&self.channel.core, Address::T, Given { value, mode: Mode::Plain, span })
             }
         }
     }
@@ -413,18 +418,18 @@ impl Run<'_> {
             Value::Literal { value, .. } if value.is_finite() => {
                 Ok(Given { value, mode: Mode::Plain, span: word.span })
             }
-            Value::Literal { .. } => self.refuse(word.span, codes::S2029::number_is_too_large()),
+            Value::Literal { .. } => self.channel.core.refuse(word.span, codes::S2029::number_is_too_large()),
             Value::Formula(formula) => self.given_formula(formula, word.span, block, text),
-            Value::None | Value::Call(_) => self.refuse(word.span, codes::P1001::word_has_no_value()),
+            Value::None | Value::Call(_) => self.channel.core.refuse(word.span, codes::P1001::word_has_no_value()),
         }
     }
 
     pub(super) fn given_formula(&mut self, formula: Formula, span: Span, block: &Block, text: &[u8]) -> Outcome<Given> {
         if let [.., Op::Call(name, count, _)] = block.formula(formula)
-            && let Some(mode) = Mode::of(self.symbols.name(*name))
+            && let Some(mode) = Mode::of(self.channel.core.symbols.name(*name))
         {
             if *count != 1 {
-                return self.refuse(formula.span, codes::S2021::modifier_takes_one_value());
+                return self.channel.core.refuse(formula.span, codes::S2021::modifier_takes_one_value());
             }
             let inner = Formula { to: formula.to - 1, ..formula };
             let value = self.number(inner, block, text)?;
@@ -484,7 +489,7 @@ impl Words {
             let (a, b) = (first.word(), code.word());
             let found = codes::S2008::are_of_one_group(&a, &b).at(core.loc(span));
             core.report(
-                found.also(core.loc(other), "the other one").help("delete one of them; the control takes the last"),
+                found.also(core.loc(other), Label::OtherOne).help("delete one of them; the control takes the last"),
             );
             return Err(super::Reported);
         }

@@ -43,7 +43,7 @@ impl Run<'_> {
             ProgramPart::Turret => self.turret_line(w, text),
             ProgramPart::Unread => Ok(()),
             ProgramPart::Head | ProgramPart::Names | ProgramPart::Between => {
-                self.refuse(block.span, codes::T1008::words_have_no_place_in_this_section())
+                self.core.refuse(block.span, codes::T1008::words_have_no_place_in_this_section())
             }
         }
     }
@@ -51,7 +51,7 @@ impl Run<'_> {
     /// A block that is executed.
     fn machine(&mut self, w: &Words, text: &[u8]) -> Outcome {
         self.sections.settle_family();
-        self.level().frame.begun = true;
+        self.core.level().frame.begun = true;
         if let Some(name) = w.text("L") {
             self.settle_chain()?;
             return self.call(w, name, text);
@@ -68,7 +68,7 @@ impl Run<'_> {
             self.motion(function, fun, w)?;
         }
         self.exact_stop_ends();
-        if only_moves || self.has_ended() {
+        if only_moves || self.core.has_ended() {
             return Ok(());
         }
         if !w.m().is_empty() && self.capture.is_none() {
@@ -103,7 +103,7 @@ impl Run<'_> {
             let both = plan.claimed & function.letters & w.present();
             if both != 0 {
                 let letter = (b'A' + both.trailing_zeros() as u8) as char;
-                return self.refuse(fun.span, codes::P1005::two_functions_of_block_take(&letter));
+                return self.core.refuse(fun.span, codes::P1005::two_functions_of_block_take(&letter));
             }
             plan.claimed |= function.letters;
             if let Some(slot) = functions.get_mut(i) {
@@ -111,7 +111,7 @@ impl Run<'_> {
             }
             plan.only_path &= function.kind.is_path();
             if function.kind.is_motion() && plan.motion.replace((function, *fun)).is_some() {
-                return self.refuse(fun.span, codes::P1005::g_another_move_or_cycle_stand(&fun.number));
+                return self.core.refuse(fun.span, codes::P1005::g_another_move_or_cycle_stand(&fun.number));
             }
         }
         self.check_words(w, &plan, &functions)?;
@@ -130,18 +130,18 @@ impl Run<'_> {
     fn no_such_function<T>(&self, fun: Fun, known: Option<&Function>) -> Outcome<T> {
         if let Some(owner) = belongs(fun.number) {
             let what = known.map_or_else(String::new, |function| format!(" ({})", function.name));
-            return self.refuse(fun.span, codes::P9011::g_is_function(&fun.number, &what, &owner));
+            return self.core.refuse(fun.span, codes::P9011::g_is_function(&fun.number, &what, &owner));
         }
         match known {
-            Some(function) => self.refuse(fun.span, codes::P9011::g_is_not_supported(&fun.number, &function.name)),
-            None => self.refuse(fun.span, codes::P9011::g_is_not_known(&fun.number)),
+            Some(function) => self.core.refuse(fun.span, codes::P9011::g_is_not_supported(&fun.number, &function.name)),
+            None => self.core.refuse(fun.span, codes::P9011::g_is_not_known(&fun.number)),
         }
     }
 
     fn check_same(&self, w: &Words, i: usize) -> Outcome {
         let fun = w.g()[i];
         if w.g()[..i].iter().any(|other| other.number == fun.number) {
-            return self.refuse(fun.span, codes::P1002::g_stands_twice_in_block(&fun.number));
+            return self.core.refuse(fun.span, codes::P1002::g_stands_twice_in_block(&fun.number));
         }
         Ok(())
     }
@@ -158,22 +158,22 @@ impl Run<'_> {
         while rest != 0 {
             let letter = b'A' + rest.trailing_zeros() as u8;
             if let Some(num) = marked(letter) {
-                return self.refuse(num.span, codes::P1003::takes_plain_number_here(&(letter as char)));
+                return self.core.refuse(num.span, codes::P1003::takes_plain_number_here(&(letter as char)));
             }
             rest &= rest - 1;
         }
         for (addr, num) in w.longs() {
             let name = addr.to_string();
             if !functions.iter().flatten().any(|function| function.takes(&name)) {
-                return self.refuse(num.span, codes::P1003::no_function_of_block_takes(&name));
+                return self.core.refuse(num.span, codes::P1003::no_function_of_block_takes(&name));
             }
             if num.unknown {
-                return self.refuse(num.span, codes::P1003::takes_number(&name));
+                return self.core.refuse(num.span, codes::P1003::takes_number(&name));
             }
         }
         let named = plan.motion.is_some_and(|(function, _)| function.cycle.is_some_and(Row::takes_name));
         match w.texts().iter().find(|(addr, _)| !(named && addr.to_string() == "ID")) {
-            Some((addr, span)) => self.refuse(*span, codes::P1003::no_function_of_block_takes_text(&addr)),
+            Some((addr, span)) => self.core.refuse(*span, codes::P1003::no_function_of_block_takes_text(&addr)),
             None => Ok(()),
         }
     }
@@ -181,15 +181,15 @@ impl Run<'_> {
     #[cold]
     fn stray_letter(&self, w: &Words, stray: Letters, moves: bool) -> Outcome {
         let letter = b'A' + stray.trailing_zeros() as u8;
-        let span = w.span(letter, self.block_span());
+        let span = w.span(letter, self.core.block_span());
         let letter = letter as char;
         if !moves && matches!(letter, 'X' | 'Z') {
-            return self.refuse(span, codes::T2001::block_has_coordinates());
+            return self.core.refuse(span, codes::T2001::block_has_coordinates());
         }
         if matches!(letter, 'C' | 'Y' | 'U' | 'W') {
-            return self.refuse(span, codes::T9004::belongs_to_c_axis(&letter));
+            return self.core.refuse(span, codes::T9004::belongs_to_c_axis(&letter));
         }
-        self.refuse(span, codes::P1003::no_function_of_block_takes(&letter))
+        self.core.refuse(span, codes::P1003::no_function_of_block_takes(&letter))
     }
 
     fn before_motion(&mut self, w: &Words, plan: &Plan, text: &[u8]) -> Outcome {
@@ -256,14 +256,14 @@ impl Run<'_> {
             _ => {}
         }
         if self.st.compensation.is_on() && function.kind != Kind::Dwell {
-            return self.refuse(fun.span, codes::T2021::g_stands_under_nose_radius_compensation(&fun.number));
+            return self.core.refuse(fun.span, codes::T2021::g_stands_under_nose_radius_compensation(&fun.number));
         }
         match function.kind {
             Kind::MachineRapid => self.machine_rapid(w),
             Kind::ChangePoint => self.change_point(w),
             Kind::Dwell => self.dwell(w),
             Kind::SingleThread => self.single_thread(w),
-            Kind::EndOfContour => self.refuse(fun.span, codes::T3003::g80_ends_contour()),
+            Kind::EndOfContour => self.core.refuse(fun.span, codes::T3003::g80_ends_contour()),
             Kind::Cycle => match function.cycle {
                 Some(cycle) => self.begin_cycle(cycle, w),
                 None => Err(Reported),
@@ -274,9 +274,9 @@ impl Run<'_> {
 
     /// G4
     fn dwell(&mut self, w: &Words) -> Outcome {
-        let num = self.needed(w, b'F', "the time in seconds", self.block_span())?;
+        let num = self.needed(w, b'F', "the time in seconds", self.core.block_span())?;
         if num.value < 0.0 {
-            return self.refuse(num.span, codes::T1007::dwell_time_is_not_negative());
+            return self.core.refuse(num.span, codes::T1007::dwell_time_is_not_negative());
         }
         self.function(Item::Dwell(num.value));
         Ok(())

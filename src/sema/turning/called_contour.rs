@@ -15,7 +15,9 @@ impl Run<'_> {
             None => self.referenced(w, left_out)?,
         };
         if section.edges.len() > MOST_EDGES {
-            return self.refuse(self.block_span(), codes::T3003::contour_of_cycle_has_more_than_elements(&MOST_EDGES));
+            return self
+                .core
+                .refuse(self.core.block_span(), codes::T3003::contour_of_cycle_has_more_than_elements(&MOST_EDGES));
         }
         Ok(section)
     }
@@ -42,17 +44,17 @@ impl Run<'_> {
     }
 
     fn referenced(&self, w: &Words, left_out: u32) -> Outcome<Section> {
-        let span = self.block_span();
+        let span = self.core.block_span();
         if let Some(name) = &self.named {
             return self.named_contour(name, w, left_out);
         }
         let Some(first) = w.long("NS") else {
-            return self.refuse(span, codes::P1004::cycle_has_neither_ns_nor_contour());
+            return self.core.refuse(span, codes::P1004::cycle_has_neither_ns_nor_contour());
         };
         let number = |value: f64| (value.fract() == 0.0 && (0.0..=99_999.0).contains(&value)).then_some(value as u32);
         let last = w.long("NE");
         let (Some(ns), Some(ne)) = (number(first.value), number(last.map_or(first.value, |num| num.value))) else {
-            return self.refuse(first.span, codes::T1007::ns_and_ne_are_block_numbers());
+            return self.core.refuse(first.span, codes::T1007::ns_and_ne_are_block_numbers());
         };
         let mut missing = ns;
         let mut found = Vec::new();
@@ -71,7 +73,7 @@ impl Run<'_> {
             }
         }
         if found.len() > 1 {
-            return self.refuse(first.span, codes::T2019::block_number_stands_in_two_contours(&ns));
+            return self.core.refuse(first.span, codes::T2019::block_number_stands_in_two_contours(&ns));
         }
         if let Some(section) = found.pop() {
             return Ok(section);
@@ -85,19 +87,19 @@ impl Run<'_> {
     #[cold]
     fn no_element<T>(&self, first: Num, missing: u32) -> Outcome<T> {
         if self.geometry.starts.contains(&missing) {
-            return self.refuse(first.span, codes::T2019::n_is_start_point_of_contour(&missing));
+            return self.core.refuse(first.span, codes::T2019::n_is_start_point_of_contour(&missing));
         }
-        self.refuse(first.span, codes::T2019::no_element_of_contour_has_block_number(&missing))
+        self.core.refuse(first.span, codes::T2019::no_element_of_contour_has_block_number(&missing))
     }
 
     /// The contour that ID names: all of it, or from NS to NE.
     fn named_contour(&self, name: &str, w: &Words, left_out: u32) -> Outcome<Section> {
-        let span = self.block_span();
+        let span = self.core.block_span();
         let same =
             |described: &&Described| described.name.as_deref().is_some_and(|known| known.eq_ignore_ascii_case(name));
         let mut found = self.geometry.contours.iter().filter(same);
         let (Some(described), None) = (found.next(), found.next()) else {
-            return self.refuse(span, codes::T2019::there_is_no_contour(&name));
+            return self.core.refuse(span, codes::T2019::there_is_no_contour(&name));
         };
         if described.broken {
             return Err(Reported);
@@ -112,7 +114,7 @@ impl Run<'_> {
             (None, None) => Ok(outline.all()),
             (Some(Some(ns)), None) => outline.between(ns, None),
             (Some(Some(ns)), Some(Some(ne))) => outline.between(ns, Some(ne)),
-            _ => return self.refuse(span, codes::T1007::ns_ne_are_block_numbers()),
+            _ => return self.core.refuse(span, codes::T1007::ns_ne_are_block_numbers()),
         };
         section.or_else(|number| {
             if self.geometry.starts.contains(&number)
@@ -120,7 +122,7 @@ impl Run<'_> {
             {
                 return self.no_element(first, number);
             }
-            self.refuse(span, codes::T2019::no_element_of_named_contour(&name, &number))
+            self.core.refuse(span, codes::T2019::no_element_of_named_contour(&name, &number))
         })
     }
 }

@@ -107,10 +107,10 @@ impl Run<'_> {
         let arguments = self.arguments(w)?;
         let external = self.sections.family() == Family::Basic || self.choice(w, b'V', 0, 1)? == 1;
         if let Some(num) = w.get(b'Q').filter(|num| num.value != 1.0) {
-            return self.refuse(num.span, codes::T9007::whether_q_counts_passes_or_repeats_no());
+            return self.core.refuse(num.span, codes::T9007::whether_q_counts_passes_or_repeats_no());
         }
         if name.is_empty() {
-            return self.refuse(self.block_span(), codes::P1004::name_of_subprogram_is_missing());
+            return self.core.refuse(self.core.block_span(), codes::P1004::name_of_subprogram_is_missing());
         }
         if external { self.call_file(&name, arguments) } else { self.call_section(&name, arguments) }
     }
@@ -120,19 +120,19 @@ impl Run<'_> {
         let mut locals = Locals::default();
         let stray = w.present() & !letters("VQI");
         if stray != 0 || !w.g().is_empty() || !w.m().is_empty() || w.texts().len() > 1 {
-            return self.refuse(self.block_span(), codes::P1003::block_of_call_holds_words_that_no());
+            return self.core.refuse(self.core.block_span(), codes::P1003::block_of_call_holds_words_that_no());
         }
         let singles = [w.get(b'V'), w.get(b'Q'), w.get(b'I')].into_iter().flatten();
         let open = singles.chain(w.longs().iter().map(|(_, num)| *num)).find(|num| num.unknown || num.incremental);
         if let Some(num) = open {
-            return self.refuse(num.span, codes::P1003::call_takes_plain_numbers());
+            return self.core.refuse(num.span, codes::P1003::call_takes_plain_numbers());
         }
         let mut give = |addr: Addr, value: f64| {
             locals.insert(VarRef { kind: VarKind::Argument, number: addr.0 }, Some(value));
         };
         for (addr, num) in w.longs() {
             if !ADMITTED.iter().any(|name| Addr::of(name.as_bytes()) == Some(*addr)) {
-                return self.refuse(num.span, codes::P1003::hands_no_value_over(&addr));
+                return self.core.refuse(num.span, codes::P1003::hands_no_value_over(&addr));
             }
             give(*addr, num.value);
         }
@@ -143,9 +143,9 @@ impl Run<'_> {
     }
 
     fn call_section(&mut self, name: &str, locals: Locals) -> Outcome {
-        let (job, here) = (self.job, self.here.origin.loc);
-        let program = self.level().program;
-        let Program { source, known } = self.program();
+        let (job, here) = (self.core.job, self.core.here.origin.loc);
+        let program = self.core.level().program;
+        let Program { source, known } = self.core.program();
         let file = source.file;
         let names = known.get_or_insert_with(|| Names::scan(&job, file, here));
         let Some(place) = names.places.get(&name.to_ascii_uppercase()).copied() else {
@@ -154,7 +154,7 @@ impl Run<'_> {
             let upper = name.to_ascii_uppercase();
             let like = crate::machine::tree::did_you_mean(&upper, known).map(str::to_owned);
             let found = codes::T2011::there_is_no_section_subprogram(&name).at(here);
-            return self.stop(match like {
+            return self.core.stop(match like {
                 Some(like) => found.help(format!("did you mean `{like}`?")),
                 None => found.help("write V1 for a subprogram in a file of its own"),
             });
@@ -164,8 +164,8 @@ impl Run<'_> {
 
     fn call_file(&mut self, name: &str, locals: Locals) -> Outcome {
         let wanted = Wanted { name, extensions: &["ncs", "NCS", "nc"], within: Within::Anywhere };
-        let program = self.open_called(&wanted).ok_or(Reported)?;
-        let start = self.programs[program].source.cursor.start();
+        let program = self.core.open_called(&wanted).ok_or(Reported)?;
+        let start = self.core.programs[program].source.cursor.start();
         self.call_at(LevelKind::External, program, start, locals, name)
     }
 
@@ -174,16 +174,16 @@ impl Run<'_> {
             let known = level.frame.kind;
             level.program == program && (known == kind || (kind == LevelKind::External && known == LevelKind::Main))
         };
-        if self.levels.iter().any(runs) {
-            return self.end_run(codes::P2012::calls_itself_2(&name));
+        if self.core.levels.iter().any(runs) {
+            return self.core.end_run(codes::P2012::calls_itself_2(&name));
         }
-        let limit = self.job.settings.limits.call_depth.min(DEEPEST);
-        if self.levels.len() > limit {
-            return self.too_deep(format!("subprograms are nested deeper than {limit} levels"));
+        let limit = self.core.job.settings.limits.call_depth.min(DEEPEST);
+        if self.core.levels.len() > limit {
+            return self.core.too_deep(codes::P4003::subprograms_are_nested_deeper(&limit));
         }
         let number = self.next_number();
         let part = std::mem::replace(&mut self.sections.part, ProgramPart::Machining);
-        self.enter(program, to, Frame { kind, locals, nests: Vec::new(), number, begun: false, part })
+        self.core.enter(program, to, Frame { kind, locals, nests: Vec::new(), number, begun: false, part })
     }
 
     /// A number that no level had before.
@@ -194,11 +194,11 @@ impl Run<'_> {
 
     /// RETURN.
     pub(super) fn return_from_subprogram(&mut self) -> Outcome {
-        if let Some(nest) = self.level().frame.nests.last() {
+        if let Some(nest) = self.core.level().frame.nests.last() {
             let loc = nest.loc;
-            self.report(codes::T1009::this_is_not_closed_when_subprogram_ends().at(loc));
+            self.core.report(codes::T1009::this_is_not_closed_when_subprogram_ends().at(loc));
         }
-        if let Some(frame) = self.leave()? {
+        if let Some(frame) = self.core.leave()? {
             self.sections.part = frame.part;
         }
         Ok(())

@@ -48,14 +48,14 @@ impl Run<'_> {
             return self.run_cycle(cycle, w, Behind { outline: None, side: None });
         }
         if let Some(m) = w.m().iter().find(|m| !matches!(m.number, 3 | 4 | 8)) {
-            return self.refuse(m.span, codes::P1005::m_stands_in_block_of_cycle_whose(&m.number));
+            return self.core.refuse(m.span, codes::P1005::m_stands_in_block_of_cycle_whose(&m.number));
         }
         self.capture = Some(Box::new(Capture {
             cycle,
             words: w.clone(),
-            here: self.here,
+            here: self.core.here,
             builder: Builder::default(),
-            function: self.block_span(),
+            function: self.core.block_span(),
             broken: false,
             side: None,
         }));
@@ -84,7 +84,7 @@ impl Run<'_> {
         };
         if let Some(side) = side {
             if !capture.builder.is_empty() || capture.builder.has_start() || capture.side.is_some() {
-                return self.refuse(side.span, codes::T2021::g_stands_inside_of_contour_of_g89(&side.number));
+                return self.core.refuse(side.span, codes::T2021::g_stands_inside_of_contour_of_g89(&side.number));
             }
             capture.side = Some(side);
             if functions.is_empty() && w.present() == 0 {
@@ -92,7 +92,7 @@ impl Run<'_> {
             }
         }
         let [fun] = *functions else {
-            return self.refuse(
+            return self.core.refuse(
                 block.span,
                 codes::T3003::contour_of_g_holds_block(&capture.cycle.number, &capture.cycle.signature.what),
             );
@@ -100,7 +100,7 @@ impl Run<'_> {
         let form = matches!(fun.number, 22 | 23 | 25 | 34 | 37);
         let path = matches!(fun.number, 0..=3 | 12 | 13);
         if !(path || form && self.sections.family() == Family::DinPlus) {
-            return self.refuse(
+            return self.core.refuse(
                 fun.span,
                 codes::T3003::g_cannot_stand_in_contour_of_g(
                     &fun.number,
@@ -115,12 +115,12 @@ impl Run<'_> {
     /// G80
     fn end_of_contour(&mut self, mut capture: Capture, w: &Words) -> Outcome {
         if w.present() != 0 || !w.m().is_empty() || !w.texts().is_empty() {
-            return self.refuse(self.block_span(), codes::P1003::g80_stands_alone_in_its_block());
+            return self.core.refuse(self.core.block_span(), codes::P1003::g80_stands_alone_in_its_block());
         }
         self.known_words(w, capture.cycle.number)?;
         if let Some(outline) = self.contour_words(w, capture.cycle.number)? {
             if !capture.builder.is_empty() || capture.broken {
-                return self.refuse(self.block_span(), codes::P1005::contour_stands_in_blocks());
+                return self.core.refuse(self.core.block_span(), codes::P1005::contour_stands_in_blocks());
             }
             self.blank_of_form(&mut capture, w)?;
             return self.captured_cycle(&capture, &outline);
@@ -128,14 +128,14 @@ impl Run<'_> {
         let left_out = if matches!(capture.cycle.number, 810 | 820 | 890) { self.left_out(&capture.words)? } else { 0 };
         let outline = capture.builder.settle().and_then(|()| capture.builder.outline(left_out));
         let empty = capture.builder.is_empty();
-        note_adjusted(&self.job, &capture.builder);
+        note_adjusted(&self.core.job, &capture.builder);
         match outline {
             _ if capture.broken => Err(Reported),
             Err(flaw) => {
                 self.flaw(&flaw);
                 Err(Reported)
             }
-            Ok(_) if empty => self.refuse(self.block_span(), codes::T3003::contour_has_no_element()),
+            Ok(_) if empty => self.core.refuse(self.core.block_span(), codes::T3003::contour_has_no_element()),
             Ok(outline) => self.captured_cycle(&capture, &outline),
         }
     }
@@ -146,11 +146,11 @@ impl Run<'_> {
         for (addr, num) in w.longs() {
             let name = addr.to_string();
             if num.unknown {
-                return self.refuse(num.span, codes::P1003::takes_number(&name));
+                return self.core.refuse(num.span, codes::P1003::takes_number(&name));
             }
             let form = number == 869 && BLANK_OF_FORM.contains(&name.as_str());
             if !form && !known.contains(&name.as_str()) {
-                return self.refuse(num.span, codes::P1003::g80_takes_no_behind_g(&name, &number));
+                return self.core.refuse(num.span, codes::P1003::g80_takes_no_behind_g(&name, &number));
             }
         }
         Ok(())
@@ -161,10 +161,10 @@ impl Run<'_> {
         for name in BLANK_OF_FORM {
             let Some(num) = w.long(name) else { continue };
             if capture.words.long(name).is_some() {
-                return self.refuse(num.span, codes::P1005::stands_in_block_of_g869(&name));
+                return self.core.refuse(num.span, codes::P1005::stands_in_block_of_g869(&name));
             }
             if num.value < 0.0 {
-                return self.refuse(num.span, codes::T1007::oversize_of_blank_is_not_negative());
+                return self.core.refuse(num.span, codes::T1007::oversize_of_blank_is_not_negative());
             }
             // What the cycle finds is shown at its own block.
             capture.words.add_long(name, Num { span: capture.function, ..num });
@@ -173,10 +173,10 @@ impl Run<'_> {
     }
 
     fn captured_cycle(&mut self, capture: &Capture, outline: &Outline) -> Outcome {
-        let here = std::mem::replace(&mut self.here, capture.here);
+        let here = std::mem::replace(&mut self.core.here, capture.here);
         let behind = Behind { outline: Some(outline), side: capture.side };
         let result = self.run_cycle(capture.cycle, &capture.words, behind);
-        self.here = here;
+        self.core.here = here;
         result
     }
 }

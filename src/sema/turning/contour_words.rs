@@ -33,16 +33,16 @@ impl Run<'_> {
         let swapped = match number {
             810 => false,
             820 => true,
-            869 => match self.st.recess_tool(self.job.settings) {
+            869 => match self.st.recess_tool(self.core.job.settings) {
                 Ok((_, radial)) => !radial,
-                Err(fault) => return self.refuse(self.block_span(), fault),
+                Err(fault) => return self.core.refuse(self.core.block_span(), fault),
             },
             _ => {
-                return self.refuse(num.span, codes::T9007::contour_in_words_of_g80_is_not(&addr, &number));
+                return self.core.refuse(num.span, codes::T9007::contour_in_words_of_g80_is_not(&addr, &number));
             }
         };
-        if self.job.settings.control.turning.refuse_contour_words == Some(true) {
-            return self.refuse(
+        if self.core.job.settings.control.turning.refuse_contour_words == Some(true) {
+            return self.core.refuse(
                 num.span,
                 codes::T9007::no_manual_at_hand_lists_words(&addr).answer(Answer::key("control", "contour_words")),
             );
@@ -51,7 +51,7 @@ impl Run<'_> {
         let form = self.form_of(w, swapped)?;
         let points = if number == 869 { form.recess() } else { form.step() };
         let Some(points) = points else {
-            return self.refuse(self.block_span(), codes::T3002::angles_leave_no_room_between_start());
+            return self.core.refuse(self.core.block_span(), codes::T3002::angles_leave_no_room_between_start());
         };
         let outline = self.outline_of(&points, swapped).map_err(|flaw| {
             self.flaw(&flaw);
@@ -61,16 +61,16 @@ impl Run<'_> {
     }
 
     fn form_of(&self, w: &Words, swapped: bool) -> Outcome<Form> {
-        let span = self.block_span();
+        let span = self.core.block_span();
         let mm = self.st.mm();
         for name in ["EC", "IC", "KC", "HC"] {
             if let Some(num) = w.long(name).filter(|num| num.value != 0.0) {
-                return self.refuse(num.span, codes::T9007::in_contour_of_g80_is_not_supported(&name));
+                return self.core.refuse(num.span, codes::T9007::in_contour_of_g80_is_not_supported(&name));
             }
         }
         let needed = |name: &str| match w.long(name) {
             Some(num) => Ok(num.value * mm),
-            None => self.refuse(span, codes::P1004::is_missing_contour_has_no_start(&name)),
+            None => self.core.refuse(span, codes::P1004::is_missing_contour_has_no_start(&name)),
         };
         let point = |x: f64, z: f64| if swapped { Vec2::new(x / 2.0, z) } else { Vec2::new(z, x / 2.0) };
         let lean = |name: &str| match w.long(name) {
@@ -79,11 +79,11 @@ impl Run<'_> {
                 let (sin, cos) = Deg(num.value).sin_cos();
                 Ok(sin / cos)
             }
-            Some(num) => self.refuse(num.span, codes::T1007::lies_between_0(&name)),
+            Some(num) => self.core.refuse(num.span, codes::T1007::lies_between_0(&name)),
         };
         let rim = |name: &str| w.long(name).map_or(Transition::Sharp, |num| transition_of(num.value * mm));
         let corner = match w.long("RC") {
-            Some(num) if num.value < 0.0 => return self.refuse(num.span, codes::T1007::rc_is_radius()),
+            Some(num) if num.value < 0.0 => return self.core.refuse(num.span, codes::T1007::rc_is_radius()),
             num => num.map_or(Transition::Sharp, |num| transition_of(num.value * mm)),
         };
         Ok(Form {
@@ -110,7 +110,7 @@ impl Run<'_> {
                 data,
                 Mark {
                     number: None,
-                    loc: self.here.origin.loc,
+                    loc: self.core.here.origin.loc,
                     transition: *transition,
                     far: false,
                     arc_tolerance: AGREES,

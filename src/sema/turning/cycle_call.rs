@@ -45,10 +45,10 @@ impl Run<'_> {
             contour,
             side: behind.side,
         };
-        let call = CycleCall::new(&given, &lathe, self.job.settings);
+        let call = CycleCall::new(&given, &lathe, self.core.job.settings);
         let planned = (row.plan)(&call);
         self.tell(call);
-        let steps = reported(planned, |place, fault| self.say(place, fault))?;
+        let steps = reported(planned, |place, fault| self.core.say(place, fault))?;
         self.carry_out(&steps);
         if row.uses_oversize() {
             self.st.oversize = None;
@@ -82,13 +82,13 @@ impl Run<'_> {
         if let Some(unbuilt) = row.unbuilt.iter().find(refused) {
             let value = given.or_zero(unbuilt.word);
             let fault = (unbuilt.why)(&Refused { cycle: row.number, word: unbuilt.word, value });
-            return self.refuse(given.place_of(unbuilt.word), fault);
+            return self.core.refuse(given.place_of(unbuilt.word), fault);
         }
         match given.breach() {
             None => Ok(()),
             Some((at, breach)) => {
                 let parameter = &row.signature.parameters[at];
-                self.refuse(given.place_at(at), says(parameter, breach))
+                self.core.refuse(given.place_at(at), says(parameter, breach))
             }
         }
     }
@@ -98,18 +98,22 @@ impl Run<'_> {
             Need::Feed => self.cutting_feed().map(|_| ()),
             Need::Spindle => self.spindle_turns(number),
             Need::Turns if self.st.spindle.is_cutting() => {
-                self.refuse(Where::Block, codes::P1005::tapping_under_constant_cutting_speed())
+                self.core.refuse(Where::Block, codes::P1005::tapping_under_constant_cutting_speed())
             }
             Need::Reading(question) => {
-                self.depends_on(question, self.block_span());
+                self.depends_on(question, self.core.block_span());
                 Ok(())
             }
-            Need::Wanted(refused) => match refused(self.job.settings) {
-                Some(fault) => self.refuse(Where::Block, fault),
+            Need::Wanted(refused) => match refused(self.core.job.settings) {
+                Some(fault) => self.core.refuse(Where::Block, fault),
                 None => Ok(()),
             },
-            Need::NotDinPlus(fault) if self.sections.family() == Family::DinPlus => self.refuse(Where::Block, fault()),
-            Need::LaterControl(fault) if self.sections.family() == Family::Basic => self.refuse(Where::Block, fault()),
+            Need::NotDinPlus(fault) if self.sections.family() == Family::DinPlus => {
+                self.core.refuse(Where::Block, fault())
+            }
+            Need::LaterControl(fault) if self.sections.family() == Family::Basic => {
+                self.core.refuse(Where::Block, fault())
+            }
             Need::Turns | Need::NotDinPlus(_) | Need::LaterControl(_) => Ok(()),
         }
     }
@@ -125,13 +129,13 @@ impl Run<'_> {
 
     fn tell(&self, call: CycleCall<'_>) {
         for found in call.elsewhere() {
-            self.report(found.fault.at(found.place).also(self.here.origin.loc, found.call));
+            self.core.report(found.fault.at(found.place).also(self.core.here.origin.loc, found.call));
         }
         for remark in call.remarks() {
             if remark.kind == Kind::Once {
-                self.say_once(remark.place, remark.fault);
+                self.core.say_once(remark.place, remark.fault);
             } else {
-                self.say(remark.place, remark.fault);
+                self.core.say(remark.place, remark.fault);
             }
         }
     }

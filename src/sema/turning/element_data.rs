@@ -71,7 +71,7 @@ impl Run<'_> {
             self.without_effect(w, b"Q", codes::T8017::end_is_given_without_choice);
         }
         if arc.is_some() && open {
-            self.depends_on(Question::ArcChoice, w.span(b'Q', self.block_span()));
+            self.depends_on(Question::ArcChoice, w.span(b'Q', self.core.block_span()));
         }
         if let Some((_, absolute)) = arc {
             data.radius = self.arc_radius(w)?;
@@ -86,7 +86,7 @@ impl Run<'_> {
 
     /// How far the radii at both ends of an arc may differ, in mm.
     pub(super) fn arc_tolerance(&self) -> f64 {
-        self.job.settings.control.turning.arc_tolerance.unwrap_or(AGREES)
+        self.core.job.settings.control.turning.arc_tolerance.unwrap_or(AGREES)
     }
 
     /// The angle of a line, counted from the negative Z axis.
@@ -95,12 +95,12 @@ impl Run<'_> {
         if num.value % 90.0 != 0.0 {
             self.depends_on(Question::LineAngle, num.span);
         }
-        if self.job.settings.control.turning.angle_from_plus == Some(true) { 180.0 - num.value } else { num.value }
+        if self.core.job.settings.control.turning.angle_from_plus == Some(true) { 180.0 - num.value } else { num.value }
     }
 
     fn one_of(&self, a: Option<Num>, b: Option<Num>) -> Outcome<Option<Num>> {
         match (a, b) {
-            (Some(_), Some(b)) => self.refuse(b.span, codes::P1002::two_addresses_of_block_mean_same()),
+            (Some(_), Some(b)) => self.core.refuse(b.span, codes::P1002::two_addresses_of_block_mean_same()),
             (a, b) => Ok(a.or(b)),
         }
     }
@@ -115,7 +115,7 @@ impl Run<'_> {
         let Some(num) = w.get(b'R') else { return Ok(None) };
         let radius = num.value * self.st.mm();
         if radius == 0.0 || radius.abs() > LARGEST_RADIUS {
-            return self.refuse(num.span, codes::T1007::r_is_no_radius(&num.value));
+            return self.core.refuse(num.span, codes::T1007::r_is_no_radius(&num.value));
         }
         Ok(Some(radius))
     }
@@ -125,9 +125,9 @@ impl Run<'_> {
         let q = match w.get(b'Q') {
             None => 0.0,
             Some(num) if num.value == 0.0 || num.value == 1.0 => num.value,
-            Some(num) => return self.refuse(num.span, codes::T1007::q_is_neither_0_nor_1(&num.value)),
+            Some(num) => return self.core.refuse(num.span, codes::T1007::q_is_neither_0_nor_1(&num.value)),
         };
-        let swapped = arc && self.job.settings.control.turning.arc_choice == Some(ArcChoice::ZeroIsFar);
+        let swapped = arc && self.core.job.settings.control.turning.arc_choice == Some(ArcChoice::ZeroIsFar);
         Ok((q == 1.0) != swapped)
     }
 
@@ -137,7 +137,7 @@ impl Run<'_> {
         if num.value.fract() == 0.0 && num.value >= 0.0 && num.value <= f64::from(most) {
             return Ok(num.value as u32);
         }
-        self.refuse(num.span, codes::T1007::is_none_of(&(letter as char), &num.value, &Range(0, most as i32)))
+        self.core.refuse(num.span, codes::T1007::is_none_of(&(letter as char), &num.value, &Range(0, most as i32)))
     }
 
     /// A length in mm that is above zero.
@@ -146,14 +146,14 @@ impl Run<'_> {
         if length > 0.0 {
             return Ok(length);
         }
-        self.refuse(num.span, codes::T1007::has_to_be_above_zero(&what))
+        self.core.refuse(num.span, codes::T1007::has_to_be_above_zero(&what))
     }
 
     /// The word that a function cannot do without.
     pub(super) fn needed(&self, w: &Words, letter: u8, what: &str, span: Span) -> Outcome<Num> {
         match w.get(letter) {
             Some(num) => Ok(num),
-            None => self.refuse(span, codes::P1004::is_missing(&(letter as char), &what)),
+            None => self.core.refuse(span, codes::P1004::is_missing(&(letter as char), &what)),
         }
     }
 }

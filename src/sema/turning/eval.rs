@@ -36,9 +36,9 @@ impl Formulas for Run<'_> {
         let ([.., Op::Var(var, _)] | [.., Op::Var(var, _), Op::Unary(Function::Negate)]) = *operand else {
             return None;
         };
-        let own = matches!(var.kind, VarKind::Local | VarKind::Argument).then_some(self.here.origin.call);
+        let own = matches!(var.kind, VarKind::Local | VarKind::Argument).then_some(self.core.here.origin.call);
         let name = var.to_string();
-        Some(Divisor { set: SetBy::of(&self.job, &name, own).unwrap_or(SetBy::Unknown), name })
+        Some(Divisor { set: SetBy::of(&self.core.job, &name, own).unwrap_or(SetBy::Unknown), name })
     }
 
     fn fault(&self, fault: Fault, at: At<'_>) -> Reported {
@@ -47,7 +47,7 @@ impl Formulas for Run<'_> {
             Fault::Outside(_, a, b) => codes::P2022::root_of_difference_of_squares(&a, &b),
             Fault::Zero(a) => codes::P2022::value_is_divided_by_zero(&a),
             Fault::ZeroBy(a, by) => {
-                codes::P2022::value_is_divided_by_zero_that(&a, &by.said(&self.job, self.here.origin.loc))
+                codes::P2022::value_is_divided_by_zero_that(&a, &by.said(&self.core.job, self.core.here.origin.loc))
             }
             Fault::Missing => codes::P1001::value_is_missing_in_formula(),
             Fault::TooLarge
@@ -57,7 +57,7 @@ impl Formulas for Run<'_> {
             | Fault::Mismatch(..)
             | Fault::Said(_) => codes::P2022::result_is_too_large(),
         };
-        self.say(at.span, found);
+        self.core.say(at.span, found);
         Reported
     }
 }
@@ -75,7 +75,7 @@ impl Run<'_> {
         match var.kind {
             VarKind::Local | VarKind::Argument => {
                 let start = self.vars.get(var).and_then(|slot| slot.value);
-                match (self.level().frame.locals.get(&var).copied(), start) {
+                match (self.core.level().frame.locals.get(&var).copied(), start) {
                     (Some(Some(value)), _) | (None, Some(value)) => Ok(value),
                     (Some(None), _) => Err(Reported),
                     (None, None) => self.unset(var, span),
@@ -83,7 +83,7 @@ impl Run<'_> {
             }
             _ => match self.vars.get(var) {
                 Some(slot) if var.kind == VarKind::Hash && slot.level != 0 && slot.level != here => {
-                    self.refuse(span, codes::T2014::was_assigned_in_another_program_than_one(&var))
+                    self.core.refuse(span, codes::T2014::was_assigned_in_another_program_than_one(&var))
                 }
                 Some(slot) => slot.value.ok_or(Reported),
                 None => self.unset(var, span),
@@ -94,16 +94,16 @@ impl Run<'_> {
     fn unset<T>(&self, var: VarRef, span: Span) -> Outcome<T> {
         let key = var.to_string().to_ascii_uppercase();
         match var.kind {
-            VarKind::Machine | VarKind::Interpreter => self.refuse(
+            VarKind::Machine | VarKind::Interpreter => self.core.refuse(
                 span,
                 codes::P2023::is_set_by_control_so_give(&var, &key).answer(Answer::key("variables", &key)),
             ),
-            VarKind::Real if var.number > 900 => self.refuse(
+            VarKind::Real if var.number > 900 => self.core.refuse(
                 span,
                 codes::P2023::holds_what_control_measured(&var, &key).answer(Answer::key("variables", &key)),
             ),
-            VarKind::Argument => self.refuse(span, codes::P2020::call_gives_no_value(&var)),
-            _ => self.refuse(
+            VarKind::Argument => self.core.refuse(span, codes::P2020::call_gives_no_value(&var)),
+            _ => self.core.refuse(
                 span,
                 codes::P2020::is_read_before_value_so_assign_value(&var, &key).answer(Answer::key("variables", &key)),
             ),
@@ -119,10 +119,10 @@ impl Run<'_> {
         }
         match var.kind {
             VarKind::Machine | VarKind::Interpreter => {
-                return self.refuse(block.span, codes::P2023::belongs_to_control(&var));
+                return self.core.refuse(block.span, codes::P2023::belongs_to_control(&var));
             }
             VarKind::Local | VarKind::Argument => {
-                self.level().frame.locals.insert(var, value.ok());
+                self.core.level().frame.locals.insert(var, value.ok());
             }
             _ => {
                 let level = self.level_number();
@@ -135,6 +135,6 @@ impl Run<'_> {
     /// 1 for the main program, one more for each call that is open.
     fn level_number(&self) -> u32 {
         // A level is told apart by how often a call was made, so that two calls never share one.
-        self.levels.last().map_or(1, |level| level.frame.number)
+        self.core.levels.last().map_or(1, |level| level.frame.number)
     }
 }

@@ -36,10 +36,10 @@ impl Run<'_> {
     pub(super) fn flow_block(&mut self, block: &Block) -> Outcome {
         self.settle_chain()?;
         if !matches!(self.sections.part, ProgramPart::Start | ProgramPart::Machining) || self.capture.is_some() {
-            return self.refuse(block.span, codes::T1008::variables_program_flow_belong_into_section_machining());
+            return self.core.refuse(block.span, codes::T1008::variables_program_flow_belong_into_section_machining());
         }
         self.sections.settle_family();
-        self.level().frame.begun = true;
+        self.core.level().frame.begun = true;
         match block.stmt {
             Stmt::Assign(var, formula) => self.assign(var, block, formula),
             Stmt::If(condition) => self.if_block(block, condition),
@@ -55,14 +55,14 @@ impl Run<'_> {
             Stmt::EndWhile => match self.top() {
                 Some(NestKind::While(place)) => {
                     self.close()?;
-                    self.jump_to(place)
+                    self.core.jump_to(place)
                 }
                 _ => self.misplaced("ENDWHILE", "WHILE"),
             },
             Stmt::Switch(value) => self.switch_block(block, value),
             Stmt::Case(_) | Stmt::Default => match self.top() {
                 Some(NestKind::Switch) => {
-                    self.report(codes::T2020::branch_before_has_no_break().at(self.here.origin.loc));
+                    self.core.report(codes::T2020::branch_before_has_no_break().at(self.core.here.origin.loc));
                     self.pass(&[Stmt::EndSwitch], 0)
                 }
                 _ => self.misplaced("CASE", "SWITCH"),
@@ -77,35 +77,35 @@ impl Run<'_> {
     }
 
     fn top(&mut self) -> Option<NestKind> {
-        self.level().frame.nests.last().map(|nest| nest.kind)
+        self.core.level().frame.nests.last().map(|nest| nest.kind)
     }
 
     fn close(&mut self) -> Outcome {
-        self.level().frame.nests.pop();
+        self.core.level().frame.nests.pop();
         Ok(())
     }
 
     fn open_nest(&mut self, kind: NestKind) -> Outcome {
-        let loc = self.here.origin.loc;
-        let nests = &mut self.level().frame.nests;
+        let loc = self.core.here.origin.loc;
+        let nests = &mut self.core.level().frame.nests;
         nests.push(Nest { kind, loc });
         if nests.len() <= DEEPEST {
             return Ok(());
         }
-        self.stop_run();
-        self.refuse(self.block_span(), codes::T1009::structures_are_nested_deeper_than_levels(&DEEPEST))
+        self.core.stop_run();
+        self.core.refuse(self.core.block_span(), codes::T1009::structures_are_nested_deeper_than_levels(&DEEPEST))
     }
 
     fn misplaced(&mut self, what: &str, needs: &str) -> Outcome {
-        self.stop_run();
-        self.refuse(self.block_span(), codes::T1009::stands_outside(&what, &needs))
+        self.core.stop_run();
+        self.core.refuse(self.core.block_span(), codes::T1009::stands_outside(&what, &needs))
     }
 
     /// A condition; if it cannot be computed, nobody knows which blocks run.
     fn condition(&mut self, block: &Block, formula: Formula) -> Outcome<f64> {
         let value = self.formula(block, formula);
         if value.is_err() {
-            self.stop_run();
+            self.core.stop_run();
         }
         value
     }
@@ -120,11 +120,11 @@ impl Run<'_> {
     }
 
     fn while_block(&mut self, block: &Block, condition: Formula) -> Outcome {
-        let place = Place { at: self.here.at, line: self.here.line };
-        let sources = self.job.sources;
-        if self.program().source.cursor.load(sources).is_err() {
-            self.stop_run();
-            return self.refuse(self.block_span(), codes::P0105::file_cannot_be_read_2());
+        let place = Place { at: self.core.here.at, line: self.core.here.line };
+        let sources = self.core.job.sources;
+        if self.core.program().source.cursor.load(sources).is_err() {
+            self.core.stop_run();
+            return self.core.refuse(self.core.block_span(), codes::P0105::file_cannot_be_read_2());
         }
         let holds = self.condition(block, condition)? != 0.0;
         self.open_nest(NestKind::While(place))?;
@@ -138,12 +138,12 @@ impl Run<'_> {
     fn switch_block(&mut self, block: &Block, value: Formula) -> Outcome {
         let value = self.condition(block, value)?;
         self.open_nest(NestKind::Switch)?;
-        let sources = self.job.sources;
-        if self.program().source.cursor.load(sources).is_err() {
-            self.stop_run();
-            return self.refuse(self.block_span(), codes::P0105::file_cannot_be_read_2());
+        let sources = self.core.job.sources;
+        if self.core.program().source.cursor.load(sources).is_err() {
+            self.core.stop_run();
+            return self.core.refuse(self.core.block_span(), codes::P0105::file_cannot_be_read_2());
         }
-        let here = self.here;
+        let here = self.core.here;
         let mut default = None;
         let mut depth = 0;
         loop {
@@ -152,37 +152,37 @@ impl Run<'_> {
                 Stmt::If(_) | Stmt::While(_) | Stmt::Switch(_) => depth += 1,
                 Stmt::EndIf | Stmt::EndWhile | Stmt::EndSwitch if depth > 0 => depth -= 1,
                 Stmt::Case(case) if depth == 0 && self.condition(&parsed.block, case)? == value => return Ok(()),
-                Stmt::Default if depth == 0 => default = Some(self.program().source.cursor.place()),
+                Stmt::Default if depth == 0 => default = Some(self.core.program().source.cursor.place()),
                 Stmt::EndSwitch => break,
                 _ => {}
             }
         }
         match default {
-            Some(place) => self.seek(place),
+            Some(place) => self.core.seek(place),
             None => self.close(),
         }
     }
 
     fn break_block(&mut self) -> Outcome {
-        let nests = &self.level().frame.nests;
+        let nests = &self.core.level().frame.nests;
         let inner = nests.iter().rev().take_while(|nest| matches!(nest.kind, NestKind::If | NestKind::Else)).count();
         let at = nests.len() - inner;
         if at == 0 || nests[at - 1].kind != NestKind::Switch {
             return self.misplaced("BREAK", "SWITCH");
         }
-        self.level().frame.nests.truncate(at);
+        self.core.level().frame.nests.truncate(at);
         self.pass(&[Stmt::EndSwitch], inner)
     }
 
     /// Passes blocks up to one of `ends`, inside of which `depth` structures are open.
     fn pass(&mut self, ends: &[Stmt], mut depth: usize) -> Outcome {
-        let from = self.here.origin.loc;
+        let from = self.core.here.origin.loc;
         loop {
             let parsed = self.next_passed(from)?;
             let stmt = parsed.block.stmt;
             if depth == 0 && ends.contains(&stmt) {
                 if stmt == Stmt::Else {
-                    if let Some(nest) = self.level().frame.nests.last_mut() {
+                    if let Some(nest) = self.core.level().frame.nests.last_mut() {
                         nest.kind = NestKind::Else;
                     }
                     return Ok(());
@@ -202,11 +202,11 @@ impl Run<'_> {
 
     /// The next block of a branch that is passed; what is wrong with it does not matter here.
     fn next_passed(&mut self, from: Loc) -> Outcome<Parsed<Block>> {
-        if !self.has_steps_at(from) {
+        if !self.core.has_steps_at(from) {
             return Err(Reported);
         }
         let mut parsed = Parsed::default();
-        match self.pass_block(&mut parsed) {
+        match self.core.pass_block(&mut parsed) {
             Read::Block(_) | Read::TooLong => {}
             Read::End | Read::Broken => return self.unclosed(from),
         }
@@ -217,6 +217,6 @@ impl Run<'_> {
     }
 
     fn unclosed<T>(&mut self, from: Loc) -> Outcome<T> {
-        self.stop(codes::T1009::this_structure_is_not_closed().at(from))
+        self.core.stop(codes::T1009::this_structure_is_not_closed().at(from))
     }
 }

@@ -21,16 +21,17 @@ use super::{Outcome, Run};
 impl Run<'_> {
     pub(super) fn shift(&mut self, kind: Kind, w: &Words) -> Outcome {
         if let Some(num) = w.get(b'X').filter(|num| num.value != 0.0 || num.unknown || num.incremental) {
-            return self.refuse(num.span, codes::T2016::zero_shift_in_x_is_not_supported());
+            return self.core.refuse(num.span, codes::T2016::zero_shift_in_x_is_not_supported());
         }
         let z = match self.coord(w.get(b'Z'), Axis::Z) {
             Coord::At(z) => z,
             Coord::Stay if kind != Kind::ShiftAbsolute => 0.0,
-            _ => return self.refuse(self.block_span(), codes::P1004::shift_needs_absolute_z()),
+            _ => return self.core.refuse(self.core.block_span(), codes::P1004::shift_needs_absolute_z()),
         };
-        if self.st.compensation.is_on() && self.job.settings.output.compensation == Compensation::Resolve {
+        if self.st.compensation.is_on() && self.core.job.settings.output.compensation == Compensation::Resolve {
             return self
-                .refuse(self.block_span(), codes::T2021::workpiece_zero_shifts_under_nose_radius_compensation());
+                .core
+                .refuse(self.core.block_span(), codes::T2021::workpiece_zero_shifts_under_nose_radius_compensation());
         }
         let mut shift = self.st.shift;
         match kind {
@@ -39,17 +40,21 @@ impl Run<'_> {
             _ => {
                 if shift.base.is_none() {
                     if self.st.moved {
-                        return self.refuse(self.block_span(), codes::T2016::g59_moves_workpiece_zero_that_program());
+                        return self
+                            .core
+                            .refuse(self.core.block_span(), codes::T2016::g59_moves_workpiece_zero_that_program());
                     }
                     if !self.st.position.start().known().is_empty() {
-                        return self.refuse(self.block_span(), codes::T2016::g59_moves_workpiece_zero_that_positions());
+                        return self
+                            .core
+                            .refuse(self.core.block_span(), codes::T2016::g59_moves_workpiece_zero_that_positions());
                     }
                     shift.base = Some(z);
                     let fault = codes::T2015::coordinates_count_from_workpiece_zero_of_g59(&z);
-                    self.job.diags.push_once(fault.at(self.here.origin.loc));
+                    self.core.job.diags.push_once(fault.at(self.core.here.origin.loc));
                 }
                 if shift.relative != 0.0 || shift.additive != 0.0 {
-                    return self.refuse(self.block_span(), codes::T2016::whether_g59_ends_shifts_of_g51());
+                    return self.core.refuse(self.core.block_span(), codes::T2016::whether_g59_ends_shifts_of_g51());
                 }
                 shift.absolute = Some(z);
             }
@@ -63,7 +68,7 @@ impl Run<'_> {
         let mut values = [0.0; AXES];
         values[Axis::Z.index()] = z;
         let Some(frame) = Frame::new(Matrix3::identity(), values) else {
-            return self.refuse(self.block_span(), codes::T1007::shift_is_no_number());
+            return self.core.refuse(self.core.block_span(), codes::T1007::shift_is_no_number());
         };
         self.st.position.through_frame(&self.st.ctx.frame, &frame);
         self.st.last = None;

@@ -72,10 +72,10 @@ impl Run<'_> {
         let whole = num.value.fract() == 0.0 && (0.0..=f64::from(ALL_CODES)).contains(&num.value);
         let codes = if whole { num.value as u32 } else { u32::MAX };
         if codes & !ALL_CODES != 0 {
-            return self.refuse(num.span, codes::T1007::d_is_no_sum_of_codes(&num.value));
+            return self.core.refuse(num.span, codes::T1007::d_is_no_sum_of_codes(&num.value));
         }
         if matches!(codes & CODES_OF_G22, 512 | 1024) {
-            return self.refuse(num.span, codes::T9007::d_names_one_kind_of_ring_groove());
+            return self.core.refuse(num.span, codes::T9007::d_names_one_kind_of_ring_groove());
         }
         Ok(codes)
     }
@@ -109,7 +109,7 @@ impl Run<'_> {
     }
 
     pub(super) fn flaw(&self, flaw: &Flaw) {
-        self.report(flaw.fault.clone().at(flaw.loc));
+        self.core.report(flaw.fault.clone().at(flaw.loc));
     }
 
     /// A block of a geometry section.
@@ -137,7 +137,7 @@ impl Run<'_> {
 
     fn shape_block(&mut self, w: &Words, block: &Block, builder: &mut Builder) -> Outcome {
         let [fun] = *w.g() else {
-            return self.refuse(block.span, codes::T1008::block_of_contour_holds_one_g_function());
+            return self.core.refuse(block.span, codes::T1008::block_of_contour_holds_one_g_function());
         };
         match fun.number {
             20 => self.bar(w),
@@ -152,7 +152,7 @@ impl Run<'_> {
     pub(super) fn contour_element(&mut self, w: &Words, block: &Block, fun: Fun, builder: &mut Builder) -> Outcome {
         let mark = Mark {
             number: block.number,
-            loc: self.here.origin.loc,
+            loc: self.core.here.origin.loc,
             transition: Transition::Open,
             far: false,
             arc_tolerance: self.arc_tolerance(),
@@ -174,10 +174,10 @@ impl Run<'_> {
             37 => self.general_thread_mark(w, builder),
             49 => self.only(w, letters("BPWRUEIJKFVAO"), &[]),
             10 | 38 | 39 | 52 | 95 | 149 => {
-                self.refuse(fun.span, codes::P9011::attribute_g_of_contour_elements_is_not(&fun.number))
+                self.core.refuse(fun.span, codes::P9011::attribute_g_of_contour_elements_is_not(&fun.number))
             }
-            24 => self.refuse(fun.span, codes::P9011::g24_in_contour_is_not_supported()),
-            number => self.refuse(fun.span, codes::P9011::g_is_no_element_of_contour(&number)),
+            24 => self.core.refuse(fun.span, codes::P9011::g24_in_contour_is_not_supported()),
+            number => self.core.refuse(fun.span, codes::P9011::g_is_no_element_of_contour(&number)),
         }
     }
 
@@ -186,9 +186,9 @@ impl Run<'_> {
         let stray = w.present() & !allowed;
         if stray != 0 {
             let letter = b'A' + stray.trailing_zeros() as u8;
-            let span = w.span(letter, self.block_span());
+            let span = w.span(letter, self.core.block_span());
             let shown = letter as char;
-            return self.refuse(
+            return self.core.refuse(
                 span,
                 match letter {
                     b'E' => codes::P1003::feed_has_no_place_in_this_block_of_contour(&shown),
@@ -197,21 +197,21 @@ impl Run<'_> {
             );
         }
         if let Some(m) = w.m().first() {
-            return self.refuse(m.span, codes::P1003::m_function_has_no_place_in_contour());
+            return self.core.refuse(m.span, codes::P1003::m_function_has_no_place_in_contour());
         }
         if let Some((addr, span)) = w.texts().first() {
-            return self.refuse(*span, codes::P1003::has_no_place_in_contour(&addr));
+            return self.core.refuse(*span, codes::P1003::has_no_place_in_contour(&addr));
         }
         for (addr, num) in w.longs() {
             if num.unknown || !longs.contains(&addr.to_string().as_str()) {
-                return self.refuse(num.span, codes::P1003::is_not_supported_in_contour(&addr));
+                return self.core.refuse(num.span, codes::P1003::is_not_supported_in_contour(&addr));
             }
         }
         for letter in b'A'..=b'Z' {
             let Some(num) = w.get(letter) else { continue };
             let relative = matches!(letter, b'X' | b'Z' | b'I' | b'K');
             if (num.incremental && !relative) || (num.unknown && !matches!(letter, b'X' | b'Z')) {
-                return self.refuse(num.span, codes::P1003::takes_plain_number_here_2(&(letter as char)));
+                return self.core.refuse(num.span, codes::P1003::takes_plain_number_here_2(&(letter as char)));
             }
         }
         Ok(())
@@ -219,18 +219,18 @@ impl Run<'_> {
 
     fn contour_start(&mut self, w: &Words, builder: &mut Builder) -> Outcome {
         if self.geometry.in_blank {
-            self.depends_on(Question::BlankContour, self.block_span());
+            self.depends_on(Question::BlankContour, self.core.block_span());
         }
         self.only(w, letters("XZ"), &[])?;
         if builder.has_start() {
-            return self.refuse(self.block_span(), codes::T3003::contour_starts_once());
+            return self.core.refuse(self.core.block_span(), codes::T3003::contour_starts_once());
         }
         match (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z)) {
             (Coord::At(x), Coord::At(z)) => {
                 builder.start(Point2::new(z, x));
                 Ok(())
             }
-            _ => self.refuse(self.block_span(), codes::P1004::start_of_contour_needs_absolute_x()),
+            _ => self.core.refuse(self.core.block_span(), codes::P1004::start_of_contour_needs_absolute_x()),
         }
     }
 
@@ -238,10 +238,10 @@ impl Run<'_> {
         let allowed = if arc.is_some() { ELEMENT & !letters("A") } else { ELEMENT & !letters("RIK") };
         self.only(w, allowed, if arc.is_some() { &["BR"] } else { &["AN", "BR"] })?;
         if let Some(num) = [w.get(b'I'), w.get(b'K')].into_iter().flatten().find(|num| num.incremental) {
-            return self.refuse(num.span, codes::P1003::i_k_take_plain_numbers_here());
+            return self.core.refuse(num.span, codes::P1003::i_k_take_plain_numbers_here());
         }
         if !builder.has_start() {
-            return self.refuse(self.block_span(), codes::T3003::contour_does_not_say_where_it_starts());
+            return self.core.refuse(self.core.block_span(), codes::T3003::contour_does_not_say_where_it_starts());
         }
         let (data, Follows { transition, far }) = self.element_of(w, arc)?;
         let pushed = builder.push(data, Mark { transition, far, ..mark });
@@ -261,13 +261,13 @@ impl Run<'_> {
         if self.geometry.blank.is_none() {
             return Ok(());
         }
-        self.refuse(self.block_span(), codes::T2070::blank_is_described_already())
+        self.core.refuse(self.core.block_span(), codes::T2070::blank_is_described_already())
     }
 
     fn bar(&mut self, w: &Words) -> Outcome {
         self.only(w, letters("XZKI"), &[])?;
         self.one_blank()?;
-        let span = self.block_span();
+        let span = self.core.block_span();
         let mm = self.st.mm();
         let diameter = self.needed(w, b'X', "the diameter of the bar", span)?;
         let diameter = self.above_zero(diameter, "the diameter of the bar")?;
@@ -275,7 +275,7 @@ impl Run<'_> {
         let length = self.above_zero(length, "the length of the bar")?;
         let bore = w.value(b'I').unwrap_or(0.0) * mm;
         if bore < 0.0 || bore >= diameter {
-            return self.refuse(w.span(b'I', span), codes::T1007::bore_of_tube_is_smaller_than_tube());
+            return self.core.refuse(w.span(b'I', span), codes::T1007::bore_of_tube_is_smaller_than_tube());
         }
         let right = w.value(b'K').unwrap_or(0.0) * mm;
         let (radius, bore) = (diameter / 2.0, bore / 2.0);
@@ -288,7 +288,7 @@ impl Run<'_> {
     fn casting(&mut self, w: &Words) -> Outcome {
         self.only(w, letters("PQ"), &[])?;
         self.one_blank()?;
-        let num = self.needed(w, b'P', "the oversize of the casting", self.block_span())?;
+        let num = self.needed(w, b'P', "the oversize of the casting", self.core.block_span())?;
         let oversize = self.above_zero(num, "the oversize of the casting")?;
         let bore = self.choice(w, b'Q', 0, 1)? == 1;
         self.geometry.blank = Some(Blank::Casting { oversize, bore });

@@ -2,7 +2,7 @@
 //!
 //! Source: T 6.3 (docs/sources.md).
 
-use crate::diag::{Answer, Fault, codes};
+use crate::diag::{Answer, Fault, Label, codes};
 use crate::geo::Deg;
 use crate::geo::undercut::{Edge, Shape};
 use crate::machine::{Axis, RecessDepth, RecessWidth};
@@ -42,19 +42,19 @@ impl Run<'_> {
         self.checked(settled)?;
         match builder.pieces.last_mut() {
             Some(piece) => Ok(piece),
-            None => self.refuse(self.block_span(), codes::T3004::stands_behind_element_of_contour(&what)),
+            None => self.core.refuse(self.core.block_span(), codes::T3004::stands_behind_element_of_contour(&what)),
         }
     }
 
     /// G22: a recess in a line parallel to an axis.
     pub(super) fn standard_recess(&mut self, w: &Words, mark: Mark, builder: &mut Builder) -> Outcome {
         self.only(w, letters("XZIKBR"), &[])?;
-        let span = self.block_span();
+        let span = self.core.block_span();
         let (in_face, start) = match (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z)) {
             (Coord::Stay, Coord::At(z)) => (false, z),
             (Coord::At(x), Coord::Stay) => (true, x),
             _ => {
-                return self.refuse(span, codes::P1004::recess_names_either_x_or_z());
+                return self.core.refuse(span, codes::P1004::recess_names_either_x_or_z());
             }
         };
         let i = self.needed(w, b'I', "the floor of the recess, or its end in a face", span)?;
@@ -66,7 +66,7 @@ impl Run<'_> {
         if i.incremental {
             self.depends_on(Question::RecessDepth, i.span);
         }
-        let radius = self.job.settings.control.turning.recess_depth == Some(RecessDepth::Radius);
+        let radius = self.core.job.settings.control.turning.recess_depth == Some(RecessDepth::Radius);
         let step = i.value * mm * if radius { 1.0 } else { 0.5 };
         let x = |base: f64| if i.incremental { base + step } else { i.value * mm * 0.5 };
         let z = |base: f64| if k.incremental { base + k.value * mm } else { k.value * mm };
@@ -85,9 +85,9 @@ impl Run<'_> {
     /// G23: a symmetric recess in any line.
     pub(super) fn general_recess(&mut self, w: &Words, mark: Mark, builder: &mut Builder) -> Outcome {
         self.only(w, letters("HXZIKUABPR"), &[])?;
-        let span = self.block_span();
+        let span = self.core.block_span();
         if let Some(num) = w.get(b'H').filter(|num| num.value != 0.0) {
-            return self.refuse(num.span, codes::T9007::relief_turn());
+            return self.core.refuse(num.span, codes::T9007::relief_turn());
         }
         let lean = match w.get(b'A') {
             None => 0.0,
@@ -95,13 +95,13 @@ impl Run<'_> {
                 let (sin, cos) = Deg(num.value / 2.0).sin_cos();
                 sin / cos
             }
-            Some(num) => return self.refuse(num.span, codes::T1007::lies_between_0_and_180_degrees()),
+            Some(num) => return self.core.refuse(num.span, codes::T1007::lies_between_0_and_180_degrees()),
         };
         let at = match (self.coord(w.get(b'X'), Axis::X), self.coord(w.get(b'Z'), Axis::Z)) {
             (Coord::At(x), Coord::Stay) => Along::X(x),
             (Coord::Stay, Coord::At(z)) => Along::Z(z),
             _ => {
-                return self.refuse(span, codes::P1004::middle_of_recess_is_missing());
+                return self.core.refuse(span, codes::P1004::middle_of_recess_is_missing());
             }
         };
         let mm = self.st.mm();
@@ -117,9 +117,9 @@ impl Run<'_> {
                 if line.to.x > line.from.x { down } else { -down }
             }
             (None, Some(u)) => {
-                return self.refuse(u.span, codes::T3004::u_needs_line_parallel_to_z_before());
+                return self.core.refuse(u.span, codes::T3004::u_needs_line_parallel_to_z_before());
             }
-            _ => return self.refuse(span, codes::P1004::recess_needs_either_its_depth_i()),
+            _ => return self.core.refuse(span, codes::P1004::recess_needs_either_its_depth_i()),
         };
         let edge = |letter: u8| w.value(letter).map_or(Transition::Sharp, |b| transition_of(b * mm));
         let (near, far) = (edge(b'B'), edge(b'P'));
@@ -128,7 +128,7 @@ impl Run<'_> {
         if lean > 0.0 {
             self.depends_on(Question::RecessWidth, w.span(b'K', span));
         }
-        let floor = self.job.settings.control.turning.recess_width == Some(RecessWidth::Floor);
+        let floor = self.core.job.settings.control.turning.recess_width == Some(RecessWidth::Floor);
         let width = if floor { width + 2.0 * lean * depth.abs() } else { width };
         piece.recesses.push((Recess::Centered { at, width, lean, depth, near, far, base }, mark));
         piece.codes.0.push(CODE_OF_G23);
@@ -138,7 +138,7 @@ impl Run<'_> {
     /// G25: an undercut in the corner between the element before and the next one.
     pub(super) fn undercut(&mut self, w: &Words, mark: Mark, builder: &mut Builder) -> Outcome {
         self.only(w, letters("HIKRPWA"), &["FP"])?;
-        let span = self.block_span();
+        let span = self.core.block_span();
         let form = self.needed(w, b'H', "the form of the undercut", span)?;
         let piece = self.reference(builder, "an undercut")?;
         // The table goes by the diameter of the cylinder.
@@ -153,13 +153,13 @@ impl Run<'_> {
     }
 
     fn undercut_of(&self, w: &Words, form: f64, diameter: f64) -> Outcome<Undercut> {
-        let span = self.block_span();
+        let span = self.core.block_span();
         let mm = self.st.mm();
         let size = |letter: u8, default: f64| w.value(letter).map_or(default, |v| v * mm);
         let angle = |letter: u8, default: f64| w.value(letter).unwrap_or(default);
         let needed =
             |letter: u8, what: &str| self.needed(w, letter, what, span).and_then(|num| self.above_zero(num, what));
-        let tables = &self.job.settings.undercut;
+        let tables = &self.core.job.settings.undercut;
         let row = tables.size_for(diameter, din509::HEIDENHAIN);
         let listed = row.map(|(_, size)| *size);
         if let (0 | 5 | 6, Some((range, size)), None) = (form as i32, row, w.get(b'R')) {
@@ -168,7 +168,7 @@ impl Run<'_> {
         let of_table = |letter: u8, value: fn(&din509::Size) -> f64| match (w.value(letter), listed) {
             (Some(v), _) => Ok(v * mm),
             (None, Some(size)) => Ok(value(&size)),
-            (None, None) => self.refuse(span, codes::P1004::size_of_undercut_is_missing(&diameter)),
+            (None, None) => self.core.refuse(span, codes::P1004::size_of_undercut_is_missing(&diameter)),
         };
         Ok(match form as i32 {
             4 if form == 4.0 => {
@@ -208,9 +208,9 @@ impl Run<'_> {
                 thread.sized(tables)
             }
             8 | 9 if form.fract() == 0.0 => {
-                return self.refuse(w.span(b'H', span), codes::T9007::undercuts_h());
+                return self.core.refuse(w.span(b'H', span), codes::T9007::undercuts_h());
             }
-            _ => return self.refuse(w.span(b'H', span), codes::T1007::h_is_no_form_of_undercut(&form)),
+            _ => return self.core.refuse(w.span(b'H', span), codes::T1007::h_is_no_form_of_undercut(&form)),
         })
     }
 
@@ -219,13 +219,13 @@ impl Run<'_> {
         let Some(otherwise) = range.otherwise else { return };
         let (r, t, source) = (size.radius, size.depth, range.source.0);
         let asking = codes::T8007::size_of_this_undercut_is_x(&r, &t, &source, &otherwise);
-        self.say_once(span, asking.answer(Answer::key("undercut", "din509_by_diameter")));
+        self.core.say_once(span, asking.answer(Answer::key("undercut", "din509_by_diameter")));
     }
 
     /// G34: the element before is a metric ISO thread.
     pub(super) fn thread_mark(&mut self, w: &Words, builder: &mut Builder) -> Outcome {
         self.only(w, letters("F"), &[])?;
-        let num = self.needed(w, b'F', "the pitch of the thread", self.block_span())?;
+        let num = self.needed(w, b'F', "the pitch of the thread", self.core.block_span())?;
         let pitch = self.above_zero(num, "the pitch of the thread")?;
         self.put_thread(ThreadData { pitch, depth: din13::DEPTH.map(|d| d * pitch) }, builder)
     }
@@ -233,15 +233,15 @@ impl Run<'_> {
     /// G37: the element before is a thread of type Q with the pitch F; P is its depth.
     pub(super) fn general_thread_mark(&mut self, w: &Words, builder: &mut Builder) -> Outcome {
         self.only(w, letters("QFPAWRKDHEV"), &[])?;
-        let span = self.block_span();
+        let span = self.core.block_span();
         // Flank angles and the width of the crest are the tool's.
         for letter in [b'K', b'D', b'E', b'V'] {
             if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
-                return self.refuse(num.span, codes::T9007::of_g37_is_not_supported(&(letter as char)));
+                return self.core.refuse(num.span, codes::T9007::of_g37_is_not_supported(&(letter as char)));
             }
         }
         if let Some(num) = w.get(b'H').filter(|num| num.value > 1.0) {
-            return self.refuse(num.span, codes::T9007::thread_with_several_starts_is_not_supported());
+            return self.core.refuse(num.span, codes::T9007::thread_with_several_starts_is_not_supported());
         }
         let kind = self.choice(w, b'Q', 12, 14)?;
         let num = self.needed(w, b'F', "the pitch of the thread", span)?;
@@ -252,7 +252,7 @@ impl Run<'_> {
             (None, 9) => [0.640_33 * pitch; 2],
             (None, 11) => [0.640_327 * pitch; 2],
             _ => {
-                return self.refuse(span, codes::P1004::p_is_missing(&kind));
+                return self.core.refuse(span, codes::P1004::p_is_missing(&kind));
             }
         };
         self.put_thread(ThreadData { pitch, depth }, builder)
@@ -269,8 +269,8 @@ impl Run<'_> {
 
     /// Only one of the two can be meant.
     fn said_twice(&self, fault: Fault, first: crate::text::Loc) -> Outcome {
-        let found = fault.at(self.here.origin.loc);
-        self.report(found.also(first, "the element or form that it was said for"));
+        let found = fault.at(self.core.here.origin.loc);
+        self.core.report(found.also(first, Label::SaidFor));
         Err(Reported)
     }
 }

@@ -29,9 +29,11 @@ impl Run<'_> {
             8 => What::Coolant(Coolant::Flood),
             9 => What::Coolant(Coolant::Off),
             30 => What::End,
-            number if self.job.settings.output.pass_m.contains(&u32::from(number)) => What::Pass,
+            number if self.core.job.settings.output.pass_m.contains(&u32::from(number)) => What::Pass,
             number => {
-                return self.refuse(m.span, codes::P2007::m_belongs_to_machine(&number).answer(Answer::pass_m(number)));
+                return self
+                    .core
+                    .refuse(m.span, codes::P2007::m_belongs_to_machine(&number).answer(Answer::pass_m(number)));
             }
         })
     }
@@ -46,7 +48,9 @@ impl Run<'_> {
                     (a, b) => a == b && a != What::Pass,
                 };
                 if clash {
-                    return self.refuse(m.span, codes::P1005::m_m_cannot_stand_in_one_block(&other.number, &m.number));
+                    return self
+                        .core
+                        .refuse(m.span, codes::P1005::m_m_cannot_stand_in_one_block(&other.number, &m.number));
                 }
             }
         }

@@ -49,7 +49,7 @@ use crate::text::{Span, SplitRules};
 pub use cycles::signatures as cycle_signatures;
 pub use survey::survey;
 
-use super::run::{self, Interpreter, Language, Level, Parsed, runs_on};
+use super::run::{self, Interpreter, Language, Level, Parsed};
 use super::value::Machine;
 use super::{Job, Outcome, Reported};
 use calls::{Frame, Names};
@@ -139,8 +139,6 @@ struct Run<'a> {
     words: Option<Box<Words>>,
 }
 
-runs_on!(Run.core: Core);
-
 impl<'a> Interpreter<'a> for Run<'a> {
     type Language = Turning;
 
@@ -155,7 +153,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     }
 
     fn execute(&mut self, block: &Block, text: &[u8]) {
-        if self.skips(block.skip) {
+        if self.core.skips(block.skip) {
             return;
         }
         if let Some(comment) = block.comment {
@@ -179,7 +177,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     /// What stands in a section that is not read is of no interest.
     fn forgive(&mut self, _: &Block) {
         if self.sections.is_unread() || self.sections.part == ProgramPart::Names {
-            self.problems.clear();
+            self.core.problems.clear();
         }
     }
 
@@ -215,7 +213,7 @@ impl Run<'_> {
             Stmt::Refused(word) => {
                 self.lose_all();
                 let problem = problem::keyword(word, text);
-                self.report_problem(problem);
+                self.core.report_problem(problem);
                 Err(Reported)
             }
             _ => self.flow_block(block),
@@ -249,13 +247,13 @@ impl Run<'_> {
     /// End of the whole run: what is still open is worth a word.
     fn report_open(&mut self) {
         if let Some(capture) = self.capture.take() {
-            self.report(codes::T3003::contour_of_this_cycle_has_no_end().at(capture.loc()));
+            self.core.report(codes::T3003::contour_of_this_cycle_has_no_end().at(capture.loc()));
         }
         let _ = self.settle_chain();
         // Of a contour that is computed the path itself tells.
-        let computed = self.job.settings.output.compensation == Compensation::Resolve;
+        let computed = self.core.job.settings.output.compensation == Compensation::Resolve;
         if self.st.compensation.is_on() && !(computed && self.st.compensation.sent() != Side::None) {
-            self.report(codes::T2021::program_ends_with_nose_radius_compensation().at(self.here.origin.loc));
+            self.core.report(codes::T2021::program_ends_with_nose_radius_compensation().at(self.core.here.origin.loc));
         }
     }
 }

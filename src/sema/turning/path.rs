@@ -55,7 +55,7 @@ impl Run<'_> {
         self.end_on(Axis::X, data.y, w, &mut end)?;
         self.end_on(Axis::Z, data.x, w, &mut end)?;
         if end.known().is_empty() {
-            return self.refuse(self.block_span(), codes::P1004::block_names_no_end_point());
+            return self.core.refuse(self.core.block_span(), codes::P1004::block_names_no_end_point());
         }
         let corner = matches!(transition, Transition::Rounding(_) | Transition::Chamfer(_));
         // A corner needs the direction of its first element, so its start.
@@ -74,7 +74,7 @@ impl Run<'_> {
         }
         if corner {
             let corner_feed = self.corner_feed(w)?;
-            let origin = self.here.origin;
+            let origin = self.core.here.origin;
             self.send_corner(transition, corner_feed, &origin);
         } else if w.has(b'E') {
             return self.stray_e(w);
@@ -87,7 +87,7 @@ impl Run<'_> {
         match coord {
             Coord::At(v) => end.set(axis, v),
             Coord::By(d) => {
-                let from = self.position_of(axis, w.span(axis.letter() as u8, self.block_span()))?;
+                let from = self.position_of(axis, w.span(axis.letter() as u8, self.core.block_span()))?;
                 end.set(axis, from + d);
             }
             Coord::Stay | Coord::Open => {}
@@ -101,17 +101,15 @@ impl Run<'_> {
             Ok(v) => Ok(v),
             Err(Missing::Lost) => Err(Reported),
             Err(Missing::Unknown) => {
-                let usual = format!("program {} once as an absolute value after the tool change", axis.letter());
                 let unknown = Unknown { position: &self.st.position, axis, lack: &|| Lack::Nothing, otherwise: "" };
-                let message = format!("it is not known where the tool stands in {}", axis.letter());
-                self.position_unknown(codes::P2001, span, message, &usual, unknown)
+                self.core.position_unknown(span, unknown, codes::P2001::it_is_not_known_where_tool_stands)
             }
         }
     }
 
     /// Where the tool stands, as (Z, X).
     pub(super) fn stand(&self) -> Outcome<Point2> {
-        let span = self.block_span();
+        let span = self.core.block_span();
         let z = self.position_of(Axis::Z, span)?;
         let x = self.position_of(Axis::X, span)?;
         Ok(Point2::new(z, x))
@@ -120,7 +118,7 @@ impl Run<'_> {
     /// G2, G3, G12, G13.
     pub(super) fn arc(&mut self, w: &Words, ccw: bool, absolute: bool) -> Outcome {
         if self.st.compensation.is_fresh() {
-            return self.refuse(self.block_span(), codes::T2021::nose_radius_compensation_begins_or_ends());
+            return self.core.refuse(self.core.block_span(), codes::T2021::nose_radius_compensation_begins_or_ends());
         }
         let feed = Some(self.cutting_feed()?);
         let (data, follows) = self.element_of(w, Some((ccw, absolute)))?;
@@ -135,13 +133,13 @@ impl Run<'_> {
             return self.stray_e(w);
         }
         let corner_feed = if corner { self.corner_feed(w)? } else { None };
-        let tag = Tag { feed, side: self.st.compensation.side(), follows, corner_feed, origin: self.here.origin };
+        let tag = Tag { feed, side: self.st.compensation.side(), follows, corner_feed, origin: self.core.here.origin };
         self.chain.push(data, tag);
         self.drain_chain(false)
     }
 
     fn stray_e(&self, w: &Words) -> Outcome {
-        self.refuse(w.span(b'E', self.block_span()), codes::P1003::e_is_feed_of_chamfer_or_rounding())
+        self.core.refuse(w.span(b'E', self.core.block_span()), codes::P1003::e_is_feed_of_chamfer_or_rounding())
     }
 
     /// Sends the elements that can be completed by now.
@@ -154,7 +152,7 @@ impl Run<'_> {
                 Ok(None) => return Ok(()),
                 Err((fault, tag)) => {
                     self.chain.clear();
-                    self.report(fault_of(fault, &tag.origin));
+                    self.core.report(fault_of(fault, &tag.origin));
                     self.lose_all();
                     return Err(Reported);
                 }
@@ -230,14 +228,14 @@ impl Run<'_> {
         let feed = self.cutting_feed()?;
         let Some(num) = w.get(b'E') else { return Ok(Some(feed)) };
         if num.value <= 0.0 {
-            return self.refuse(num.span, codes::T1007::e_has_to_be_above_zero());
+            return self.core.refuse(num.span, codes::T1007::e_has_to_be_above_zero());
         }
         if self.sections.family() == Family::Basic {
             let unit = self.st.mm();
             return Ok(Some(feed.with_value(num.value * unit)));
         }
         if num.value > 1.0 {
-            return self.refuse(num.span, codes::T1007::e_is_no_share_of_feed(&num.value));
+            return self.core.refuse(num.span, codes::T1007::e_is_no_share_of_feed(&num.value));
         }
         Ok(Some(feed.with_value(feed.value() * num.value)))
     }
@@ -246,13 +244,13 @@ impl Run<'_> {
     pub(super) fn single_thread(&mut self, w: &Words) -> Outcome {
         for (letter, what) in [(b'C', "start angle of a thread"), (b'E', "variable pitch")] {
             if let Some(num) = w.get(letter).filter(|num| num.value != 0.0) {
-                return self.refuse(num.span, codes::T9007::target_cannot_cut(&what));
+                return self.core.refuse(num.span, codes::T9007::target_cannot_cut(&what));
             }
         }
         self.without_effect(w, b"BP", codes::T8017::run_in_of_g33_lies_inside);
         self.without_effect(w, b"IK", codes::T8017::retraction_of_g33_belongs_to_stop);
         let from = self.stand()?;
-        let span = self.block_span();
+        let span = self.core.block_span();
         self.spindle_turns(33)?;
         let pitch = self.needed(w, b'F', "the pitch of the thread", span)?;
         let lead = self.above_zero(pitch, "the pitch of the thread")?;
@@ -262,7 +260,7 @@ impl Run<'_> {
         self.end_on(Axis::Z, z, w, &mut end)?;
         let to = Point2::new(end.get(Axis::Z).unwrap_or(from.x), end.get(Axis::X).unwrap_or(from.y));
         if x == Coord::Open || z == Coord::Open || distance(from, to) <= SAME_POINT {
-            return self.refuse(span, codes::P1004::thread_needs_end_point());
+            return self.core.refuse(span, codes::P1004::thread_needs_end_point());
         }
         // The pitch counts along the axis that moves most, so the target and the control agree on it.
         let way = to - from;
@@ -270,9 +268,9 @@ impl Run<'_> {
             0 if way.y.abs() <= way.x.abs() + AGREES => Some(Axis::Z),
             1 if way.x.abs() <= way.y.abs() + AGREES => Some(Axis::X),
             3 => None,
-            2 => return self.refuse(w.span(b'H', span), codes::T1007::h_is_0_for_z_1()),
+            2 => return self.core.refuse(w.span(b'H', span), codes::T1007::h_is_0_for_z_1()),
             _ => {
-                return self.refuse(w.span(b'H', span), codes::T1007::thread_leans_more_than_45_degrees_out());
+                return self.core.refuse(w.span(b'H', span), codes::T1007::thread_leans_more_than_45_degrees_out());
             }
         };
         end.set_in_plane(Plane::Zx, to);
@@ -293,13 +291,13 @@ impl Run<'_> {
                 Coord::At(v) => end.set(axis, v),
                 Coord::Stay => {}
                 Coord::By(_) | Coord::Open => {
-                    let span = w.span(axis.letter() as u8, self.block_span());
-                    return self.refuse(span, codes::T1007::g701_takes_absolute_machine_coordinates());
+                    let span = w.span(axis.letter() as u8, self.core.block_span());
+                    return self.core.refuse(span, codes::T1007::g701_takes_absolute_machine_coordinates());
                 }
             }
         }
         if end.known().is_empty() {
-            return self.refuse(self.block_span(), codes::P1004::block_names_no_end_point());
+            return self.core.refuse(self.core.block_span(), codes::P1004::block_names_no_end_point());
         }
         self.machine_move(end);
         Ok(())
@@ -319,11 +317,11 @@ impl Run<'_> {
     pub(super) fn change_point(&mut self, w: &Words) -> Outcome {
         let order = self.choice(w, b'Q', 0, 4)?;
         if let Some(num) = w.get(b'D').filter(|num| num.value != 0.0) {
-            return self.refuse(num.span, codes::T2006::only_first_tool_change_point_is_known());
+            return self.core.refuse(num.span, codes::T2006::only_first_tool_change_point_is_known());
         }
-        let Some((x, z)) = self.job.settings.control.turning.change_point else {
-            return self.refuse(
-                self.block_span(),
+        let Some((x, z)) = self.core.job.settings.control.turning.change_point else {
+            return self.core.refuse(
+                self.core.block_span(),
                 codes::T2006::where_tool_change_point_lies_only_machine().answers([
                     Answer::entry("control", "tool_change_point", "X"),
                     Answer::entry("control", "tool_change_point", "Z"),

@@ -90,15 +90,15 @@ impl Run<'_> {
     pub(super) fn without_effect(&self, w: &Words, letters: &[u8], idle: fn(&dyn Display) -> Fault) {
         for letter in letters {
             if let Some(num) = w.get(*letter) {
-                self.say(num.span, idle(&(*letter as char)));
+                self.core.say(num.span, idle(&(*letter as char)));
             }
         }
     }
 
     /// The block depends on `question`: the first one of the program says so.
     pub(super) fn depends_on(&self, question: Question, span: Span) {
-        if !question.is_settled(self.job.settings) {
-            self.say_once(span, question.fault());
+        if !question.is_settled(self.core.job.settings) {
+            self.core.say_once(span, question.fault());
         }
     }
 }

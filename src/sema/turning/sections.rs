@@ -1,6 +1,6 @@
 //! Sections of a program, header lines, units; which control a program was written for.
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::ir::Function;
 use crate::machine::{Settings, Unit};
 use crate::parser::turning::ast::{Block, Section, Stmt, Value};
@@ -79,10 +79,10 @@ impl Sections {
 impl Run<'_> {
     /// `%name.nc`
     pub(super) fn program_line(&mut self) -> Outcome {
-        if self.level().frame.begun {
-            return self.refuse(self.block_span(), codes::T1008::program_name_stands_in_middle_of_program());
+        if self.core.level().frame.begun {
+            return self.core.refuse(self.core.block_span(), codes::T1008::program_name_stands_in_middle_of_program());
         }
-        self.level().frame.begun = true;
+        self.core.level().frame.begun = true;
         self.sections.framed = true;
         Ok(())
     }
@@ -95,14 +95,14 @@ impl Run<'_> {
                 // Once is enough; what follows is read as what it is.
                 self.sections.configured = Some(Family::DinPlus);
                 self.sections.family = Some(Family::DinPlus);
-                self.refuse(
-                    self.block_span(),
+                self.core.refuse(
+                    self.core.block_span(),
                     codes::T2017::programs_of_manualplus_4110_have_no_sections()
                         .answer(Answer::key("control", "heidenhain_turning")),
                 )
             }
             (None, Some(Family::Basic)) => {
-                self.refuse(self.block_span(), codes::T1008::section_begins_behind_blocks_that_ran_already())
+                self.core.refuse(self.core.block_span(), codes::T1008::section_begins_behind_blocks_that_ran_already())
             }
             _ => {
                 self.sections.family = Some(Family::DinPlus);
@@ -115,7 +115,7 @@ impl Run<'_> {
     pub(super) fn head_line(&mut self, key: &[u8], value: &[u8], span: Span) -> Outcome {
         self.enter_din_plus()?;
         if !matches!(self.sections.part, ProgramPart::Start | ProgramPart::Head) {
-            return self.refuse(self.block_span(), codes::T1008::header_lines_stand_in_section_header());
+            return self.core.refuse(self.core.block_span(), codes::T1008::header_lines_stand_in_section_header());
         }
         let key = key.to_ascii_uppercase();
         let value = readable(value).trim().to_ascii_uppercase();
@@ -125,7 +125,7 @@ impl Run<'_> {
                 if value.split(|c: char| !c.is_alphanumeric() && c != '$').any(|slide| slide == "$1" || slide == "1") {
                     return Ok(());
                 }
-                self.refuse(span, codes::T2022::program_is_for_slide(&value))
+                self.core.refuse(span, codes::T2022::program_is_for_slide(&value))
             }
             // Free text.
             _ => Ok(()),
@@ -138,7 +138,7 @@ impl Run<'_> {
             "METRIC" | "METRISCH" | "MM" => Unit::Mm,
             "INCH" | "ZOLL" => Unit::Inch,
             _ => {
-                return self.refuse(span, codes::T1014::is_no_unit(&value));
+                return self.core.refuse(span, codes::T1014::is_no_unit(&value));
             }
         };
         self.st.unit = unit;
@@ -150,23 +150,25 @@ impl Run<'_> {
         match section {
             Section::Return => return self.return_section(),
             Section::End if self.sections.passing => {
-                return self.refuse(self.block_span(), codes::T1008::subprogram_ends_with_return());
+                return self.core.refuse(self.core.block_span(), codes::T1008::subprogram_ends_with_return());
             }
             Section::End => return self.end_of_job(false),
             _ => {}
         }
-        if self.levels.len() > 1 {
-            return self.refuse(self.block_span(), codes::T1008::section_begins_inside_subprogram());
+        if self.core.levels.len() > 1 {
+            return self.core.refuse(self.core.block_span(), codes::T1008::section_begins_inside_subprogram());
         }
         self.enter_din_plus()?;
-        if let Some(nest) = self.level().frame.nests.last() {
+        if let Some(nest) = self.core.level().frame.nests.last() {
             let loc = nest.loc;
-            self.report(
-                codes::T1009::this_is_not_closed_when_next_section().at(loc).also(self.here.origin.loc, "the section"),
+            self.core.report(
+                codes::T1009::this_is_not_closed_when_next_section()
+                    .at(loc)
+                    .also(self.core.here.origin.loc, Label::Section),
             );
-            self.level().frame.nests.clear();
+            self.core.level().frame.nests.clear();
         }
-        self.level().frame.begun = true;
+        self.core.level().frame.begun = true;
         self.finish_contour();
         self.sections.part = match section {
             Section::Head => ProgramPart::Head,
@@ -178,7 +180,7 @@ impl Run<'_> {
                 let id = rest.of(text).trim_ascii();
                 let name = quoted_id(id);
                 if !id.is_empty() && name.is_none() && section == Section::AuxiliaryContour {
-                    return self.refuse(rest, codes::P1001::this_does_not_name_contour());
+                    return self.core.refuse(rest, codes::P1001::this_does_not_name_contour());
                 }
                 self.begin_contour(name.map(|name| readable(name).into_owned()));
                 ProgramPart::Contour
@@ -201,15 +203,15 @@ impl Run<'_> {
     /// `CONTOUR Q1 X0 Z0`: one part at the workpiece zero is what every program means.
     fn contours(&mut self, rest: Span, text: &[u8]) -> Outcome<ProgramPart> {
         let mut block = Block::default();
-        parse_block(rest.of(text), &mut block, &mut self.problems);
+        parse_block(rest.of(text), &mut block, &mut self.core.problems);
         let plain = block.words.iter().all(|word| match (word.address.addr.letter(), word.value) {
             (Some(b'Q'), Value::Number { value, .. }) => value == 1.0,
             (Some(b'X' | b'Z'), Value::Number { value, .. }) => value == 0.0,
             _ => false,
         });
-        if !self.problems.is_empty() || !plain {
-            self.problems.clear();
-            return self.refuse(self.block_span(), codes::T9002::several_contours_on_one_bar_are_not());
+        if !self.core.problems.is_empty() || !plain {
+            self.core.problems.clear();
+            return self.core.refuse(self.core.block_span(), codes::T9002::several_contours_on_one_bar_are_not());
         }
         Ok(ProgramPart::Between)
     }
@@ -219,7 +221,7 @@ impl Run<'_> {
         if rest == b"$1" {
             return Ok(());
         }
-        self.refuse(self.block_span(), codes::T2022::these_blocks_are_for_other_slides())
+        self.core.refuse(self.core.block_span(), codes::T2022::these_blocks_are_for_other_slides())
     }
 
     /// `$1` in front of blocks.
@@ -231,7 +233,7 @@ impl Run<'_> {
         if std::mem::replace(&mut self.sections.slide_said, true) {
             return Err(Reported);
         }
-        self.refuse(self.block_span(), codes::T2022::block_is_for_slide(&number))
+        self.core.refuse(self.core.block_span(), codes::T2022::block_is_for_slide(&number))
     }
 
     /// A line of the sections CONST and VAR.
@@ -239,14 +241,14 @@ impl Run<'_> {
         if std::mem::replace(&mut self.sections.names_said, true) {
             return Err(Reported);
         }
-        self.refuse(self.block_span(), codes::T9002::names_of_constants())
+        self.core.refuse(self.core.block_span(), codes::T9002::names_of_constants())
     }
 
     /// `UNIT` and `END_OF_UNIT`: the blocks between stand there in full.
     pub(super) fn unit(&mut self, opens: bool) -> Outcome {
         self.settle_chain()?;
         if self.sections.unit_open == opens {
-            self.say_here(if opens {
+            self.core.say_here(if opens {
                 codes::T1012::unit_begins_inside_another()
             } else {
                 codes::T1012::unit_ends_that_did_not_begin()
@@ -259,11 +261,11 @@ impl Run<'_> {
     /// `T1 ID"…"`
     pub(super) fn turret_line(&mut self, w: &Words, text: &[u8]) -> Outcome {
         let Some(num) = w.get(b'T') else {
-            return self.refuse(self.block_span(), codes::P1004::line_of_turret_section_names_position());
+            return self.core.refuse(self.core.block_span(), codes::P1004::line_of_turret_section_names_position());
         };
         if w.present() & !letters("T") != 0 || !w.longs().is_empty() || !w.g().is_empty() {
             let tool = num.value;
-            self.say_here(codes::T2023::data_of_this_tool_is_not_used(&tool).answer(Answer::tool(tool, "radius")));
+            self.core.say_here(codes::T2023::data_of_this_tool_is_not_used(&tool).answer(Answer::tool(tool, "radius")));
         }
         let name = w.text("ID").map(|span| readable(span.of(text)).into_owned());
         let digits = num.span.of(text);
@@ -280,7 +282,7 @@ impl Run<'_> {
             self.sections.part = ProgramPart::Between;
             return Ok(());
         }
-        match self.level().frame.kind {
+        match self.core.level().frame.kind {
             LevelKind::Main => self.end_of_job(false),
             _ => self.return_from_subprogram(),
         }
@@ -288,26 +290,26 @@ impl Run<'_> {
 
     /// END, RETURN of a macro, M30.
     pub(super) fn end_of_job(&mut self, rewind: bool) -> Outcome {
-        if self.levels.len() > 1 {
-            self.say_here(codes::P2013::subprogram_ends_job());
-            self.stop_run();
+        if self.core.levels.len() > 1 {
+            self.core.say_here(codes::P2013::subprogram_ends_job());
+            self.core.stop_run();
             return Err(Reported);
         }
-        if let Some(nest) = self.level().frame.nests.last() {
+        if let Some(nest) = self.core.level().frame.nests.last() {
             let loc = nest.loc;
-            self.report(codes::T1009::this_is_not_closed_when_program_ends().at(loc));
+            self.core.report(codes::T1009::this_is_not_closed_when_program_ends().at(loc));
         }
         self.finish_contour();
         if self.sections.family() == Family::DinPlus
             && !self.sections.unit_said
-            && self.job.settings.control.unit.is_none()
+            && self.core.job.settings.control.unit.is_none()
         {
-            let loc = Loc { file: self.job.main, line: 1, span: Span::at(0, 1) };
-            self.job.diags.push(codes::T1013::no_unit_line().answer(Answer::key("control", "unit")).at(loc));
+            let loc = Loc { file: self.core.job.main, line: 1, span: Span::at(0, 1) };
+            self.core.job.diags.push(codes::T1013::no_unit_line().answer(Answer::key("control", "unit")).at(loc));
         }
         self.function(Function::End { rewind });
-        self.stop_run();
-        if !rewind && self.level().frame.kind == LevelKind::Main {
+        self.core.stop_run();
+        if !rewind && self.core.level().frame.kind == LevelKind::Main {
             self.look_behind_end();
         }
         Ok(())
@@ -315,8 +317,8 @@ impl Run<'_> {
 
     /// Warns about blocks behind END; local subprograms may stand there.
     fn look_behind_end(&mut self) {
-        let sources = self.job.sources;
-        let program = self.program();
+        let sources = self.core.job.sources;
+        let program = self.core.program();
         let file = program.source.file;
         let mut block = Block::default();
         let mut ignored = Vec::new();
@@ -330,21 +332,21 @@ impl Run<'_> {
                 _ => break Loc { file, line: text.line, span: block.span.shifted(text.at) },
             }
         };
-        self.report(codes::P1008::this_stands_behind_end_of_program().at(found));
+        self.core.report(codes::P1008::this_stands_behind_end_of_program().at(found));
     }
 
     /// The file ends without END or RETURN.
     pub(super) fn file_over(&mut self) {
         let _ = self.settle_chain();
-        let called = self.levels.len() > 1;
+        let called = self.core.levels.len() > 1;
         if called || self.sections.framed || self.sections.passing {
-            let loc = self.end_of_text();
+            let loc = self.core.end_of_text();
             let what = if called || self.sections.passing { "RETURN" } else { "END" };
-            self.report(codes::P1006::file_ends(&what).at(loc));
-            self.stop_run();
+            self.core.report(codes::P1006::file_ends(&what).at(loc));
+            self.core.stop_run();
             return;
         }
-        self.may_end_open("END or M30", "M30", None);
+        self.core.may_end_open("END or M30", "M30", None);
         let _ = self.end_of_job(false);
     }
 }

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::rc::Rc;
 
-use crate::diag::{Answer, Fault, codes};
+use crate::diag::{Answer, Fault, Label, codes};
 use crate::geo::Vec2;
 use crate::ir::function::{CutterData, Spindle, Turn};
 use crate::ir::{self, Feed, Function, Side};
@@ -126,10 +126,10 @@ impl Run<'_> {
     pub(super) fn feed_word(&mut self, num: Num) -> Outcome {
         let value = num.value * self.st.mm();
         if value <= 0.0 {
-            return self.refuse(num.span, codes::O1001::feed(&num.value));
+            return self.core.refuse(num.span, codes::O1001::feed(&num.value));
         }
         let Some(feed) = self.st.feed.of(value) else {
-            return self.refuse(num.span, codes::P2002::neither_g94_nor_g95_says_what_f());
+            return self.core.refuse(num.span, codes::P2002::neither_g94_nor_g95_says_what_f());
         };
         self.st.feed.program(feed);
         Ok(())
@@ -146,7 +146,7 @@ impl Run<'_> {
 
     #[cold]
     fn feed_missing(&mut self) -> Outcome<Feed> {
-        self.report(codes::P2002::no_feed_is_programmed_before_this_cutting().at(self.here.origin.loc));
+        self.core.report(codes::P2002::no_feed_is_programmed_before_this_cutting().at(self.core.here.origin.loc));
         // One report is enough.
         self.st.feed.presume();
         Err(Reported)
@@ -156,9 +156,9 @@ impl Run<'_> {
 
     /// G26: highest speed.
     pub(super) fn speed_limit(&mut self, w: &Words) -> Outcome {
-        let num = self.needed(w, b'S', "the highest speed in revolutions per minute", self.block_span())?;
+        let num = self.needed(w, b'S', "the highest speed in revolutions per minute", self.core.block_span())?;
         if num.value <= 0.0 {
-            return self.refuse(num.span, codes::T1007::speed_limit_is_above_zero());
+            return self.core.refuse(num.span, codes::T1007::speed_limit_is_above_zero());
         }
         self.st.spindle.limit = Some(num.value);
         self.send_speed(num.span);
@@ -175,7 +175,7 @@ impl Run<'_> {
                     SpeedMode::Cutting => ("G96", "`G96 S180`"),
                     SpeedMode::Revolutions => ("G97", "`G97 S800`"),
                 };
-                self.refuse(self.block_span(), codes::P1004::changes_what_s_means(&name, &form))
+                self.core.refuse(self.core.block_span(), codes::P1004::changes_what_s_means(&name, &form))
             }
             None => Ok(()),
         }
@@ -183,11 +183,11 @@ impl Run<'_> {
 
     pub(super) fn speed_word(&mut self, num: Num) -> Outcome {
         if num.value < 0.0 {
-            return self.refuse(num.span, codes::O9002::speed(&num.value));
+            return self.core.refuse(num.span, codes::O9002::speed(&num.value));
         }
         match self.st.spindle.mode {
             None => {
-                return self.refuse(num.span, codes::T2004::neither_g96_nor_g97_says_what_s());
+                return self.core.refuse(num.span, codes::T2004::neither_g96_nor_g97_says_what_s());
             }
             Some(SpeedMode::Cutting) if self.st.unit == Unit::Inch => self.st.spindle.speed = Some(num.value * FOOT),
             Some(_) => self.st.spindle.speed = Some(num.value),
@@ -204,7 +204,8 @@ impl Run<'_> {
             Some(SpeedMode::Cutting) => Spindle::CuttingSpeed { speed, limit },
             _ => match limit.filter(|limit| speed > *limit) {
                 Some(limit) => {
-                    self.report(codes::T2005::speed_is_lowered_to_limit_of_g26(&speed, &limit).at(self.loc(span)));
+                    self.core
+                        .report(codes::T2005::speed_is_lowered_to_limit_of_g26(&speed, &limit).at(self.core.loc(span)));
                     Spindle::Speed(limit)
                 }
                 None => Spindle::Speed(speed),
@@ -226,7 +227,7 @@ impl Run<'_> {
         if self.st.spindle.turn().is_some() {
             return Ok(());
         }
-        self.refuse(self.block_span(), codes::P1004::spindle_does_not_turn_when_g_begins(&number))
+        self.core.refuse(self.core.block_span(), codes::P1004::spindle_does_not_turn_when_g_begins(&number))
     }
 
     // Compensation of the nose radius.
@@ -234,9 +235,9 @@ impl Run<'_> {
     pub(super) fn compensation(&mut self, side: Side, fun: Fun) -> Outcome {
         if side != Side::None {
             if self.st.compensation.is_on() && self.st.compensation.side() != side {
-                return self.refuse(fun.span, codes::T2021::g41_g42_follow_each_other_without_g40());
+                return self.core.refuse(fun.span, codes::T2021::g41_g42_follow_each_other_without_g40());
             }
-            if self.job.settings.output.compensation == Compensation::Resolve {
+            if self.core.job.settings.output.compensation == Compensation::Resolve {
                 self.compute_compensation(fun)?;
             }
         }
@@ -246,7 +247,7 @@ impl Run<'_> {
 
     /// The compiler itself computes the path of the nose centre.
     fn compute_compensation(&mut self, fun: Fun) -> Outcome {
-        let known = self.st.known_tool(self.job.settings);
+        let known = self.st.known_tool(self.core.job.settings);
         let radius = known.and_then(|tool| tool.radius.map(|radius| radius + tool.deltas[1]));
         let edge = known.and_then(|tool| tool.orientation).and_then(edge_direction);
         let (radius, edge) = match (radius, edge) {
@@ -258,7 +259,7 @@ impl Run<'_> {
                     Some(_) => "the cutting-edge position of the tool is not known",
                     None => "the nose radius of the tool is not known",
                 };
-                return self.refuse(
+                return self.core.refuse(
                     fun.span,
                     codes::P2004::g_compensates_nose_radius(&fun.number, &what)
                         .answer(Answer::key("output", "compensation").one_of(&["\"control\""])),
@@ -282,27 +283,27 @@ impl Run<'_> {
             return Ok(());
         }
         if self.st.compensation.is_on() {
-            return self.refuse(num.span, codes::T2021::tool_changes_under_nose_radius_compensation());
+            return self.core.refuse(num.span, codes::T2021::tool_changes_under_nose_radius_compensation());
         }
         let name = self.sections.tool_name(number, edge);
-        self.job.calls_tool_in(self.st.unit, self.loc(num.span));
-        let known = self.job.settings.tools.by_number(number, edge);
+        self.core.job.calls_tool_in(self.st.unit, self.core.loc(num.span));
+        let known = self.core.job.settings.tools.by_number(number, edge);
         let known = known.map(|tool| tool.number).or_else(|| {
-            let (own, tool) = self.job.settings.tools.by_name(name.as_deref()?)?;
+            let (own, tool) = self.core.job.settings.tools.by_name(name.as_deref()?)?;
             Some(own.or(tool.number))
         });
         let printed = match (known.flatten(), edge) {
             (Some(printed), _) => printed,
             (None, 0) => number,
             (None, _) => {
-                return self.refuse(
+                return self.core.refuse(
                     num.span,
                     codes::T2007::edge_of_tool_has_no_tool_number(&edge, &number)
                         .answer(Answer::tool(format!("{number}.{edge}"), "number")),
                 );
             }
         };
-        self.prints_tool(&ToolKey::Number(number, edge), printed, num.span)?;
+        self.core.prints_tool(&ToolKey::Number(number, edge), printed, num.span)?;
         self.function(Function::ToolChange { number: printed });
         self.function(Function::Cutter(CutterData { number: printed, ..CutterData::default() }));
         self.st.tool = Some(ActiveTool { number, edge, name });
@@ -325,7 +326,7 @@ impl Run<'_> {
     }
 
     fn tool_number(&self, num: Num, written: &[u8]) -> Outcome<(u32, u8)> {
-        let unclear = |fault: fn(&dyn Display) -> Fault| self.refuse(num.span, fault(&readable(written)));
+        let unclear = |fault: fn(&dyn Display) -> Fault| self.core.refuse(num.span, fault(&readable(written)));
         let digits = written.get(1..).unwrap_or_default();
         let (whole, fraction) = match digits.iter().position(|b| *b == b'.') {
             Some(at) => (&digits[..at], &digits[at + 1..]),
@@ -364,7 +365,7 @@ impl Run<'_> {
     pub(super) fn oversize(&mut self, w: &Words, equidistant: bool) -> Outcome {
         let mm = self.st.mm();
         let oversize = if equidistant {
-            let num = self.needed(w, b'P', "the oversize", self.block_span())?;
+            let num = self.needed(w, b'P', "the oversize", self.core.block_span())?;
             Oversize::Equidistant(num.value * mm)
         } else {
             let value = |letter| w.value(letter).unwrap_or(0.0) * mm;
@@ -375,9 +376,9 @@ impl Run<'_> {
         {
             let (old, new) = (before.name(), oversize.name());
             let found = codes::T8017::from_here_on_changes_nothing(&old, &new).at(loc);
-            self.report(found.also(self.here.origin.loc, "what takes its place"));
+            self.core.report(found.also(self.core.here.origin.loc, Label::TakesItsPlace));
         }
-        self.st.oversize = Some((oversize, self.here.origin.loc));
+        self.st.oversize = Some((oversize, self.core.here.origin.loc));
         Ok(())
     }
 }

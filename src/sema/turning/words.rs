@@ -1,6 +1,6 @@
 //! The words of a block by address, with their values computed.
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::lexer::turning::Addr;
 use crate::parser::turning::ast::{Block, Value, Word};
 use crate::text::Span;
@@ -165,14 +165,14 @@ impl Run<'_> {
             Value::Text(span) => return self.gather_text(word, span, words),
         };
         if value.is_nan() || value.abs() > LARGEST {
-            return self.refuse(word.span, codes::T1007::number_is_too_large_for_any_control());
+            return self.core.refuse(word.span, codes::T1007::number_is_too_large_for_any_control());
         }
         let Some(letter) = word.address.addr.letter() else {
             return self.gather_long(word, value, unknown, words);
         };
         if letter == b'G' || letter == b'M' {
             if unknown {
-                return self.refuse(word.span, codes::P1001::function_has_number());
+                return self.core.refuse(word.span, codes::P1001::function_has_number());
             }
             let list = if letter == b'G' { &mut words.g } else { &mut words.m };
             return match whole(value).filter(|_| list.len() < MOST) {
@@ -180,7 +180,7 @@ impl Run<'_> {
                     list.push(Fun { number, span: word.span });
                     Ok(())
                 }
-                None => self.refuse(word.span, codes::P1001::there_is_no_function(&(letter as char), &value)),
+                None => self.core.refuse(word.span, codes::P1001::there_is_no_function(&(letter as char), &value)),
             };
         }
         let at = index(letter);
@@ -212,8 +212,8 @@ impl Run<'_> {
 
     #[cold]
     fn twice(&self, word: &Word, first: Span) -> Outcome {
-        let found = codes::P1002::word_stands_twice_in_block(&word.address.addr).at(self.loc(word.span));
-        self.report(found.also(self.loc(first), "the first one"));
+        let found = codes::P1002::word_stands_twice_in_block(&word.address.addr).at(self.core.loc(word.span));
+        self.core.report(found.also(self.core.loc(first), Label::FirstOne));
         Err(super::Reported)
     }
 }

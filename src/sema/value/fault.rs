@@ -1,5 +1,6 @@
 //! Why a formula has no value. A dialect has one table from these to its codes and words.
 
+use crate::diag;
 use crate::lexer::formula::{Function, Operator};
 use crate::sema::Reported;
 
@@ -29,8 +30,8 @@ pub enum Fault {
     Mismatch(&'static str, &'static str),
     /// An operand is missing.
     Missing,
-    /// Said in words of its dialect.
-    Said(String),
+    /// Only one dialect has it.
+    Said(Box<diag::Fault>),
 }
 
 /// Why an operation made no value: a fault still to be reported, or something that was.
@@ -43,6 +44,18 @@ pub enum Stop {
 impl From<Fault> for Stop {
     fn from(fault: Fault) -> Stop {
         Stop::Fault(fault)
+    }
+}
+
+impl From<diag::Fault> for Fault {
+    fn from(fault: diag::Fault) -> Fault {
+        Fault::Said(Box::new(fault))
+    }
+}
+
+impl From<diag::Fault> for Stop {
+    fn from(fault: diag::Fault) -> Stop {
+        Stop::Fault(fault.into())
     }
 }
 

@@ -100,10 +100,7 @@ fn stud(dice: &mut Dice) -> Case<'static> {
     };
     let own = if kind == 2 {
         let (through, across) = if sin > 0.4 { (1, 2.0 * half[0]) } else { (0, 2.0 * half[0] * cos) };
-        format!(
-            "258 NAME Q573={through} Q571={across:.9} Q222={:.4} Q572={corners} Q224={turn} Q220=0",
-            2.0 * raw[0]
-        )
+        format!("258 NAME Q573={through} Q571={across:.9} Q222={:.4} Q572={corners} Q224={turn} Q220=0", 2.0 * raw[0])
     } else if round {
         format!("257 NAME Q223={:.4} Q222={:.4} Q376={turn}", 2.0 * half[0], 2.0 * raw[0])
     } else {

@@ -12,7 +12,7 @@
 //! Why no rapid move meets stock: between the surface and the clear height there is none, and the tool only goes straight
 //! up through what its own stroke has opened.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::{Element, Point2};
 use crate::ir::cycle::Family;
 use crate::ir::cycle::grooving::{Grooving, Plunges};
@@ -20,7 +20,7 @@ use crate::ir::cycle::recess::Operation;
 
 use super::groove_cutter::GrooveCutter;
 use super::infeed;
-use super::track::{Failure, Strokes, Track, View};
+use super::track::{Strokes, Track, View};
 use super::valley::{Above, Oversize, Slot, Valley};
 use super::{CycleItem, Expand, Start};
 
@@ -37,7 +37,7 @@ const NO_DEPTH: f64 = 1e-6;
 const NOTHING: f64 = 1e-6;
 
 impl Expand for Grooving {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
         expand(self, start.in_turning_plane()?, &mut |stroke| out(stroke.part()))
     }
 }
@@ -46,10 +46,8 @@ impl Expand for Grooving {
 ///
 /// # Errors
 /// G3040 too many strokes, G3041 bad arguments, G3044 no groove, G3045 the tool does not fit.
-pub fn expand<'a>(grooving: &Grooving, from: Point2, out: &'a mut Strokes<'a>) -> Result<(), Failure> {
-    grooving
-        .check()
-        .map_err(|fault| Failure::new(codes::G3041, fault.to_string(), "correct the data of the groove"))?;
+pub fn expand<'a>(grooving: &Grooving, from: Point2, out: &'a mut Strokes<'a>) -> Result<(), Fault> {
+    grooving.check().map_err(|fault| codes::G3041::groove_makes_no_path(&fault))?;
     let view = View::new(grooving.into, 1.0);
     let groove = Groove::of(grooving, &view)?;
     let shift = -grooving.tool.edge;
@@ -87,7 +85,7 @@ struct Groove<'g> {
 }
 
 impl<'g> Groove<'g> {
-    fn of(grooving: &'g Grooving, view: &View) -> Result<Groove<'g>, Failure> {
+    fn of(grooving: &'g Grooving, view: &View) -> Result<Groove<'g>, Fault> {
         let mut contour: Vec<Element> = grooving.contour.iter().map(|element| view.element(element)).collect();
         let allowance = &grooving.allowance;
         let (mut walls, mut rims) = (allowance.walls, grooving.rims);
@@ -106,11 +104,11 @@ impl<'g> Groove<'g> {
         let plunged = slot(0.0, left).or_else(|| rough.clone());
         let (Some(rough), Some(plunged), Some(finished)) = (rough, plunged, slot(tool.nose, Oversize::default()))
         else {
-            return Err(Failure::of(codes::G3045::tool_of_mm_width_does_not_reach(&tool.width)));
+            return Err(codes::G3045::tool_of_mm_width_does_not_reach(&tool.width));
         };
         let surface = view.height(grooving.surface);
         if surface - plunged.floor <= NO_DEPTH {
-            return Err(Failure::of(codes::G3041::allowance_on_floor_leaves_nothing_of_groove()));
+            return Err(codes::G3041::allowance_on_floor_leaves_nothing_of_groove());
         }
         let gaps = infeed::steps(plunged.end(plunged.floor) - plunged.begin(plunged.floor), grooving.spacing);
         let steps = match grooving.plunges {
@@ -123,7 +121,7 @@ impl<'g> Groove<'g> {
         let on_walls = groove.runs().into_iter().flatten().map(|run| infeed::steps(run, groove.wall_spacing()));
         let strokes = on_walls.fold(gaps.max(steps), u64::max);
         if strokes > MOST_STROKES {
-            return Err(Failure::of(codes::G3040::groove_takes_strokes(&strokes)));
+            return Err(codes::G3040::groove_takes_strokes(&strokes));
         }
         Ok(groove)
     }

@@ -1,11 +1,10 @@
 //! One cut along the finished contour.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::profile::{LEVEL, Leg, backwards};
 use crate::geo::wall::quarters;
 use crate::geo::{Element, Point2, Vec2, distance, left, length, offset};
 use crate::ir::cycle::layers::Relief;
-use crate::lower::cycles::track::Failure;
 
 use super::Cutter;
 use super::region::Region;
@@ -19,7 +18,7 @@ struct Path {
 impl Cutter<'_> {
     /// # Errors
     /// G3049 no room for the nose.
-    pub(super) fn finish(&mut self) -> Result<(), Failure> {
+    pub(super) fn finish(&mut self) -> Result<(), Fault> {
         let region = self.region;
         let layers = region.layers;
         let mut path = finished(region)?;
@@ -123,7 +122,7 @@ fn nose_at(p: Point2, u: Vec2, nose: f64) -> Point2 {
 }
 
 /// The way of the nose along the finished contour, inside of the limits.
-fn finished(region: &Region<'_>) -> Result<Path, Failure> {
+fn finished(region: &Region<'_>) -> Result<Path, Fault> {
     let nose = region.nose();
     let (Some(first), Some(last)) = (region.contour.first(), region.contour.last()) else {
         return Ok(Path { start: Point2::origin(), legs: Vec::new() });
@@ -174,10 +173,9 @@ fn finished(region: &Region<'_>) -> Result<Path, Failure> {
 }
 
 /// Along a contour that leans over somewhere: parallel to it, as far as the nose finds room.
-fn around(region: &Region<'_>) -> Result<Path, Failure> {
+fn around(region: &Region<'_>) -> Result<Path, Fault> {
     let nose = region.nose();
-    let parts =
-        offset::parallel(&region.contour, nose).map_err(|_| Failure::of(codes::G3049::nose_of_tool_has_no_room()))?;
+    let parts = offset::parallel(&region.contour, nose).map_err(|_| codes::G3049::nose_of_tool_has_no_room())?;
     let down = Vec2::new(0.0, nose);
     let start = parts.first().map_or(Point2::origin(), |part| part.element.from()) - down;
     let legs = parts.iter().filter(|part| length(part.element.to() - part.element.from()) > LEVEL);

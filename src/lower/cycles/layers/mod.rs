@@ -17,7 +17,7 @@ mod passes;
 mod region;
 mod relief;
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::profile::{LEVEL, Leg};
 use crate::geo::{Plane, Point2, Vec2};
 use crate::ir::Feed;
@@ -27,7 +27,7 @@ use crate::ir::cycle::recess::Operation;
 use crate::ir::cycle::roughing::Corner;
 
 use super::infeed::steps as infeed_steps;
-use super::track::{Failure, Strokes, Track, View};
+use super::track::{Strokes, Track, View};
 use super::{CycleItem, Expand, Start};
 
 use region::Region;
@@ -36,7 +36,7 @@ use region::Region;
 const MOST_CUTS: u64 = 100_000;
 
 impl Expand for Layers {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
         expand(self, start.at.in_plane(Plane::Zx), &mut |stroke| out(stroke.part()))
     }
 }
@@ -46,9 +46,8 @@ impl Expand for Layers {
 /// # Errors
 /// G3040 too many cuts, G3041 bad arguments, G3046 the blank, G3047 the contour, G3049 no room for the nose, G3301 no
 /// free way to the start, G3302 the tool, G3303 the limits.
-pub fn expand<'a>(layers: &Layers, from: Option<Point2>, out: &'a mut Strokes<'a>) -> Result<(), Failure> {
-    let fault = |why: String| Failure::new(codes::G3041, why, "correct the data of the cycle");
-    layers.check().map_err(|why| fault(why.to_string()))?;
+pub fn expand<'a>(layers: &Layers, from: Option<Point2>, out: &'a mut Strokes<'a>) -> Result<(), Fault> {
+    layers.check().map_err(|why| codes::G3041::layers_makes_no_path(&why))?;
     let view = View::new(layers.into, layers.along);
     let region = Region::of(layers, view)?;
     // Unknown: the first move names both axes.
@@ -105,7 +104,7 @@ impl Cutter<'_> {
     }
 
     /// To where the cycle begins, around the blank.
-    fn approach(&mut self, from: Option<Point2>) -> Result<(), Failure> {
+    fn approach(&mut self, from: Option<Point2>) -> Result<(), Fault> {
         let home = self.region.home();
         if self.corner().is_some() {
             // The tool stands there.
@@ -116,7 +115,7 @@ impl Cutter<'_> {
             let to = self.region.tip(home);
             let ways = [vec![to], vec![Point2::new(from.x, to.y), to], vec![Point2::new(to.x, from.y), to]];
             let Some(way) = ways.iter().find(|way| self.region.is_free(from, way)) else {
-                return Err(Failure::of(codes::G3301::tool_stands_inside_of_blank()));
+                return Err(codes::G3301::tool_stands_inside_of_blank());
             };
             for to in way {
                 self.track.rapid(*to);

@@ -1,17 +1,17 @@
 //! The cuts from the blank down to the contour.
 
+use crate::diag::Fault;
 use crate::geo::arc::NEARLY_ONE_POINT;
 use crate::geo::profile::{LEVEL, Leg};
 use crate::geo::{Point2, distance};
 use crate::ir::cycle::layers::{ChipBreaking, Interruption, Trace};
-use crate::lower::cycles::track::Failure;
 
 use super::Cutter;
 
 impl Cutter<'_> {
     /// # Errors
     /// None yet; relief cuts have some.
-    pub(super) fn rough(&mut self) -> Result<(), Failure> {
+    pub(super) fn rough(&mut self) -> Result<(), Fault> {
         let region = self.region;
         for pair in region.levels.windows(2) {
             let (before, y) = (pair[0], pair[1]);

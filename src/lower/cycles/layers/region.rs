@@ -1,13 +1,13 @@
 //! What is to be removed, in the view of the cuts.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::profile::{Grown, LEVEL, Profile};
 use crate::geo::wall::quarters;
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::cycle::layers::{Blank, LEAST_DIP, Layers, Relief, Segmentation};
 use crate::ir::cycle::recess::Operation;
 use crate::lower::cycles::infeed;
-use crate::lower::cycles::track::{Failure, View};
+use crate::lower::cycles::track::View;
 
 use super::MOST_CUTS;
 
@@ -48,7 +48,7 @@ struct Left {
 impl<'l> Region<'l> {
     /// # Errors
     /// G3040, G3046, G3047, G3302, G3303.
-    pub fn of(layers: &'l Layers, view: View) -> Result<Region<'l>, Failure> {
+    pub fn of(layers: &'l Layers, view: View) -> Result<Region<'l>, Fault> {
         check_nose(layers, &view)?;
         let contour: Vec<Element> = layers.contour.iter().map(|element| view.element(element)).collect();
         let (Some(first), Some(last)) = (contour.first(), contour.last()) else { return Err(no_contour()) };
@@ -84,7 +84,7 @@ impl<'l> Region<'l> {
             return Err(no_blank());
         }
         if front < limits.near - LEVEL && blank.highest(front, limits.near) > floor + LEVEL {
-            return Err(Failure::of(codes::G3303::area_that_is_machined_begins_inside()));
+            return Err(codes::G3303::area_that_is_machined_begins_inside());
         }
         let mut rough = Profile::new(&chain, grown(nose, nose));
         let far = limits.far - nose;
@@ -217,28 +217,28 @@ impl Limits {
 }
 
 /// All cuts together are interrupted no more often than cuts may be.
-fn check_chips(layers: &Layers, length: f64, levels: &[f64]) -> Result<(), Failure> {
+fn check_chips(layers: &Layers, length: f64, levels: &[f64]) -> Result<(), Fault> {
     let Some(chips) = layers.chips else { return Ok(()) };
     let count = infeed::steps(length, chips.every).saturating_mul(levels.len() as u64);
     if layers.operation == Operation::Finish || count <= MOST_CUTS {
         return Ok(());
     }
-    Err(Failure::of(codes::G3040::cuts_are_interrupted_times(&count, &MOST_CUTS)))
+    Err(codes::G3040::cuts_are_interrupted_times(&count, &MOST_CUTS))
 }
 
-fn check_nose(layers: &Layers, view: &View) -> Result<(), Failure> {
+fn check_nose(layers: &Layers, view: &View) -> Result<(), Fault> {
     if layers.nose.radius > 0.0 && view.vector(layers.nose.tip).y > 0.0 {
-        return Err(Failure::of(codes::G3302::cutting_edge_of_tool_points_out()));
+        return Err(codes::G3302::cutting_edge_of_tool_points_out());
     }
     Ok(())
 }
 
-fn no_contour() -> Failure {
-    Failure::of(codes::G3047::contour_does_not_run_from_side())
+fn no_contour() -> Fault {
+    codes::G3047::contour_does_not_run_from_side()
 }
 
-fn no_blank() -> Failure {
-    Failure::of(codes::G3046::blank_does_not_reach_above_contour())
+fn no_blank() -> Fault {
+    codes::G3046::blank_does_not_reach_above_contour()
 }
 
 /// The contour with what lies in front of it and behind it: level or tangential, and a wall at the end. Seen from a corner of
@@ -277,7 +277,7 @@ fn prolonged(contour: &[Element], left: &Left, layers: &Layers, front: f64) -> V
 }
 
 /// Heights of the cuts, from the blank on, which is the first.
-fn levels(layers: &Layers, contour: &[Element], left: &Left, top: f64, floor: f64) -> Result<Vec<f64>, Failure> {
+fn levels(layers: &Layers, contour: &[Element], left: &Left, top: f64, floor: f64) -> Result<Vec<f64>, Fault> {
     if layers.operation == Operation::Finish {
         return Ok(vec![top, floor]);
     }

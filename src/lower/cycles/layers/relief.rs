@@ -1,18 +1,17 @@
 //! Relief cuts: what falls behind a higher part is cut from its falling side.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::Point2;
 use crate::geo::profile::{Dip, LEVEL, backwards, mirrored};
 use crate::ir::cycle::layers::{LEAST_DIP, Relief, Trace};
 use crate::lower::cycles::infeed;
-use crate::lower::cycles::track::Failure;
 
 use super::{Cutter, MOST_CUTS};
 
 impl Cutter<'_> {
     /// # Errors
     /// G3040 too many cuts, G3047 steps of the cuts in the way.
-    pub(super) fn relieve(&mut self) -> Result<(), Failure> {
+    pub(super) fn relieve(&mut self) -> Result<(), Fault> {
         let region = self.region;
         if region.layers.relief == Relief::Left {
             return Ok(());
@@ -22,7 +21,7 @@ impl Cutter<'_> {
         let Some(begin) = region.rough.first_above(floor - 3.0 * LEVEL, f64::NEG_INFINITY) else { return Ok(()) };
         let mut dips = region.rough.dips(Point2::new(begin, floor), region.top(), LEAST_DIP);
         if region.layers.trace == Trace::None && !dips.is_empty() {
-            return Err(Failure::of(codes::G3047::contour_falls_behind_higher_part()));
+            return Err(codes::G3047::contour_falls_behind_higher_part());
         }
         dips.reverse();
         // Those inside of others come behind them.
@@ -35,7 +34,7 @@ impl Cutter<'_> {
     }
 
     /// Cuts one dip and gives those inside of it; the tool travels at the height `air`.
-    fn dip(&mut self, dip: &Dip, air: f64) -> Result<Vec<Dip>, Failure> {
+    fn dip(&mut self, dip: &Dip, air: f64) -> Result<Vec<Dip>, Fault> {
         let region = self.region;
         let layers = region.layers;
         let nose = region.nose();

@@ -5,7 +5,7 @@ mod helical;
 #[cfg(test)]
 mod tests;
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::{Deg, Element, Point2, left};
 use crate::ir::Feed;
 use crate::ir::cycle::Family;
@@ -13,7 +13,6 @@ use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
 use crate::ir::cycle::pocket::{Between, Finish, Insertion, Onto, Pocket, Shape, Strategy};
 
 use super::cutter::Cutter;
-use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 use area::{Area, Ring, reversed};
 
@@ -21,10 +20,8 @@ use area::{Area, Ring, reversed};
 const SMALLEST_APPROACH: f64 = 0.1;
 
 impl Expand for Pocket {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
-        self.check().map_err(|fault| {
-            Failure::new(codes::G3321, fault.to_string(), "check the sizes of the pocket and the data of the cutter")
-        })?;
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
+        self.check().map_err(|fault| codes::G3321::pocket_makes_no_path(&fault))?;
         let rough = self.rough.then(|| Area::new(self, self.rough_distance()));
         if let Some(area) = &rough
             && let Insertion::Sway { angle, .. } = self.insertion
@@ -63,8 +60,8 @@ pub fn strokes(step: f64, length: f64, angle: Deg) -> usize {
     parts(step, length * libm::tan(angle.radians()))
 }
 
-pub fn endless_strokes() -> Failure {
-    Failure::of(codes::G3321::angle_of_insertion_is_so_small())
+pub fn endless_strokes() -> Fault {
+    codes::G3321::angle_of_insertion_is_so_small()
 }
 
 impl Pocket {

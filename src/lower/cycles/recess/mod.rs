@@ -10,14 +10,14 @@
 //!            ╚═══════════════════════════╝
 //! ```
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::cycle::Family;
 use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessTurning};
 
 use super::groove_cutter::GrooveCutter;
 use super::infeed;
-use super::track::{Failure, Strokes, Track, View};
+use super::track::{Strokes, Track, View};
 use super::valley::{Above, Oversize, Slot, Valley};
 use super::{CycleItem, Expand, Start};
 
@@ -28,7 +28,7 @@ const MOST_LEVELS: u64 = 100_000;
 const OFFSET_SHARE: f64 = 0.8;
 
 impl Expand for RecessTurning {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
         expand(self, start.in_turning_plane()?, &mut |stroke| out(stroke.part()))
     }
 }
@@ -37,8 +37,8 @@ impl Expand for RecessTurning {
 ///
 /// # Errors
 /// G3040 too many levels, G3041 bad arguments, G3044 no groove, G3045 the tool does not fit, G3046 the blank.
-pub fn expand<'a>(recess: &RecessTurning, from: Point2, out: &'a mut Strokes<'a>) -> Result<(), Failure> {
-    recess.check().map_err(|fault| Failure::new(codes::G3041, fault.to_string(), "correct the recess data"))?;
+pub fn expand<'a>(recess: &RecessTurning, from: Point2, out: &'a mut Strokes<'a>) -> Result<(), Fault> {
+    recess.check().map_err(|fault| codes::G3041::recess_makes_no_path(&fault))?;
     let groove = Groove::of(recess)?;
     let mut cutter = GrooveCutter {
         track: Track::new(groove.view, from, out),
@@ -84,7 +84,7 @@ struct Groove<'r> {
 }
 
 impl<'r> Groove<'r> {
-    fn of(recess: &'r RecessTurning) -> Result<Groove<'r>, Failure> {
+    fn of(recess: &'r RecessTurning) -> Result<Groove<'r>, Fault> {
         let (first, last) = match (recess.contour.first(), recess.contour.last()) {
             (Some(first), Some(last)) => (first.from(), last.to()),
             _ => (Point2::origin(), Point2::origin()),
@@ -101,22 +101,22 @@ impl<'r> Groove<'r> {
             valley.slot(tool.width, tool.nose, left, Above::Material)
         };
         let (Some(rough), Some(finished)) = (slot(oversize), slot(Vec2::zeros())) else {
-            return Err(Failure::of(codes::G3045::tool_of_mm_width_does_not(&tool.width)));
+            return Err(codes::G3045::tool_of_mm_width_does_not(&tool.width));
         };
 
         let blank = view.height(recess.blank);
         let depth = blank - rough.floor;
         if depth <= 0.0 {
-            return Err(Failure::of(codes::G3046::blank_does_not_reach_above_floor()));
+            return Err(codes::G3046::blank_does_not_reach_above_floor());
         }
         let levels = infeed::steps(depth, recess.most).max(1);
         if levels > MOST_LEVELS {
-            return Err(Failure::of(codes::G3040::infeed_makes_levels_of_this_recess(&levels, &MOST_LEVELS)));
+            return Err(codes::G3040::infeed_makes_levels_of_this_recess(&levels, &MOST_LEVELS));
         }
         if let Passes::Strokes { width, .. } = recess.passes {
             let strokes = infeed::steps(rough.end(blank) - rough.begin(blank), width);
             if strokes > MOST_LEVELS {
-                return Err(Failure::of(codes::G3040::recess_needs_strokes(&strokes, &MOST_LEVELS)));
+                return Err(codes::G3040::recess_needs_strokes(&strokes, &MOST_LEVELS));
             }
         }
         let shortened = if recess.passes == Passes::OneWayShorter { levels.saturating_sub(1) } else { levels / 2 };

@@ -13,7 +13,7 @@ mod rooms;
 mod tool;
 mod walls;
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::{Deg, Point2, distance};
 use crate::ir::cycle::milling::{MOST_LEVELS, Place, parts};
 use crate::ir::cycle::pocket::{Finish, Insertion, Onto};
@@ -21,10 +21,9 @@ use crate::ir::cycle::{Family, Region};
 
 use super::cutter::Cutter;
 use super::pocket::{endless_strokes, strokes};
-use super::track::Failure;
 use super::{CycleItem, Expand, Start};
 use course::{Course, Cut, Reach};
-use faults::{no_insertion, no_room, start_point, unproved};
+use faults::{no_room, start_point, unproved};
 use loops::{Area, Part};
 use rest::Cleared;
 use rooms::{Entry, Room, Tree, peak_of};
@@ -50,9 +49,8 @@ const WIDEST: f64 = 0.98;
 const MOST_TRIES: u32 = 6;
 
 impl Expand for Region {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
-        let help = "check the contour, the data of the cutter, and the allowances";
-        self.check().map_err(|fault| Failure::new(codes::G3321, fault.to_string(), help))?;
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
+        self.check().map_err(|fault| codes::G3321::region_makes_no_path(&fault))?;
         let region = &self.on_grid();
         let walls = Walls::new(region.walls().copied().collect());
         let paths = Paths::new(region, &walls)?;
@@ -94,7 +92,7 @@ struct Paths {
 }
 
 impl Paths {
-    fn new(region: &Region, walls: &Walls) -> Result<Paths, Failure> {
+    fn new(region: &Region, walls: &Walls) -> Result<Paths, Fault> {
         let area = Area::new(&region.outlines, &region.islands);
         let radius = region.mill.radius;
         let least = radius + region.allowance;
@@ -129,7 +127,7 @@ impl Paths {
         // A cutter that cannot go straight down, or shall not without a hole, must not have to.
         let is_plunged = |course: &Course| course.cuts.iter().any(|cut| cut.reach == Reach::Solid);
         if region.insertion != Insertion::Vertical && rough.iter().any(is_plunged) {
-            return Err(no_insertion("a ring of the pocket can only be reached straight down"));
+            return Err(codes::G3321::ring_can_only_be_reached_straight_down());
         }
         let floor = floor.iter().map(|room| Course::new(room, region, walls, room.entry.goes_on())).collect();
         Ok(Paths { rough, wall, floor })
@@ -143,7 +141,7 @@ fn clears(radius: f64) -> f64 {
 
 impl Region {
     /// The rooms of the area at `least` from the walls, with their rings.
-    fn rooms(&self, area: &Area, walls: &Walls, least: f64) -> Result<Vec<Room>, Failure> {
+    fn rooms(&self, area: &Area, walls: &Walls, least: f64) -> Result<Vec<Room>, Fault> {
         let fault = || unproved(walls, least);
         let roots = area.parts(least, walls).ok_or_else(fault)?;
         if !area.has_all(&roots) {
@@ -259,15 +257,15 @@ impl Region {
     }
 
     /// Is there room for the insertion, and does it end?
-    fn check_insertion(&self, entry: &Entry, least: f64) -> Result<(), Failure> {
+    fn check_insertion(&self, entry: &Entry, least: f64) -> Result<(), Fault> {
         let step = self.mill.heights.way() / self.mill.heights.levels().len() as f64;
         match (self.insertion, entry.stroke) {
             (Insertion::Helix { radius, .. }, _)
                 if radius >= SMALLEST_APPROACH && self.helix_arm(entry.room, least) < SMALLEST_APPROACH =>
             {
-                Err(no_insertion("the walls leave no room for the helix"))
+                Err(codes::G3321::walls_leave_no_room_for_helix())
             }
-            (Insertion::Sway { .. }, None) => Err(no_insertion("the walls leave no room for strokes to and fro")),
+            (Insertion::Sway { .. }, None) => Err(codes::G3321::walls_leave_no_room_for_strokes()),
             (Insertion::Sway { angle, .. }, Some(end))
                 if strokes(step, distance(entry.at, end), angle) > MOST_LEVELS =>
             {

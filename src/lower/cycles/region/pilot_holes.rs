@@ -1,18 +1,17 @@
 //! Pilot holes: one at each place where the cutter goes straight down into solid material.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::ir::cycle::milling::Place;
 use crate::ir::cycle::{Family, PilotHoles};
 
 use super::loops::Area;
 use super::walls::Walls;
-use super::{CycleItem, Expand, Failure, Start};
+use super::{CycleItem, Expand, Start};
 use crate::lower::cycles::cutter::Cutter;
 
 impl Expand for PilotHoles {
-    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Failure> {
-        let help = "check the contour, the data of the cutter that roughs it, and the allowances";
-        self.check().map_err(|fault| Failure::new(codes::G3321, fault.to_string(), help))?;
+    fn expand(&self, start: &Start, out: &mut dyn FnMut(CycleItem)) -> Result<(), Fault> {
+        self.check().map_err(|fault| codes::G3321::pilot_holes_makes_no_path(&fault))?;
         let pocket = &self.pocket.on_grid();
         let walls = Walls::new(pocket.walls().copied().collect());
         let least = pocket.mill.radius + pocket.allowance;

@@ -1,11 +1,10 @@
 //! The path of the nose beside an undercut, in the frame of the corner.
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::geo::offset::{self, NoParallel};
 use crate::geo::{Element, Point2, Vec2, cross, distance, left};
 use crate::ir::cycle::UndercutCycle;
 
-use super::super::track::Failure;
 use super::{NEAR, Outline};
 
 /// A rounding that is larger than the nose by less is the nose's own, mm: what lies between them in a corner is less than half of it.
@@ -18,7 +17,7 @@ const SAME_WAY: f64 = 1e-9;
 ///
 /// # Errors
 /// G3049 for a nose that does not fit into the finished undercut.
-pub(super) fn path(cycle: &UndercutCycle, outline: &Outline, finishes: bool) -> Result<Vec<Element>, Failure> {
+pub(super) fn path(cycle: &UndercutCycle, outline: &Outline, finishes: bool) -> Result<Vec<Element>, Fault> {
     let radius = cycle.nose.radius;
     if radius == 0.0 {
         return Ok(outline.elements.clone());
@@ -74,19 +73,18 @@ fn corner(before: &Element, from: Point2, center: Point2, sweep: f64) -> Point2 
     from + before.end_direction().map_or_else(Vec2::zeros, |way| way * tangent)
 }
 
-fn no_room(contour: &[Element], radius: f64, why: NoParallel) -> Failure {
+fn no_room(contour: &[Element], radius: f64, why: NoParallel) -> Fault {
     let hollow = contour.iter().filter_map(|element| match *element {
         Element::Arc { from, center, sweep, .. } if sweep < 0.0 => Some(distance(from, center)),
         _ => None,
     });
     let least = hollow.fold(f64::INFINITY, f64::min);
-    let message = match why {
+    match why {
         NoParallel::TooNarrow | NoParallel::Reversal if least < radius => {
-            format!("the nose radius {radius} is larger than the rounding {least:.4} of the undercut")
+            codes::G3049::nose_radius_is_larger_than_rounding(&radius, &least)
         }
         NoParallel::TooNarrow | NoParallel::Reversal | NoParallel::Empty => {
-            format!("a nose of radius {radius} has no room in the undercut")
+            codes::G3049::nose_has_no_room_in_undercut(&radius)
         }
-    };
-    Failure::new(codes::G3049, message, "take a tool whose nose is not larger than the roundings of the undercut")
+    }
 }

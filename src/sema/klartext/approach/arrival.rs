@@ -1,5 +1,7 @@
 //! APPR: known when the first element of the contour is.
 
+use std::fmt::Display;
+
 use crate::diag::{Answer, codes};
 use crate::geo::{self, Point2, SAME_POINT, Vec2, distance, joint};
 use crate::ir::contour::Move;
@@ -85,7 +87,7 @@ impl Run<'_> {
         let (to, depth) = self.border_point(name, polar, from, w)?;
         let third = Axis::ALL[plane.axes().2];
         if depth.is_some() && self.st.feed.plunge_share().is_some() {
-            return self.refuse(w.axes_span, codes::K9003::with_tool_axis_under_m103_is_not(&name));
+            return self.core.refuse(w.axes_span, codes::K9003::with_tool_axis_under_m103_is_not(&name));
         }
         let mut after = Pos::UNKNOWN;
         after.set_in_plane(plane, to);
@@ -93,7 +95,7 @@ impl Run<'_> {
             after.set(third, depth);
         }
         let depth = depth.map(|depth| (self.st.position.get(third), depth));
-        let (here, name) = (self.here, name.to_owned());
+        let (here, name) = (self.core.here, name.to_owned());
         let held = Vec::new();
         self.approach =
             Some(Box::new(Approach { shape, name, here, span, from, to, depth, left, side, radius, lead, feed, held }));
@@ -107,18 +109,18 @@ impl Run<'_> {
     /// Is the tool left of the contour, and which side has the contour?
     fn approach_side(&mut self, name: &str, span: Span, w: &Words) -> Outcome<(bool, Side)> {
         if self.st.compensation.is_on() {
-            return self.refuse(span, codes::K9003::while_rl_or_rr_is_active(&name));
+            return self.core.refuse(span, codes::K9003::while_rl_or_rr_is_active(&name));
         }
         if self.computes_path() && self.st.contour.is_some() {
-            return self.refuse(span, codes::K9003::starts_beside_contour(&name));
+            return self.core.refuse(span, codes::K9003::starts_beside_contour(&name));
         }
         match w.comp {
             Some(Comp::Side(side @ (Side::Left | Side::Right))) => Ok((side == Side::Left, side)),
-            _ if self.job.settings.control.klartext <= Generation::Itnc530 => {
-                self.report(codes::K2895::without_rl_or_rr(&name).at(self.loc(span)));
+            _ if self.core.job.settings.control.klartext <= Generation::Itnc530 => {
+                self.core.report(codes::K2895::without_rl_or_rr(&name).at(self.core.loc(span)));
                 Ok((false, Side::None))
             }
-            _ => self.refuse(span, codes::K9003::with_r0_is_not_supported(&name)),
+            _ => self.core.refuse(span, codes::K9003::with_r0_is_not_supported(&name)),
         }
     }
 
@@ -144,16 +146,18 @@ impl Run<'_> {
         let coordinate = |axis: usize, old: f64| mv.end.get(Axis::ALL[axis]).unwrap_or(old);
         let to = Point2::new(coordinate(first, approach.to.x), coordinate(second, approach.to.y));
         let element = LastMove::new(approach.to, to, plane, mv.path, None);
-        let here = std::mem::replace(&mut self.here, approach.here);
+        let here = std::mem::replace(&mut self.core.here, approach.here);
         let made = match element.direction(true) {
             Some(heading) => self.make_approach(&approach, heading),
-            None => self.refuse(approach.span, codes::K9003::leads_onto_block_whose_direction_is_not(&approach.name)),
+            None => {
+                self.core.refuse(approach.span, codes::K9003::leads_onto_block_whose_direction_is_not(&approach.name))
+            }
         };
         if made.is_err() {
             self.lost();
             self.forget_contour();
         }
-        self.here = here;
+        self.core.here = here;
         for held in &approach.held {
             match held {
                 Held::Function(function, origin) => self.core.out.function(function, &self.st.ctx, origin),
@@ -169,7 +173,7 @@ impl Run<'_> {
         let way = self.way_of(a, &border)?;
         let lead = distance(a.from, way.start);
         if lead <= SAME_POINT && self.computes_path() {
-            return self.refuse(a.span, codes::K2605::start_of_is_point(&a.name));
+            return self.core.refuse(a.span, codes::K2605::start_of_is_point(&a.name));
         }
         let (at_start, staged, at_end) = self.depths(a, lead / (lead + way.length))?;
         self.way_to(way.start, at_start, a.lead, border.side);
@@ -204,7 +208,7 @@ impl Run<'_> {
             Shape::LineArc { radius } => {
                 let on = self.circle_at(border, radius, &a.name)?;
                 let Some(touch) = joint::tangent_point(a.from, on.center, radius, on.ccw) else {
-                    return self.refuse(a.span, codes::K2605::start_of_lies_inside_its_circle(&a.name));
+                    return self.core.refuse(a.span, codes::K2605::start_of_lies_inside_its_circle(&a.name));
                 };
                 let start = on.center + (touch - on.center) * (on.radius / radius);
                 let sweep = geo::arc::sweep(start, border.at, on.center, on.ccw).abs();
@@ -216,7 +220,7 @@ impl Run<'_> {
     /// Where the tool axis is at PH, whether it moves there alone, and where it is at the contour.
     fn depths(&mut self, a: &Approach, share: f64) -> Outcome<(Option<f64>, Option<f64>, Option<f64>)> {
         let Some((from, depth)) = a.depth else { return Ok((None, None, None)) };
-        let settings = &self.job.settings.control;
+        let settings = &self.core.job.settings.control;
         let newer = settings.klartext >= Generation::Tnc7;
         if !match settings.klartext_choices.approach_depth {
             Some(ApproachDepth::Together) => true,
@@ -226,18 +230,19 @@ impl Run<'_> {
             return Ok((None, Some(depth), None));
         }
         if !self.computes_path() {
-            return self.refuse(a.span, codes::K9003::with_tool_axis_is_not_supported(&a.name));
+            return self.core.refuse(a.span, codes::K9003::with_tool_axis_is_not_supported(&a.name));
         }
         let Some(from) = from else {
-            let message =
-                format!("{} moves the tool axis together with the plane, and where it starts is not known", a.name);
-            return self.unknown_position(self.st.axis(), a.span, message);
+            let fault = |axis: &dyn Display, why: &dyn Display| {
+                codes::P2001::moves_tool_axis_together_with_plane(&a.name, axis, why)
+            };
+            return self.unknown_position(self.st.axis(), a.span, fault);
         };
         if settings.klartext_choices.approach_depth.is_none() {
-            self.report(
+            self.core.report(
                 codes::K2896::tool_axis_of_moves_evenly_over_whole(&a.name)
                     .answer(Answer::key("control", "approach_depth"))
-                    .at(self.loc(a.span)),
+                    .at(self.core.loc(a.span)),
             );
         }
         Ok((Some(from + (depth - from) * share), None, Some(depth)))
@@ -246,9 +251,9 @@ impl Run<'_> {
     /// Refuses whatever may not stand between an approach and its contour.
     pub(in super::super) fn forbid_open_approach(&mut self) -> Outcome {
         let Some(approach) = self.approach.take() else { return Ok(()) };
-        let loc = approach.here.loc(&self.job, approach.span);
+        let loc = approach.here.loc(&self.core.job, approach.span);
         let found = codes::K9003::no_contour_element_follows(&approach.name).at(loc);
-        self.job.diags.push(found.called(approach.here.origin.call));
+        self.core.job.diags.push(found.called(approach.here.origin.call));
         self.forget_contour();
         self.lose_all();
         Err(Reported)

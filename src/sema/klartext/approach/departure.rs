@@ -23,7 +23,7 @@ struct Exit {
 
 impl Run<'_> {
     pub(super) fn depart(&mut self, name: &str, shape: Shape, polar: bool, w: &Words) -> Outcome {
-        let span = self.block_span();
+        let span = self.core.block_span();
         let side = self.st.compensation.side();
         let plane = self.st.plane();
         let at = self.start_in(plane, name)?;
@@ -34,7 +34,7 @@ impl Run<'_> {
         // Behind an approach with R0 the contour has no side.
         let contour = self.st.contour.filter(|contour| contour.side == side);
         if self.approach.is_some() || contour.is_none() || w.comp.is_some_and(|comp| comp != Comp::Side(Side::None)) {
-            return self.refuse(span, codes::K9003::is_supported_behind_contour_with_rl(&name));
+            return self.core.refuse(span, codes::K9003::is_supported_behind_contour_with_rl(&name));
         }
         let mut radius = 0.0;
         if side != Side::None {
@@ -43,13 +43,13 @@ impl Run<'_> {
         }
         self.forbid_scaling(span)?;
         if contour.is_some_and(|contour| !contour.begun) {
-            return self.refuse(span, codes::K9003::stands_behind_block_that_leads_to_contour(&name));
+            return self.core.refuse(span, codes::K9003::stands_behind_block_that_leads_to_contour(&name));
         }
         let last = contour.and_then(|contour| contour.last);
         let Some(heading) =
             last.filter(|last| distance(last.to, at) <= SAME_POINT).and_then(|last| last.direction(false))
         else {
-            return self.refuse(span, codes::K9003::follows_block_whose_direction_is_not_known(&name));
+            return self.core.refuse(span, codes::K9003::follows_block_whose_direction_is_not_known(&name));
         };
         self.set_feed(w)?;
         let straight = self.move_feed(w)?;
@@ -57,7 +57,7 @@ impl Run<'_> {
         let (to, depth) =
             if let Shape::LineArc { .. } = shape { self.border_point(name, polar, at, w)? } else { (at, None) };
         if matches!(shape, Shape::LineArc { .. }) && distance(to, at) <= SAME_POINT {
-            return self.refuse(span, codes::K9003::has_no_end_point_away_from_contour(&name));
+            return self.core.refuse(span, codes::K9003::has_no_end_point_away_from_contour(&name));
         }
         let together = depth.is_some() && self.rises_together(name);
         let (shared, behind) = if together { (depth, None) } else { (None, depth) };
@@ -102,7 +102,9 @@ impl Run<'_> {
                 let on = self.circle_at(border, radius, name)?;
                 // Backwards it is an approach.
                 let Some(touch) = joint::tangent_point(to, on.center, radius, !on.ccw) else {
-                    return self.refuse(self.block_span(), codes::K2605::end_of_lies_inside_its_circle(&name));
+                    return self
+                        .core
+                        .refuse(self.core.block_span(), codes::K2605::end_of_lies_inside_its_circle(&name));
                 };
                 let start = on.center + (touch - on.center) * (on.radius / radius);
                 self.arc_to(start, None, &on, feed, border.side)?;
@@ -118,17 +120,17 @@ impl Run<'_> {
 
     /// Does the tool axis move together with the line to PN?
     fn rises_together(&mut self, name: &str) -> bool {
-        let settings = &self.job.settings.control;
+        let settings = &self.core.job.settings.control;
         let generation = settings.klartext;
         match settings.klartext_choices.approach_depth {
             Some(reading) => reading == ApproachDepth::Together,
             None if !self.computes_path() => false,
             None => {
                 if generation <= Generation::Itnc530 {
-                    self.report(
+                    self.core.report(
                         codes::K2896::tool_axis_of_moves_at_end(&name)
                             .answer(Answer::key("control", "approach_depth"))
-                            .at(self.here.origin.loc),
+                            .at(self.core.here.origin.loc),
                     );
                 }
                 generation >= Generation::Tnc7

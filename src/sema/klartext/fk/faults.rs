@@ -1,6 +1,6 @@
 //! What is said of a free contour that has no solution, or more than one.
 
-use crate::diag::{Diagnostic, codes};
+use crate::diag::{Diagnostic, Label, codes};
 use crate::geo::open::Solved;
 use crate::geo::open::window::{Fault, Item, Place, Serial, Shape};
 use crate::geo::{Point2, distance};
@@ -50,7 +50,7 @@ impl Run<'_> {
     /// A point as a program writes it, in the unit of the program.
     pub(super) fn shown(&self, p: Point2) -> String {
         let [first, second] = self.letters();
-        let mm = self.levels.last().map_or(1.0, |level| level.frame.unit.mm());
+        let mm = self.core.levels.last().map_or(1.0, |level| level.frame.unit.mm());
         // No minus in front of nothing.
         let digits = |value: f64| format!("{:.4}", (value / mm * 1e4).round() / 1e4 + 0.0);
         format!("{first}{} {second}{}", digits(p.x), digits(p.y))
@@ -66,7 +66,7 @@ impl Run<'_> {
         let first = free.queue.iter().find(|waiting| matches!(waiting.kind, Kind::Element { .. }));
         let found = match first {
             Some(first) if !std::ptr::eq(first, waiting) => {
-                found.also(first.here.loc(&self.job, first.span), "solved together with the blocks from here on")
+                found.also(first.here.loc(&self.core.job, first.span), Label::SolvedTogether)
             }
             _ => found,
         };
@@ -74,7 +74,7 @@ impl Run<'_> {
     }
 
     fn report_at(&self, found: Diagnostic) {
-        self.job.diags.push(found);
+        self.core.job.diags.push(found);
     }
 
     /// Reports why the contour has no solution.
@@ -87,7 +87,7 @@ impl Run<'_> {
             return self.joint_is_open(free, joint);
         }
         let item = item(waiting);
-        let (name, loc) = (name(&item), waiting.here.loc(&self.job, waiting.span));
+        let (name, loc) = (name(&item), waiting.here.loc(&self.core.job, waiting.span));
         let found = match *fault {
             Fault::Open { missing: 0, .. } if item.center.radius.is_some() && item.center.angle.is_none() => {
                 codes::K9002::has_ccpr_lacks_ccpa(&name).at(loc)
@@ -116,8 +116,8 @@ impl Run<'_> {
         let names = [first, second].map(|waiting| name(&item(waiting)));
         let [x, y] = self.letters();
         let found = codes::K3001::behind_it_lie_on_one_straight(&names[0], &names[1], &x, &y)
-            .at(first.here.loc(&self.job, first.span))
-            .also(second.here.loc(&self.job, second.span), "goes on along the same straight");
+            .at(first.here.loc(&self.core.job, first.span))
+            .also(second.here.loc(&self.core.job, second.span), Label::SameStraight);
         self.say(free, first, found);
         Reported
     }
@@ -180,7 +180,7 @@ impl Run<'_> {
             &chosen,
             &self.deciding(&item, candidates),
         )
-        .at(waiting.here.loc(&self.job, waiting.span));
+        .at(waiting.here.loc(&self.core.job, waiting.span));
         self.say(free, waiting, found);
     }
 
@@ -212,7 +212,7 @@ impl Run<'_> {
         let Some(waiting) = free.waiting(serial) else { return };
         let item = item(waiting);
         let found = codes::K8022::has_several_solutions(&name(&item), &item.select.unwrap_or_default())
-            .at(waiting.here.loc(&self.job, waiting.span));
+            .at(waiting.here.loc(&self.core.job, waiting.span));
         self.report_at(found.called(waiting.here.origin.call));
     }
 }

@@ -168,9 +168,10 @@ impl Run<'_> {
             if free.numbers.len() == MOST_BACK {
                 free.numbers.pop_front();
             }
-            free.numbers.push_back((number, serial, self.here.origin.loc));
+            free.numbers.push_back((number, serial, self.core.here.origin.loc));
         }
-        let waiting = Waiting { kind: Kind::Element { serial, item }, words, here: self.here, span: self.block_span() };
+        let waiting =
+            Waiting { kind: Kind::Element { serial, item }, words, here: self.core.here, span: self.core.block_span() };
         free.queue.push_back(waiting);
         free.window.push(item).map_err(|fault| self.fk_fault(free, &fault))
     }
@@ -180,10 +181,12 @@ impl Run<'_> {
         let number = w.number.filter(|number| number.fract() == 0.0 && (1.0..=99.0).contains(number));
         self.put_back(w);
         let Some(number) = number else {
-            return self.refuse(self.block_span(), codes::P1004::fselect_needs_number_of_solution());
+            return self.core.refuse(self.core.block_span(), codes::P1004::fselect_needs_number_of_solution());
         };
         if free.window.next_serial() == 0 {
-            return self.refuse(self.block_span(), codes::K3004::fselect_chooses_solution_of_element_in_front());
+            return self
+                .core
+                .refuse(self.core.block_span(), codes::K3004::fselect_chooses_solution_of_element_in_front());
         }
         free.window.select(number as u32);
         let last = free.queue.iter_mut().rev().find_map(|waiting| match &mut waiting.kind {
@@ -205,7 +208,7 @@ impl Run<'_> {
         if free.pole.is_some() {
             return Ok(());
         }
-        self.refuse(self.block_span(), codes::P1004::fpol_needs_both_axes_of_working_plane())
+        self.core.refuse(self.core.block_span(), codes::P1004::fpol_needs_both_axes_of_working_plane())
     }
 
     /// A chamfer or rounding behind an element that waits.
@@ -219,13 +222,13 @@ impl Run<'_> {
     }
 
     fn wait_between(&mut self, kind: Kind, words: Box<Words>) {
-        let (here, span) = (self.here, self.block_span());
+        let (here, span) = (self.core.here, self.core.block_span());
         let Some(free) = &mut self.free else { return };
         if free.queue.len() < MOST_BETWEEN {
             free.queue.push_back(Waiting { kind, words, here, span });
             return;
         }
-        let _ = self.refuse::<()>(span, codes::K9002::too_many_blocks_stand_between_elements());
+        let _ = self.core.refuse::<()>(span, codes::K9002::too_many_blocks_stand_between_elements());
         self.abandon_contour();
         self.lose_all();
     }
@@ -247,7 +250,7 @@ impl Run<'_> {
 
     /// Carries out a block that waited, at its place.
     fn carry_out(&mut self, mut waiting: Waiting, settled: Option<&Settled>) -> Outcome {
-        let here = std::mem::replace(&mut self.here, waiting.here);
+        let here = std::mem::replace(&mut self.core.here, waiting.here);
         let w = &mut waiting.words;
         let result = match (waiting.kind, settled) {
             (Kind::Element { .. }, Some(Settled { solved, .. })) => {
@@ -263,7 +266,7 @@ impl Run<'_> {
             (Kind::Corner { rounding }, _) => self.make_corner(rounding, w),
             (Kind::Functions | Kind::Element { .. }, _) => self.run_path(PathFn::Line, w),
         };
-        self.here = here;
+        self.core.here = here;
         self.put_back(waiting.words);
         result
     }
@@ -273,7 +276,7 @@ impl Run<'_> {
         if !self.contour_waits() {
             return Ok(());
         }
-        let observed = !self.job.settings.control.klartext_choices.fselect_refused;
+        let observed = !self.core.job.settings.control.klartext_choices.fselect_refused;
         let Some(mut free) = self.free.take() else { return Ok(()) };
         let result = match free.window.close(observed) {
             Ok(Closed::One { observed }) => {
@@ -303,7 +306,7 @@ impl Run<'_> {
     pub(super) fn warn_of_unclosed(&mut self) {
         if let Some((_, loc)) = self.free.as_mut().and_then(|free| free.closes.take()) {
             let found = codes::K8025::no_clsd_closes_contour_that_begins_here().at(loc);
-            self.report(found.help("write CLSD- in the last element, or remove CLSD+"));
+            self.core.report(found.help("write CLSD- in the last element, or remove CLSD+"));
         }
     }
 
@@ -330,7 +333,7 @@ impl Run<'_> {
 
     /// CCA has two readings: says so where both fit and end in different places.
     fn warn_of_readings(&self) {
-        if self.job.settings.control.klartext_choices.fk_cca_swept.is_some() {
+        if self.core.job.settings.control.klartext_choices.fk_cca_swept.is_some() {
             return;
         }
         let Some(free) = &self.free else { return };
@@ -350,11 +353,11 @@ impl Run<'_> {
             if angle <= 0.0 || angle > 360.0 || distance(to, other) <= SAME_READING {
                 continue;
             }
-            let loc = waiting.here.loc(&self.job, waiting.span);
+            let loc = waiting.here.loc(&self.core.job, waiting.span);
             let found = codes::K8023::cca_is_read_as_direction_of_end(&angle, &self.shown(to), &self.shown(other))
                 .answer(Answer::key("control", "fk_cca"))
                 .at(loc);
-            self.job.diags.push(found.called(waiting.here.origin.call));
+            self.core.job.diags.push(found.called(waiting.here.origin.call));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The words of FL, FLT, FC and FCT.
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::geo::Point2;
 use crate::geo::open::window::{Base, EndAngle, Given, Item, Serial, Shape};
 use crate::machine::Axis;
@@ -166,7 +166,7 @@ impl Run<'_> {
 
     /// Takes the words of free contours out of the block.
     fn fk_keys(&mut self, head: FkHead, block: &Block, text: &[u8]) -> Outcome<(Block, Data)> {
-        let mm = self.level().frame.unit.mm();
+        let mm = self.core.level().frame.unit.mm();
         let letters = self.letters();
         let is_line = matches!(head, FkHead::Line { .. });
         let (mut rest, mut said) = (block.clone(), Data::default());
@@ -182,12 +182,14 @@ impl Run<'_> {
                 return self.not_admitted(word, name(head));
             }
             if said.get(found).is_some() {
-                return self.refuse(word.span, codes::P1002::repeats_word_of_this_block(&self.word_text(word.span)));
+                return self
+                    .core
+                    .refuse(word.span, codes::P1002::repeats_word_of_this_block(&self.word_text(word.span)));
             }
             let (mut value, mut span) = (0.0, word.span);
             if !matches!(found, Key::Closed(_)) {
                 let Some(behind @ Word { addr: Addr::Value, .. }) = words.next() else {
-                    return self.refuse(word.span, codes::P1004::lacks_its_value(&self.word_text(word.span)));
+                    return self.core.refuse(word.span, codes::P1004::lacks_its_value(&self.word_text(word.span)));
                 };
                 span = word.span.to(behind.span);
                 value = self.number(behind.value, behind.span)? * if found.is_length() { mm } else { 1.0 };
@@ -200,7 +202,7 @@ impl Run<'_> {
     fn item(&mut self, free: &mut Free, head: FkHead, w: &Words, said: &Data) -> Outcome<Item> {
         let plane = self.st.plane();
         if !w.axes.known().without(plane_axes(plane)).is_empty() {
-            return self.refuse(w.axes_span, codes::P1003::moves_in_working_plane(&name(head)));
+            return self.core.refuse(w.axes_span, codes::P1003::moves_in_working_plane(&name(head)));
         }
         let (shape, smooth) = match head {
             FkHead::Arc { smooth } => (Shape::Arc(w.turn), smooth),
@@ -218,7 +220,9 @@ impl Run<'_> {
         match free.pole {
             Some(pole) => item.pole = pole,
             None if polar.iter().any(Option::is_some) => {
-                return self.refuse(self.block_span(), codes::K2101::polar_words_of_need_pole_of_free(&name(head)));
+                return self
+                    .core
+                    .refuse(self.core.block_span(), codes::K2101::polar_words_of_need_pole_of_free(&name(head)));
             }
             None => {}
         }
@@ -242,7 +246,7 @@ impl Run<'_> {
             }
         }
         let Some(angle) = said.get(Key::EndAngle) else { return Ok(()) };
-        let swept = self.job.settings.control.klartext_choices.fk_cca_swept == Some(true);
+        let swept = self.core.job.settings.control.klartext_choices.fk_cca_swept == Some(true);
         if swept && !(angle.value > 0.0 && angle.value <= 360.0) {
             return self.wrong(angle.span, "is no angle that an arc sweeps");
         }
@@ -252,7 +256,7 @@ impl Run<'_> {
 
     fn wrong<T>(&mut self, span: Span, what: &str) -> Outcome<T> {
         let text = self.word_text(span);
-        self.refuse(span, codes::P1004::word_lacks(&text, &what))
+        self.core.refuse(span, codes::P1004::word_lacks(&text, &what))
     }
 
     fn end_of_element(&mut self, item: &mut Item, free: &Free, w: &Words, said: &Data) -> Outcome {
@@ -315,8 +319,8 @@ impl Run<'_> {
             && free.queue.is_empty()
             && self.last_direction().is_none()
         {
-            let span = incremental.map_or(self.block_span(), |said| said.span);
-            return self.refuse(span, codes::K3004::direction_of_element_before_is_not_known());
+            let span = incremental.map_or(self.core.block_span(), |said| said.span);
+            return self.core.refuse(span, codes::K3004::direction_of_element_before_is_not_known());
         }
         let apart = said.get(Key::ParallelDistance);
         match (said.get(Key::Parallel), apart) {
@@ -354,7 +358,7 @@ impl Run<'_> {
             (Some(x), Some(y), Some(apart)) => item.beside = Some((Point2::new(x.value, y.value), apart.value)),
             (None, None, None) => {}
             (x, y, apart) => {
-                let span = x.or(y).or(apart).map_or(self.block_span(), |said| said.span);
+                let span = x.or(y).or(apart).map_or(self.core.block_span(), |said| said.span);
                 let [first, second] = self.letters();
                 return self.incomplete(span, &format!("PD{first}, PD{second} and D together"));
             }
@@ -372,10 +376,10 @@ impl Run<'_> {
             }
         }
         if let Some(begins) = said.get(Key::Closed(true)) {
-            let loc = self.loc(begins.span);
+            let loc = self.core.loc(begins.span);
             if let Some((_, open)) = free.closes.replace((free.window.next_serial(), loc)) {
-                self.report(
-                    codes::K8025::no_clsd_closes_contour_that_begins().at(open).also(loc, "another begins here"),
+                self.core.report(
+                    codes::K8025::no_clsd_closes_contour_that_begins().at(open).also(loc, Label::AnotherBegins),
                 );
             }
         }
@@ -384,7 +388,7 @@ impl Run<'_> {
 
     fn incomplete<T>(&mut self, span: Span, needs: &str) -> Outcome<T> {
         let text = self.word_text(span);
-        self.refuse(span, codes::P1004::needs(&text, &needs))
+        self.core.refuse(span, codes::P1004::needs(&text, &needs))
     }
 
     /// A value, and what it counts from.
@@ -412,7 +416,7 @@ impl Run<'_> {
             }
             (Some((_, false)) | None, Some(from)) => {
                 let text = self.word_text(from.span);
-                return self.refuse(from.span, codes::K3004::belongs_to_incremental_word(&text));
+                return self.core.refuse(from.span, codes::K3004::belongs_to_incremental_word(&text));
             }
         })
     }
@@ -425,19 +429,20 @@ impl Run<'_> {
         if let Some(number) = number
             && free.is_twice(number as u32)
         {
-            return self.refuse(said.span, codes::K3004::refers_to_one_of_several_blocks(&text));
+            return self.core.refuse(said.span, codes::K3004::refers_to_one_of_several_blocks(&text));
         }
         if let Some(serial) = number.and_then(|number| free.serial_of(number as u32)) {
             return Ok(serial);
         }
         if free.has_no_numbers() {
-            return self.refuse(said.span, codes::K3004::names_block_by_its_number(&text));
+            return self.core.refuse(said.span, codes::K3004::names_block_by_its_number(&text));
         }
-        self.refuse(said.span, codes::K3004::refers_to_block_that_is_no_fl(&text))
+        self.core.refuse(said.span, codes::K3004::refers_to_block_that_is_no_fl(&text))
     }
 
     fn unconfirmed(&self, span: Span, what: &str, help: &str) {
         let text = self.word_text(span);
-        self.report(codes::K8024::no_manual_at_hand_says(&text, &what).at(self.loc(span)).help(help.to_owned()));
+        self.core
+            .report(codes::K8024::no_manual_at_hand_says(&text, &what).at(self.core.loc(span)).help(help.to_owned()));
     }
 }

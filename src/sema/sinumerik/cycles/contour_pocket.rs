@@ -2,7 +2,7 @@
 //!
 //! Source: M 7.7 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::geo::area::{Relation, relation};
 use crate::geo::{Deg, Element, grid};
 use crate::ir::captured::Captured;
@@ -145,7 +145,7 @@ impl CycleCall<'_> {
             let Some(CalledContour { call, .. }) = contours.get(at + 1) else { continue };
             let fault = codes::S2091::island_does_not_lie_inside_pocket(&call.name);
             let place = call.loc;
-            return self.refuse_elsewhere(Elsewhere { place, fault, call: "the pocket is milled here" });
+            return self.refuse_elsewhere(Elsewhere { place, fault, call: Label::PocketMilled });
         }
         Ok(())
     }

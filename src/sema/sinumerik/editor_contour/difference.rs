@@ -1,5 +1,6 @@
 //! What to say where the blocks of a stored contour and its records differ: both values, and how far they lie apart.
 
+use crate::diag::{Fault, codes};
 use crate::geo::{Point2, distance};
 
 use super::compare::Difference;
@@ -17,15 +18,27 @@ pub(super) struct Told<'a> {
 }
 
 impl Told<'_> {
-    /// The block it is about, and the message.
-    pub fn difference(&self, difference: Difference) -> (Option<usize>, String) {
-        match difference {
-            Difference::Start => (None, self.start()),
-            Difference::Count => (None, self.count()),
-            Difference::End(i) => (Some(i), self.end(i)),
-            Difference::Arc(i) => (Some(i), self.arc(i)),
-            Difference::Corner(i) => (Some(i), self.corner(i)),
-        }
+    /// The block it is about, and what is wrong.
+    pub fn difference(&self, difference: Difference) -> (Option<usize>, Fault) {
+        let (at, fault) = match difference {
+            Difference::Start => {
+                let (there, here) = (self.start, self.made.start);
+                let way = self.way(distance(there, here));
+                (None, Some(codes::S8026::contour_starts_at(&self.point(there), &self.point(here), &way)))
+            }
+            Difference::Count => (None, None),
+            Difference::End(i) => (Some(i), self.both(i).map(|(there, here)| self.end(i + 1, there.end, here.end))),
+            Difference::Arc(i) => (Some(i), self.both(i).map(|(there, here)| self.arc(i + 1, there, here))),
+            Difference::Corner(i) => (
+                Some(i),
+                self.both(i).map(|(there, here)| {
+                    let (there, here) = (self.word(there.corner), self.word(here.corner));
+                    codes::S8026::corner_after_element_has(&(i + 1), &there, &here)
+                }),
+            ),
+        };
+        let count = || codes::S8026::contour_has_elements(&self.blocks.len(), &self.made.blocks.len());
+        (at, fault.unwrap_or_else(count))
     }
 
     /// The record it is about.
@@ -42,57 +55,28 @@ impl Told<'_> {
         }
     }
 
-    fn start(&self) -> String {
-        let (there, here) = (self.start, self.made.start);
-        format!(
-            "the contour starts at {}, by the records of the contour editor at {}: {} apart",
-            self.point(there),
-            self.point(here),
-            self.way(distance(there, here))
-        )
+    /// The block, and what the records make in its place.
+    fn both(&self, i: usize) -> Option<(&ContourBlock, &ContourBlock)> {
+        Some((self.blocks.get(i)?, self.made.blocks.get(i)?))
     }
 
-    fn count(&self) -> String {
-        let (there, here) = (self.blocks.len(), self.made.blocks.len());
-        format!("the contour has {there} elements, but the records of the contour editor make {here}")
+    fn end(&self, number: usize, there: Point2, here: Point2) -> Fault {
+        let way = self.way(distance(there, here));
+        codes::S8026::element_ends_at(&number, &self.point(there), &self.point(here), &way)
     }
 
-    fn end(&self, i: usize) -> String {
-        let (Some(there), Some(here)) = (self.blocks.get(i), self.made.blocks.get(i)) else { return self.count() };
-        format!(
-            "element {} ends at {}, by the records of the contour editor at {}: {} apart",
-            i + 1,
-            self.point(there.end),
-            self.point(here.end),
-            self.way(distance(there.end, here.end))
-        )
-    }
-
-    fn arc(&self, i: usize) -> String {
-        let (Some(there), Some(here)) = (self.blocks.get(i), self.made.blocks.get(i)) else { return self.count() };
-        let apart = match (there.arc, here.arc) {
+    fn arc(&self, number: usize, there: &ContourBlock, here: &ContourBlock) -> Fault {
+        let (told, made) = (self.shape(there), self.shape(here));
+        match (there.arc, here.arc) {
             (Some((_, ccw)), Some((center, sense))) if ccw == sense && there.radius.is_some() => {
-                format!(" with radius {}", self.length(distance(center, here.end)))
+                let radius = self.length(distance(center, here.end));
+                codes::S8026::element_has_another_radius(&number, &told, &made, &radius)
             }
-            (Some((a, ccw)), Some((b, sense))) if ccw == sense => format!(": {} apart", self.way(distance(a, b))),
-            _ => String::new(),
-        };
-        format!(
-            "element {} is {}, by the records of the contour editor {}{apart}",
-            i + 1,
-            self.shape(there),
-            self.shape(here)
-        )
-    }
-
-    fn corner(&self, i: usize) -> String {
-        let (Some(there), Some(here)) = (self.blocks.get(i), self.made.blocks.get(i)) else { return self.count() };
-        format!(
-            "the corner after element {} has {}, by the records of the contour editor {}",
-            i + 1,
-            self.word(there.corner),
-            self.word(here.corner)
-        )
+            (Some((a, ccw)), Some((b, sense))) if ccw == sense => {
+                codes::S8026::element_is_about_another_centre(&number, &told, &made, &self.way(distance(a, b)))
+            }
+            _ => codes::S8026::element_is(&number, &told, &made),
+        }
     }
 
     fn shape(&self, block: &ContourBlock) -> String {

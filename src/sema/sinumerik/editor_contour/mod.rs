@@ -11,7 +11,7 @@ mod material;
 mod rebuild;
 mod solve;
 
-use crate::diag::{Answer, Diagnostic, Help, codes};
+use crate::diag::{Answer, Help, Label, codes};
 use crate::ir::Pos;
 use crate::ir::contour::{ArcShape, Corner, CornerShape, Path};
 use crate::ir::undercut::usual_pitch;
@@ -79,18 +79,18 @@ impl Stored {
 impl Run<'_> {
     /// A comment line: perhaps a record. `text` is without its semicolon.
     pub(super) fn stored_record(&mut self, text: &[u8]) -> Outcome {
-        if self.st.stored.is_none() && !text.starts_with(b"#") {
+        if self.channel.st.stored.is_none() && !text.starts_with(b"#") {
             return Ok(());
         }
         let line = [b";", text].concat();
         let record = read(&line).or_else(|| {
-            let spoiled = self.st.stored.is_some() && is_spoiled(text);
+            let spoiled = self.channel.st.stored.is_some() && is_spoiled(text);
             spoiled.then(|| Record::Unknown(String::from_utf8_lossy(text).trim().to_owned()))
         });
         match record {
             Some(Record::Begin) => {
-                let result = self.stored_without_end();
-                self.st.stored = Some(Box::new(Stored {
+                let result = self.channel.stored_without_end();
+                self.channel.st.stored = Some(Box::new(Stored {
                     start: None,
                     blocks: Vec::new(),
                     places: Vec::new(),
@@ -98,13 +98,13 @@ impl Run<'_> {
                     rapid: None,
                     records: Vec::new(),
                     record_places: Vec::new(),
-                    begin: self.here.origin.loc,
+                    begin: self.channel.core.here.origin.loc,
                     written: Written { diameter: false, unit: 1.0 },
                     diameter_said: false,
                 }));
                 result
             }
-            Some(Record::End) => match self.st.stored.take() {
+            Some(Record::End) => match self.channel.st.stored.take() {
                 Some(stored) => self.check_stored(&stored),
                 None => Ok(()),
             },
@@ -124,11 +124,11 @@ impl Run<'_> {
 
     fn check_stored(&mut self, stored: &Stored) -> Outcome {
         // Blocks that were refused are not there to be compared.
-        if self.errors() > 0 {
+        if self.channel.core.errors() > 0 {
             return Ok(());
         }
-        let written = if stored.start.is_some() { stored.written } else { self.written_now() };
-        let [first, second, _] = self.st.roles();
+        let written = if stored.start.is_some() { stored.written } else { self.channel.written_now() };
+        let [first, second, _] = self.channel.st.roles();
         let here = (first.letter() as u8, second.letter() as u8);
         let named = stored.records.iter().find_map(|record| match record {
             Record::Header { axes, .. } => *axes,
@@ -136,55 +136,54 @@ impl Run<'_> {
         });
         let other_plane = named.is_some_and(|axes| axes != here);
         if other_plane && stored.start.is_none() {
-            return self.refuse(Where::Block, codes::S9019::contour_has_no_blocks_and_its_records_are_for_another());
+            return self
+                .channel
+                .core
+                .refuse(Where::Block, codes::S9019::contour_has_no_blocks_and_its_records_are_for_another());
         }
         if other_plane {
-            self.report(codes::S8027::records_of_this_contour_are_for_another().at(stored.begin));
+            self.channel.core.report(codes::S8027::records_of_this_contour_are_for_another().at(stored.begin));
             return Ok(());
         }
         if stored.start.is_none() {
             self.can_be_rebuilt(stored)?;
-            return match outline(&stored.records, written, &self.job.settings.undercut) {
-                Ok(made) => self.rebuild(&made, stored, written.unit),
-                Err(why) => self.no_contour(&why, stored),
+            return match outline(&stored.records, written, &self.channel.core.job.settings.undercut) {
+                Ok(made) => self.channel.rebuild(&made, stored, written.unit),
+                Err(why) => self.channel.core.no_contour(&why, stored),
             };
         }
-        let made = match solve(&stored.records, written, &self.job.settings.undercut) {
+        let made = match solve(&stored.records, written, &self.channel.core.job.settings.undercut) {
             Ok(made) => made,
             Err(why) => {
-                if !matches!(why, Unsolved::Unknown(_)) || !self.agrees_without_unknown(stored, written) {
-                    self.unchecked(&why, stored);
+                if !matches!(why, Unsolved::Unknown(_)) || !self.channel.core.agrees_without_unknown(stored, written) {
+                    self.channel.core.unchecked(&why, stored);
                 }
                 return Ok(());
             }
         };
         if stored.blocks.len() > MOST_BLOCKS {
-            self.unchecked(&Unsolved::TooLong, stored);
+            self.channel.core.unchecked(&Unsolved::TooLong, stored);
             return Ok(());
         }
         let start = stored.start.unwrap_or(made.start);
         let mut compared = compare(start, &stored.blocks, &made, TOLERANCE * written.unit);
-        if compared.is_err() && written.unit != 1.0 && self.agrees_in_millimetres(stored, written) {
+        if compared.is_err() && written.unit != 1.0 && self.channel.core.agrees_in_millimetres(stored, written) {
             compared = Ok(());
         }
         if let (Ok(()), Some(i)) = (&compared, stored.rapid) {
             let place = stored.places.get(i).copied().unwrap_or(stored.begin);
-            self.report(codes::S8026::element_runs_at_rapid_traverse(&(i + 1)).at(place));
+            self.channel.core.report(codes::S8026::element_runs_at_rapid_traverse(&(i + 1)).at(place));
         }
         if let Err(difference) = compared {
             let told = Told { axes: here, written, start, blocks: &stored.blocks, made: &made };
-            let (at, message) = told.difference(difference);
+            let (at, fault) = told.difference(difference);
             let place = at.and_then(|i| stored.places.get(i)).copied().unwrap_or(stored.begin);
             let record = told.record(difference).and_then(|at| stored.record_places.get(at));
-            let mut found = Diagnostic::new(codes::S8026, place, message);
+            let mut found = fault.at(place);
             if let Some(record) = record {
-                found = found.also(*record, "what was typed");
+                found = found.also(*record, Label::Typed);
             }
-            self.report(
-                found.help(
-                    "the blocks are compiled; if they were changed by hand, accept the contour in the editor again",
-                ),
-            );
+            self.channel.core.report(found);
         }
         Ok(())
     }
@@ -199,11 +198,11 @@ impl Channel<'_> {
         }
         let what = "the contour definition has no line with its end (`;#End contour definition end`)";
         if !stored.blocks.is_empty() {
-            self.report(codes::S8027::records_of_this_contour_cannot_be_checked(&what).at(stored.begin));
+            self.core.report(codes::S8027::records_of_this_contour_cannot_be_checked(&what).at(stored.begin));
             return Ok(());
         }
         self.st.position.lose(AxisSet::MAIN);
-        self.report(codes::S9019::contour_has_no_blocks_and_its_records(&what).at(stored.begin));
+        self.core.report(codes::S9019::contour_has_no_blocks_and_its_records(&what).at(stored.begin));
         Err(Reported)
     }
 
@@ -226,7 +225,7 @@ impl Channel<'_> {
     /// How the numbers of records count here: ordinates as those of blocks.
     fn written_now(&self) -> Written {
         let [_, second, _] = self.st.roles();
-        let diameter = self.is_diameter_axis(second) && self.st.diameter_mode() != Diameter::Off;
+        let diameter = self.core.is_diameter_axis(second) && self.st.diameter_mode() != Diameter::Off;
         Written { diameter, unit: self.st.length_unit() }
     }
 

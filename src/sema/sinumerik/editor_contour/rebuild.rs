@@ -18,12 +18,13 @@ use super::{Stored, TOLERANCE};
 impl Run<'_> {
     /// What holds where the blocks are missing must be what the editor would have written into them.
     pub(super) fn can_be_rebuilt(&mut self, stored: &Stored) -> Outcome {
-        let place = |run: &mut Self| run.here.origin.loc = stored.begin;
-        let here = self.here.origin;
+        let place = |run: &mut Self| run.channel.core.here.origin.loc = stored.begin;
+        let here = self.channel.core.here.origin;
         place(self);
-        let result = self.pending_must_be_done(Where::Block).and_then(|()| self.diameters_are_told(stored));
-        let result = result.and_then(|()| self.no_state_beside(stored));
-        self.here.origin = here;
+        let result =
+            self.channel.pending_must_be_done(Where::Block).and_then(|()| self.channel.diameters_are_told(stored));
+        let result = result.and_then(|()| self.channel.no_state_beside(stored));
+        self.channel.core.here.origin = here;
         result
     }
 }
@@ -37,17 +38,17 @@ impl Channel<'_> {
             Record::Header { turned, .. } => *turned,
             _ => None,
         });
-        if on && self.is_diameter_axis(first) {
+        if on && self.core.is_diameter_axis(first) {
             let what = format!("{} counts in diameters, which its records never do", first.letter());
-            return self.not_rebuilt(&what, "program DIAMOF before the contour");
+            return self.core.not_rebuilt(&what, "program DIAMOF before the contour");
         }
-        let across = second == Axis::X || self.is_diameter_axis(second);
-        let wanted = across && turned.unwrap_or_else(|| self.is_diameter_axis(second));
-        let taken = on && self.is_diameter_axis(second);
+        let across = second == Axis::X || self.core.is_diameter_axis(second);
+        let wanted = across && turned.unwrap_or_else(|| self.core.is_diameter_axis(second));
+        let taken = on && self.core.is_diameter_axis(second);
         if stored.diameter_said || wanted == taken {
             return Ok(());
         }
-        let (what, help): (&str, Help) = if wanted && self.job.settings.machine.diameter_axis.is_none() {
+        let (what, help): (&str, Help) = if wanted && self.core.job.settings.machine.diameter_axis.is_none() {
             (
                 "the editor writes turned contours in diameters (DIAM90), and no diameter axis is configured",
                 Answer::key("machine", "diameter_axis").help("set `[machine] diameter_axis = \"X\"`"),
@@ -63,30 +64,30 @@ impl Channel<'_> {
                 "program DIAMOF before the contour".into(),
             )
         };
-        self.not_rebuilt(what, help)
+        self.core.not_rebuilt(what, help)
     }
 
     /// What would act on each block of the contour, and is not made for records.
     fn no_state_beside(&self, stored: &Stored) -> Outcome {
         if self.st.modal_call.is_on() {
-            return self.not_rebuilt("a modal call is active", "end it by MCALL before the contour");
+            return self.core.not_rebuilt("a modal call is active", "end it by MCALL before the contour");
         }
         let off = self.st.tool.is_without_offset();
         if off && !self.is_capturing() {
-            return self.not_rebuilt("under D0 its points count without the tool", "select D1 before the contour");
+            return self.core.not_rebuilt("under D0 its points count without the tool", "select D1 before the contour");
         }
         if self.st.offsets.in_machine() {
-            return self.not_rebuilt("G500 is in force", "select a work offset before the contour");
+            return self.core.not_rebuilt("G500 is in force", "select a work offset before the contour");
         }
         let undercut = stored.records.iter().any(|record| matches!(record, Record::Undercut(_)));
         if undercut && self.st.corners.rounding() != 0.0 {
-            return self.not_rebuilt(
+            return self.core.not_rebuilt(
                 "RNDM is in force and would round the edges of its undercut",
                 "program RNDM=0 before the contour",
             );
         }
         if undercut && self.st.corners.feed().is_some() {
-            return self.not_rebuilt(
+            return self.core.not_rebuilt(
                 "FRCM is in force and is the feed of the roundings of its undercut alone",
                 "program FRCM=0 before the contour",
             );
@@ -97,10 +98,10 @@ impl Channel<'_> {
     /// The blocks of a contour of which only the records are left.
     pub(super) fn rebuild(&mut self, made: &Contour, stored: &Stored, unit: f64) -> Outcome {
         let plane = self.st.plane();
-        self.say_once(Where::Block, codes::S8028::blocks_of_stored_contour_are_missing());
+        self.core.say_once(Where::Block, codes::S8028::blocks_of_stored_contour_are_missing());
         if unit != 1.0 {
             let found = codes::S8160::records_of_this_contour_are_read().at(stored.begin);
-            self.report(found.help("no contour of inches is known to us: compare its size with the drawing"));
+            self.core.report(found.help("no contour of inches is known to us: compare its size with the drawing"));
         }
         // As in blocks: a contour without elements needs no feed.
         let feed = match made.blocks.is_empty() {
@@ -112,9 +113,9 @@ impl Channel<'_> {
         } else {
             None
         };
-        let here = self.here.origin;
-        self.tell_of_records(made, stored);
-        self.stand_at(stored, made.start_record);
+        let here = self.core.here.origin;
+        self.core.tell_of_records(made, stored);
+        self.core.stand_at(stored, made.start_record);
         self.st.codes.activate(GCode::G0);
         self.tapping_ends();
         self.st.threads.end_chain();
@@ -128,7 +129,7 @@ impl Channel<'_> {
                 self.rebuild_block(block, stored, unit, feed, modal_feed);
             }
         }
-        self.here.origin = here;
+        self.core.here.origin = here;
         Ok(())
     }
 
@@ -141,7 +142,7 @@ impl Channel<'_> {
         modal_feed: Option<Feed>,
     ) {
         let plane = self.st.plane();
-        self.stand_at(stored, block.record);
+        self.core.stand_at(stored, block.record);
         let mut end = Pos::UNKNOWN;
         end.set_in_plane(plane, block.end);
         // The code holds on behind the contour, as that of a block does.
@@ -165,15 +166,15 @@ impl Channel<'_> {
             _ => return,
         };
         if !modal {
-            self.stand_at(stored, block.corner_record);
+            self.core.stand_at(stored, block.corner_record);
         }
         self.send_corner(Some(Corner {
             shape,
             feed: if matches!(shape, CornerShape::Undercut(_)) { None } else { modal_feed },
             early: true,
             modal,
-            large: self.large_corner(),
-            at_arc: self.arc_chamfer(),
+            large: self.core.large_corner(),
+            at_arc: self.core.arc_chamfer(),
             blocks: Blocks::PassedOver,
         }));
     }

@@ -3,7 +3,7 @@
 //!
 //! Source: T 7 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::geo::Vec2;
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::finishing::{ArcFeed, Descending, Finishing, FinishingEnd, Way};
@@ -57,7 +57,7 @@ impl CycleCall<'_> {
             (None, Some((Oversize::Equidistant(p), _))) => p,
             (None, Some((_, place))) => {
                 let fault = codes::T9007::g57_does_not_belong_to_g89();
-                return self.refuse_elsewhere(Elsewhere { place, fault, call: "the cycle" });
+                return self.refuse_elsewhere(Elsewhere { place, fault, call: Label::Cycle });
             }
         };
         let (end, clearance) = match self.given.length_if(word::K) {

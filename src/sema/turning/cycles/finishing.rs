@@ -2,7 +2,7 @@
 //!
 //! Source: T 8.10; the letters H, I, K, D, E and O: MANUALplus 620 smart.Turn and DIN, page 119 (docs/sources.md).
 
-use crate::diag::codes;
+use crate::diag::{Label, codes};
 use crate::geo::{Element, Point2, Vec2, cross, left};
 use crate::ir::Feed;
 use crate::ir::cycle::Cycle;
@@ -166,7 +166,7 @@ impl CycleCall<'_> {
             }
             Some((_, place)) => {
                 let fault = codes::T9007::oversize_does_not_fit_contour();
-                self.refuse_elsewhere(Elsewhere { place, fault, call: "the cycle" })
+                self.refuse_elsewhere(Elsewhere { place, fault, call: Label::Cycle })
             }
         }
     }

@@ -3,7 +3,7 @@
 //! Along the axes the programmed point of a tool that points to the material is exact. On slopes and arcs the nose touches
 //! elsewhere: there its radius has to be known.
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::{Element, Vec2};
 use crate::ir::cycle::layers::{Layers, Relief};
 use crate::ir::cycle::roughing::Nose;
@@ -136,7 +136,7 @@ impl CycleCall<'_> {
             FormKind::Recess => codes::T3050::recess_rises_out_of_material(),
             FormKind::Undercut => codes::T3050::undercut_stands_at_convex_edge(),
         };
-        self.refuse_elsewhere(Elsewhere { place: form.loc, fault, call: "the cycle that cuts it" })
+        self.refuse_elsewhere(Elsewhere { place: form.loc, fault, call: Label::CycleThatCuts })
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Source: T 7, 8.1 and 8.2 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Label, codes};
 use crate::geo::{Element, Point2, Vec2, distance};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::layers::{Allowance, Blank, Layers, Relief, Trace};
@@ -188,7 +188,7 @@ impl CycleCall<'_> {
             }
             Some((_, place)) => {
                 let fault = codes::T9007::oversize_does_not_fit_cycle();
-                self.refuse_elsewhere(Elsewhere { place, fault, call: "the cycle" })
+                self.refuse_elsewhere(Elsewhere { place, fault, call: Label::Cycle })
             }
         }
     }
@@ -296,7 +296,7 @@ impl CycleCall<'_> {
         if self.given.has(word::I) || self.given.has(word::K) {
             if let Some((oversize, place)) = self.st.modal.oversize {
                 let fault = codes::T8017::changes_nothing_here_i_or_k(&oversize.name());
-                self.say_elsewhere(Elsewhere { place, fault, call: "the cycle" });
+                self.say_elsewhere(Elsewhere { place, fault, call: Label::Cycle });
             }
             return Ok(Vec2::new(self.given.length(word::K), self.given.length(word::I) / 2.0));
         }
@@ -305,7 +305,7 @@ impl CycleCall<'_> {
             Some((Oversize::Paraxial { x, z }, _)) if x >= 0.0 && z >= 0.0 => Ok(Vec2::new(z, x / 2.0)),
             Some((_, place)) => {
                 let fault = codes::T9007::equidistant_or_negative_oversize();
-                self.refuse_elsewhere(Elsewhere { place, fault, call: "the cycle" })
+                self.refuse_elsewhere(Elsewhere { place, fault, call: Label::Cycle })
             }
         }
     }
