@@ -14,11 +14,14 @@ build_targets() {
   RUSTFLAGS="$(echo $coverage)" cargo build --locked --quiet --manifest-path fuzz/Cargo.toml --target "$host"
 }
 
-# The programs of the golden books of a folder, a file each: what stands between the lines that structure a book.
+# The programs of the golden books of a folder, a file each: what stands between the lines that structure a book, without what
+# partc made of it.
 seed() {
-  find "tests/golden/$1" -name '*.book' | LC_ALL=C sort | while read -r book; do
-    awk -v into="$2/$(echo "${book%.book}" | tr '/' '_')" '
-      /^(=== |== |-- )/ { part++; next }
+  find "tests/golden/$1" -name '*.snap' | LC_ALL=C sort | while read -r book; do
+    awk -v into="$2/$(echo "${book%.snap}" | tr '/' '_')" '
+      /^(=== |== |-- )/ { part++; made = $0 == "-- then"; next }
+      made || !part { next }
+      /│/ { sub(/ *│.*/, ""); if ($0 == "") next }
       { print > (into "_" part); if (part != last) { close(into "_" last); last = part } }' "$book"
   done
 }

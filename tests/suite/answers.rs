@@ -52,7 +52,7 @@ fn answers(all: &[Answer], (section, key): &(String, String)) -> bool {
 #[test]
 fn keys_that_findings_name_are_answers() {
     let mut missing: BTreeMap<(String, String), Vec<String>> = BTreeMap::new();
-    for name in book::files("book") {
+    for name in book::names() {
         for case in book::of(&name) {
             for finding in case.compile().findings {
                 // What a lint names bounds what it looks at.
@@ -112,7 +112,7 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
 #[test]
 fn keys_that_texts_name_are_answers_somewhere() {
     let mut asked: BTreeSet<(&'static str, String)> = BTreeSet::new();
-    for name in book::files("book") {
+    for name in book::names() {
         for finding in book::of(&name).iter().flat_map(|case| case.compile().findings) {
             for answer in finding.answers {
                 asked.extend(
@@ -142,7 +142,7 @@ fn keys_that_texts_name_are_answers_somewhere() {
 /// Keys that errors of the books ask for, each with the first case of each code.
 fn asking() -> Vec<&'static Case> {
     let (mut met, mut found) = (BTreeSet::new(), Vec::new());
-    for name in book::files("book") {
+    for name in book::names() {
         for case in book::of(&name) {
             // A backup has programs in folders of the control, which a folder of files says by its configuration.
             if case.called.keys().any(|name| name.contains(['/', '\\'])) {

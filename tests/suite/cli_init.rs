@@ -361,7 +361,7 @@ fn measures_in_names_and_comments_are_hints() {
 #[test]
 fn no_line_makes_a_promise() {
     let mut asked = 0;
-    for name in book::files("book") {
+    for name in book::names() {
         for case in book::of(&name) {
             let asks = |finding: &Diagnostic| finding.answers.iter().any(|answer| answer.section == "programs");
             let is_flat = !case.called.keys().any(|name| name.contains(['/', '\\']));

@@ -35,7 +35,7 @@ fn plain(bytes: &[u8]) -> String {
 fn explain_shows_the_first_case_of_each_code() {
     let mut examples: BTreeMap<&str, String> = BTreeMap::new();
     for name in ["klartext", "sinumerik", "heidenhain-turning", "mtc200"] {
-        for book in book::files("book").iter().filter(|book| book.starts_with(&format!("errors/{name}/"))) {
+        for book in book::names().iter().filter(|book| book.starts_with(&format!("errors/{name}/"))) {
             for case in book::of(book) {
                 let code = case.chapter.split(' ').next().unwrap_or_default();
                 assert!(codes::find(code).is_some(), "{book}: {code} is no code");

@@ -1,12 +1,18 @@
-//! The listing of a golden book: output beside the block that caused it, findings under the block they belong to.
+//! The text of a golden book: what people wrote, and right of it what partc makes of each line.
 
-use std::fmt::Write as _;
+mod short;
 
-use super::book::Case;
+use std::collections::BTreeMap;
+
+use super::book::read::{Entry, SEPARATOR, THEN, is_comment};
+use super::book::{self, Case};
 use super::common::{Compiled, Line};
 
-/// Width of the source column; longer blocks stand on a line of their own.
-const WIDTH: usize = 44;
+/// What partc makes begins right of this column, or of a longer line.
+const COLUMN: usize = 44;
+
+/// Lines that hold more than one piece of output are no longer.
+const WIDTH: usize = 140;
 
 /// A block, what it printed, and what was found in it.
 struct Listed {
@@ -17,28 +23,74 @@ struct Listed {
     findings: Vec<String>,
 }
 
-/// The listings of the cases of a book, each under its heading.
-pub fn of(cases: &[&Case]) -> String {
+impl Listed {
+    /// Outputs in short, and findings.
+    fn made(&self) -> Vec<String> {
+        let mut made = short::outputs(&self.source, &self.outputs);
+        made.extend(self.findings.iter().cloned());
+        made
+    }
+}
+
+/// What partc makes of an entry.
+#[derive(Default)]
+struct Made {
+    /// By part and line.
+    beside: BTreeMap<(usize, usize), Vec<String>>,
+    /// Blocks from the first one that runs again, out of order or in another file.
+    then: Vec<Listed>,
+}
+
+/// The text of a book, made of what people wrote.
+pub fn of(book: &str, inputs: &str) -> String {
     let mut text = String::new();
-    let mut chapter = "";
-    for group in cases.chunk_by(|a, b| a.table.is_some() && a.chapter == b.chapter && head(a) == head(b)) {
-        if group[0].chapter != chapter {
-            chapter = &group[0].chapter;
-            let _ = writeln!(text, "{}=== {chapter}", if text.is_empty() { "" } else { "\n" });
-        }
-        let _ = writeln!(text, "\n== {}", head(group[0]));
-        match group {
-            [case] if case.table.is_none() => {
-                lines(&blocks(case)).iter().for_each(|line| text = text.clone() + line + "\n")
-            }
-            rows => table(rows, &mut text),
-        }
+    for entry in book::entries(book, inputs) {
+        let made = match (entry.rows, &entry.cases[..]) {
+            (Some(rows), cases) => table(&entry, rows, cases),
+            (None, [case]) => single(&entry, case),
+            (None, _) => Made::default(),
+        };
+        write(&entry, &made, &mut text);
     }
     text
 }
 
-fn head(case: &Case) -> &str {
-    case.table.as_ref().map_or(&case.heading, |(heading, _)| heading)
+fn write(entry: &Entry<'_>, made: &Made, text: &mut String) {
+    for (at, part) in entry.parts.iter().enumerate() {
+        *text += &format!("{}\n", part.mark);
+        for (line, content) in part.content().iter().enumerate() {
+            put(text, content, made.beside.get(&(at, line)).map_or(&[], Vec::as_slice));
+        }
+        if at + 1 == entry.parts.len() && !made.then.is_empty() {
+            *text += &format!("{THEN}\n");
+            for block in &made.then {
+                let source: String = block.source.chars().map(|c| if c.is_control() { '·' } else { c }).collect();
+                // A line without text is layout.
+                put(text, if source.is_empty() { "·" } else { &source }, &block.made());
+            }
+        }
+        part.lines[part.content().len()..].iter().for_each(|line| *text += &format!("{line}\n"));
+    }
+}
+
+/// Writes a line and what partc makes of it: beside it, and below where there is no room. A finding has a line of its own
+/// unless it is all that there is.
+fn put(text: &mut String, line: &str, made: &[String]) {
+    let mut rows = vec![line.to_owned()];
+    // The end of a line that ends with blanks would not be seen.
+    let beside = !line.is_empty() && line.trim_end() == line;
+    for (at, piece) in made.iter().enumerate() {
+        let last = rows.last_mut().expect("the line");
+        let width = last.chars().count() + piece.chars().count() + 3;
+        if at == 0 && beside {
+            *last = format!("{last:COLUMN$} {SEPARATOR} {piece}");
+        } else if at > 0 && width <= WIDTH && !piece.starts_with("!!") {
+            *last += &format!(" {SEPARATOR} {piece}");
+        } else {
+            rows.push(format!("    {SEPARATOR} {piece}"));
+        }
+    }
+    rows.iter().for_each(|row| *text += &format!("{row}\n"));
 }
 
 fn blocks(case: &Case) -> Vec<Listed> {
@@ -79,51 +131,71 @@ fn add_findings(case: &Case, compiled: &Compiled, blocks: &mut Vec<Listed>) {
     }
 }
 
-fn lines(blocks: &[Listed]) -> Vec<String> {
-    let mut lines = Vec::new();
-    for block in blocks {
-        let source: String = block.source.chars().map(|c| if c.is_control() { '·' } else { c }).collect();
-        let mut left = source.as_str();
-        if block.outputs.is_empty() || left.chars().count() > WIDTH {
-            lines.push(left.to_owned());
-            left = "";
-        }
-        for output in &block.outputs {
-            lines.push(format!("{left:WIDTH$} | {output}"));
-            left = "";
-        }
-        lines.extend(block.findings.iter().cloned());
-    }
-    lines
-}
-
-/// What all rows have in common stands once; what is different, in one line a row.
-fn table(rows: &[&Case], text: &mut String) {
-    let listed: Vec<Vec<String>> = rows.iter().map(|case| without_comments(case)).collect();
-    let first = &listed[0];
-    let same = |of: &dyn Fn(&Vec<String>, usize) -> Option<String>| {
-        (0..first.len()).take_while(|&at| listed.iter().all(|row| of(row, at) == of(first, at))).count()
+/// How many blocks stand in the main program in its order, each once, on lines that show them. The program has as many lines as it
+/// is written in.
+fn in_order(case: &Case, written: usize, blocks: &[Listed]) -> usize {
+    let program = String::from_utf8_lossy(&case.program);
+    let lines: Vec<&str> = program.lines().collect();
+    let mut before = 0;
+    let fits = |block: &&Listed| {
+        let (file, line) = block.at;
+        let here = file == 0 && line > before;
+        before = line;
+        here && lines.get(line as usize - 1).is_some_and(|text| text.trim() == block.source)
     };
-    let before = same(&|row, at| row.get(at).cloned());
-    let shortest = listed.iter().map(Vec::len).min().unwrap_or(0);
-    let after = same(&|row, at| row.len().checked_sub(at + 1).map(|at| row[at].clone())).min(shortest - before);
-    let all = first.iter().map(|line| line.as_str());
-    all.clone().take(before).for_each(|line| *text += &format!("{line}\n"));
-    for (case, row) in rows.iter().zip(&listed) {
-        let own: Vec<&str> = row[before..row.len() - after].iter().filter_map(|line| result(line)).collect();
-        let _ = writeln!(text, "{}: {}", case.table.as_ref().map_or("", |(_, row)| row), own.join("; "));
-    }
-    all.skip(first.len() - after).for_each(|line| *text += &format!("{line}\n"));
+    if lines.len() == written { blocks.iter().take_while(fits).count() } else { 0 }
 }
 
-/// A line of a listing without its source.
-fn result(line: &str) -> Option<&str> {
-    line.split_once(" | ").map(|(_, output)| output).or_else(|| line.starts_with("!!").then_some(line))
-}
-
-/// The listing of a row without the comments that the row brings along.
-fn without_comments(case: &Case) -> Vec<String> {
+fn single(entry: &Entry<'_>, case: &Case) -> Made {
     let mut blocks = blocks(case);
-    blocks.retain(|block| !block.source.starts_with([';', '[']) || !block.findings.is_empty());
-    lines(&blocks)
+    let then = blocks.split_off(in_order(case, entry.parts[entry.program].content().len(), &blocks));
+    let beside = blocks.iter().map(|block| ((entry.program, block.at.1 as usize - 1), block.made())).collect();
+    Made { beside, then }
+}
+
+/// What all rows have in common stands beside the program; what is different, beside the row.
+fn table(entry: &Entry<'_>, rows: usize, cases: &[Case]) -> Made {
+    let template = entry.parts[entry.program].content();
+    let comments_at = template.iter().position(|line| *line == "{comments}");
+    let written = entry.parts[rows].content();
+    let starts = (0..written.len()).filter(|at| *at == 0 || !is_comment(written[*at]));
+    let mut beside: BTreeMap<(usize, usize), Vec<String>> = BTreeMap::new();
+    // Of each row: where it stands, what each line of the template makes, and what comes of blocks out of order.
+    let mut results = Vec::new();
+    for (case, row) in cases.iter().zip(starts) {
+        let comments = written[row + 1..].iter().take_while(|line| is_comment(line)).count();
+        // The line of the template, or of the comments under the row.
+        let place = |block: &Listed| {
+            let line = block.at.1 as usize - 1;
+            match comments_at {
+                Some(at) if line >= at + comments => Ok(line + 1 - comments),
+                Some(at) if line >= at => Err(row + 1 + line - at),
+                _ => Ok(line),
+            }
+        };
+        let mut blocks = blocks(case);
+        let lines = comments_at.map_or(template.len(), |_| template.len() - 1 + comments);
+        let then = blocks.split_off(in_order(case, lines, &blocks));
+        let mut made = vec![Vec::new(); template.len()];
+        for block in &blocks {
+            match place(block) {
+                Ok(line) => made[line] = block.made(),
+                Err(line) => drop(beside.insert((rows, line), block.made())),
+            }
+        }
+        results.push((row, made, then.iter().flat_map(Listed::made).collect::<Vec<_>>()));
+    }
+    for line in 0..template.len() {
+        if results.iter().all(|(_, made, _)| made[line] == results[0].1[line]) {
+            beside.insert((entry.program, line), results[0].1[line].clone());
+        } else {
+            for (row, made, _) in &results {
+                beside.entry((rows, *row)).or_default().extend(made[line].iter().cloned());
+            }
+        }
+    }
+    for (row, _, then) in results {
+        beside.entry((rows, row)).or_default().extend(then);
+    }
+    Made { beside, then: Vec::new() }
 }

@@ -1,6 +1,6 @@
 //! The cases of the golden books under `tests/golden`. `tests/golden/README.md` describes the format.
 
-mod read;
+pub mod read;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -135,20 +135,33 @@ pub fn files(extension: &str) -> Vec<String> {
     found
 }
 
+/// Paths of all books below `tests/golden`, without the extension.
+pub fn names() -> Vec<String> {
+    files("snap")
+}
+
+/// What people wrote of a book.
+pub fn inputs(book: &str) -> String {
+    let text = fs::read_to_string(root().join(format!("{book}.snap"))).unwrap_or_else(|_| panic!("no book {book}"));
+    read::inputs(&text)
+}
+
+/// The entries of a book.
+pub fn entries<'t>(book: &str, inputs: &'t str) -> Vec<read::Entry<'t>> {
+    let config = |name: &str| {
+        fs::read_to_string(root().join(format!("configs/{name}.toml")))
+            .unwrap_or_else(|_| panic!("no configuration {name}"))
+    };
+    read::book(book, inputs, &config)
+}
+
 /// All cases, those of one book together.
 fn books() -> &'static [Case] {
     static ALL: OnceLock<Vec<Case>> = OnceLock::new();
-    ALL.get_or_init(|| {
-        let config = |name: &str| {
-            fs::read_to_string(root().join(format!("configs/{name}.toml")))
-                .unwrap_or_else(|_| panic!("no configuration {name}"))
-        };
-        let read = |book: &String| {
-            let text = fs::read_to_string(root().join(book).with_extension("book")).expect("a readable book");
-            read::book(book, &text, &config)
-        };
-        files("book").iter().flat_map(read).collect()
-    })
+    let cases = |book: &String| -> Vec<Case> {
+        entries(book, &inputs(book)).into_iter().flat_map(|entry| entry.cases).collect()
+    };
+    ALL.get_or_init(|| names().iter().flat_map(cases).collect())
 }
 
 /// The cases of a book, in the order of the book.

@@ -4,32 +4,84 @@ use std::collections::BTreeMap;
 
 use super::Case;
 
-/// A line that begins something, and the lines behind it.
-struct Part<'t> {
-    mark: &'t str,
-    lines: Vec<&'t str>,
-}
+/// What stands right of it, partc makes; no program contains it.
+pub const SEPARATOR: char = '│';
 
-impl Part<'_> {
-    /// The lines as a file; blank lines at the end are layout.
-    fn text(&self) -> String {
-        let end = self.lines.iter().rposition(|line| !line.is_empty()).map_or(0, |last| last + 1);
-        self.lines[..end].iter().flat_map(|line| [line, "\n"]).collect()
+/// Begins the blocks of a case that run again or out of order, which partc writes.
+pub const THEN: &str = "-- then";
+
+/// The text that people write: without the head that insta puts in front, and without what partc makes.
+pub fn inputs(text: &str) -> String {
+    let mut lines = text.lines().peekable();
+    if lines.next_if_eq(&"---").is_some() {
+        lines.find(|line| *line == "---");
     }
-}
-
-fn parts(text: &str) -> Vec<Part<'_>> {
-    let mut parts: Vec<Part<'_>> = Vec::new();
-    for line in text.lines() {
-        if ["=== ", "== ", "-- "].iter().any(|mark| line.starts_with(mark)) {
-            parts.push(Part { mark: line, lines: Vec::new() });
-        } else if let Some(part) = parts.last_mut() {
-            part.lines.push(line);
-        } else {
-            panic!("a book begins with `=== ` and its title");
+    let (mut inputs, mut made) = (String::new(), false);
+    for line in lines {
+        made = if is_mark(line) { line == THEN } else { made && !line.is_empty() };
+        let left = line.split_once(SEPARATOR).map(|(left, _)| left.trim_end());
+        if !made && left != Some("") {
+            inputs.extend([left.unwrap_or(line), "\n"]);
         }
     }
-    parts
+    inputs
+}
+
+fn is_mark(line: &str) -> bool {
+    ["=== ", "== ", "-- "].iter().any(|mark| line.starts_with(mark))
+}
+
+/// A line that begins something, and the lines behind it.
+pub struct Part<'t> {
+    pub mark: &'t str,
+    pub lines: Vec<&'t str>,
+}
+
+impl<'t> Part<'t> {
+    /// The lines up to the last one that is not blank; blank lines at the end are layout.
+    pub fn content(&self) -> &[&'t str] {
+        &self.lines[..self.lines.iter().rposition(|line| !line.is_empty()).map_or(0, |last| last + 1)]
+    }
+
+    fn text(&self) -> String {
+        self.content().iter().flat_map(|line| [line, "\n"]).collect()
+    }
+
+    /// The characters that begin the mark, its word, and the rest of the line.
+    fn words(&self) -> (&'t str, &'t str, &'t str) {
+        let (kind, rest) = self.mark.split_once(' ').expect("a blank behind the mark");
+        let (word, argument) = rest.split_once(' ').unwrap_or((rest, ""));
+        (kind, word, argument)
+    }
+
+    fn heading(&self) -> &'t str {
+        self.mark.split_once(' ').map_or("", |(_, heading)| heading)
+    }
+}
+
+/// What stands between two headings.
+pub struct Entry<'t> {
+    pub parts: Vec<Part<'t>>,
+    /// Position of the part with the program, and of that with the rows of a table.
+    pub program: usize,
+    pub rows: Option<usize>,
+    /// None under the title of a chapter.
+    pub cases: Vec<Case>,
+}
+
+fn entries(text: &str) -> Vec<Entry<'_>> {
+    let mut entries: Vec<Entry<'_>> = Vec::new();
+    for line in text.lines() {
+        if line.starts_with('=') && is_mark(line) {
+            entries.push(Entry { parts: Vec::new(), program: 0, rows: None, cases: Vec::new() });
+        }
+        let entry = entries.last_mut().expect("a book begins with `=== ` and its title");
+        match entry.parts.last_mut() {
+            Some(part) if !is_mark(line) => part.lines.push(line),
+            _ => entry.parts.push(Part { mark: line, lines: Vec::new() }),
+        }
+    }
+    entries
 }
 
 /// What stands between `== ` and the next one.
@@ -44,42 +96,61 @@ struct Draft {
     rows: Option<Vec<(String, String, Vec<String>)>>,
 }
 
-/// The cases of a book. `config` gives the text of a named configuration.
-pub fn book(book: &str, text: &str, config: &dyn Fn(&str) -> String) -> Vec<Case> {
-    let mut cases = Vec::new();
-    let mut chapter = String::new();
+/// The entries of a book with their cases. `config` gives the text of a named configuration.
+pub fn book<'t>(book: &str, inputs: &'t str, config: &dyn Fn(&str) -> String) -> Vec<Entry<'t>> {
+    let mut entries = entries(inputs);
+    let mut chapter = "";
     // Programs that all cases of the chapter may call.
     let mut shared: BTreeMap<String, Vec<u8>> = BTreeMap::new();
-    let mut draft: Option<Draft> = None;
-    for part in parts(text) {
-        let body = part.text();
-        let (mark, rest) = part.mark.split_once(' ').expect("a blank behind the mark");
-        let (word, argument) = rest.split_once(' ').unwrap_or((rest, ""));
-        match (mark, word, &mut draft) {
-            ("===" | "==", ..) => {
-                cases.extend(draft.take().into_iter().flat_map(|draft| draft.cases(book, &chapter, &shared)));
-                if mark == "==" {
-                    draft = Some(Draft { heading: rest.to_owned(), program: body.into_bytes(), ..Draft::default() });
-                } else {
-                    rest.clone_into(&mut chapter);
+    for entry in &mut entries {
+        let mut draft = Draft::default();
+        for (at, part) in entry.parts.iter().enumerate() {
+            let text = part.text();
+            let program = match part.words() {
+                ("===", ..) => {
+                    chapter = part.heading();
                     shared.clear();
+                    None
                 }
+                ("==", ..) => {
+                    part.heading().clone_into(&mut draft.heading);
+                    Some(text.into_bytes())
+                }
+                (_, "called", name) => {
+                    let called = if draft.heading.is_empty() { &mut shared } else { &mut draft.called };
+                    called.insert(name.to_owned(), text.into_bytes());
+                    None
+                }
+                (_, "config", "") => {
+                    draft.config = text;
+                    None
+                }
+                (_, "config", name) => {
+                    draft.config = config(name);
+                    Some(text.into_bytes())
+                }
+                (_, "extension", extension) => {
+                    draft.extension = Some(extension.to_owned());
+                    Some(text.into_bytes())
+                }
+                (_, "program", _) => Some(text.into_bytes()),
+                (_, "escaped", _) => Some(unescaped(&text)),
+                (_, "rows", _) => {
+                    draft.rows = Some(rows(&text));
+                    entry.rows = Some(at);
+                    None
+                }
+                _ => panic!("{book}: `{}` has no meaning here", part.mark),
+            };
+            if let Some(program) = program {
+                (draft.program, entry.program) = (program, at);
             }
-            (_, "called", None) => drop(shared.insert(argument.to_owned(), body.into_bytes())),
-            (_, "called", Some(case)) => drop(case.called.insert(argument.to_owned(), body.into_bytes())),
-            (_, "config", Some(case)) if argument.is_empty() => case.config = body,
-            (_, "config", Some(case)) => (case.config, case.program) = (config(argument), body.into_bytes()),
-            (_, "extension", Some(case)) => {
-                (case.extension, case.program) = (Some(argument.to_owned()), body.into_bytes());
-            }
-            (_, "program", Some(case)) => case.program = body.into_bytes(),
-            (_, "escaped", Some(case)) => case.program = unescaped(&body),
-            (_, "rows", Some(case)) => case.rows = Some(rows(&body)),
-            _ => panic!("{book}: `{}` has no meaning here", part.mark),
+        }
+        if !draft.heading.is_empty() {
+            entry.cases = draft.cases(book, chapter, &shared);
         }
     }
-    cases.extend(draft.into_iter().flat_map(|draft| draft.cases(book, &chapter, &shared)));
-    cases
+    entries
 }
 
 impl Draft {
@@ -151,12 +222,17 @@ fn slug(heading: &str) -> String {
     words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("_")
 }
 
+/// Whether a line among the rows is a comment of the row above.
+pub fn is_comment(line: &str) -> bool {
+    line.starts_with([';', '['])
+}
+
 /// `value`, or `name = value`, each with comments behind it.
 fn rows(body: &str) -> Vec<(String, String, Vec<String>)> {
     let mut rows: Vec<(String, String, Vec<String>)> = Vec::new();
     for line in body.lines() {
         match rows.last_mut() {
-            Some((.., comments)) if line.starts_with([';', '[']) => comments.push(line.to_owned()),
+            Some((.., comments)) if is_comment(line) => comments.push(line.to_owned()),
             _ => {
                 let (name, value) = line.split_once(" = ").unwrap_or((line, line));
                 rows.push((name.to_owned(), value.to_owned(), Vec::new()));
