@@ -155,7 +155,7 @@ fn open_stream(path: &Path) -> io::Result<File> {
             Err(_) => {
                 let seconds = PATIENCE.as_secs();
                 return Err(io::Error::other(format!(
-                    "is a pipe that nobody reads: no reader came within {seconds} seconds"
+                    "is a pipe without a reader: none came within {seconds} seconds"
                 )));
             }
         }

@@ -114,7 +114,7 @@ fn table(name: &str, stats: &Stats, model: &Model) -> String {
     if stats.unknown_moves > 0 {
         let begin =
             if stats.unknown_moves == 1 { "1 move begins" } else { &format!("{} moves begin", stats.unknown_moves) };
-        let _ = writeln!(text, "  {begin} nobody knows where: not in the figures");
+        let _ = writeln!(text, "  {begin} an unknown place: not in the figures");
     }
     if stats.untimed_moves > 0 {
         let _ = writeln!(text, "  {} moves have no speed that is known: their time is missing", stats.untimed_moves);

@@ -124,3 +124,39 @@ fn a_long_name_of_a_file_is_not_cut() {
     let folder = Folder::new("messages_long").with(&[(name, "\n")]);
     folder.run(&["check", name, "--isolated", "--format", "concise"]).exits(1).says("P0004").says(&format!("`{name}`"));
 }
+
+/// Turns of phrase that texts for users do not have, and what stands for them.
+const NOT_SAID: &[(&str, &str)] = &[
+    ("at hand", "no available manual says …"),
+    ("nobody", "it is not known …"),
+    ("somebody", "another user"),
+    ("holds on", "is modal"),
+    ("goes before it", "takes precedence"),
+    ("is worth a word", "is reported"),
+];
+
+#[test]
+fn texts_for_users_have_the_words_of_the_trade() {
+    let mut texts: Vec<(String, String)> = Vec::new();
+    for code in partc::internals::diag::codes::all() {
+        texts.push((code.id.to_owned(), format!("{} {}", code.title, code.explain)));
+        let worded = code.wordings.iter().map(|wording| format!("{} {}", wording.message, wording.help));
+        texts.extend(worded.map(|text| (code.id.to_owned(), text)));
+    }
+    let codes = texts.len();
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    for entry in std::fs::read_dir(root.join("docs")).expect("the documents") {
+        let path = entry.expect("a document").path();
+        if path.extension().is_some_and(|extension| extension == "md") {
+            texts.push((path.display().to_string(), std::fs::read_to_string(&path).expect("a document")));
+        }
+    }
+    assert!(codes > 2000 && texts.len() > codes + 15, "{codes} texts of codes, {} in all", texts.len());
+    let mut found = Vec::new();
+    for (place, text) in &texts {
+        let text = text.to_lowercase();
+        let heard = NOT_SAID.iter().filter(|(words, _)| text.contains(words));
+        found.extend(heard.map(|(words, better)| format!("{place}: `{words}`; write {better}")));
+    }
+    assert_eq!(found, [""; 0]);
+}

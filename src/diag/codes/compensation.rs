@@ -156,7 +156,7 @@ both axes. No available manual confirms this. End the compensation in a block th
 
 G3213 Warning "compensation-joint" "arc about an outside corner is partc's reading"
 "At an outside corner the tool travels on an arc about the corner. Which feed counts on it, and whether blocks that stand between the two elements happen before \
-it or after it, the manuals of HEIDENHAIN controls at hand do not say. partc takes the feed of the element after the corner, and lets those blocks happen before the arc, as \
+it or after it, the available manuals of HEIDENHAIN controls do not say. partc takes the feed of the element after the corner, and lets those blocks happen before the arc, as \
 SINUMERIK controls do." {
     arc_about_corner_takes_its_feed()
         "the arc about the corner before this element takes its feed; the element before has another one"
@@ -167,7 +167,7 @@ SINUMERIK controls do." {
 }
 
 G3214 Warning "compensation-nearly-behind" "start or end of a contour may lie behind it"
-"KONT leads around the contour point where the tool stands behind the contour. Where that begins no manual at hand says: partc takes it to be where the straight way would \
+"KONT leads around the contour point where the tool stands behind the contour. No available manual says where that begins: partc takes it to be where the straight way would \
 come nearer to the contour point than the radius. Here the tool stands on the right side of the contour, but nearer than that. Start or end farther away." {
     of_way_lies_less_than_tool_radius(what)
         "the {what} of the way lies less than the tool radius beside the contour: it is taken to be behind it, so a \

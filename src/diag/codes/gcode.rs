@@ -4,7 +4,7 @@ super::codes! { GCODE:
 
 R1001 Error "gcode-line" "line of plain G-code cannot be read"
 "partc reads G-code that is resolved already: G0 to G3, G33, positions, F, S, T, M, work offsets, planes, units. A line with a variable, a call, a cycle or another \
-function is refused, and so is a line that counts on something nobody has said: a unit, a feed, the place of an axis. Positions hold as numbers only when the line in \
+function is refused, and so is a line that counts on something that is not stated: a unit, a feed, the place of an axis. Positions hold as numbers only when the line in \
 front of it is certain. Resolve the program first, or name its language with `--dialect`; `[control] unit` and `[start]` in partc.toml say what a program leaves open." {
     this_line_cannot_be_read(why, why2) "this line cannot be read: {why}{why2}";
     has_to_stand_in_line() "`%` has to stand in a line of its own";

@@ -128,16 +128,16 @@ together. partc lets each stroke fall by Q202. `[cycles] q202 = \"stroke\"` says
 }
 
 K9040 Error "cycle-needs-a-choice" "cycle needs a choice in the configuration"
-"Manuals at hand do not settle what the control does here, and a wrong guess would spoil the part. The message names the key in `[cycles]` of partc.toml that \
+"The available manuals do not settle what the control does here, and a wrong guess would spoil the part. The message names the key in `[cycles]` of partc.toml that \
 settles it; docs/cycles.md says what each value does." {
     order_of_circles_is_open(size)
         "the hole of {size} mm is milled in several circles (Q342, Q370), whose order is not documented"
         asks "`[cycles] cycle_208_rings = true` mills them from inside out, as docs/cycles.md says";
     whether_edge_or_corner_lies_at_q224()
-        "no manual at hand says whether a corner of the polygon or the middle of an edge lies at its angle of rotation Q224"
+        "no available manual says whether a corner of the polygon or the middle of an edge lies at its angle of rotation Q224"
         asks "say it by `[cycles] multi_edge_start = \"corner\"` or \"edge\"";
     what_tool_touches_is_open()
-        "no manual at hand says what the radius of the tool touches, the nominal diameter or the core"
+        "no available manual says what the radius of the tool touches, the nominal diameter or the core"
         asks "`[cycles] thread_267 = \"core\"` where the radius of the tool is that of its tip, `\"nominal\"` where \
         the tip reaches the core when that radius reaches the nominal diameter";
 }

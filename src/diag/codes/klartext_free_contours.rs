@@ -50,7 +50,7 @@ them. FLT, FCT and IAN need an element of the working plane directly before it. 
 }
 
 K8022 Warning "fselect-observed" "choice of FSELECT is an observed one"
-"No manual at hand says in which order a control counts the solutions that FSELECT chooses from. In a few situations it can be seen in printed programs with their drawings, and \
+"No available manual says in which order a control counts the solutions that FSELECT chooses from. In a few situations it can be seen in printed programs with their drawings, and \
 partc takes the same order there. Compare the path with the drawing. `[control] fselect = \"refuse\"` refuses such contours." {
     has_several_solutions(item, unwrap_or_default)
         "{item} has several solutions; FSELECT {unwrap_or_default} is taken as printed programs count them"
@@ -67,9 +67,9 @@ places. partc takes the older reading. Choose with `[control] fk_cca`, or write 
 }
 
 K8024 Warning "fk-reference-reading" "what a centre counts from is a reading"
-"An incremental centre without a reference counts from the start of its arc here, and one with a reference to the block of an arc from the centre of that; PAR takes the direction in which an arc ends. No manual at hand says so. \
+"An incremental centre without a reference counts from the start of its arc here, and one with a reference to the block of an arc from the centre of that; PAR takes the direction in which an arc ends. No available manual says so. \
 Write absolute coordinates of the centre to be sure." {
-    no_manual_at_hand_says(text, what) "`{text}` {what}: no manual at hand says so";
+    no_manual_at_hand_says(text, what) "`{text}` {what}: no available manual says so";
 }
 
 K8025 Warning "fk-not-closed" "free contour is never closed"

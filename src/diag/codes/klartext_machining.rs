@@ -114,7 +114,7 @@ the smaller cutter of cycle 23 takes it away down to the floor in one cut. Let a
 }
 
 K8110 Warning "contours-that-cross" "contours of cycle 14 cross"
-"partc takes all pockets together and leaves out all islands, and cuts crossing contours at their crossings. No manual at hand says it in full: look at a picture (`partc plot`), \
+"partc takes all pockets together and leaves out all islands, and cuts crossing contours at their crossings. No available manual says it in full: look at a picture (`partc plot`), \
 or draw one contour around the area. Said once for a program." {
     contours_of_cycle_14_cross()
         "contours of cycle 14 cross: the pockets are taken together, and the islands left out"

@@ -81,7 +81,7 @@ coordinates, and do not say what the control does without one. Write Z+0." {
 
 K2807 Warning "order-of-transformations" "order of mirror, scaling and rotation is open"
 "A mirror, or an uneven scaling by cycle 26, is in force together with a rotation, and the contour lies elsewhere depending on which comes first. partc mirrors and \
-scales the programmed coordinates first and turns the result; `[control] mirror = \"last\"` turns first. Manuals at hand do not say; program the two \
+scales the programmed coordinates first and turns the result; `[control] mirror = \"last\"` turns first. The available manuals do not say; program the two \
 so that only one is in force, or compare one point with the control." {
     cycle_26_scales_first() "cycle 26 scales first, then the rotation turns the result"
         help "scale and rotate one after the other, or both axes alike";
@@ -92,7 +92,7 @@ so that only one is in force, or compare one point with the control." {
 }
 
 K2808 Warning "two-scalings" "scaling by cycle 11 and by cycle 26 together"
-"Both scalings are in force. partc scales by cycle 11 first and then by cycle 26 about its centre, so the factors multiply. Manuals at hand \
+"Both scalings are in force. partc scales by cycle 11 first and then by cycle 26 about its centre, so the factors multiply. The available manuals \
 do not say what controls do. Program the product into one of them." {
     cycle_11_scales_first() "cycle 11 scales first, then cycle 26 scales the result about its centre"
         help "put the product of the factors into one of the two cycles";
@@ -145,7 +145,7 @@ and before the block with R0 (departure); what the control does here is open. pa
 }
 
 K2893 Warning "open-corner" "way across the open corner of M98 is a reading"
-"M98 leads the tool beyond the corner on both sides, so that both are machined completely. No manual at hand says how the tool gets from one side to the other: \
+"M98 leads the tool beyond the corner on both sides, so that both are machined completely. No available manual says how the tool gets from one side to the other: \
 partc takes a straight line. `[control] m98 = \"refuse\"` refuses such corners." {
     m98_opens_corner_at_end()
         "M98 opens the corner at the end of this block where it is an inside one: a straight line leads from one \

@@ -136,7 +136,7 @@ Write the function into the block that ends in the corner." {
 }
 
 K2702 Note "tool-change-joined" "M6 changes no tool by itself"
-"Either the tool change was printed at the TOOL CALL already, because `[control] tool_change = \"t\"` says so or nobody knew of this M6, or no TOOL CALL \
+"Either the tool change was printed at the TOOL CALL already, because `[control] tool_change = \"t\"` says so or this M6 was not known of, or no TOOL CALL \
 stands before the M6, as in programs that stop with M6 for a change by hand and call the tool then: there the next TOOL CALL is the change. \
 The M6 stops the spindle, which is printed." {
     stops_spindle_tool_is_in_it(by) "{by} stops the spindle; the tool that was called is in it already";
@@ -165,8 +165,8 @@ K2705 Error "retract-limit-unknown" "M140 MB MAX needs the end of the travel"
 }
 
 K2707 Error "m-function-form" "M function lacks or has wrong words"
-"The function needs a value after it, or has one that it does not take: `M140 MB 50`, `M103 F20`, `M120 LA 5`. Without it nobody \
-knows what the function would do." {
+"The function needs a value after it, or has one that it does not take: `M140 MB 50`, `M103 F20`, `M120 LA 5`. Without it what \
+the function would do is not known." {
     m197_prolongs_elements(by) "M197 prolongs the elements by {by}" help "write a length that is not below zero";
     m197_lacks_its_length() "M197 lacks its length" help "write `M197 DL0.5`";
     m120_looks_ahead_blocks(blocks) "M120 looks ahead {blocks} blocks"

@@ -508,7 +508,7 @@ the flat part of the cutter is wide. Give a smaller overlap factor, or finish wi
 
 P8103 Warning "feed-in-contour" "feed in the contour of a cycle does not count" was "K2953 S8199 siemens-contour-feed"
 "Klartext: Cycles along contours have feeds of their own, Q11 and Q12. An F in the subprogram of a contour is left out.\n\n\
-SINUMERIK: F, FRC or FRCM stands in a contour that a cycle takes. partc moves at the feeds of the cycle. The manuals at hand do not say \
+SINUMERIK: F, FRC or FRCM stands in a contour that a cycle takes. partc moves at the feeds of the cycle. The available manuals do not say \
 for every cycle whether F of the contour counts while finishing; give the feed to the cycle." {
     f_in_contour_does_not_count(contour_name)
         "F in the contour {contour_name} does not count: the cycle moves at its own feeds";

@@ -215,7 +215,7 @@ refuse it or ignore it; partc never drops a word. Remove it, or put it where it 
         help "only X and Z can be incremental or left open with `?`";
     hands_no_value_over(addr) "{addr} hands no value over";
     call_takes_plain_numbers() "a call takes plain numbers";
-    block_of_call_holds_words_that_no() "the block of a call holds words that no manual at hand describes"
+    block_of_call_holds_words_that_no() "the block of a call holds words that no available manual describes"
         help "hand over values with LA to LF, LH and I, and put functions into blocks of their own";
     g80_takes_no_behind_g(name, number) "G80 takes no {name} after G{number}"
         help "remove the word, or put it where it belongs";
@@ -280,7 +280,7 @@ word." {
         help "program I with the greatest infeed, on the radius";
     i_is_missing_under_v(kind)
         "I is missing: under V{kind} the control computes the greatest infeed from the speed and the pitch \
-        F, by a formula that no manual at hand prints"
+        F, by a formula that no available manual prints"
         help "program I with the greatest infeed, on the radius";
     size_of_undercut_is_missing(diameter)
         "a size of the undercut is missing, and the table has none for the diameter {diameter}";

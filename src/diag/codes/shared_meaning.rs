@@ -277,7 +277,7 @@ reached from here. Check the number, or the spelling of the name.\n\n\
 MTC200: The jump names a label that no block of the program sets. A label is a point and a name at the start of a block: `.LOOP`. Check \
 the spelling.\n\n\
 SINUMERIK: GOTOF searches to the end of the program, GOTOB to its start, GOTO first forward and then backward, and only in the program \
-that jumps. The control shows alarm 14080. After a jump that leads nowhere the run stops, because nobody knows where the program goes \
+that jumps. The control shows alarm 14080. After a jump that leads nowhere the run stops, because it is not known where the program goes \
 on." {
     lbl_0_ends_subprogram() "LBL 0 ends a subprogram and cannot be called";
     is_no_label_number(q, n) "{q} = {n} is no label number";

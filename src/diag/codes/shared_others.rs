@@ -19,7 +19,7 @@ tool radius below zero, compensation under M128, or a rounding as way to the con
 with G41/G42 and let the target compensate.\n\n\
 MTC200: The path beside a contour under G41 and G42 needs the radius of the tool, on a lathe its cutting-edge position too, and no \
 correction D; after more than two blocks without a move in the plane the control takes the contour as finished. Outside corners get \
-arcs, as after G43: how long the chamfers of G44 are no manual at hand says. With `[output] compensation = \"control\"` the contour is \
+arcs, as after G43: no available manual says how long the chamfers of G44 are. With `[output] compensation = \"control\"` the contour is \
 printed with G41 and G42, and the target compensates.\n\n\
 SINUMERIK: The path of the tool centre needs the radius of the tool, on lathes also the position of its cutting edge, and rules that are \
 published: compensation in space, approaches on polynomials (KONTT, KONTC) and the curves of DISC are not. Tool data come from \
@@ -167,10 +167,10 @@ it moves away `lost = [\"X\"]`. Give a program of your own for it (`TC = { file 
     changes_tool_as_programs_says(name, left) "{name} changes the tool, as `[programs]` says; {left} left out";
 }
 
-P8106 Warning "reading-not-confirmed" "reading that no manual at hand confirms" was "M8004 mtc-reading S8162 siemens-cycle-reading"
-"MTC200: What the program says here is read in a way that fits the names of the words and the programs at hand, but that no manual at \
-hand confirms for this control. Check it once at the machine; then list it in `[control] confirmed`, and the warning is gone.\n\n\
-SINUMERIK: The argument has a meaning that follows from a few stored programs or from similar cycles, and no manual at hand says it. \
+P8106 Warning "reading-not-confirmed" "reading that no available manual confirms" was "M8004 mtc-reading S8162 siemens-cycle-reading"
+"MTC200: What the program says here is read in a way that fits the names of the words and the programs seen, but that no available \
+manual confirms for this control. Check it once at the machine; then list it in `[control] confirmed`, and the warning is gone.\n\n\
+SINUMERIK: The argument has a meaning that follows from a few stored programs or from similar cycles, and no available manual says it. \
 partc takes it as the message says; compare with what the machine does." {
     of_0_in_millions_of_vari_is_taken()
         "0 in the millions of `_VARI` is taken as 1: relief cuts are machined; this is not confirmed"

@@ -493,7 +493,7 @@ the corner on a circle, as under DISC=0: it touches the same contour, on a short
 
 S8194 Warning "siemens-edge-position" "centre of the nose by the position of the edge"
 "The path of a turning tool is that of its theoretical tip. From there the centre of the nose lies as the position of the cutting edge says (`$TC_DP2`, or `orientation` in partc.toml): \
-3 is an outside tool that cuts towards the chuck, 2 a boring bar, 9 the centre itself. The table was not confirmed by a manual at hand: compare it with the tool data of the control once." {
+3 is an outside tool that cuts towards the chuck, 2 a boring bar, 9 the centre itself. No available manual confirms the table: compare it with the tool data of the control once." {
     cutting_edge_position(position, radius, radius2)
         "cutting-edge position {position}: the centre of the nose lies Z{radius:+} X{radius2:+} mm in radius from \
         the programmed point";

@@ -180,9 +180,9 @@ has to be set there. Later shifts are computed into the coordinates." {
 }
 
 T2016 Error "turning-shift" "zero shift is not clear"
-"A zero shift moves everything that follows. Here its amount depends on something the program does not say, or on a rule that no manual at hand \
+"A zero shift moves everything that follows. Here its amount depends on something the program does not say, or on a rule that no available manual \
 confirms. Write the coordinates without the shift, or put it before the first move." {
-    whether_g59_ends_shifts_of_g51() "whether G59 ends the shifts of G51 and G56 no manual at hand says"
+    whether_g59_ends_shifts_of_g51() "no available manual says whether G59 ends the shifts of G51 and G56"
         help "program `G51 Z0` first, and take the sum of G56 back";
     g59_moves_workpiece_zero_that_positions()
         "G59 moves the workpiece zero that the positions of `[start]` count from, by an amount that only the machine \
@@ -223,7 +223,7 @@ change when a program is renumbered: check the references." {
 }
 
 T2020 Error "turning-case-fall-through" "branch of SWITCH without BREAK"
-"A branch runs into the next CASE. Whether the control then goes on there or leaves the SWITCH no manual at hand says. End each branch with BREAK." {
+"A branch runs into the next CASE. No available manual says whether the control then goes on there or leaves the SWITCH. End each branch with BREAK." {
     branch_before_has_no_break() "the branch before has no BREAK" help "end every branch of SWITCH with BREAK";
 }
 

@@ -151,22 +151,22 @@ shifted, so the finished thread is the same either way, the load on the flanks i
 }
 
 T8002 Warning "turning-thread-face" "face of a transverse thread is partc's reading"
-"G31 cuts threads in the front face and in the rear face with the same words. The edge position of the tool tells which one is meant; no manual at \
-hand says that the control decides by it." {
+"G31 cuts threads in the front face and in the rear face with the same words. The edge position of the tool tells which one is meant; no available \
+manual says that the control decides by it." {
     face_is_taken_from_edge()
         "the face of this transverse thread is taken from the edge position of the tool"
         asks "set `[control] thread_face = \"front\"` or \"rear\" to say it";
 }
 
 T8003 Warning "turning-simple-thread" "words of G32 are partc's reading"
-"No manual at hand lists the words of G32. They are read as docs/turning.md says. Program G31 where its words are known." {
+"No available manual lists the words of G32. They are read as docs/turning.md says. Program G31 where its words are known." {
     words_of_g32_are_read()
-        "the words of G32 are read as docs/turning.md says: no manual at hand lists them"
+        "the words of G32 are read as docs/turning.md says: no available manual lists them"
         asks "set `[control] simple_thread = \"documented\"` to confirm it, or \"refuse\"";
 }
 
 T8004 Warning "turning-infeed" "infeed of G81 is partc's reading"
-"Whether I of G81 counts on the radius or on the diameter no manual at hand says. The number of cuts depends on it, the finished contour does not." {
+"No available manual says whether I of G81 counts on the radius or on the diameter. The number of cuts depends on it, the finished contour does not." {
     infeed_is_taken_as_radius()
         "the infeed I of G81 is taken as a depth of cut, on the radius"
         asks "set `[control] infeed = \"radius\"` to confirm it, or \"diameter\"";
@@ -201,7 +201,7 @@ or say which row holds." {
 
 T8008 Warning "turning-undercut-side" "side of an undercut is partc's reading"
 "G85 has no word for outside and inside. A tool above the cylinder cuts outside, one below inside; where it stands on the cylinder, its edge position \
-tells: 3, 4 and 8 outside, 1, 2 and 6 inside. No manual at hand says that the control decides by it." {
+tells: 3, 4 and 8 outside, 1, 2 and 6 inside. No available manual says that the control decides by it." {
     side_is_taken_from_edge()
         "the tool stands on the cylinder: whether the undercut lies outside or inside is taken from its \
         edge position"
@@ -217,7 +217,7 @@ their rims, so that the recess opens." {
 }
 
 T8010 Warning "turning-recess-blank" "blank oversize of G869 is partc's reading"
-"RI says how far the blank stands above the rim of a recess. Whether it counts on the diameter, as the oversize I does, no manual at hand says. \
+"RI says how far the blank stands above the rim of a recess. No available manual says whether it counts on the diameter, as the oversize I does. \
 A tool that expects too little material would plunge too deep at once: compare the first plunge with the drawing." {
     ri_counts_on_diameter()
         "RI of G869 is taken to count on the diameter"
@@ -226,7 +226,7 @@ A tool that expects too little material would plunge too deep at once: compare t
 
 T8011 Warning "turning-depth-compensation" "sense of R or RB of G869 is partc's reading"
 "The compensation counteracts the bending of the tool while it turns the floor. It is taken to lift the tool, which never cuts too deep; no \
-manual at hand gives the sign." {
+available manual gives the sign." {
     compensation_lifts_tool()
         "the turning depth compensation of G869 is taken to lift the tool off the floor"
         asks "set `[control] turning_depth = \"away\"` to confirm it, or \"towards\"";
@@ -234,14 +234,14 @@ manual at hand gives the sign." {
 
 T8012 Warning "turning-offset-one-way" "offset width of one-way turning is partc's reading"
 "B pulls the ends of turned cuts in where the tool changes from turning to plunging. One way (U1) there is no such change inside the material, \
-so B has no effect; no manual at hand says so." {
+so B has no effect; no available manual says so." {
     offset_width_has_no_effect()
         "the offset width B has no effect under U1: one way there is no change from turning to plunging"
         asks "set `[control] offset_one_way = \"none\"` to confirm it, or \"end\"";
 }
 
 T8013 Warning "turning-recess-depth" "incremental I of G22 is partc's reading"
-"I of G22 is a diameter, so its increment is taken as a difference of diameters. No manual at hand says so: with the other reading the recess is twice \
+"I of G22 is a diameter, so its increment is taken as a difference of diameters. No available manual says so: with the other reading the recess is twice \
 as deep." {
     incremental_i_counts_on_diameter()
         "an incremental I of G22 is taken to count on the diameter"
@@ -256,7 +256,7 @@ T8014 Warning "turning-recess-width" "width of G23 is partc's reading"
 }
 
 T8015 Warning "turning-recess-oversize" "oversize of G86 is partc's reading"
-"The oversize of G86 is left until the finishing cut. Whether on the walls as well as on the floor no manual at hand says; on both never cuts too much." {
+"The oversize of G86 is left until the finishing cut. No available manual says whether it is left on the walls as well as on the floor; on both never cuts too much." {
     oversize_is_left_on_floor_and_walls()
         "the oversize of G86 is left on the floor and on the walls until the finishing cut"
         asks "set `[control] recess_oversize = \"all\"` to confirm it, or \"floor\"";
@@ -306,10 +306,10 @@ nose on the side on which the tool works: told by its edge position, else by whe
 }
 
 T8019 Warning "turning-nose-path" "path beside a contour is partc's reading"
-"The manuals at hand say when G41 and G42 begin to act, and not where the tool stands then. partc leads it straight to the point at a right angle beside the start of \
+"The available manuals say when G41 and G42 begin to act, and not where the tool stands then. partc leads it straight to the point at a right angle beside the start of \
 the contour, around outside corners on an arc of the nose radius, and from the point beside its end straight on, as other controls do." {
     ends_of_compensation_are_partcs()
-        "how G41 and G42 begin, end and go around outside corners no manual at hand says: at a right angle \
+        "no available manual says how G41 and G42 begin, end and go around outside corners: at a right angle \
         beside the contour, and on an arc about the corner"
         help "look at the first and the last way beside the contour";
 }
@@ -338,14 +338,14 @@ T9004 Error "turning-axis" "axis is not supported"
 
 T9007 Error "turning-unconfirmed" "meaning is not confirmed by a manual"
 "What this word means is shown in a picture only, or differs between manuals. Compiling it on a guess could cut in the wrong place, so it is refused." {
-    whether_q_counts_passes_or_repeats_no() "whether Q counts passes or repeats no manual at hand says"
+    whether_q_counts_passes_or_repeats_no() "no available manual says whether Q counts passes or repeats"
         help "write the L block as often as it shall run";
     of_g89_how_it_makes_is_shown(letter, what) "{letter} of G89: how it makes {what} is shown in a picture only"
         help "begin the contour with the element before the corner, and write the corner at its end";
     in_contour_of_g80_is_not_supported(name)
-        "{name} in a contour of G80 is not supported: no manual at hand describes it"
+        "{name} in a contour of G80 is not supported: no available manual describes it"
         help "write the contour with G0, G1, G2 and G3 blocks before G80";
-    no_manual_at_hand_lists_words(addr) "no manual at hand lists the words of G80 ({addr})"
+    no_manual_at_hand_lists_words(addr) "no available manual lists the words of G80 ({addr})"
         asks "write the contour with G0, G1, G2 and G3 blocks before G80, or set `[control] contour_words = \
         \"documented\"`";
     contour_in_words_of_g80_is_not(addr, number)
@@ -358,10 +358,10 @@ T9007 Error "turning-unconfirmed" "meaning is not confirmed by a manual"
         help "program J with the same value as I, or leave I out";
     drilling_along_x_is_not_supported() "drilling along X is not supported"
         help "position the tool over the hole, and program Z of its bottom";
-    of_g36_what_its_values_do_no(letter, what) "{letter} of G36 ({what}): what its values do no manual at hand says"
+    of_g36_what_its_values_do_no(letter, what) "{letter} of G36 ({what}): no available manual says what its values do"
         help "leave it out, and position the tool far enough in front of the thread";
     deep_hole_drilling_with_retraction_at_feed() "deep-hole drilling with retraction at feed is not supported";
-    by_how_much_v_lowers_feed() "by how much V lowers the feed at entry and exit no manual at hand says"
+    by_how_much_v_lowers_feed() "no available manual says by how much V lowers the feed at entry and exit"
         help "leave V out, and program the feed for the whole hole";
     d_names_one_kind_of_ring_groove()
         "D names one kind of ring groove, and a recess of G22 does not say which kind it is"
@@ -390,16 +390,16 @@ T9007 Error "turning-unconfirmed" "meaning is not confirmed by a manual"
         asks "set `[control] recess_side = \"plus\"` or `\"minus\"` in partc.toml: the side of the programmed \
         corner, along Z";
     whether_width_of_axial_recess_counts()
-        "whether the width of an axial recess counts as a diameter no manual at hand says"
+        "no available manual says whether the width of an axial recess counts as a diameter"
         help "leave I out and cut side by side, or program the recess with G869 on a later control";
-    of_g32_no_manual_at_hand_gives(letter, what) "{letter} of G32: {what} no manual at hand gives"
+    of_g32_no_manual_at_hand_gives(letter, what) "{letter} of G32: no available manual gives {what}"
         help "program G31, which has R, H and A";
     words_of_g32_are_not_confirmed() "the words of G32 are not confirmed by a manual"
         asks "program G31, or set `[control] simple_thread = \"documented\"` in partc.toml";
     alternating_flanks_that_begin_on_other_side()
         "alternating flanks that begin on the other side (a thread towards +Z) are not supported"
         help "program H0, H1 or H2";
-    how_v_divides_depth_no_manual(kind) "how V{kind} divides the depth no manual at hand says"
+    how_v_divides_depth_no_manual(kind) "no available manual says how V{kind} divides the depth"
         help "program V0, V1, V2 or V3";
     v3_divides_depth_on_manualplus()
         "V3 divides the depth on the MANUALplus and follows pitch and speed on the CNC PILOT 4290"
@@ -411,13 +411,13 @@ T9007 Error "turning-unconfirmed" "meaning is not confirmed by a manual"
     wear_oversize_of_undercut_e_or_f() "the wear oversize of an undercut E or F is not supported"
         help "leave I out, and correct the wear at the tool";
     how_q_chooses_approach_no_manual()
-        "how Q chooses the approach no manual at hand says"
+        "no available manual says how Q chooses the approach"
         help "leave the word out, and name the elements to be finished with NS and NE";
     u_names_element_in_words_of_g80()
         "U names an element in the words of G80, which is not supported"
         help "leave the word out, and name the elements to be finished with NS and NE";
     what_b_of_g890_means_no_manual()
-        "what B of G890 means no manual at hand says"
+        "no available manual says what B of G890 means"
         help "leave the word out, and name the elements to be finished with NS and NE";
     cutting_limit_is_not_supported()
         "a cutting limit is not supported: to which side it holds is shown in a picture only"

@@ -6,7 +6,7 @@ use crate::lint::motion::{Machine, MotionRule, Say, Setup};
 super::rule! { L1030 Motion OffsetCompensated Warning "offset-while-compensated"
     what "work offset changes while radius compensation is on"
     why "A work offset is selected while G41, G42, RL or RR holds. Where the compensated path goes between the two zeros is \
-        nobody's intention, and controls differ in it. End the compensation first."
+        hardly intended, and controls differ in it. End the compensation first."
     example r#"
 -- Example (L1030_fires.H)
 0 BEGIN PGM P MM

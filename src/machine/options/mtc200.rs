@@ -95,7 +95,7 @@ pub const KEYS: &[Key] = &[
     key(
         "confirmed",
         Kind::Texts,
-        "MTC200: readings that no manual at hand confirms and that this control has: [\"flow\", \"degrees\"]",
+        "MTC200: readings that no available manual confirms and that this control has: [\"flow\", \"degrees\"]",
         |s, v| confirm(&mut s.control.mtc200.confirmed, v),
     )
     .or("[]"),
@@ -186,7 +186,7 @@ pub enum ShiftedIncrement {
     Increment,
 }
 
-/// What no manual at hand confirms, and partc reads all the same.
+/// What no available manual confirms, and partc reads all the same.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reading {
     AtStart,

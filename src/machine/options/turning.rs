@@ -202,9 +202,9 @@ pub struct Turning {
     pub left_is_plus: Option<bool>,
     /// What RI of G869 counts: the diameter, if nobody said.
     pub recess_blank: Option<RecessDepth>,
-    /// G32, whose words no manual at hand lists, is refused.
+    /// G32, whose words no available manual lists, is refused.
     pub refuse_simple_thread: Option<bool>,
-    /// A contour in the words of G80, which no manual at hand lists, is refused.
+    /// A contour in the words of G80, which no available manual lists, is refused.
     pub refuse_contour_words: Option<bool>,
     /// Angles of lines count from +Z, not from -Z.
     pub angle_from_plus: Option<bool>,

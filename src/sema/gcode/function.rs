@@ -89,7 +89,7 @@ pub fn feed(reader: &Reader) -> Result<Feed, &'static str> {
         Some(FeedKind::PerMinute) => Ok(Feed::PerMinute(feed)),
         Some(FeedKind::PerRevolution) => Ok(Feed::PerRevolution(feed)),
         Some(FeedKind::InverseTime) => Ok(Feed::InverseTime(feed)),
-        None => Err("what the feed counts, nobody has said"),
+        None => Err("it is not stated what the feed counts"),
     }
 }
 

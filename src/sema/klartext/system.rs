@@ -177,7 +177,7 @@ impl Run<'_> {
         let place = matches!((r.id, r.nr), (240 | 270, 1));
         let why = match axis {
             Some(axis) if place && self.st.position.may_be_moved(axis) => {
-                ": somebody may have moved the axis by hand since the program stopped"
+                ": the axis may have been moved by hand since the program stopped"
             }
             _ => "",
         };

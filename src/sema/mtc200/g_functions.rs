@@ -152,7 +152,7 @@ pub(super) fn refused(number: u32) -> Option<&'static str> {
         31 => "machining of a face by a coordinate transformation",
         32 => "machining of a cylinder by a coordinate transformation",
         36..=38 => "approach logic of endless rotary axes",
-        49 => "tool length compensation, whose sense no manual at hand gives",
+        49 => "tool length compensation, whose sense no available manual gives",
         63..=65 => "tapping in step with the spindle",
         72 | 73 => "mirror imaging",
         75 | 76 => "feed to positive stop",
