@@ -2,7 +2,8 @@
 
 use crate::diag::{Answer, CallPath, Diagnostic, codes};
 use crate::sema::Job;
-use crate::text::blocks::{Hole, OpenError, Place};
+use crate::text::Place;
+use crate::text::blocks::{Hole, OpenError};
 use crate::text::sources::{MAX_ALL_CALLED, MAX_CALLED, TooMuch};
 use crate::text::{Cursor, FileError, FileId, Loc, Opened, Request, Span, SplitRules, Within};
 
