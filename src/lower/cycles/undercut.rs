@@ -15,13 +15,12 @@ use crate::ir::cycle::undercut::{Leave, UndercutCycle, UndercutFault};
 use crate::ir::{Pos, Side};
 
 use super::{CycleItem, Expand, Start};
+use nose::{NEAR, Outline};
 
 /// Most depth steps.
 const MOST_STEPS: f64 = 10_000.0;
 /// What arithmetic loses where the tool stands at the face.
 const SLACK: f64 = 1e-9;
-/// What arithmetic loses in a distance, mm.
-const NEAR: f64 = 1e-6;
 /// The face goes on above where a nose on the floor touches it by this at least, mm.
 const LEAST_FACE: f64 = 0.01;
 /// The cylinder and the face reach as far, mm: longer than any undercut, and not part of the cycle.
@@ -157,14 +156,6 @@ impl Cut {
     fn lifted(&self) -> Point2 {
         self.end() + self.lift
     }
-}
-
-/// An undercut with the slope prolonged to where the tool comes in, and the face to where it leaves.
-struct Outline {
-    elements: Vec<Element>,
-    /// Where the slope meets the cylinder, and the direction in which it rises there.
-    begin: Point2,
-    slope: Vec2,
 }
 
 fn cut(cycle: &UndercutCycle, step: &Step) -> Result<Cut, diag::Fault> {
