@@ -14,7 +14,7 @@ use super::options::klartext::{
 use super::options::mtc200::Mtc200;
 use super::options::sinumerik::Sinumerik;
 use super::options::turning::Turning;
-use super::path_control::PathChoice;
+use super::path_control::{self, PathChoice, PathControl};
 use super::table::Contents;
 use super::tools::Tools;
 use super::tree::Spot;
@@ -424,6 +424,16 @@ impl OutputSettings {
     /// Waits are counted in milliseconds.
     pub fn waits_in_milliseconds(&self) -> bool {
         self.dwell_unit() == Some(DwellUnit::Milliseconds)
+    }
+
+    /// What is printed for what the program says of its corners, `None` where it has no say. No answer: nothing is printed.
+    pub fn path_control(&self, said: Option<PathControl>, lathe: bool) -> Option<PathControl> {
+        path_control::printed(&self.target.path, self.path_control, said, lathe)
+    }
+
+    /// Has the target a word for what the configuration says of corners?
+    pub fn can_say_path_control(&self) -> bool {
+        path_control::can_say(&self.target.path, self.path_control)
     }
 
     /// X is printed as a diameter, on a lathe.
