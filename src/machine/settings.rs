@@ -19,6 +19,7 @@ use super::table::Contents;
 use super::tools::Tools;
 use super::tree::Spot;
 use super::undercut::Undercuts;
+use super::unit::Unit;
 
 /// Everything the user can say about a run.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -191,24 +192,6 @@ impl Default for Machine {
             rotary_axis: Axis::C,
             swivel_retract: BTreeMap::new(),
             swivel_retract_most: BTreeMap::new(),
-        }
-    }
-}
-
-/// Unit of length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Unit {
-    #[default]
-    Mm,
-    Inch,
-}
-
-impl Unit {
-    /// Millimetres in one unit.
-    pub fn mm(self) -> f64 {
-        match self {
-            Unit::Mm => 1.0,
-            Unit::Inch => 25.4,
         }
     }
 }

@@ -1,8 +1,8 @@
 //! `[control]` keys that several languages share, and those that name the control.
 
 use super::key::{Key, Kind, key};
-use crate::machine::settings::Unit;
 use crate::machine::tree::{ConfigError, Node};
+use crate::machine::unit::Unit;
 use crate::machine::values::{is, number, put, text, wholes};
 
 use crate::machine::options::klartext::Generation;

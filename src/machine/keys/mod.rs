@@ -15,7 +15,7 @@ mod undercut;
 
 use crate::diag::Answer;
 
-use super::settings::Unit;
+use super::unit::Unit;
 use super::values::{is, put};
 use key::part;
 pub use key::{Key, Kind};
