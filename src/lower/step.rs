@@ -9,7 +9,7 @@ use crate::machine::{Axis, AxisSet};
 
 use super::at;
 
-/// What comes out of the pass.
+/// What comes out of the pass over corners.
 #[derive(Debug)]
 pub enum Event<'s> {
     Step(&'s Step),

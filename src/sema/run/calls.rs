@@ -2,8 +2,7 @@
 
 use crate::diag::{CallPath, Diagnostic, Fault, codes};
 use crate::sema::Outcome;
-use crate::text::Place;
-use crate::text::{FileId, Loc, Request};
+use crate::text::{FileId, Loc, Place, Request};
 
 use super::Language;
 use super::core::Core;

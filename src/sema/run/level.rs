@@ -2,8 +2,7 @@
 
 use crate::diag::CallPath;
 use crate::sema::Job;
-use crate::text::Place;
-use crate::text::{FileId, Loc};
+use crate::text::{FileId, Loc, Place};
 
 use super::Language;
 use super::source::Source;

@@ -13,17 +13,6 @@ use crate::geo::{Element, Point2, distance, grid, turned};
 use super::carriers::settled;
 use super::walls::{Walls, nearest_on, point_at, to_element};
 
-/// Where a ring meets material.
-#[derive(Debug, Clone, Default)]
-pub enum Meets {
-    /// Nothing was cleared before, or nothing along the ring.
-    #[default]
-    Everywhere,
-    Nowhere,
-    /// Chains of it that begin and end in cleared ground, in its sense.
-    Along(Vec<Vec<Element>>),
-}
-
 /// How much a ring may miss its distance, mm.
 const MISSES: f64 = 1e-5;
 /// Shorter elements are passed over, mm.
@@ -36,6 +25,17 @@ const EQUAL: f64 = 1e-6;
 const SMOOTH: f64 = 1e-3;
 /// Largest sweep of a part of an arc.
 const LARGEST: f64 = 3.0;
+
+/// Where a ring meets material.
+#[derive(Debug, Clone, Default)]
+pub enum Meets {
+    /// Nothing was cleared before, or nothing along the ring.
+    #[default]
+    Everywhere,
+    Nowhere,
+    /// Chains of it that begin and end in cleared ground, in its sense.
+    Along(Vec<Vec<Element>>),
+}
 
 /// A closed ring.
 #[derive(Debug, Clone)]
