@@ -9,7 +9,6 @@
 //!   ═══════════╰───────────
 //! ```
 
-pub use super::element::quarters;
 use super::profile::{Grown, LEVEL, Leg, Profile, backwards, mirrored};
 use super::{Element, Point2, Vec2, distance};
 

@@ -8,7 +8,7 @@ use std::io;
 use memchr::memchr2;
 use xxhash_rust::xxh3::Xxh3;
 
-pub use super::Place;
+use super::Place;
 pub use super::holes::Hole;
 use super::holes::{Holes, is_empty};
 use super::lines::{CHUNK, SplitRules, line_end};
