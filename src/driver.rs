@@ -215,7 +215,7 @@ impl Session {
         }
         let mut validated = Validated::new(printer, Validator::new(settings), &self.diags);
         let hash = run(&mut validated);
-        validated.finish(hash)
+        validated.finish(hash)?.map_or(Ok(()), |mismatch| Err(Failure::Mismatch(mismatch)))
     }
 
     /// Reads all blocks, also those that never run, runs the program while rules look on, and prints nothing. Gives what

@@ -1,12 +1,13 @@
 //! A printer whose text is read back item by item, before it is written.
 
+use std::io;
+
 use crate::diag::Diags;
-use crate::driver::Failure;
 use crate::emit::Printer;
 use crate::emit::winding::{self, Winding};
 use crate::ir::motion::{Move, Path, Place, Sink};
 use crate::ir::{Function, Origin, Pos, Tap};
-use crate::validate::Validator;
+use crate::validate::{Mismatch, Validator};
 
 /// Hands items to the printer, and what it makes of them to the validator.
 #[derive(Debug)]
@@ -48,20 +49,17 @@ impl<'a> Validated<'a> {
         });
     }
 
-    /// Ends the output.
+    /// Ends the output; the first difference, unless errors were reported.
     ///
     /// # Errors
-    /// The first difference, or what the output reports.
-    pub fn finish(mut self, hash: u64) -> Result<(), Failure> {
+    /// What the output reports.
+    pub fn finish(mut self, hash: u64) -> io::Result<Option<Box<Mismatch>>> {
         self.printer.close();
         self.look();
         let (bytes, end) = self.printer.held();
         self.validator.finish(bytes, end);
         self.printer.finish(hash)?;
-        match self.validator.into_mismatch() {
-            Some(mismatch) if !self.diags.has_errors() => Err(Failure::Mismatch(mismatch)),
-            _ => Ok(()),
-        }
+        Ok(self.validator.into_mismatch().filter(|_| !self.diags.has_errors()))
     }
 }
 

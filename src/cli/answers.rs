@@ -10,7 +10,7 @@ use crate::machine::keys::SECTIONS;
 
 use super::need::{FREE, Form, Need, Place, WIDTH, is_promise, line};
 use super::tool_hints::Hint;
-use super::tool_lines::tool_lines;
+use super::tool_lines::{ToolLine, tool_lines};
 
 /// Numbers handed out while a program is tried that calls tools by name.
 const FIRST_TRIED: u32 = 9001;
@@ -336,7 +336,7 @@ impl Needs {
         }
     }
 
-    fn tools(&self, text: &mut String, form: Form, needs: &[&Need], taken: &BTreeSet<u32>) {
+    fn tools<'n>(&'n self, text: &mut String, form: Form, needs: &[&'n Need], taken: &BTreeSet<u32>) {
         let mut by_tool: BTreeMap<(bool, u32, &str), Vec<&Need>> = BTreeMap::new();
         for need in needs {
             let tool = need.answer.path[0].as_str();
@@ -355,7 +355,13 @@ impl Needs {
         });
         let heads: Vec<(bool, String)> = heads.collect();
         if form == Form::Commented {
-            return tool_lines(text, self, &heads, &by_tool.into_values().collect::<Vec<_>>());
+            let line = |((is_named, head), needs): ((bool, String), Vec<&'n Need>)| ToolLine {
+                is_named,
+                head,
+                hint: self.hint_of(needs[0]),
+                needs: needs.into_iter().map(|need| (need, self.of_tool(need))).collect(),
+            };
+            return tool_lines(text, heads.into_iter().zip(by_tool.into_values()).map(line).collect());
         }
         for ((is_named, head), ((_, _, tool), needs)) in heads.into_iter().zip(by_tool) {
             let _ = write!(text, "{}", if text.is_empty() { "" } else { "\n" });

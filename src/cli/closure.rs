@@ -10,7 +10,7 @@ use super::inputs::Input;
 use super::key::Nowhere;
 use super::options::Common;
 use super::pool::in_order;
-use super::run::{Loaded, load};
+use super::program::{Loaded, load};
 use super::{Trouble, config};
 
 /// Files that a run will replace. What a program calls shows only when it has run: they are compared after that, and before

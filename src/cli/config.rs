@@ -5,19 +5,16 @@ use std::io;
 use std::path::{Component, Path, PathBuf};
 
 use crate::dialect;
+use crate::machine::config;
 use crate::machine::settings::{Compensation, Settings};
 use crate::machine::table::{self, Contents, Kind};
 use crate::machine::tree::{Node, Spot, Table, Value, overlay, parse};
-use crate::machine::{config, schema, show};
 use crate::target;
-use crate::text::decode::escaped_json;
 
-use super::args::Config;
+use super::Trouble;
 use super::disk::{read_settings, read_settings_once};
-use super::listing::print;
-use super::options::{Common, Format};
+use super::options::Common;
 use super::regular;
-use super::{Exit, Trouble};
 
 /// Name of the configuration file.
 pub(super) const NAME: &str = "partc.toml";
@@ -26,43 +23,8 @@ const PATHS: [(&str, &str); 2] = [("tools", "table"), ("control", "datum_table")
 /// Longest chain of `extend`.
 const MOST_EXTENDS: usize = 16;
 
-/// `partc config`
-pub(super) fn command(args: &Config) -> Result<Exit, Trouble> {
-    let Some(path) = &args.show else {
-        return print(format!("{:#}\n", schema::schema()).as_bytes());
-    };
-    if !path.exists() {
-        return Err(format!("{}: no such file or folder", path.display()));
-    }
-    // The folder of a program in it is the folder itself.
-    let input = if path.is_dir() { path.join(NAME) } else { path.clone() };
-    // What cannot be used is not in force.
-    settings(&input, &args.common)?;
-    let mut tree = tree_for(&input, &args.common)?;
-    let text = |value: &String| Value::Text(value.clone());
-    for (section, key, value) in [
-        ("tools", "table", args.common.tools.as_ref().map(|path| Value::Text(path.to_string_lossy().into_owned()))),
-        ("output", "target", args.common.target.as_ref().map(text)),
-        ("output", "line_numbers", args.common.numbers.map(|step| Value::Whole(i64::from(step)))),
-        ("output", "compensation", args.common.compensation.as_ref().map(text)),
-    ] {
-        if let Some(value) = value {
-            set(&mut tree, section, key, value);
-        }
-    }
-    let text = match args.common.report.format {
-        Some(Format::Json) => format!("{}\n", show::json(&tree)),
-        None | Some(Format::Human | Format::Concise) => {
-            show::toml_of(&tree, super::run::dialect_of(path, &args.common))
-        }
-        Some(_) => return Err("`partc config` writes human or json".to_owned()),
-    };
-    // Escapes of JSON are those of TOML, too.
-    print(escaped_json(&text).as_bytes())
-}
-
 /// What an argument of the command line says in place of the configuration.
-fn set(tree: &mut Table, section: &str, key: &str, value: Value) {
+pub(super) fn set(tree: &mut Table, section: &str, key: &str, value: Value) {
     let spot = Spot { file: "command line".to_owned(), ..Spot::default() };
     let node = Node { value, spot: spot.clone() };
     let table = Value::Table(Table::from([(key.to_owned(), node)]));

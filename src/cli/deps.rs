@@ -9,10 +9,11 @@ use serde_json::json;
 use crate::text::decode::escaped_json;
 
 use super::disk::{IncludeRoots, shown, text_of};
+use super::made::is_output;
 use super::options::{Common, Deps, DepsFormat};
 use super::output::Destination;
+use super::paths::{is_source_name, real};
 use super::report::Reporter;
-use super::run::{is_output, is_source_name, real};
 use super::{Exit, Trouble, config};
 
 /// How a list in JSON begins.

@@ -19,10 +19,12 @@ use super::args::Diff;
 use super::closure::Targets;
 use super::disk::{IncludeRoots, file_name, read_whole};
 use super::listing::print;
+use super::made::{Made, Replaces, is_foreign};
 use super::options::{Common, Findings, Format};
-use super::output::{Destination, Made, Replaces, is_foreign};
+use super::output::Destination;
+use super::paths::same_file;
+use super::program::{Loaded, load};
 use super::report::{Reporter, Stdout};
-use super::run::{Loaded, load, same_file};
 use super::{Exit, Trouble, config, plot};
 
 /// Extensions of plain G-code.

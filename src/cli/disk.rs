@@ -13,7 +13,7 @@ use super::backup::{Backup, Sought, no_folder};
 use super::listed::{Listings, find, like};
 use super::stamp::{CHANGED, Stamp};
 
-use super::regular::{is_pipe, metadata, open_regular};
+use super::regular::{is_pipe, metadata, open_regular, ordinary};
 
 /// After so many names that no file has none is proposed any more: all would be compared with every file of a folder.
 const MOST_MISSED: u32 = 500;
@@ -501,22 +501,6 @@ fn with_extensions(parts: &[String], extensions: &[&str]) -> Vec<Vec<String>> {
         }
     }
     candidates
-}
-
-/// Is there an ordinary file? A folder of this name is none.
-///
-/// # Errors
-/// A pipe, a device, a link that leads nowhere: somebody put it there, and it cannot be called.
-pub(super) fn ordinary(path: &Path) -> Result<Option<()>, FileError> {
-    match metadata(path) {
-        Ok(meta) if meta.is_file() => Ok(Some(())),
-        Ok(meta) if meta.is_dir() => Ok(None),
-        Err(_) if path.symlink_metadata().is_err() => Ok(None),
-        Ok(_) | Err(_) => match open_regular(path) {
-            Ok(_) => Ok(Some(())),
-            Err(error) => Err(FileError::Io { why: error.to_string() }),
-        },
-    }
 }
 
 /// Opens a file after a last look at where it really lies.

@@ -14,7 +14,7 @@ use super::Trouble;
 use super::disk::IncludeRoots;
 use super::options::Common;
 use super::pending::Pending;
-use super::run::{Loaded, load};
+use super::program::{Loaded, load};
 
 /// Bytes of a program that is changed: it is held in memory.
 const LARGEST: u64 = 256 << 20;

@@ -18,10 +18,11 @@ use super::args::Test;
 use super::closure::Targets;
 use super::inputs::{Ignored, walk};
 use super::listing::print;
+use super::made::is_output;
 use super::options::{Findings, Format};
 use super::output::Destination;
+use super::program::{Loaded, is_program, load};
 use super::report::{Reporter, Stdout, counted, spares_sources};
-use super::run::{Loaded, is_output, is_program, load};
 use super::{Exit, Trouble};
 
 /// Printed numbers that differ by less are the same.

@@ -14,7 +14,7 @@ use crate::text::Files;
 
 use super::disk::read_settings;
 use super::options::Common;
-use super::{config, run};
+use super::{config, program};
 
 /// What the caller says in place of what would be found.
 #[derive(Debug, Clone, Copy, Default)]
@@ -57,7 +57,7 @@ pub fn open(path: &Path, asked: &Asked<'_>) -> Result<Opened, String> {
         }
         None => config::settings(path, &common)?,
     };
-    let run::Loaded { session, dialect, settings, files, .. } = run::load_with(path, &common, settings)?;
+    let program::Loaded { session, dialect, settings, files, .. } = program::load_with(path, &common, settings)?;
     Ok(Opened { session, dialect, settings, files: Box::new(files) })
 }
 

@@ -19,7 +19,7 @@ use super::inputs::{Input, inputs};
 use super::listing::print;
 use super::options::Common;
 use super::pool::in_order;
-use super::run::{Loaded, is_program, load};
+use super::program::{Loaded, is_program, load};
 use super::{Exit, Trouble, config, say};
 
 /// Raised where the same inputs shall have another key.

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::machine::tree::did_you_mean;
 use crate::text::FileError;
 
-use super::disk::ordinary;
+use super::regular::ordinary;
 
 /// The names in each folder, by how they are written in capitals; none for a folder that cannot be listed.
 pub(super) type Listings = RefCell<BTreeMap<PathBuf, Option<BTreeMap<String, Vec<String>>>>>;

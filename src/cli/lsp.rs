@@ -15,7 +15,7 @@ use crate::lsp::{Server, Setting, World};
 
 use super::disk::{IncludeRoots, text_of};
 use super::options::Common;
-use super::run::said_dialect;
+use super::program::said_dialect;
 use super::{Exit, Trouble, config};
 
 /// Bytes looked at to tell the language.

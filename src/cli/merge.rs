@@ -9,8 +9,9 @@ use crate::diag::report::merge::merge as merged;
 
 use super::args::Merge;
 use super::listing::print;
+use super::made::is_output;
 use super::output::Destination;
-use super::run::{is_output, is_source_name, real};
+use super::paths::{is_source_name, real};
 use super::{Exit, Trouble};
 
 /// Puts the reports of shards together.

@@ -21,18 +21,22 @@ mod key;
 mod listed;
 mod listing;
 mod lsp;
+mod made;
 mod merge;
 mod need;
 mod options;
 mod output;
 mod page;
+mod paths;
 mod pending;
 mod plot;
 mod pool;
+mod program;
 mod progress;
 mod regular;
 mod report;
 mod run;
+mod show;
 mod source_map;
 mod stamp;
 mod stats;
@@ -123,7 +127,7 @@ fn dispatch(args: &Args) -> Result<Exit, Trouble> {
         Command::Stats(args) => stats::stats(args),
         Command::Test(test) => golden::test(test),
         Command::Diff(two) => diff::diff(two),
-        Command::Config(show) => config::command(show),
+        Command::Config(show) => show::config(show),
         Command::Explain { code, format } => listing::explain(code, *format),
         Command::Rules { format } => listing::rules(*format),
         Command::Key(args) => key::key(args),

@@ -8,19 +8,15 @@ use std::thread;
 #[cfg(target_os = "linux")]
 use std::time::{Duration, Instant};
 
-use crate::emit::{Output, is_printed, made_for, plot};
-use crate::target::Target;
+use crate::emit::Output;
 
+use super::made::{Made, Replaces, head_of, is_foreign, is_ours};
 use super::pending::{self, Pending, behind_links};
 #[cfg(target_os = "linux")]
 use super::regular::is_pipe;
-use super::regular::open_regular;
-use super::{page, trace};
 
 /// Bytes of standard output kept in memory before a temporary file takes over.
 const IN_MEMORY: usize = 8 << 20;
-/// How every source map begins.
-pub(super) const MAP_MARK: &str = "{\"version\":1,\"output\":";
 /// Names tried for an older output that is set aside.
 const STALE_NAMES: u32 = 1000;
 
@@ -249,32 +245,6 @@ impl Write for Destination {
     }
 }
 
-/// What partc writes, and knows again.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Made {
-    Program,
-    Map,
-    Picture,
-    Report,
-    Trace,
-}
-
-/// What a new file may take the place of, if it is there when the new one gets its name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Replaces {
-    Anything,
-    /// What partc wrote.
-    Ours(Made),
-    /// The same, and the file that was there at the start, which somebody wants to be replaced.
-    Forced(Made),
-}
-
-impl Replaces {
-    pub(super) fn by(made: Made, force: bool) -> Replaces {
-        if force { Replaces::Forced(made) } else { Replaces::Ours(made) }
-    }
-}
-
 /// Was standard output closed at the start? The runtime opens the null device for reading and writing in its place, which no shell
 /// does.
 #[cfg(target_os = "linux")]
@@ -290,41 +260,6 @@ fn stdout_is_closed() -> bool {
 #[cfg(not(target_os = "linux"))]
 fn stdout_is_closed() -> bool {
     false
-}
-
-/// Would writing to `path` destroy a file that partc did not write? An empty file is nobody's.
-pub(super) fn is_foreign(path: &Path, made: Made) -> bool {
-    path.is_file() && head_of(path).is_none_or(|head| !head.is_empty() && !is_ours(path, &head, made))
-}
-
-/// Did partc write the file that begins so?
-fn is_ours(path: &Path, head: &[u8], made: Made) -> bool {
-    begins(head, made) && (made != Made::Trace || trace::is_ours(path, head))
-}
-
-/// The target that the program in this file was made for, where partc made it.
-pub(super) fn target_of(path: &Path) -> Option<&'static Target> {
-    made_for(&head_of(path)?)
-}
-
-/// Bytes that tell what a file is.
-const HEAD: u64 = 128;
-
-fn head_of(path: &Path) -> Option<Vec<u8>> {
-    let mut head = Vec::new();
-    open_regular(path).and_then(|file| file.take(HEAD).read_to_end(&mut head)).ok().map(|_| head)
-}
-
-fn begins(head: &[u8], made: Made) -> bool {
-    match made {
-        Made::Program => is_printed(head),
-        Made::Map => head.starts_with(MAP_MARK.as_bytes()),
-        #[cfg(feature = "png")]
-        Made::Picture if head.windows(plot::PNG_MARK.len()).any(|part| part == plot::PNG_MARK) => true,
-        Made::Picture => head.starts_with(plot::MARK.as_bytes()),
-        Made::Report => head.starts_with(page::MARK.as_bytes()),
-        Made::Trace => trace::MARKS.iter().any(|mark| head.starts_with(mark)),
-    }
 }
 
 /// An older output must not look like the result of a program that now has errors.

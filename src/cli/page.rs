@@ -14,19 +14,19 @@ use super::args::Page;
 use super::closure::Targets;
 use super::disk::file_name;
 use super::inputs::Input;
+use super::made::{Made, Replaces, is_foreign};
 use super::need::Form;
-use super::output::{Destination, Made, Replaces, ignore_closed_pipe, is_foreign};
+use super::output::{Destination, ignore_closed_pipe};
+use super::paths::{real, same_file};
+use super::program::{LARGEST_TRIED, Loaded, load};
 use super::progress::Ticker;
 use super::report::{Reporter, Stdout};
-use super::run::{LARGEST_TRIED, Loaded, load, real, same_file};
 use super::trial::requests_of;
 use super::{Exit, Trouble};
 
 /// The page that `web/build.mjs` makes, with a place for the result.
 const PAGE: &str = include_str!("../../web/dist/report.html");
 const RESULT: &str = "@@RESULT@@";
-/// How every report begins.
-pub(super) const MARK: &str = "<!doctype html>\n<!-- (partc report) -->\n";
 
 /// Writes the page of one program. That of a program with errors shows the path up to the first one; neither it nor one with
 /// findings that `--fail-on` does not let pass has code.
@@ -148,6 +148,7 @@ fn base64(out: &mut dyn Write, bytes: &[u8]) -> io::Result<()> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::made::REPORT_MARK;
     use super::*;
 
     #[test]
@@ -161,7 +162,7 @@ mod tests {
 
     #[test]
     fn the_page_has_one_place_for_the_result() {
-        assert!(PAGE.starts_with(MARK) && PAGE.matches(RESULT).count() == 1);
+        assert!(PAGE.starts_with(REPORT_MARK) && PAGE.matches(RESULT).count() == 1);
         assert!(PAGE.contains("connect-src 'none'") && !PAGE.contains("http-equiv=\"refresh\""));
     }
 }

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use super::disk::file_name;
-use super::output::{Replaces, is_foreign};
+use super::made::{Replaces, is_foreign};
 
 /// Hidden names tried for one file.
 const NAMES: u32 = 100;
@@ -338,7 +338,7 @@ fn link(_: &File, _: &Path) -> io::Result<bool> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::output::Made;
+    use super::super::made::Made;
     use super::*;
 
     fn folder(name: &str) -> PathBuf {

@@ -10,10 +10,12 @@ use super::args::{PictureForm, Plot, View};
 use super::closure::Targets;
 use super::disk::file_name;
 use super::inputs::Input;
-use super::output::{Destination, Made, Replaces, ignore_closed_pipe, is_foreign};
+use super::made::{Made, Replaces, is_foreign};
+use super::output::{Destination, ignore_closed_pipe};
+use super::paths::{real, same_file};
+use super::program::{Loaded, load};
 use super::progress::Ticker;
 use super::report::{Reporter, Stdout};
-use super::run::{Loaded, load, real, same_file};
 use super::{Exit, Trouble, say};
 
 /// Draws the path of one program. That of a program with errors says that it is not whole.

@@ -4,6 +4,8 @@ use std::fs::{self, File, Metadata};
 use std::io;
 use std::path::Path;
 
+use crate::text::FileError;
+
 /// Opens an ordinary file for reading.
 ///
 /// # Errors
@@ -59,4 +61,20 @@ fn open(path: &Path) -> io::Result<File> {
 #[cfg(not(target_os = "linux"))]
 fn open(path: &Path) -> io::Result<File> {
     File::open(path)
+}
+
+/// Is there an ordinary file? A folder of this name is none.
+///
+/// # Errors
+/// A pipe, a device, a link that leads nowhere: somebody put it there, and it cannot be called.
+pub(super) fn ordinary(path: &Path) -> Result<Option<()>, FileError> {
+    match metadata(path) {
+        Ok(meta) if meta.is_file() => Ok(Some(())),
+        Ok(meta) if meta.is_dir() => Ok(None),
+        Err(_) if path.symlink_metadata().is_err() => Ok(None),
+        Ok(_) | Err(_) => match open_regular(path) {
+            Ok(_) => Ok(Some(())),
+            Err(error) => Err(FileError::Io { why: error.to_string() }),
+        },
+    }
 }

@@ -18,10 +18,11 @@ use crate::text::{FileId, Sources};
 use super::answers::{Request, requests};
 use super::inputs::Input;
 use super::listing::print;
+use super::made::is_output;
 use super::options::{Color, Common, Findings, Format};
 use super::output::Destination;
+use super::paths::{is_source_name, real, same_file};
 use super::progress::{AGAIN, CLEARED, QUIET};
-use super::run::{is_output, is_source_name, real, same_file};
 use super::summary::{Line, Summary, USUAL};
 use super::{Exit, Trouble, say};
 

@@ -8,118 +8,27 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::diag::Severity;
 use crate::diag::report::Counts;
-use crate::diag::selection::fits;
-use crate::dialect::{self, Dialect};
 use crate::driver::{Failure, Session};
 use crate::emit::LineMap;
-use crate::machine::Settings;
+use crate::text::FileId;
 use crate::text::decode::harmless_lines;
-use crate::text::{FileId, Span};
 
 use super::args::{Check, Compile};
 use super::closure::Targets;
 use super::deps::Rule;
-use super::disk::{IncludeRoots, file_name, noting_settings, open_main};
+use super::disk::file_name;
 use super::inputs::{Input, inputs, no_program};
 use super::listing::print;
+use super::made::{Made, Replaces, is_foreign, is_output, target_of};
 use super::options::Common;
-use super::output::{Destination, Group, Made, Replaces, is_foreign, set_aside, target_of};
+use super::output::{Destination, Group, set_aside};
+use super::paths::{is_source_name, real};
 use super::pool::in_order;
-use super::progress::{Place, Ticker};
+use super::program::{LARGEST_TRIED, Loaded, is_program, load};
+use super::progress::Ticker;
 use super::report::{Look, Presented, Reporter, Stdout, counted};
 use super::source_map::{self, SourceMap};
-use super::stamp::Stamp;
-use super::watch::TABLES;
 use super::{Exit, Trouble, bundle, config, fix, ignores};
-
-/// A program with everything that is needed to run it.
-pub(super) struct Loaded {
-    pub session: Session,
-    pub dialect: &'static Dialect,
-    pub settings: Settings,
-    pub files: IncludeRoots,
-    /// How far the program has been read.
-    pub place: Place,
-}
-
-/// Bytes of a program that is tried several times for what it needs.
-pub(super) const LARGEST_TRIED: u64 = 4 << 20;
-/// Bytes looked at to tell the dialect.
-const HEAD: u32 = 64 * 1024;
-
-pub(super) fn load(path: &Path, common: &Common) -> Result<Loaded, Trouble> {
-    let input = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
-    let (settings, read) = noting_settings(|| config::settings(input, common));
-    load_with(path, common, settings?).inspect(|loaded| loaded.files.read_before(read))
-}
-
-/// The same under given settings.
-pub(super) fn load_with(path: &Path, common: &Common, settings: Settings) -> Result<Loaded, Trouble> {
-    let shown = path.display().to_string();
-    let stamp = Stamp::at(path).filter(|_| path != Path::new("-"));
-    let mut main = open_main(path, common.stdin_filename.as_deref()).map_err(|error| format!("{shown}: {error}"))?;
-    let place = Place::default();
-    main.text = place.follow(main.text);
-    let (name, identity) = (main.name.clone(), main.identity.clone());
-    let session = Session::new(main);
-    let dialect = if common.dialect != "auto" {
-        dialect::find(&common.dialect).ok_or_else(|| format!("no dialect `{}`", common.dialect))?
-    } else if let Some(dialect) = said_dialect(&identity, &settings).map_err(|error| format!("{shown}: {error}"))? {
-        dialect
-    } else {
-        let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
-        dialect::read_as(&name, &head).ok_or_else(|| format!("{shown}: {}", which_language(path, common, &settings)))?
-    };
-    let file = common.stdin_filename.as_deref().filter(|_| path == Path::new("-")).unwrap_or(path);
-    let base = match file.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder.to_path_buf(),
-        _ => PathBuf::from("."),
-    };
-    let files = IncludeRoots::of_control(base, settings.include.roots.clone(), dialect.folders);
-    stamp.into_iter().for_each(|stamp| files.reads(path, stamp));
-    Ok(Loaded { session, dialect, settings, files, place })
-}
-
-/// The language that `[dialects]` says for a file of this path.
-pub(super) fn said_dialect(identity: &str, settings: &Settings) -> Result<Option<&'static Dialect>, Trouble> {
-    let path = if cfg!(windows) { identity.replace('\\', "/") } else { identity.to_owned() };
-    let mut said = settings.dialects.iter().filter(|(pattern, _)| fits(pattern, &path)).map(|(_, dialect)| dialect);
-    let Some(first) = said.next() else { return Ok(None) };
-    if let Some(other) = said.find(|other| *other != first) {
-        return Err(format!("`[dialects]` says that this is {first} and {other}"));
-    }
-    // The configuration was refused otherwise.
-    Ok(dialect::find(first))
-}
-
-fn names_of_dialects() -> String {
-    dialect::ALL.iter().map(|dialect| dialect.id).collect::<Vec<_>>().join("|")
-}
-
-/// All languages, each with how well the program fits it.
-fn which_language(path: &Path, common: &Common, settings: &Settings) -> String {
-    let mut fits: Vec<(u32, &str)> = Vec::new();
-    for dialect in dialect::ALL {
-        // What came through a pipe is gone.
-        let Ok(main) = open_main(path, common.stdin_filename.as_deref())
-            .map_err(drop)
-            .and_then(|main| if path == Path::new("-") { Err(()) } else { Ok(main) })
-        else {
-            continue;
-        };
-        let session = Session::new(main);
-        session.check_form(dialect, settings);
-        fits.push((session.diags.errors(), dialect.id));
-    }
-    fits.sort_unstable();
-    let evidence: Vec<String> = fits
-        .iter()
-        .map(|(errors, id)| format!("{id} ({} cannot be read)", counted(*errors, "block", "blocks")))
-        .collect();
-    let names = names_of_dialects();
-    let evidence = if evidence.is_empty() { String::new() } else { format!("; tried: {}", evidence.join(", ")) };
-    format!("which language is this? Say `--dialect {names}`{evidence}")
-}
 
 /// `partc compile`
 pub(super) fn compile(args: &Compile) -> Result<Exit, Trouble> {
@@ -209,11 +118,6 @@ fn paths_of(inputs: &[Input]) -> Vec<&Path> {
     inputs.iter().map(|input| input.path.as_path()).collect()
 }
 
-/// Outputs that lie in a folder of programs are none.
-pub(super) fn is_output(path: &Path) -> bool {
-    path.metadata().is_ok_and(|meta| meta.len() > 0) && !is_foreign(path, Made::Program)
-}
-
 /// The files that are made of the inputs: each needs one of its own.
 fn outputs<'i>(args: &Compile, inputs: impl Iterator<Item = &'i Input>) -> Result<BTreeSet<PathBuf>, Trouble> {
     let mut taken: BTreeMap<PathBuf, &Path> = BTreeMap::new();
@@ -227,15 +131,6 @@ fn outputs<'i>(args: &Compile, inputs: impl Iterator<Item = &'i Input>) -> Resul
         }
     }
     Ok(taken.into_keys().chain(args.map.as_deref().map(real)).collect())
-}
-
-/// The one path of a file that may not exist yet.
-pub(super) fn real(path: &Path) -> PathBuf {
-    if let Ok(path) = fs::canonicalize(path) {
-        return path;
-    }
-    let folder = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    fs::canonicalize(folder).unwrap_or_else(|_| folder.to_path_buf()).join(path.file_name().unwrap_or(path.as_os_str()))
 }
 
 /// What the threads of `partc compile` share.
@@ -420,13 +315,6 @@ fn output_path(input: &Input, args: &Compile, extension: &str) -> PathBuf {
     }
 }
 
-pub(super) fn same_file(a: &Path, b: &Path) -> bool {
-    match (fs::canonicalize(a), fs::canonicalize(b)) {
-        (Ok(a), Ok(b)) => a == b && a.is_file(),
-        _ => false,
-    }
-}
-
 /// `partc check`
 pub(super) fn check(args: &Check) -> Result<Exit, Trouble> {
     let mut reporter = Reporter::new(&args.common, &args.findings, Stdout::Free, args.output.as_deref());
@@ -513,49 +401,4 @@ fn show_fixes(args: &Check, inputs: &[Input], mut reporter: Reporter) -> Result<
         (true, true) => Exit::Errors,
         (true, false) => Exit::Clean,
     })
-}
-
-/// Is this the name of a program, a table or a configuration? No report belongs there.
-pub(super) fn is_source_name(file: &Path) -> bool {
-    let extension = file.extension().map(|name| name.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-    TABLES.contains(&extension.as_str()) || dialect::guess(&file.to_string_lossy(), b"").is_some()
-}
-
-/// A file of a folder whose extension or content some dialect knows; plain G-code is taken where it is named, for outputs
-/// lie beside their programs. One that cannot be read is judged by its name: who opens it says why it cannot.
-pub(super) fn is_program(path: &Path, common: &Common) -> bool {
-    let is_source = |dialect: &dialect::Dialect| dialect.id != "gcode";
-    let Ok(main) = open_main(path, None) else {
-        return path
-            .file_name()
-            .is_some_and(|name| dialect::guess(&name.to_string_lossy(), &[]).is_some_and(is_source));
-    };
-    let (name, identity) = (main.name.clone(), main.identity.clone());
-    let session = Session::new(main);
-    let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
-    let said =
-        || config::settings(path, common).is_ok_and(|settings| !matches!(said_dialect(&identity, &settings), Ok(None)));
-    match dialect::read_as(&name, &head) {
-        // It is called as a program is: what it is instead is said of it.
-        Some(dialect) if dialect.is_foreign() => dialect::guess(&name, &[]).is_some_and(is_source) || said(),
-        Some(dialect) => is_source(dialect),
-        None => said(),
-    }
-}
-
-/// Name of the language of a program, where it is one and its language is known.
-pub(super) fn dialect_of(path: &Path, common: &Common) -> Option<&'static str> {
-    let named = || dialect::find(&common.dialect).map(|dialect| dialect.id);
-    if !path.is_file() {
-        return named();
-    }
-    let main = open_main(path, None).ok()?;
-    let (name, identity) = (main.name.clone(), main.identity.clone());
-    let session = Session::new(main);
-    let head = session.sources.bytes(FileId(0), Span { start: 0, end: HEAD });
-    let said = || {
-        let settings = config::settings(path, common).ok()?;
-        said_dialect(&identity, &settings).ok()?.map(|dialect| dialect.id)
-    };
-    named().or_else(said).or_else(|| dialect::guess(&name, &head).map(|dialect| dialect.id))
 }

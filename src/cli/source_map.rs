@@ -11,7 +11,8 @@ use crate::ir::Origin;
 use crate::text::decode::escaped_json;
 
 use super::disk::file_name;
-use super::output::{Destination, MAP_MARK, Made, Replaces, ignore_closed_pipe};
+use super::made::{MAP_MARK, Made, Replaces};
+use super::output::{Destination, ignore_closed_pipe};
 
 pub(super) struct SourceMap<'a> {
     out: BufWriter<Destination>,

@@ -11,9 +11,10 @@ use super::args::{Stats as Args, StatsFormat};
 use super::closure::Targets;
 use super::inputs::inputs;
 use super::listing::print;
+use super::made::is_output;
+use super::program::{Loaded, is_program, load};
 use super::progress::Ticker;
 use super::report::{Reporter, Stdout};
-use super::run::{Loaded, is_output, is_program, load};
 use super::{Exit, Trouble};
 
 /// `partc stats`

@@ -15,7 +15,7 @@ use super::args::{TableForm, ToolsArgs};
 use super::config::{Once, read_table};
 use super::listing::print;
 use super::output::Destination;
-use super::run::same_file;
+use super::paths::same_file;
 use super::{Exit, Trouble, say};
 
 /// `partc tools`

@@ -1,8 +1,7 @@
 //! `partc trace`
 
 use std::collections::BTreeSet;
-use std::fs::File;
-use std::io::{self, BufWriter, IsTerminal as _, Read as _, Seek as _, SeekFrom, Write as _};
+use std::io::{self, BufWriter, IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
 
 use crate::dialect::Dialect;
@@ -14,50 +13,18 @@ use crate::text::Files;
 use super::args::Trace;
 use super::closure::Targets;
 use super::inputs::Input;
+use super::made::{Made, Replaces, is_foreign};
 use super::options::Format;
-use super::output::{Destination, Made, Replaces, ignore_closed_pipe, is_foreign, set_aside};
+use super::output::{Destination, ignore_closed_pipe, set_aside};
+use super::paths::{real, same_file};
+use super::program::{Loaded, load};
 use super::progress::Ticker;
 use super::report::{Reporter, Stdout};
-use super::run::{Loaded, load, real, same_file};
 use super::{Exit, Trouble, say};
-
-/// How traces begin: moves as objects, as values behind their names, Arrow and Parquet.
-pub(super) const MARKS: &[&[u8]] = &[b"{\"kind\":\"", b"kind,start_x,", b"ARROW1", b"PAR1"];
 
 /// What a build without the feature says of Arrow and Parquet.
 const NOT_BUILT: &str = "this partc was built without the files of Arrow and Parquet, which take long to build; take csv or jsonl, or build it with \
                          them: `cargo install --path . --profile dist --features columns`";
-
-/// Forms that others write, too: their tables say that they are of partc.
-const OF_MANY: &[&[u8]] = &[b"ARROW1", b"PAR1"];
-/// What such a table says: the key of the version of the columns.
-const KEY: &[u8] = b"partc.trace";
-/// Bytes at both ends of a table that hold what it says of itself.
-const ABOUT: u64 = 1 << 18;
-
-/// Is a file that begins as a trace one?
-pub(super) fn is_ours(path: &Path, head: &[u8]) -> bool {
-    if head.starts_with(b"{") {
-        let kind = head.strip_prefix(b"{\"kind\":\"").and_then(|rest| rest.split(|byte| *byte == b'"').next());
-        if kind == Some(b"incomplete") {
-            return head.starts_with(b"{\"kind\":\"incomplete\",\"code\":\"");
-        }
-        let known = [&b"rapid"[..], b"line", b"arc", b"thread"];
-        return kind.is_some_and(|kind| known.contains(&kind) && head[9 + kind.len()..].starts_with(b"\",\"start\":{"));
-    }
-    if !OF_MANY.iter().any(|mark| head.starts_with(mark)) {
-        return true;
-    }
-    let says = || -> io::Result<bool> {
-        let (mut file, mut text) = (File::open(path)?, Vec::new());
-        let length = file.metadata()?.len();
-        (&mut file).take(ABOUT).read_to_end(&mut text)?;
-        file.seek(SeekFrom::Start(length.saturating_sub(ABOUT)))?;
-        file.take(ABOUT).read_to_end(&mut text)?;
-        Ok(memchr::memmem::find(&text, KEY).is_some())
-    };
-    says().unwrap_or(false)
-}
 
 /// What is said of a table that cannot be written.
 const WHOLE: &str = "partc: no table was written: it could not say that its moves stop at the first error. Take \

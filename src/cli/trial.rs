@@ -14,7 +14,7 @@ use super::answers::{Needs, Request, requests};
 use super::inputs::{Ignored, walk};
 use super::need::{Form, Place, can_be_tried};
 use super::options::Common;
-use super::run::{Loaded, load_with};
+use super::program::{Loaded, load_with};
 use super::tool_hints::Hint;
 use super::{Trouble, config};
 

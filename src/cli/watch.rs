@@ -12,14 +12,13 @@ use super::args::Watch;
 use super::backup::Backup;
 use super::config;
 use super::inputs::inputs;
-use super::run::{check, is_program};
+use super::paths::TABLES;
+use super::program::is_program;
+use super::run::check;
 use super::{Exit, Trouble, say};
 
 /// Between two looks at the files.
 const PAUSE: Duration = Duration::from_millis(400);
-
-/// Extensions of files with tools, datums, points and settings.
-pub(super) const TABLES: [&str; 10] = ["t", "tbl", "d", "pr", "pnt", "ini", "toa", "ufr", "csv", "toml"];
 
 /// When each file was written last, and how large it is.
 type State = BTreeMap<PathBuf, (Option<SystemTime>, u64)>;

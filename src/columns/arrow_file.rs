@@ -14,7 +14,6 @@ use arrow_ipc::{Block, FooterBuilder};
 use arrow_schema::ArrowError;
 use flatbuffers::FlatBufferBuilder;
 
-use super::binary::of_arrow;
 use super::schema::schema;
 
 /// How the file begins and ends.
@@ -117,5 +116,12 @@ impl<W: Write> ArrowFile<W> {
         self.out.write_all(&length.to_le_bytes())?;
         self.out.write_all(MAGIC)?;
         Ok(self.out)
+    }
+}
+
+pub(super) fn of_arrow(error: ArrowError) -> io::Error {
+    match error {
+        ArrowError::IoError(_, error) => error,
+        other => io::Error::other(other.to_string()),
     }
 }

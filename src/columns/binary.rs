@@ -4,7 +4,6 @@ use std::io::{self, Write};
 
 use arrow_array::RecordBatch;
 use arrow_ipc::writer::StreamWriter;
-use arrow_schema::ArrowError;
 use parquet::arrow::ArrowWriter;
 use parquet::basic::{Compression, Encoding};
 use parquet::errors::ParquetError;
@@ -12,9 +11,8 @@ use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::schema::types::ColumnPath;
 
-use super::arrow_file::ArrowFile;
+use super::arrow_file::{ArrowFile, of_arrow};
 use super::schema::{VERSION, VERSION_KEY, schema};
-use super::table::Form;
 
 /// Rows of a group of a Parquet file: what its writer holds in memory.
 const GROUP: usize = 262_144;
@@ -32,22 +30,20 @@ impl<W: Write + Send> std::fmt::Debug for Binary<W> {
     }
 }
 
-/// A file of this form; that of CSV is no such.
-pub(super) fn open<W: Write + Send>(form: Form, out: W) -> io::Result<Binary<W>> {
-    let schema = schema();
-    Ok(match form {
-        Form::ArrowStream | Form::Csv => {
-            Binary::Stream(Box::new(StreamWriter::try_new(out, &schema).map_err(of_arrow)?))
-        }
-        Form::ArrowFile => Binary::File(Box::new(ArrowFile::open(out)?)),
-        Form::Parquet => {
-            let file = ArrowWriter::try_new(out, schema, Some(properties())).map_err(of_parquet)?;
-            Binary::Parquet(Box::new(file))
-        }
-    })
-}
-
 impl<W: Write + Send> Binary<W> {
+    pub(super) fn stream(out: W) -> io::Result<Binary<W>> {
+        Ok(Binary::Stream(Box::new(StreamWriter::try_new(out, &schema()).map_err(of_arrow)?)))
+    }
+
+    pub(super) fn file(out: W) -> io::Result<Binary<W>> {
+        Ok(Binary::File(Box::new(ArrowFile::open(out)?)))
+    }
+
+    pub(super) fn parquet(out: W) -> io::Result<Binary<W>> {
+        let file = ArrowWriter::try_new(out, schema(), Some(properties())).map_err(of_parquet)?;
+        Ok(Binary::Parquet(Box::new(file)))
+    }
+
     pub fn write(&mut self, batch: &RecordBatch) -> io::Result<()> {
         match self {
             Binary::Stream(stream) => stream.write(batch).map_err(of_arrow),
@@ -81,13 +77,6 @@ fn properties() -> WriterProperties {
         .set_column_dictionary_enabled(block(), false)
         .set_column_encoding(block(), Encoding::DELTA_BYTE_ARRAY)
         .build()
-}
-
-pub(super) fn of_arrow(error: ArrowError) -> io::Error {
-    match error {
-        ArrowError::IoError(_, error) => error,
-        other => io::Error::other(other.to_string()),
-    }
 }
 
 fn of_parquet(error: ParquetError) -> io::Error {

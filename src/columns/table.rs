@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 #[cfg(feature = "columns")]
-use super::binary::{self, Binary};
+use super::binary::Binary;
 use super::csv::Csv;
 use arrow_array::RecordBatch;
 
@@ -40,7 +40,11 @@ impl<W: Write + Send> Table<W> {
         match form {
             Form::Csv => Ok(Table::Csv(Csv::open(out)?)),
             #[cfg(feature = "columns")]
-            _ => Ok(Table::Binary(binary::open(form, out)?)),
+            Form::ArrowStream => Ok(Table::Binary(Binary::stream(out)?)),
+            #[cfg(feature = "columns")]
+            Form::ArrowFile => Ok(Table::Binary(Binary::file(out)?)),
+            #[cfg(feature = "columns")]
+            Form::Parquet => Ok(Table::Binary(Binary::parquet(out)?)),
             #[cfg(not(feature = "columns"))]
             _ => Err(io::Error::other("this partc was built without the feature `columns`")),
         }

@@ -7,10 +7,12 @@ mod dialog_taps;
 #[cfg(test)]
 pub mod disturb;
 mod functions;
+mod grid;
 mod head;
 mod keys;
 mod measures;
 mod moves;
+mod path_control;
 mod refusals;
 mod straight;
 mod taps;
@@ -35,6 +37,7 @@ use super::page::Page;
 use super::{LineMap, Output};
 use corners::Corners;
 use measures::Measures;
+use winding::{LEAST, Winding};
 
 /// Prints motion items for one target.
 pub struct Printer<'a> {
@@ -72,7 +75,7 @@ pub struct Printer<'a> {
     /// What the spindle and the coolant do, where a speed stands with the start, and no word ends both with the program.
     running: Running,
     /// What the target was told of its spindle.
-    told: taps::Told,
+    told: Told,
 }
 
 /// The spindle, as far as a tool change by hand stops it.
@@ -101,6 +104,16 @@ struct ToolLength {
     waits: bool,
     /// The largest speed under constant cutting speed was stated.
     limited: bool,
+}
+
+/// What the target was told of the spindle.
+#[derive(Debug, Clone, Copy, Default)]
+struct Told {
+    /// In units of the last place.
+    speed: Option<i64>,
+    turn: Option<Turn>,
+    /// A tap said that speed, and nothing of the spindle was said since.
+    by_tap: bool,
 }
 
 impl std::fmt::Debug for Printer<'_> {
@@ -150,7 +163,7 @@ impl<'a> Printer<'a> {
             ended: false,
             doubted: false,
             running: Running::default(),
-            told: taps::Told::default(),
+            told: Told::default(),
         };
         // G96 outlives the program that programmed it: the first speed of a lathe says G97.
         printer.modal.cutting_speed = lathe;
@@ -413,6 +426,20 @@ impl<'a> Printer<'a> {
         self.compensation.switched(Side::None);
     }
 
+    /// The pieces of a move whose text may be long; none where it is one block, or does not start at a known place.
+    #[cold]
+    pub(crate) fn winding(&self, mv: &Move) -> Option<Winding> {
+        let Path::Arc(arc, feed) = mv.path else { return None };
+        if self.target.arcs.turns.is_some() || arc.sweep.abs() < LEAST {
+            return None;
+        }
+        let mut start = [0.0; AXES];
+        for axis in mv.axes.iter() {
+            start[axis.index()] = self.modal.place(axis)? as f64 / self.places_of(axis).scale();
+        }
+        Some(Winding::new(mv, arc, feed, start))
+    }
+
     fn select_plane(&mut self, plane: Plane, origin: &Origin) {
         if plane != self.modal.plane {
             self.modal.plane = plane;
@@ -425,7 +452,7 @@ impl<'a> Printer<'a> {
 
 impl Sink for Printer<'_> {
     fn movement(&mut self, mv: &Move, origin: &Origin) {
-        if matches!(&mv.path, Path::Arc(arc, _) if arc.sweep.abs() >= winding::LEAST)
+        if matches!(&mv.path, Path::Arc(arc, _) if arc.sweep.abs() >= LEAST)
             && let Some(winding) = self.winding(mv)
         {
             return winding.pieces().for_each(|piece| self.movement(&piece, origin));

@@ -5,94 +5,17 @@
 //! that looks further ahead, or limits the jerk, takes another time.
 
 mod clock;
-mod object;
-
-use std::collections::BTreeMap;
+mod figures;
 
 use crate::ir::motion::{Arc, Move, Path, Sink};
 use crate::ir::{Function, Origin, Pos};
 use crate::machine::Axis;
 
-pub use clock::{Clock, Ended, Step, Time};
+pub use clock::{Clock, Ended, Model, SMOOTH_DEG, Step, Time};
+pub use figures::{Figures, Stats, ToolFigures};
 
 #[cfg(feature = "cli")]
-pub use object::short;
-
-/// Directions that differ by less than this, in degrees, are passed without a stop.
-pub const SMOOTH_DEG: f64 = 10.0;
-/// What the machine is taken for.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Model {
-    /// Rapid traverse, mm/min.
-    pub rapid: f64,
-    /// Acceleration along the path, m/s².
-    pub acceleration: f64,
-    /// Seconds of a tool change.
-    pub tool_change: f64,
-}
-
-impl Default for Model {
-    fn default() -> Model {
-        Model { rapid: 10_000.0, acceleration: 1.0, tool_change: 0.0 }
-    }
-}
-
-/// What was counted; lengths in mm, times in seconds.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Figures {
-    pub cutting: f64,
-    pub rapid: f64,
-    pub cutting_time: f64,
-    pub rapid_time: f64,
-    pub moves: u64,
-}
-
-impl Figures {
-    fn add(&mut self, other: &Figures) {
-        self.cutting += other.cutting;
-        self.rapid += other.rapid;
-        self.cutting_time += other.cutting_time;
-        self.rapid_time += other.rapid_time;
-        self.moves += other.moves;
-    }
-}
-
-/// A tool in the order of its first change.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct ToolFigures {
-    pub number: Option<u32>,
-    pub changes: u32,
-    pub figures: Figures,
-}
-
-/// The figures of a program.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Stats {
-    pub tools: Vec<ToolFigures>,
-    /// Least and greatest coordinate of cuts, by axis, in the workpiece.
-    pub extents: BTreeMap<Axis, (f64, f64)>,
-    pub dwell: f64,
-    pub changes: u32,
-    pub change_time: f64,
-    /// Moves whose start is not known: neither their way nor their time is in the figures.
-    pub unknown_moves: u64,
-    /// Moves whose speed is not known, such as a feed per turn without a speed: their way counts, their time does not.
-    pub untimed_moves: u64,
-}
-
-impl Stats {
-    pub fn total(&self) -> Figures {
-        let mut all = Figures::default();
-        self.tools.iter().for_each(|tool| all.add(&tool.figures));
-        all
-    }
-
-    /// Seconds of everything.
-    pub fn time(&self) -> f64 {
-        let all = self.total();
-        all.cutting_time + all.rapid_time + self.dwell + self.change_time
-    }
-}
+pub use figures::short;
 
 /// Counts what goes by.
 #[derive(Debug)]

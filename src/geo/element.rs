@@ -1,6 +1,6 @@
 //! A contour element in the plane: a line or an arc with its ends.
 
-use super::{Point2, Vec2, arc, direction, distance, turned};
+use super::{Point2, Vec2, arc, cross, direction, distance, turned};
 
 /// A line or arc of a contour. `sweep` is signed, counter-clockwise positive, and may exceed a turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,6 +111,36 @@ impl Element {
     }
 }
 
+/// The element in pieces between its leftmost, topmost, rightmost and lowest points.
+pub fn quarters(element: &Element) -> Vec<Element> {
+    let Element::Arc { from, to, center, sweep } = *element else { return vec![*element] };
+    let radius = distance(from, center);
+    let poles = [Vec2::x(), Vec2::y(), -Vec2::x(), -Vec2::y()];
+    let mut cuts: Vec<(f64, Point2)> = poles
+        .iter()
+        .filter_map(|pole| {
+            let start = from - center;
+            let turn = libm::atan2(cross(start, *pole), start.dot(pole));
+            let turn = if sweep > 0.0 { turn } else { -turn };
+            let turn = if turn <= 0.0 { turn + core::f64::consts::TAU } else { turn };
+            // A pole at an end cuts nothing off.
+            let near = 1e-9;
+            (turn > near && turn < sweep.abs() - near && turn < core::f64::consts::TAU - near)
+                .then_some((turn, center + *pole * radius))
+        })
+        .collect();
+    cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut list = Vec::with_capacity(cuts.len() + 1);
+    let (mut at, mut done) = (from, 0.0);
+    let sign = sweep.signum();
+    for (turn, p) in cuts {
+        list.push(Element::Arc { from: at, to: p, center, sweep: sign * (turn - done) });
+        (at, done) = (p, turn);
+    }
+    list.push(Element::Arc { from: at, to, center, sweep: sweep - sign * done });
+    list
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -127,6 +157,44 @@ mod tests {
             // Its start is not a turn away, nor is what rounding puts in front of it.
             assert_eq!(arc.way_to(arc.from()).abs(), 0.0);
             assert_eq!(arc.way_to(at(-1e-11 * sweep)).abs(), 0.0);
+        }
+    }
+
+    #[test]
+    fn quarters_of_a_half_circle() {
+        let half = Element::Arc {
+            from: Point2::new(0.0, 0.0),
+            to: Point2::new(4.0, 0.0),
+            center: Point2::new(2.0, 0.0),
+            sweep: core::f64::consts::PI,
+        };
+        let parts = quarters(&half);
+        assert_eq!(parts.len(), 2);
+        assert!(
+            (parts[0].to() - Point2::new(2.0, -2.0)).norm() < 1e-9
+                && (parts[1].to() - Point2::new(4.0, 0.0)).norm() < 1e-9
+        );
+    }
+
+    #[test]
+    fn a_circle_is_cut_at_its_poles() {
+        let center = Point2::new(2.0, 1.0);
+        let at = |degrees: f64| center + turned(Vec2::new(10.0, 0.0), f64::to_radians(degrees));
+        for (start, sweep, cuts) in
+            [(30.0, 290.0, vec![90.0, 180.0, 270.0]), (30.0, -140.0, vec![0.0, -90.0]), (100.0, 60.0, vec![])]
+        {
+            let arc = Element::Arc { from: at(start), to: at(start + sweep), center, sweep: f64::to_radians(sweep) };
+            let pieces = quarters(&arc);
+            let mut wanted = cuts;
+            wanted.push(start + sweep);
+            assert_eq!(pieces.len(), wanted.len());
+            let mut begin = start;
+            for (piece, end) in pieces.iter().zip(wanted) {
+                let Element::Arc { from, to, sweep, .. } = *piece else { panic!("{piece:?}") };
+                assert!((from - at(begin)).norm() < 1e-9 && (to - at(end)).norm() < 1e-9, "{piece:?}");
+                assert!((sweep.to_degrees() - (end - begin)).abs() < 1e-9, "{piece:?}");
+                begin = end;
+            }
         }
     }
 }

@@ -10,7 +10,7 @@
 //! ```
 
 use super::profile::{Grown, LEVEL, Leg, Profile, backwards, mirrored};
-use super::{Element, Point2, Vec2, cross, distance};
+use super::{Element, Point2, Vec2, distance};
 
 /// An element may rise or lean over by this, mm: what arithmetic loses.
 const SAME_HEIGHT: f64 = 1e-7;
@@ -43,7 +43,7 @@ impl Wall {
     /// its end straight down.
     ///
     /// # Errors
-    /// See [`NoWall`]. Arcs must not run through a quadrant point; see [`quarters`].
+    /// See [`NoWall`]. Arcs must not run through a quadrant point; see [`quarters`](super::element::quarters).
     pub fn new(chain: &[Element], radius: f64) -> Result<Wall, NoWall> {
         let start = chain.first().ok_or(NoWall::Empty)?.from();
         let mut at = start;
@@ -108,36 +108,6 @@ fn falls(element: &Element) -> bool {
                 && distance(from, center) > 0.0
         }
     }
-}
-
-/// The element in pieces between its leftmost, topmost, rightmost and lowest points.
-pub fn quarters(element: &Element) -> Vec<Element> {
-    let Element::Arc { from, to, center, sweep } = *element else { return vec![*element] };
-    let radius = distance(from, center);
-    let poles = [Vec2::x(), Vec2::y(), -Vec2::x(), -Vec2::y()];
-    let mut cuts: Vec<(f64, Point2)> = poles
-        .iter()
-        .filter_map(|pole| {
-            let start = from - center;
-            let turn = libm::atan2(cross(start, *pole), start.dot(pole));
-            let turn = if sweep > 0.0 { turn } else { -turn };
-            let turn = if turn <= 0.0 { turn + core::f64::consts::TAU } else { turn };
-            // A pole at an end cuts nothing off.
-            let near = 1e-9;
-            (turn > near && turn < sweep.abs() - near && turn < core::f64::consts::TAU - near)
-                .then_some((turn, center + *pole * radius))
-        })
-        .collect();
-    cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut list = Vec::with_capacity(cuts.len() + 1);
-    let (mut at, mut done) = (from, 0.0);
-    let sign = sweep.signum();
-    for (turn, p) in cuts {
-        list.push(Element::Arc { from: at, to: p, center, sweep: sign * (turn - done) });
-        (at, done) = (p, turn);
-    }
-    list.push(Element::Arc { from: at, to, center, sweep: sweep - sign * done });
-    list
 }
 
 #[cfg(test)]
@@ -267,40 +237,5 @@ mod tests {
         assert_eq!(Wall::new(&[], 0.1), Err(NoWall::Empty));
         let gap = [line((0.0, 0.0), (1.0, -1.0)), line((2.0, -1.0), (3.0, -2.0))];
         assert_eq!(Wall::new(&gap, 0.1), Err(NoWall::Gap));
-    }
-
-    #[test]
-    fn quarters_of_a_half_circle() {
-        let half = Element::Arc {
-            from: Point2::new(0.0, 0.0),
-            to: Point2::new(4.0, 0.0),
-            center: Point2::new(2.0, 0.0),
-            sweep: core::f64::consts::PI,
-        };
-        let parts = quarters(&half);
-        assert_eq!(parts.len(), 2);
-        assert!(near(parts[0].to(), (2.0, -2.0)) && near(parts[1].to(), (4.0, 0.0)));
-    }
-
-    #[test]
-    fn a_circle_is_cut_at_its_poles() {
-        let center = Point2::new(2.0, 1.0);
-        let at = |degrees: f64| center + super::super::turned(Vec2::new(10.0, 0.0), f64::to_radians(degrees));
-        for (start, sweep, cuts) in
-            [(30.0, 290.0, vec![90.0, 180.0, 270.0]), (30.0, -140.0, vec![0.0, -90.0]), (100.0, 60.0, vec![])]
-        {
-            let arc = Element::Arc { from: at(start), to: at(start + sweep), center, sweep: f64::to_radians(sweep) };
-            let pieces = quarters(&arc);
-            let mut wanted = cuts;
-            wanted.push(start + sweep);
-            assert_eq!(pieces.len(), wanted.len());
-            let mut begin = start;
-            for (piece, end) in pieces.iter().zip(wanted) {
-                let Element::Arc { from, to, sweep, .. } = *piece else { panic!("{piece:?}") };
-                assert!((from - at(begin)).norm() < 1e-9 && (to - at(end)).norm() < 1e-9, "{piece:?}");
-                assert!((sweep.to_degrees() - (end - begin)).abs() < 1e-9, "{piece:?}");
-                begin = end;
-            }
-        }
     }
 }

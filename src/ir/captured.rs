@@ -1,6 +1,6 @@
 //! A contour that a program describes and does not travel: what the cycles that work along a contour take.
 
-use crate::geo::wall::quarters;
+use crate::geo::element::quarters;
 use crate::geo::{Element, Plane, Point2, distance};
 
 use super::{Origin, Side};

@@ -9,7 +9,7 @@ use crate::ir::motion::{Arc, Path};
 use crate::ir::undercut::Undercut;
 use crate::ir::{Feed, Function, Origin, Side};
 
-use super::step::{Step, plane_axes};
+use super::step::{Event, Step, plane_axes};
 use super::{at, undercut};
 
 /// How much an element may fall short of the cut, in mm: what rounding of the source loses.
@@ -21,13 +21,6 @@ const MOST_BETWEEN: usize = 256;
 
 /// The element before a corner, what is put between, and the element after.
 type Pieces = (Step, Option<Step>, Step);
-
-/// What comes out of the pass.
-#[derive(Debug)]
-pub enum Event<'s> {
-    Step(&'s Step),
-    Function(&'s Function, Origin),
-}
 
 /// The element that waits for its successor, and the corner between them.
 #[derive(Debug, Default)]

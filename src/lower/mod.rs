@@ -34,9 +34,9 @@ use arcs::{Adjusted, Extra, LastDirection};
 use capture::{Recording, SavedPasses};
 use carrier::{Carrier, Out};
 use compensation::Compensator;
-use corner::{Corners, Event};
+use corner::Corners;
 use cycles::no_path::NoPath;
-use step::{Checked, Step};
+use step::{Checked, Event, Step};
 use transformation::Transformer;
 
 /// Moves that an arc counts as: its centre and its printed numbers take as long.

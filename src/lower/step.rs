@@ -4,11 +4,17 @@ use crate::diag::{Diagnostic, codes};
 use crate::geo::{Element, Plane};
 use crate::ir::contour::{CtxRef, FARTHEST};
 use crate::ir::motion::{Move, Path};
-use crate::ir::{Origin, Pos, verify};
+use crate::ir::{Function, Origin, Pos, verify};
 use crate::machine::{Axis, AxisSet};
 
 use super::at;
-use super::corner::Event;
+
+/// What comes out of the pass over corners.
+#[derive(Debug)]
+pub enum Event<'s> {
+    Step(&'s Step),
+    Function(&'s Function, Origin),
+}
 
 /// Coordinates up to here keep all digits that a step promises, in mm.
 pub const FAR: f64 = 1e4;

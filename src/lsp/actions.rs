@@ -6,7 +6,7 @@ use lsp_types::{CodeAction, CodeActionKind, CodeActionOrCommand, Range, TextEdit
 
 use crate::text::Span;
 
-use super::server::Document;
+use super::document::Document;
 use super::study::{Found, Study};
 
 pub fn actions(document: &Document, range: Range) -> Vec<CodeActionOrCommand> {

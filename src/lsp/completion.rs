@@ -10,8 +10,8 @@ use lsp_types::{
 use crate::sema::cycle::row::{Name, Signature};
 use crate::text::Span;
 
+use super::document::Document;
 use super::hover::word_at;
-use super::server::Document;
 use super::words;
 
 /// What may stand at a place.

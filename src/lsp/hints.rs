@@ -8,7 +8,7 @@ use crate::text::FileId;
 
 pub use crate::seen::{coordinates, number};
 
-use super::server::Document;
+use super::document::Document;
 
 /// The hints of the blocks in `range`.
 pub fn hints(document: &Document, range: Range) -> Vec<InlayHint> {

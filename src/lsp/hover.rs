@@ -11,9 +11,9 @@ use crate::seen::Stop;
 use crate::sema::cycle::row::{Name as ParameterName, Parameter, Signature};
 use crate::text::{FileId, Span};
 
+use super::document::Document;
 use super::hints::{coordinates, number, turned};
 use super::names;
-use super::server::Document;
 use super::study::Study;
 use super::words::meaning;
 

@@ -5,6 +5,7 @@
 
 mod actions;
 mod completion;
+mod document;
 pub mod frames;
 mod hints;
 mod hover;
@@ -18,4 +19,5 @@ mod text;
 mod tokens;
 mod words;
 
-pub use server::{Server, Setting, World};
+pub use document::{Setting, World};
+pub use server::Server;

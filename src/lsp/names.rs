@@ -6,7 +6,7 @@ use lsp_types::{DocumentHighlight, Location, Position, Range, TextEdit, Workspac
 
 use crate::text::Span;
 
-use super::server::{Document, World};
+use super::document::{Document, World};
 use super::study::{Study, Uses};
 use super::words::meaning;
 

@@ -4,7 +4,7 @@ use lsp_types::{DocumentSymbol, FoldingRange, FoldingRangeKind, SymbolKind};
 
 use crate::text::{FileId, Span};
 
-use super::server::Document;
+use super::document::Document;
 use super::study::Study;
 
 /// A line of the outline, and where it ends.

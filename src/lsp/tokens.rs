@@ -4,8 +4,8 @@ use lsp_types::{Range, SemanticToken, SemanticTokenType, SemanticTokens, Semanti
 
 use crate::text::Span;
 
+use super::document::Document;
 use super::names;
-use super::server::Document;
 
 const KINDS: [SemanticTokenType; 7] = [
     SemanticTokenType::COMMENT,

@@ -14,6 +14,7 @@ pub mod table;
 pub mod tools;
 pub mod tree;
 pub mod undercut;
+mod unit;
 mod values;
 
 pub use axis::{Axis, AxisSet};
@@ -25,7 +26,8 @@ pub use options::turning::{ArcChoice, RecessDepth, RecessSide, RecessWidth};
 pub use path_control::{PathChoice, PathControl};
 pub use settings::{
     AxisUse, ChangeCall, Compensation, LONGEST_AXIS_NAME, Left, LeftSpindle, Machine, MachineKind, OutputSettings,
-    Settings, StandIn, Unit,
+    Settings, StandIn,
 };
 pub use tools::{Proposed, Tool, ToolKey, Tools};
 pub use undercut::Undercuts;
+pub use unit::Unit;

@@ -2,10 +2,6 @@
 
 use crate::target::PathWords;
 
-use super::settings::OutputSettings;
-use super::tree::{ConfigError, Node, Value};
-use super::values::number;
-
 /// How the path is left at corners.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PathControl {
@@ -37,65 +33,46 @@ pub const USUAL: f64 = 0.01;
 /// `a` between the legs, `d / 2 * cos(a) * sin(a) <= d / 4` from each leg.
 const OF_DISTANCE: f64 = 0.25;
 
-impl PathChoice {
-    /// `"exact"`, `"none"` or `{ tolerance = 0.01 }`
-    pub(super) fn read(node: &Node) -> Result<PathChoice, ConfigError> {
-        let wanted = "\"exact\", { tolerance = 0.01 } or \"none\"";
-        match &node.value {
-            Value::Text(text) if text == "exact" => Ok(PathChoice::Exact),
-            Value::Text(text) if text == "none" => Ok(PathChoice::None),
-            Value::Table(table) => match (table.get("tolerance"), table.len()) {
-                (Some(tolerance), 1) => {
-                    let mm = number(tolerance).filter(|mm| (0.001..=1.0).contains(mm));
-                    let mm = mm.ok_or_else(|| tolerance.fail("0.001 to 1 mm"))?;
-                    Ok(PathChoice::Within(libm::round(mm * 1e6) as u32))
-                }
-                _ => Err(node.fail(format!("`path_control` is {wanted}"))),
-            },
-            _ => Err(node.fail(format!("`path_control` is {wanted}"))),
-        }
+/// What is printed for what the program says of its corners, `None` where it has no say. No answer: nothing is printed.
+///
+/// A program that passes corners without a bound leaves that to the control: there the configuration decides, and the
+/// output has a bound wherever the target has a word for one.
+pub(super) fn printed(
+    words: &PathWords,
+    choice: Option<PathChoice>,
+    said: Option<PathControl>,
+    lathe: bool,
+) -> Option<PathControl> {
+    let bound = match choice {
+        Some(PathChoice::None) => return None,
+        Some(PathChoice::Within(millionths)) => f64::from(millionths) / 1e6,
+        Some(PathChoice::Exact) | None => USUAL,
+    };
+    let bounded = |mm| words.within.map(|_| PathControl::Within(mm));
+    let exact = words.exact.map(|_| PathControl::Exact);
+    let unbounded = words.unbounded.map(|_| PathControl::Unbounded);
+    match said {
+        Some(PathControl::Exact) => exact.or_else(|| bounded(bound)),
+        Some(PathControl::Within(mm)) => bounded(mm).or(unbounded),
+        Some(PathControl::Before(_)) if words.before.is_some() => said,
+        Some(PathControl::Before(mm)) => bounded(mm * OF_DISTANCE).or(unbounded),
+        Some(PathControl::Unbounded) if choice == Some(PathChoice::Exact) => exact,
+        Some(PathControl::Unbounded) => bounded(bound).or(unbounded),
+        None => match choice {
+            Some(PathChoice::Exact) => exact,
+            Some(_) => bounded(bound),
+            None if lathe && words.exact_on_lathes => exact,
+            None => bounded(bound).or_else(|| unbounded.filter(|_| words.starts_unbounded)),
+        },
     }
 }
 
-impl OutputSettings {
-    /// What is printed for what the program says of its corners, `None` where it has no say. No answer: nothing is printed.
-    ///
-    /// A program that passes corners without a bound leaves that to the control: there the configuration decides, and the
-    /// output has a bound wherever the target has a word for one.
-    pub fn path_control(&self, said: Option<PathControl>, lathe: bool) -> Option<PathControl> {
-        let words = &self.target.path;
-        let bound = match self.path_control {
-            Some(PathChoice::None) => return None,
-            Some(PathChoice::Within(millionths)) => f64::from(millionths) / 1e6,
-            Some(PathChoice::Exact) | None => USUAL,
-        };
-        let bounded = |mm| words.within.map(|_| PathControl::Within(mm));
-        let exact = words.exact.map(|_| PathControl::Exact);
-        let unbounded = words.unbounded.map(|_| PathControl::Unbounded);
-        match said {
-            Some(PathControl::Exact) => exact.or_else(|| bounded(bound)),
-            Some(PathControl::Within(mm)) => bounded(mm).or(unbounded),
-            Some(PathControl::Before(_)) if words.before.is_some() => said,
-            Some(PathControl::Before(mm)) => bounded(mm * OF_DISTANCE).or(unbounded),
-            Some(PathControl::Unbounded) if self.path_control == Some(PathChoice::Exact) => exact,
-            Some(PathControl::Unbounded) => bounded(bound).or(unbounded),
-            None => match self.path_control {
-                Some(PathChoice::Exact) => exact,
-                Some(_) => bounded(bound),
-                None if lathe && words.exact_on_lathes => exact,
-                None => bounded(bound).or_else(|| unbounded.filter(|_| words.starts_unbounded)),
-            },
-        }
-    }
-
-    /// Has the target a word for what the configuration says?
-    pub fn can_say_path_control(&self) -> bool {
-        let PathWords { exact, within, .. } = self.target.path;
-        match self.path_control {
-            Some(PathChoice::Exact) => exact.is_some(),
-            Some(PathChoice::Within(_)) => within.is_some(),
-            Some(PathChoice::None) | None => true,
-        }
+/// Has the target a word for what the configuration says?
+pub(super) fn can_say(words: &PathWords, choice: Option<PathChoice>) -> bool {
+    match choice {
+        Some(PathChoice::Exact) => words.exact.is_some(),
+        Some(PathChoice::Within(_)) => words.within.is_some(),
+        Some(PathChoice::None) | None => true,
     }
 }
 
@@ -109,7 +86,7 @@ mod tests {
         use PathControl::{Before, Exact, Unbounded, Within};
         let printed = |name: &str, choice, said, lathe| {
             let target = target::find(name).expect("a target");
-            OutputSettings { target, path_control: choice, ..OutputSettings::default() }.path_control(said, lathe)
+            super::printed(&target.path, choice, said, lathe)
         };
         let within = Some(PathChoice::Within(50_000));
         for (name, choice, said, lathe, wanted) in [

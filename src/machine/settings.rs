@@ -14,11 +14,12 @@ use super::options::klartext::{
 use super::options::mtc200::Mtc200;
 use super::options::sinumerik::Sinumerik;
 use super::options::turning::Turning;
-use super::path_control::PathChoice;
+use super::path_control::{self, PathChoice, PathControl};
 use super::table::Contents;
 use super::tools::Tools;
 use super::tree::Spot;
 use super::undercut::Undercuts;
+use super::unit::Unit;
 
 /// Everything the user can say about a run.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -191,27 +192,6 @@ impl Default for Machine {
             rotary_axis: Axis::C,
             swivel_retract: BTreeMap::new(),
             swivel_retract_most: BTreeMap::new(),
-        }
-    }
-}
-
-/// Unit of length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Unit {
-    #[default]
-    Mm,
-    Inch,
-}
-
-impl Unit {
-    /// Metres in a foot: the unit of cutting speeds in inch programs.
-    pub const FOOT: f64 = 0.3048;
-
-    /// Millimetres in one unit.
-    pub fn mm(self) -> f64 {
-        match self {
-            Unit::Mm => 1.0,
-            Unit::Inch => 25.4,
         }
     }
 }
@@ -427,6 +407,16 @@ impl OutputSettings {
     /// Waits are counted in milliseconds.
     pub fn waits_in_milliseconds(&self) -> bool {
         self.dwell_unit() == Some(DwellUnit::Milliseconds)
+    }
+
+    /// What is printed for what the program says of its corners, `None` where it has no say. No answer: nothing is printed.
+    pub fn path_control(&self, said: Option<PathControl>, lathe: bool) -> Option<PathControl> {
+        path_control::printed(&self.target.path, self.path_control, said, lathe)
+    }
+
+    /// Has the target a word for what the configuration says of corners?
+    pub fn can_say_path_control(&self) -> bool {
+        path_control::can_say(&self.target.path, self.path_control)
     }
 
     /// X is printed as a diameter, on a lathe.

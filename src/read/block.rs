@@ -4,7 +4,18 @@ use super::Fault;
 use super::act::{Cutter, FeedKind, Plane};
 use super::number::{SCALE, decimal};
 use super::rules::{G, Rules, Words};
-use super::tap;
+
+/// Moves of taps among the numbers of [`Modes::motion`](super::Modes).
+pub(super) const TAP_RETURN: u8 = 133;
+pub(super) const TAP_CYCLE: u8 = 84;
+pub(super) const TAP_LEFT_CYCLE: u8 = 74;
+pub(super) const TAP_INTO: u8 = 131;
+const TAP_OUT: u8 = 132;
+
+/// Is this a move of a tap?
+pub(super) fn is_tap(motion: Option<u8>) -> bool {
+    matches!(motion, Some(TAP_RETURN | TAP_CYCLE | TAP_LEFT_CYCLE | TAP_INTO | TAP_OUT))
+}
 
 /// M functions of a line.
 const MOST_M: usize = 4;
@@ -254,11 +265,11 @@ impl Block {
             }
             331 | 740 | 840 | 3310 | 3320 => {
                 self.motion = Some(match tenths {
-                    331 => tap::RETURN,
-                    740 => tap::LEFT_CYCLE,
-                    840 => tap::CYCLE,
-                    3310 => tap::INTO,
-                    _ => tap::OUT,
+                    331 => TAP_RETURN,
+                    740 => TAP_LEFT_CYCLE,
+                    840 => TAP_CYCLE,
+                    3310 => TAP_INTO,
+                    _ => TAP_OUT,
                 });
                 0
             }

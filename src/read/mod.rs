@@ -85,7 +85,7 @@ pub struct Modes {
     pub offset: u8,
     /// How corners are taken.
     pub corners: Option<PathControl>,
-    /// The move that axis words mean by themselves: 0 to 3, 33, and those of [`tap`].
+    /// The move that axis words mean by themselves: 0 to 3, 33, and those of taps.
     motion: Option<u8>,
 }
 

@@ -2,10 +2,10 @@
 //! other functions, dwell, plane, units, compensation, length, offset, distances, motion, stop.
 
 use super::act::{AXES, Act, Arc, Cutter, FeedKind, LETTERS, Move, Path, PathControl, Plane, Speed};
-use super::block::{Block, CornerWord};
+use super::block::{Block, CornerWord, is_tap};
 use super::number::SCALE;
 use super::rules::Words;
-use super::{ACTS, Fault, Lack, Reader, tap};
+use super::{ACTS, Fault, Lack, Reader};
 
 impl Reader {
     /// Carries out the words of a line.
@@ -274,7 +274,7 @@ impl Reader {
             return Err(Fault::new("each move by time wants its F"));
         }
         self.modes.motion = motion;
-        if let Some(motion) = motion.filter(|_| named && tap::is_tap(motion)) {
+        if let Some(motion) = motion.filter(|_| named && is_tap(motion)) {
             return self.taps(block, motion);
         }
         if block.level {
@@ -287,7 +287,7 @@ impl Reader {
         }
         if !named {
             return match block.motion {
-                motion if tap::is_tap(motion) => Err(Fault::new("a tap without a depth")),
+                motion if is_tap(motion) => Err(Fault::new("a tap without a depth")),
                 Some(2 | 3) => Err(Fault::new("an arc without an end")),
                 Some(33) => Err(Fault::new("a thread without an end")),
                 _ if block.machine => Err(Fault::new("G53 without an axis")),

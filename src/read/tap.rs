@@ -2,25 +2,13 @@
 //! and a block out.
 
 use super::act::{AXES, Act, FeedKind, LETTERS, Tap, Way};
-use super::block::Block;
+use super::block::{Block, TAP_CYCLE, TAP_INTO, TAP_LEFT_CYCLE, TAP_RETURN};
 use super::number::SCALE;
 use super::rules::{Taps, Words};
 use super::{Fault, Lack, Reader};
 
 /// The M function of the spindle that turns right, and left.
 const TURNS: [u32; 2] = [3, 4];
-
-/// Moves of taps among the numbers of [`Modes::motion`](super::Modes).
-pub(super) const RETURN: u8 = 133;
-pub(super) const CYCLE: u8 = 84;
-pub(super) const LEFT_CYCLE: u8 = 74;
-pub(super) const INTO: u8 = 131;
-pub(super) const OUT: u8 = 132;
-
-/// Is this a move of a tap?
-pub(super) fn is_tap(motion: Option<u8>) -> bool {
-    matches!(motion, Some(RETURN | CYCLE | LEFT_CYCLE | INTO | OUT))
-}
 
 impl Reader {
     /// What the acts of a line make of the spindle.
@@ -65,9 +53,9 @@ impl Reader {
             return Err(Fault::new("a tap under a constant cutting speed"));
         }
         match motion {
-            RETURN => self.tap_returns(block),
-            CYCLE | LEFT_CYCLE => self.tap_cycle(block, motion == LEFT_CYCLE),
-            _ => self.tap_one_way(block, motion == INTO),
+            TAP_RETURN => self.tap_returns(block),
+            TAP_CYCLE | TAP_LEFT_CYCLE => self.tap_cycle(block, motion == TAP_LEFT_CYCLE),
+            _ => self.tap_one_way(block, motion == TAP_INTO),
         }
     }
 

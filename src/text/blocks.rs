@@ -8,26 +8,16 @@ use std::io;
 use memchr::memchr2;
 use xxhash_rust::xxh3::Xxh3;
 
+use super::Place;
 pub use super::holes::Hole;
 use super::holes::{Holes, is_empty};
+use super::lines::{CHUNK, SplitRules, line_end};
 use super::sources::{FileId, Sources};
 
-/// Bytes read at a time.
-pub(super) const CHUNK: usize = 256 * 1024;
 /// Least room for reading.
 const LEAST_ROOM: usize = 4096;
 /// Longest logical block; a longer one is reported and left out.
 pub const MAX_BLOCK: usize = 1 << 20;
-
-/// How a dialect joins physical lines.
-#[derive(Debug, Clone, Copy)]
-pub struct SplitRules {
-    /// A byte without which no line continues; lines without it are not asked about.
-    pub mark: u8,
-    /// Does the block go on after this physical line? The second argument is true for a line that is
-    /// itself a continuation.
-    pub continues: fn(&[u8], bool) -> bool,
-}
 
 /// One logical block, without its line end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,23 +48,6 @@ enum Cut {
     Block { start: usize, end: usize, lines: u32 },
     TooLong,
     End,
-}
-
-/// Place of a block: what a jump needs to come back to it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub struct Place {
-    pub at: u32,
-    pub line: u32,
-}
-
-/// Straight lines in a row: nothing but axes, a feed, and G0 or G1, with nothing wrong in them. Who went through the file
-/// once need not look at them again.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Stretch {
-    pub start: Place,
-    pub end: Place,
-    /// The first and the last of their block numbers, which rise.
-    pub numbers: Option<(u32, u32)>,
 }
 
 /// A reading position in one file.
@@ -147,13 +120,6 @@ fn is_utf16(head: &[u8]) -> bool {
     let zeros = |from: usize| head.iter().skip(from).step_by(2).filter(|b| **b == 0).count();
     let (even, odd) = (zeros(0), zeros(1));
     head.len() >= 4 && even.max(odd) * 3 > head.len() && even.min(odd) == 0
-}
-
-/// The byte that ends the lines of a file which begins so: a file without a single line feed but with
-/// carriage returns ends its lines with those.
-pub(super) fn line_end(head: &[u8]) -> u8 {
-    let returns = memchr::memchr(b'\n', head).is_none() && memchr::memchr(b'\r', head).is_some();
-    if returns { b'\r' } else { b'\n' }
 }
 
 impl Cursor {

@@ -2,7 +2,7 @@
 
 use memchr::memchr2;
 
-use super::blocks::Place;
+use super::Place;
 
 /// A byte that fills up a file: no line of a program holds one.
 fn is_padding(b: u8) -> bool {

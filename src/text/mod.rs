@@ -8,12 +8,14 @@ pub mod blocks;
 pub mod decode;
 pub mod files;
 mod holes;
+pub mod lines;
 pub mod number;
 pub mod sources;
 
 pub use block_numbers::BlockNumbers;
-pub use blocks::{Cursor, Next, SplitRules};
+pub use blocks::{Cursor, Next};
 pub use files::{ControlFolder, FileError, Files, Folder, Memory, Opened, ReadAt, Request, Within};
+pub use lines::SplitRules;
 pub use sources::{FileId, Sources};
 
 /// A range of bytes in one file; `end` is exclusive. Files are at most 4 GiB.
@@ -62,4 +64,11 @@ impl Loc {
     pub fn with_span(self, span: Span) -> Loc {
         Loc { span, ..self }
     }
+}
+
+/// Place of a block: what a jump needs to come back to it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct Place {
+    pub at: u32,
+    pub line: u32,
 }

@@ -4,9 +4,9 @@ use std::cell::RefCell;
 use std::fmt;
 use std::rc::Rc;
 
-use super::blocks::{self, SplitRules, Stretch};
 use super::decode;
 use super::files::{Opened, ReadAt};
+use super::lines::{self, SplitRules, Stretch};
 use super::{Loc, Span};
 
 /// Number of a file in [`Sources`]; the main program is 0.
@@ -191,8 +191,8 @@ impl Sources {
     pub fn line_end(&self, id: FileId) -> u8 {
         let known = self.files.borrow().get(id.0 as usize).and_then(|file| file.line_end);
         known.unwrap_or_else(|| {
-            let head = self.bytes(id, Span { start: 0, end: blocks::CHUNK as u32 });
-            let line_end = blocks::line_end(&head);
+            let head = self.bytes(id, Span { start: 0, end: lines::CHUNK as u32 });
+            let line_end = lines::line_end(&head);
             if let Some(file) = self.files.borrow_mut().get_mut(id.0 as usize) {
                 file.line_end = Some(line_end);
             }

@@ -4,6 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
+use super::imports::{Imports, imports};
+
 /// Folder under `src`, and the folders its `use crate::…` may name besides itself.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("text", &[]),
@@ -155,49 +157,45 @@ fn the_catalogue_words_what_is_found_behind_the_contour() {
     }
 }
 
-/// The files of a dialect that use each other in a circle, if any are meant to.
+/// Files that import each other in a circle, if any are meant to.
 const CIRCLES: &[&str] = &[];
 
+/// Which file of `src` imports which.
+fn imports_of_src() -> Imports {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let imports = imports(&root, &sources(&root));
+    assert!(imports.len() > 700 && imports.values().any(|used| used.len() > 20), "the files were not read");
+    imports
+}
+
+/// A `mod.rs` holds what all files of its folder share, and knows all of them: it is no part of a circle.
+#[test]
+fn files_of_a_folder_import_each_other_in_one_direction() {
+    let mut imports = imports_of_src();
+    let is_whole = |file: &str| file == "lib.rs" || file.ends_with("mod.rs");
+    imports.retain(|file, _| !is_whole(file));
+    imports.values_mut().for_each(|used| used.retain(|file| !is_whole(file)));
+    let circles: Vec<&String> = imports.keys().filter(|file| reaches(&imports, file, file)).collect();
+    assert_eq!(circles, CIRCLES, "files that import each other in a circle");
+}
+
 /// Modules of a dialect, and which siblings the files of each use. The `mod.rs` of the dialect does not count.
-fn uses_between_siblings(dialect: &Path) -> BTreeMap<String, BTreeSet<String>> {
-    let mut uses: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-    let mut files = Vec::new();
-    for (file, text) in sources(dialect) {
-        let inside = Path::new(&file).strip_prefix(dialect).expect("a file of the dialect").with_extension("");
-        let parts: Vec<String> = inside.iter().map(|part| part.to_string_lossy().into_owned()).collect();
-        if parts != ["mod"] {
-            uses.entry(parts[0].clone()).or_default();
-            files.push((parts, text));
-        }
-    }
-    let modules: BTreeSet<String> = uses.keys().cloned().collect();
-    for (parts, text) in files {
-        let up = "super::".repeat(if parts.last().is_some_and(|last| last == "mod") {
-            parts.len() - 1
-        } else {
-            parts.len()
-        });
-        let root = format!("crate::sema::{}::", dialect.file_name().expect("a name").to_string_lossy());
-        let code = text.split("#[cfg(test)]").next().unwrap_or_default().replace(&root, &format!(" {up}"));
-        for (at, _) in code.match_indices(&up) {
-            let before = code[..at].chars().next_back();
-            let rest = &code[at + up.len()..];
-            if before.is_some_and(|c| c == ':' || c.is_alphanumeric() || c == '_') || rest.starts_with("super::") {
-                continue;
-            }
-            let named = match rest.strip_prefix('{') {
-                Some(list) => list.split('}').next().unwrap_or_default(),
-                None => rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default(),
-            };
-            let names = named.split(|c: char| !c.is_alphanumeric() && c != '_');
-            let siblings = names.filter(|name| modules.contains(*name) && *name != parts[0]).map(str::to_owned);
-            uses.entry(parts[0].clone()).or_default().extend(siblings);
-        }
+fn uses_between_siblings(imports: &Imports, dialect: &str) -> Imports {
+    let folder = format!("sema/{dialect}/");
+    let module = |file: &String| {
+        let name = file.strip_prefix(&folder)?.split(['/', '.']).next()?;
+        (name != "mod").then(|| name.to_owned())
+    };
+    let mut uses = Imports::new();
+    for (file, used) in imports {
+        let Some(own) = module(file) else { continue };
+        let siblings = used.iter().filter_map(module).filter(|sibling| *sibling != own);
+        uses.entry(own.clone()).or_default().extend(siblings);
     }
     uses
 }
 
-fn reaches(uses: &BTreeMap<String, BTreeSet<String>>, from: &str, to: &str) -> bool {
+fn reaches(uses: &Imports, from: &str, to: &str) -> bool {
     let mut seen = BTreeSet::new();
     let mut open = vec![from];
     while let Some(module) = open.pop() {
@@ -214,15 +212,15 @@ fn reaches(uses: &BTreeMap<String, BTreeSet<String>>, from: &str, to: &str) -> b
 }
 
 #[test]
-fn files_of_a_dialect_use_each_other_in_one_direction() {
-    let sema = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/sema");
+fn modules_of_a_dialect_use_each_other_in_one_direction() {
+    let imports = imports_of_src();
     let mut circles = Vec::new();
     for dialect in ["klartext", "mtc200", "sinumerik", "turning"] {
-        let uses = uses_between_siblings(&sema.join(dialect));
+        let uses = uses_between_siblings(&imports, dialect);
         assert!(uses.len() > 10 && uses.values().any(|used| used.len() > 3), "{dialect}: the files were not read");
         circles.extend(uses.keys().filter(|m| reaches(&uses, m, m)).map(|module| format!("{dialect}/{module}")));
     }
-    assert_eq!(circles, CIRCLES, "files that use each other in a circle");
+    assert_eq!(circles, CIRCLES, "modules that use each other in a circle");
 }
 
 /// Files of cycles that still report, and why.

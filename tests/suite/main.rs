@@ -56,6 +56,7 @@ mod hostile;
 mod hostile_fk;
 mod hostile_turning;
 mod idle;
+mod imports;
 mod klartext_bounds;
 mod klartext_cycles;
 mod klartext_words;

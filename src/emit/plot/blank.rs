@@ -5,7 +5,7 @@ use crate::ir::Blank;
 use crate::machine::Axis;
 
 use super::canvas::Part;
-use super::strokes::Rect;
+use super::rect::Rect;
 use super::svg::show;
 use super::view::View;
 

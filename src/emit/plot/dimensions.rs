@@ -5,8 +5,9 @@ use crate::geo::{Element, Point2, SAME_POINT, Vec2, distance};
 use super::canvas::{Anchor, Canvas, Class, Part, Words};
 use super::layout::Layout;
 use super::marks::arrow;
+use super::rect::Rect;
 use super::section::Section;
-use super::strokes::{Pen, Rect, Strokes};
+use super::strokes::{Pen, Strokes};
 use super::svg::show;
 
 /// Width of a letter, in heights of the font.

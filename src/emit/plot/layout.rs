@@ -2,7 +2,7 @@
 
 use crate::geo::{Point2, SAME_POINT, Vec2};
 
-use super::strokes::Rect;
+use super::rect::Rect;
 
 /// Length of the longer side of the picture.
 pub const PIXELS: f64 = 1200.0;

@@ -11,6 +11,7 @@ mod layout;
 mod marks;
 #[cfg(feature = "png")]
 mod png;
+mod rect;
 mod scene;
 mod section;
 mod strokes;
@@ -31,9 +32,10 @@ use crate::text::Sources;
 use super::Output;
 use canvas::Widths;
 use layout::Layout;
+use rect::{Bend, Rect};
 use scene::Scene;
 use section::Parts;
-use strokes::{Bend, Pen, Rect, Strokes};
+use strokes::{Pen, Strokes};
 use view::View;
 
 pub use layout::PIXELS;

@@ -3,7 +3,7 @@
 //! In: the contours that cycles work down to, or else the compensated ones, as (Z, radius). Nothing is taken from the path of the
 //! tool: what a program does not describe is not drawn. What two contours say of the same place is what is left by both.
 
-use crate::geo::wall::quarters;
+use crate::geo::element::quarters;
 use crate::geo::{Element, Point2, SAME_POINT, cross, direction, distance, turned};
 use crate::ir::Side;
 use crate::ir::cycle::turning::Towards;
@@ -141,7 +141,7 @@ struct Limits {
 
 impl Limits {
     fn of(outlines: &[Outline<'_>]) -> Option<Limits> {
-        let mut rect = super::strokes::Rect::default();
+        let mut rect = super::rect::Rect::default();
         outlines.iter().flat_map(|outline| &outline.points).for_each(|p| rect.take(*p));
         let (low, high) = rect.0?;
         let size = (high - low).amax().max(high.y);

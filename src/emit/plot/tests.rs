@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 
-use super::strokes::{ALL_DRAWN, Bend, Pen, Strokes, tolerance};
+use super::rect::Bend;
+use super::strokes::{ALL_DRAWN, Pen, Strokes, tolerance};
 use super::*;
 use crate::geo::Vec2;
 use crate::ir::Feed;

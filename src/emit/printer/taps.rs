@@ -30,16 +30,6 @@ pub(super) struct Hole<'t> {
     pub strokes: Vec<(i64, i64)>,
 }
 
-/// What the target was told of the spindle.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Told {
-    /// In units of the last place.
-    pub speed: Option<i64>,
-    pub turn: Option<Turn>,
-    /// A tap said that speed, and nothing of the spindle was said since.
-    pub by_tap: bool,
-}
-
 impl Printer<'_> {
     #[inline(never)]
     pub(super) fn print_tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) {

@@ -9,8 +9,6 @@ use crate::ir::motion::{Arc, Move, Path};
 use crate::machine::Axis;
 use crate::machine::axis::AXES;
 
-use super::Printer;
-
 /// Turns of a piece. The last one has the rest as well, so that it is no shorter.
 const TURNS: f64 = 100.0;
 /// An arc of a smaller sweep is one piece.
@@ -27,24 +25,13 @@ pub(crate) struct Winding {
     count: u32,
 }
 
-impl Printer<'_> {
-    /// The pieces of a move whose text may be long; none where it is one block, or does not start at a known place.
-    #[cold]
-    pub(crate) fn winding(&self, mv: &Move) -> Option<Winding> {
-        let Path::Arc(arc, feed) = mv.path else { return None };
-        if self.target.arcs.turns.is_some() || arc.sweep.abs() < LEAST {
-            return None;
-        }
-        let mut start = [0.0; AXES];
-        for axis in mv.axes.iter() {
-            start[axis.index()] = self.modal.place(axis)? as f64 / self.places_of(axis).scale();
-        }
-        let count = libm::floor(arc.sweep.abs() / (TURNS * TAU)) as u32;
-        Some(Winding { mv: *mv, arc, feed, start, count })
-    }
-}
-
 impl Winding {
+    /// A move along an arc, with the other axes that go along from `start`.
+    pub(super) fn new(mv: &Move, arc: Arc, feed: Feed, start: [f64; AXES]) -> Winding {
+        let count = libm::floor(arc.sweep.abs() / (TURNS * TAU)) as u32;
+        Winding { mv: *mv, arc, feed, start, count }
+    }
+
     /// The pieces, in order.
     pub fn pieces(&self) -> impl Iterator<Item = Move> + '_ {
         (1..=self.count).map(|n| self.piece(n))

@@ -8,7 +8,25 @@ use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::{Feed, Function, Pos};
 use crate::machine::Axis;
 
-use super::{Model, SMOOTH_DEG};
+/// Directions that differ by less than this, in degrees, are passed without a stop.
+pub const SMOOTH_DEG: f64 = 10.0;
+
+/// What the machine is taken for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Model {
+    /// Rapid traverse, mm/min.
+    pub rapid: f64,
+    /// Acceleration along the path, m/s².
+    pub acceleration: f64,
+    /// Seconds of a tool change.
+    pub tool_change: f64,
+}
+
+impl Default for Model {
+    fn default() -> Model {
+        Model { rapid: 10_000.0, acceleration: 1.0, tool_change: 0.0 }
+    }
+}
 
 /// Ways shorter than this are none, mm.
 const TINY: f64 = 1e-9;

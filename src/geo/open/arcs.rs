@@ -1,9 +1,8 @@
 //! Arcs with missing data.
 
 use crate::geo::arc::{self, TangentArc};
-use crate::geo::{Point2, SAME_POINT, Vec2, direction, distance, intersect, left, turned};
+use crate::geo::{Point2, SAME_POINT, Vec2, direction, distance, intersect, left, length, turned};
 
-use super::lines::tangent_point;
 use super::{
     Data, Entry, Fault, NOT_FIXED, RADIUS_DIFFERS, Result, Rules, Situation, Solution, Solutions, Solved, Start,
     TOO_MUCH, Tag, both,
@@ -284,4 +283,22 @@ fn touching(c: Point2, radius: f64, end: Point2, r: f64, same_sense: bool) -> Re
         (Some(a), Some(b)) => Ok(both(Situation::TwoCircles, [a, b])),
         _ => Err(none),
     }
+}
+
+/// Where a line through `p` touches a circle so that it runs on in the sense of the arc. `into`: from `p` to the
+/// circle, else from the circle to `p`.
+pub(super) fn tangent_point(p: Point2, center: Point2, radius: f64, ccw: bool, into: bool) -> Result<Point2> {
+    let v = p - center;
+    let d = length(v);
+    if d <= radius + SAME_POINT {
+        return Err(Fault::Impossible("no line from this point touches the arc"));
+    }
+    // The radius to the touching point leans towards `p` by acos(r / d).
+    let along = v / d * (radius * radius / d);
+    let aside = left(v) / d * (radius * (d * d - radius * radius).sqrt() / d);
+    let travel = |touch: Point2| if into { touch - p } else { p - touch };
+    [center + along + aside, center + along - aside]
+        .into_iter()
+        .find(|touch| arc::tangent_at(*touch, center, ccw).is_some_and(|t| t.dot(&travel(*touch)) > 0.0))
+        .ok_or(Fault::Impossible("no line from this point touches the arc"))
 }

@@ -1,10 +1,8 @@
 //! Lines with missing data.
 
-use crate::geo::{
-    Element, Point2, SAME_DIRECTION, SAME_POINT, Vec2, arc, corner, cross, distance, intersect, left, length,
-};
+use crate::geo::{Element, Point2, SAME_DIRECTION, SAME_POINT, Vec2, corner, cross, distance, intersect, left};
 
-use super::arcs::at_coordinate;
+use super::arcs::{at_coordinate, tangent_point};
 use super::{
     Data, Entry, Fault, NEVER, NOT_FIXED, PARALLEL, Result, Rules, Situation, Solution, Solutions, Solved, Start, both,
 };
@@ -132,22 +130,4 @@ fn without_direction(start: &Start, e: &Data, next: Option<&Data>, rules: &Rules
             Solutions::of(solutions.into_iter()).ok_or(NOT_FIXED)
         }
     }
-}
-
-/// Where a line through `p` touches a circle so that it runs on in the sense of the arc. `into`: from `p` to the
-/// circle, else from the circle to `p`.
-pub(super) fn tangent_point(p: Point2, center: Point2, radius: f64, ccw: bool, into: bool) -> Result<Point2> {
-    let v = p - center;
-    let d = length(v);
-    if d <= radius + SAME_POINT {
-        return Err(Fault::Impossible("no line from this point touches the arc"));
-    }
-    // The radius to the touching point leans towards `p` by acos(r / d).
-    let along = v / d * (radius * radius / d);
-    let aside = left(v) / d * (radius * (d * d - radius * radius).sqrt() / d);
-    let travel = |touch: Point2| if into { touch - p } else { p - touch };
-    [center + along + aside, center + along - aside]
-        .into_iter()
-        .find(|touch| arc::tangent_at(*touch, center, ccw).is_some_and(|t| t.dot(&travel(*touch)) > 0.0))
-        .ok_or(Fault::Impossible("no line from this point touches the arc"))
 }

@@ -2,7 +2,7 @@
 
 use crate::geo::{Element, Point2, SAME_POINT, arc, cross, distance, length};
 
-use super::{Curve, Piece, SAME_CURVE};
+use super::piece::{Curve, Piece, SAME_CURVE};
 
 /// Legs shorter than this are left out, mm.
 const SHORTEST_LEG: f64 = 2e-7;

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
+use crate::geo::element::quarters;
 use crate::geo::profile::{Grown, LEVEL, Profile};
-use crate::geo::wall::quarters;
 use crate::geo::{Element, Plane, Point2, Vec2};
 use crate::ir::{Feed, Pos};
 

@@ -19,6 +19,7 @@ pub mod region;
 pub mod roughing;
 pub mod ruled;
 pub mod spigot;
+mod stock_corner;
 pub mod thread;
 pub mod thread_milling;
 pub mod turning;

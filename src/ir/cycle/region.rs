@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::geo::wall::quarters;
+use crate::geo::element::quarters;
 use crate::geo::{Element, Point2, grid};
 use crate::ir::{Feed, Pos};
 

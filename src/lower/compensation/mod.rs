@@ -7,6 +7,7 @@
 //! Geometry: docs/compensation.md.
 
 mod border;
+mod bounds;
 mod damage;
 mod joints;
 mod piece;
@@ -27,7 +28,8 @@ use crate::ir::{Function, Origin, Pos, Side};
 
 use super::carrier::Out;
 use super::{at, step};
-use damage::{Damage, Seen};
+use bounds::Seen;
+use damage::Damage;
 use joints::Bench;
 use piece::{Item, Kind, Piece, aside, moved};
 use reports::Refused;

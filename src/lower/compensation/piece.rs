@@ -10,7 +10,7 @@ use crate::ir::{Function, Origin, Pos};
 use crate::machine::AxisSet;
 
 use super::super::step::plane_axes;
-use super::damage::Seen;
+use super::bounds::Seen;
 
 /// What a piece is of the contour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -16,6 +16,7 @@ use crate::ir::cycle::undercut::{Leave, UndercutCycle, UndercutFault};
 use crate::ir::{Pos, Side};
 
 use super::{CycleItem, Expand, Start};
+use nose::Outline;
 
 /// Most depth steps.
 const MOST_STEPS: f64 = 10_000.0;
@@ -154,14 +155,6 @@ impl Cut {
     fn lifted(&self) -> Point2 {
         self.end() + self.lift
     }
-}
-
-/// An undercut with the slope prolonged to where the tool comes in, and the face to where it leaves.
-struct Outline {
-    elements: Vec<Element>,
-    /// Where the slope meets the cylinder, and the direction in which it rises there.
-    begin: Point2,
-    slope: Vec2,
 }
 
 fn cut(cycle: &UndercutCycle, step: &Step) -> Result<Cut, diag::Fault> {

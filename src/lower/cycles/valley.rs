@@ -1,9 +1,10 @@
 //! A groove as a recessing tool sees it: between two walls that fall to one floor.
 
 use crate::diag::{Fault, codes};
+use crate::geo::element::quarters;
 use crate::geo::offset::shifted;
 use crate::geo::profile::Leg;
-use crate::geo::wall::{NoWall, Wall, quarters};
+use crate::geo::wall::{NoWall, Wall};
 use crate::geo::{Element, Point2, Vec2, left};
 
 /// Heights closer than this belong to the floor, mm: half a unit of the fourth decimal is far more.

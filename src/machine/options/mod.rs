@@ -1,13 +1,8 @@
-//! The keys of `partc.toml` beside the types that they set, one file an owner. A new key is a row here and a field.
+//! What the keys of `partc.toml` choose among, one file an owner. Their rows stand in [`keys`](super::keys).
 
-pub mod control;
 pub mod cycles;
 pub mod klartext;
 pub mod klartext_cycles;
-pub mod lint;
-pub mod machine;
 pub mod mtc200;
-pub mod output;
 pub mod sinumerik;
 pub mod turning;
-pub mod undercut;

@@ -6,6 +6,7 @@
 //! decides where the approach begins.
 
 mod arrival;
+mod border;
 mod departure;
 
 use crate::diag::{Answer, codes};
@@ -22,54 +23,10 @@ use super::words::{Admits, Words};
 use super::{Outcome, Run};
 
 pub(super) use arrival::{Approach, Held, MOST_HELD};
+use border::{Border, Circle, Shape};
 
 /// M functions that have no place in an approach or departure.
 const FORBIDDEN: [u32; 9] = [6, 89, 91, 92, 97, 98, 99, 140, 197];
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Shape {
-    /// LT: straight along the element, by this length.
-    Line { length: f64 },
-    /// LN: straight at a right angle to the element, by this length.
-    Normal { length: f64 },
-    /// CT: arc of this radius (negative: from the other side) over this angle in degrees.
-    Arc { radius: f64, angle: f64 },
-    /// LCT: arc of this radius with a tangential line.
-    LineArc { radius: f64 },
-}
-
-impl Shape {
-    fn is_round(self) -> bool {
-        matches!(self, Shape::Arc { .. } | Shape::LineArc { .. })
-    }
-}
-
-/// First or last point of a contour.
-#[derive(Debug, Clone, Copy)]
-struct Border {
-    /// Where the elements that are sent pass it: on the contour where the target compensates, else where the tool
-    /// centre stands.
-    at: Point2,
-    /// Where the tool centre stands.
-    edge: Point2,
-    heading: Vec2,
-    /// From the contour to the tool.
-    out: Vec2,
-    /// Is the tool left of the contour?
-    left: bool,
-    /// Side that is sent.
-    side: Side,
-    /// What the target takes off the radii.
-    tool: f64,
-}
-
-/// The circle of an approach or departure as it is sent.
-#[derive(Debug, Clone, Copy)]
-struct Circle {
-    center: Point2,
-    radius: f64,
-    ccw: bool,
-}
 
 impl Run<'_> {
     pub(super) fn approach_block(&mut self, block: &Block, text: &[u8]) -> Outcome {

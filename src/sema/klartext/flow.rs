@@ -7,7 +7,8 @@ use crate::machine::{Generation, RepeatCount, StandIn, Unit};
 use crate::parser::klartext::ast::{Block, LabelRef, Repeat};
 use crate::sema::Job;
 use crate::sema::run::{Level, Program, Wanted};
-use crate::text::blocks::{Cursor, Place};
+use crate::text::Place;
+use crate::text::blocks::Cursor;
 use crate::text::{FileId, Loc, Next, Span, Within, decode::readable};
 
 use super::labels::{Label, Labels};

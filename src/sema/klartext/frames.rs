@@ -70,7 +70,7 @@ impl Run<'_> {
         self.update_frame(span)
     }
 
-    /// Warns where `next` mixes transformations whose order no manual at hand gives.
+    /// Warns where `next` mixes transformations whose order no available manual gives.
     fn warn_of_order(&self, next: &Transformation) {
         let now = &self.st.frames.transform;
         let here = self.core.here.origin.loc;

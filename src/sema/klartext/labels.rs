@@ -7,7 +7,7 @@ use crate::parser::klartext::ast::{LabelRef, Stmt};
 use crate::parser::symbols::Symbols;
 use crate::sema::Job;
 use crate::sema::run::unexecuted::Blocks;
-use crate::text::blocks::Place;
+use crate::text::Place;
 use crate::text::{FileId, Loc, Span, decode::readable};
 
 use super::Klartext;

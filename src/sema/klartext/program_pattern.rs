@@ -1,6 +1,6 @@
 //! CYCL CALL PAT with the program of cycle 12: it runs once for each place.
 //!
-//! What a place is to the program no manual at hand says; `[cycles] pattern_program` does. Source: K 4.3, 4.6
+//! What a place is to the program no available manual says; `[cycles] pattern_program` does. Source: K 4.3, 4.6
 //! (docs/sources.md).
 
 use crate::diag::{Answer, Label, codes};

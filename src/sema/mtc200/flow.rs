@@ -12,8 +12,7 @@ use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::Job;
 use crate::sema::run::unexecuted::Texts;
 use crate::sema::run::{Core, Program, Wanted, not_opened};
-use crate::text::blocks::Place;
-use crate::text::{FileError, FileId, Loc, Next, Span, Within};
+use crate::text::{FileError, FileId, Loc, Next, Place, Span, Within};
 
 use super::g_functions::Offset;
 use super::header::Header;

@@ -1,4 +1,4 @@
-//! Readings that no manual at hand confirms: each is said once per program, until the configuration confirms it.
+//! Readings that no available manual confirms: each is said once per program, until the configuration confirms it.
 //!
 //! Source: M 13 (docs/sources.md).
 

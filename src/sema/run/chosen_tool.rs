@@ -2,12 +2,9 @@
 //!
 //! Comes in: the functions and moves that go out. Goes out: warning P0206 for a program that chooses tools and never changes one.
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Diagnostic, codes};
 use crate::ir::Function;
 use crate::text::Loc;
-
-use super::Language;
-use super::core::Core;
 
 /// What became of the first tool that was chosen.
 #[derive(Debug, Clone, Copy, Default)]
@@ -43,24 +40,11 @@ impl ChosenTool {
             *cut = true;
         }
     }
-}
 
-impl<L: Language> Core<'_, L> {
-    /// The loss of a change was reported.
-    pub fn change_was_reported(&mut self) {
-        self.chosen_tool = ChosenTool::Settled;
-    }
-
-    /// Says so where the program chose a tool, cut, and never changed one; unless it is known which word changes tools.
-    pub fn report_no_change(&mut self) {
-        let ChosenTool::Waits { number, loc, cut: true } = core::mem::take(&mut self.chosen_tool) else { return };
-        if self.errors() > 0 || self.in_doubt || self.job.settings.control.says_tool_change() {
-            return;
-        }
-        self.job.diags.push(
-            codes::P0206::t_chooses_tool(&number)
-                .answer(Answer::key("control", "tool_change").one_of(&["\"t\"", "\"m6\""]))
-                .at(loc),
-        );
+    /// The finding where the program chose a tool, cut, and never changed one.
+    pub fn never_changed(&self) -> Option<Diagnostic> {
+        let ChosenTool::Waits { number, loc, cut: true } = *self else { return None };
+        let answer = Answer::key("control", "tool_change").one_of(&["\"t\"", "\"m6\""]);
+        Some(codes::P0206::t_chooses_tool(&number).answer(answer).at(loc))
     }
 }

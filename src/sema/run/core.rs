@@ -324,6 +324,20 @@ impl<L: Language> Core<'_, L> {
         self.out.tap(tap, ctx, origin);
     }
 
+    /// The loss of a tool change was reported.
+    pub fn change_was_reported(&mut self) {
+        self.chosen_tool = ChosenTool::Settled;
+    }
+
+    /// Says so where the program chose a tool, cut, and never changed one; unless it is known which word changes tools.
+    pub fn report_no_change(&mut self) {
+        let Some(found) = std::mem::take(&mut self.chosen_tool).never_changed() else { return };
+        if self.errors() > 0 || self.in_doubt || self.job.settings.control.says_tool_change() {
+            return;
+        }
+        self.job.diags.push(found);
+    }
+
     /// Nobody knows where the tool is.
     pub fn send_lost(&mut self, ctx: &CtxRef) {
         self.out.lost(ctx, &self.here.origin);

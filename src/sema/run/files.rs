@@ -2,9 +2,9 @@
 
 use crate::diag::{Answer, CallPath, Diagnostic, codes};
 use crate::sema::Job;
-use crate::text::blocks::{Hole, OpenError, Place};
+use crate::text::blocks::{Hole, OpenError};
 use crate::text::sources::{MAX_ALL_CALLED, MAX_CALLED, TooMuch};
-use crate::text::{Cursor, FileError, FileId, Loc, Opened, Request, Span, SplitRules, Within};
+use crate::text::{Cursor, FileError, FileId, Loc, Opened, Place, Request, Span, SplitRules, Within};
 
 /// Opens a file for reading from its start; reports what is wrong with it.
 pub fn open_cursor(job: &Job<'_>, file: FileId, rules: SplitRules, from: Loc) -> Option<Cursor> {

@@ -4,6 +4,7 @@
 //! becomes blocks, an [`Interpreter`] what a block does, and [`run`] drives both.
 
 mod budget;
+mod calls;
 mod chosen_tool;
 mod core;
 mod described;
@@ -14,6 +15,7 @@ mod level;
 mod nowhere;
 pub mod place;
 mod printed;
+mod prints;
 mod report;
 mod site;
 mod source;

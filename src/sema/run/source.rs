@@ -6,8 +6,7 @@ use rustc_hash::FxHashMap;
 
 use crate::diag::{CallPath, codes};
 use crate::sema::Job;
-use crate::text::blocks::Place;
-use crate::text::{Cursor, FileId, Loc, Next, Span, SplitRules};
+use crate::text::{Cursor, FileId, Loc, Next, Place, Span, SplitRules};
 
 use super::files::{open_cursor, report_hole};
 use super::site::Site;

@@ -7,9 +7,10 @@ use crate::diag::CallPath;
 use crate::parser::problem::Problem;
 use crate::parser::symbols::Symbols;
 use crate::sema::Job;
-use crate::text::blocks::{BlockText, Place, Stretch};
+use crate::text::blocks::BlockText;
+use crate::text::lines::Stretch;
 use crate::text::number::leading_digits;
-use crate::text::{Cursor, FileId, Loc, Span, SplitRules};
+use crate::text::{Cursor, FileId, Loc, Place, Span, SplitRules};
 
 use super::Language;
 use super::files::open_cursor;

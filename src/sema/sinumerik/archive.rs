@@ -4,8 +4,7 @@
 
 use crate::diag::codes;
 use crate::sema::run::Where;
-use crate::text::Span;
-use crate::text::blocks::Place;
+use crate::text::{Place, Span};
 
 use super::{Core, Outcome, Run, programs};
 

@@ -6,8 +6,7 @@ use crate::diag::codes;
 use crate::parser::sinumerik::ast::{Args, Block, CallForm, Formula, Op};
 use crate::parser::symbols::Symbol;
 use crate::sema::run::{Level, Where};
-use crate::text::blocks::Place;
-use crate::text::{Loc, Span};
+use crate::text::{Loc, Place, Span};
 
 use super::modal_call::ModalCall;
 use super::programs::UnitKind;

@@ -7,8 +7,7 @@ use crate::parser::sinumerik::SPLIT;
 use crate::parser::sinumerik::ast::{Block, Formula, Stmt, TypeName, Variable};
 use crate::parser::sinumerik::parse_block;
 use crate::sema::run::{not_opened, open_cursor, refused};
-use crate::text::blocks::Place;
-use crate::text::{FileError, Loc, Next, Opened, Request, Within};
+use crate::text::{FileError, Loc, Next, Opened, Place, Request, Within};
 
 use super::control_folders::names_below;
 use super::formula_functions;

@@ -7,8 +7,7 @@ use crate::machine::tree::did_you_mean;
 use crate::parser::sinumerik::ast::{Arm, Block, Formula, Jump, JumpTarget, Search, Stmt, Target, When};
 use crate::parser::symbols::Symbol;
 use crate::sema::run;
-use crate::text::Span;
-use crate::text::blocks::Place;
+use crate::text::{Place, Span};
 
 use crate::sema::run::Where;
 

@@ -1,8 +1,7 @@
 //! Contours that cycles work along: where their blocks stand, and what they are once they ran.
 
 use crate::ir::captured::Captured;
-use crate::text::Loc;
-use crate::text::blocks::Place;
+use crate::text::{Loc, Place};
 
 /// Most elements of a contour, roundings and chamfers counted.
 pub(super) const MOST_ELEMENTS: usize = 1000;

@@ -13,8 +13,7 @@ use crate::parser::sinumerik::scan::{Word, scan, skipped_line};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::Job;
 use crate::sema::run::Program;
-use crate::text::blocks::Place;
-use crate::text::{FileId, Loc, Next, Span};
+use crate::text::{FileId, Loc, Next, Place, Span};
 
 use super::control_folders::path_line;
 use super::macros::Sinumerik;

@@ -11,7 +11,7 @@ use crate::parser::turning::ast::{Section, Stmt};
 use crate::sema::Job;
 use crate::sema::run::unexecuted::Blocks;
 use crate::sema::run::{Level, Program, Wanted};
-use crate::text::blocks::Place;
+use crate::text::Place;
 use crate::text::{FileId, Loc, Span, Within, decode::readable};
 
 use super::flow::Nest;

@@ -5,8 +5,7 @@
 use crate::diag::codes;
 use crate::parser::turning::ast::{Block, Formula, Stmt};
 use crate::sema::run::Read;
-use crate::text::Loc;
-use crate::text::blocks::Place;
+use crate::text::{Loc, Place};
 
 use super::program_parts::ProgramPart;
 use super::{Outcome, Parsed, Reported, Run};

@@ -1,7 +1,7 @@
 //! Shifts of the workpiece zero: G51, G56, G59.
 //!
 //! The output counts from the workpiece zero of the first G59, or from the one that is set at the machine. Only shifts
-//! along Z are compiled: whether X of a shift is a diameter no manual at hand says.
+//! along Z are compiled: whether X of a shift is a diameter no available manual says.
 
 use std::rc::Rc;
 

@@ -1,4 +1,4 @@
-//! What no manual at hand settles: the reading in use, and a word about it where a program depends on it.
+//! What no available manual settles: the reading in use, and a word about it where a program depends on it.
 //!
 //! Each question has an option of `[control]`; whoever sets it has decided, and hears nothing. Source: reference
 //! section 16.

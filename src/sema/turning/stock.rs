@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use crate::geo::wall::quarters;
+use crate::geo::element::quarters;
 use crate::geo::{Element, Point2};
 use crate::ir::cycle::turning::Towards;
 use crate::ir::cycle::{Cycle, Layers};

@@ -5,7 +5,7 @@ use crate::ir::cycle::drilling::{
     Ahead, Breaks, Degression, DrillingFault, Levels, MOST_PECKS, Pecking, Removal, usual_ahead,
 };
 
-use super::Hole;
+use super::hole::Hole;
 
 /// Depths of the steps of a hole, the last one at the bottom.
 ///

@@ -2,7 +2,10 @@ use proptest::prelude::*;
 
 use super::pecking::depths;
 use super::*;
-use crate::ir::cycle::drilling::{Ahead, Breaks, Chip, Degression, Pecking, Removal, Resolved, TapStep};
+use crate::ir::Feed;
+use crate::ir::contour::Path;
+use crate::ir::cycle::drilling::{Ahead, Bore, Breaks, Chip, Degression, Levels, Pecking, Removal, Resolved, TapStep};
+use crate::ir::function::Turn;
 use crate::ir::tap::Part;
 
 const XYZ: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];

@@ -1,8 +1,8 @@
 //! One cut along the finished contour.
 
 use crate::diag::{Fault, codes};
+use crate::geo::element::quarters;
 use crate::geo::profile::{LEVEL, Leg, backwards};
-use crate::geo::wall::quarters;
 use crate::geo::{Element, Point2, Vec2, distance, left, length, offset};
 use crate::ir::cycle::layers::Relief;
 

@@ -1,8 +1,8 @@
 //! What is to be removed, in the view of the cuts.
 
 use crate::diag::{Fault, codes};
+use crate::geo::element::quarters;
 use crate::geo::profile::{Grown, LEVEL, Profile};
-use crate::geo::wall::quarters;
 use crate::geo::{Element, Point2, Vec2};
 use crate::ir::cycle::layers::{Blank, LEAST_DIP, Layers, Relief, Segmentation};
 use crate::ir::cycle::recess::Operation;

@@ -9,7 +9,7 @@ use crate::geo::{Element, Point2, Vec2, direction, distance};
 use crate::ir::cycle::Region;
 
 use super::links::Ground;
-use super::rest::Meets;
+use super::loops::Meets;
 use super::rooms::{Entry, Room};
 use super::walls::{Walls, nearest_on};
 

@@ -8,11 +8,10 @@ use cavalier_contours::polyline::{PlineSource, PlineSourceMut, PlineVertex, Poly
 use cavalier_contours::shape_algorithms::{IndexedPolyline, Shape, ShapeOffsetOptions};
 
 use crate::geo::area::is_counter_clockwise;
-use crate::geo::wall::quarters;
+use crate::geo::element::quarters;
 use crate::geo::{Element, Point2, distance, grid, turned};
 
 use super::carriers::settled;
-use super::rest::Meets;
 use super::walls::{Walls, nearest_on, point_at, to_element};
 
 /// How much a ring may miss its distance, mm.
@@ -25,6 +24,17 @@ const SNAPS: f64 = 1e-3;
 const SMOOTH: f64 = 1e-3;
 /// Largest sweep of a part of an arc.
 const LARGEST: f64 = 3.0;
+
+/// Where a ring meets material.
+#[derive(Debug, Clone, Default)]
+pub enum Meets {
+    /// Nothing was cleared before, or nothing along the ring.
+    #[default]
+    Everywhere,
+    Nowhere,
+    /// Chains of it that begin and end in cleared ground, in its sense.
+    Along(Vec<Vec<Element>>),
+}
 
 /// A closed ring.
 #[derive(Debug, Clone)]

@@ -3,7 +3,7 @@
 use crate::geo::Element;
 use crate::ir::cycle::region::Coarse;
 
-use super::loops::{Area, Part};
+use super::loops::{Area, Meets, Part};
 use super::rooms::Room;
 use super::walls::{Walls, point_at};
 
@@ -13,17 +13,6 @@ const SHORTEST: f64 = 0.05;
 const LONGEST: f64 = 0.25;
 /// Along a wall both cutters touch it; what stands out by less is nothing, mm.
 const NOTHING: f64 = 1e-4;
-
-/// Where a ring meets material.
-#[derive(Debug, Clone, Default)]
-pub enum Meets {
-    /// Nothing was cleared before, or nothing along the ring.
-    #[default]
-    Everywhere,
-    Nowhere,
-    /// Chains of it that begin and end in cleared ground, in its sense.
-    Along(Vec<Vec<Element>>),
-}
 
 /// What a coarser cutter cleared.
 pub struct Cleared {

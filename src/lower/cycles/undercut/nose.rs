@@ -6,7 +6,13 @@ use crate::geo::tolerance;
 use crate::geo::{Element, Point2, Vec2, cross, distance, left};
 use crate::ir::cycle::UndercutCycle;
 
-use super::Outline;
+/// An undercut with the slope prolonged to where the tool comes in, and the face to where it leaves.
+pub(super) struct Outline {
+    pub elements: Vec<Element>,
+    /// Where the slope meets the cylinder, and the direction in which it rises there.
+    pub begin: Point2,
+    pub slope: Vec2,
+}
 
 /// A rounding that is larger than the nose by less is the nose's own, mm: what lies between them in a corner is less than half of it.
 const AS_LARGE: f64 = 1e-3;

@@ -13,7 +13,7 @@ use crate::text::Span;
 use super::super::contour::{Contour, LastMove};
 use super::super::words::{Comp, Words};
 use super::super::{Outcome, Reported, Run};
-use super::{Border, Circle, Shape};
+use super::border::{Border, Circle, Shape};
 
 /// What may stand between an approach and the first element of its contour.
 pub(in super::super) const MOST_HELD: usize = 256;

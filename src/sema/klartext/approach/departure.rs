@@ -7,7 +7,7 @@ use crate::machine::{ApproachDepth, Axis, Generation};
 
 use super::super::words::{Comp, Words};
 use super::super::{Outcome, Reported, Run};
-use super::{Border, Shape};
+use super::border::{Border, Shape};
 
 /// The end of a departure.
 #[derive(Debug, Clone, Copy)]

@@ -39,7 +39,7 @@ impl Extent {
             low: Point2::new(f64::INFINITY, f64::INFINITY),
             high: Point2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
         };
-        for element in contour.iter().flat_map(crate::geo::wall::quarters) {
+        for element in contour.iter().flat_map(crate::geo::element::quarters) {
             for p in [element.from(), element.to()] {
                 extent.low = Point2::new(extent.low.x.min(p.x), extent.low.y.min(p.y));
                 extent.high = Point2::new(extent.high.x.max(p.x), extent.high.y.max(p.y));

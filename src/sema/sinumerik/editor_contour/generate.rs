@@ -9,7 +9,38 @@ use crate::parser::sinumerik::records::{Record, Undercut as Form};
 use super::super::undercut_sizes::editor_size;
 use super::made::{Contour, ContourBlock, CornerWord, NoUndercut, Unsolved, Written};
 use super::material::Material;
-use super::solve::{Begin, Solved};
+use super::solve::{Begin, Solved, Solver};
+
+/// Most records of a contour.
+pub(super) const MOST_RECORDS: usize = 5000;
+
+/// Works out the NC blocks as the editor writes them, in mm.
+///
+/// # Errors
+/// See [`Unsolved`].
+pub(super) fn solve(records: &[Record], written: Written, tables: &Undercuts) -> Result<Contour, Unsolved> {
+    make(records, written, tables, true)
+}
+
+/// The same with undercuts as corners, which lowering makes where their conditions hold.
+///
+/// # Errors
+/// See [`Unsolved`].
+pub(super) fn outline(records: &[Record], written: Written, tables: &Undercuts) -> Result<Contour, Unsolved> {
+    make(records, written, tables, false)
+}
+
+/// Everything is worked out in the unit of the program, since values are rounded to its places.
+fn make(records: &[Record], written: Written, tables: &Undercuts, expanded: bool) -> Result<Contour, Unsolved> {
+    if records.len() > MOST_RECORDS {
+        return Err(Unsolved::TooLong);
+    }
+    let mut solver = Solver::new(written.diameter);
+    let start = solver.read(records)?;
+    let (corner, elements) = solver.elements_from(start)?;
+    let contour = Generator { records, tables, elements, written, expanded }.blocks(start, corner)?;
+    Ok(Contour { chosen: solver.chosen, ..contour.scaled(written.unit) })
+}
 
 /// Directions closer than this are the same, in degrees: three decimals of a coordinate over a few mm.
 const SAME_ANGLE: f64 = 0.01;

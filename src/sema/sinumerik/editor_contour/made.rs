@@ -5,14 +5,6 @@
 
 use crate::geo::Point2;
 use crate::ir::undercut::{Surface, Undercut};
-use crate::machine::Undercuts;
-use crate::parser::sinumerik::records::Record;
-
-use super::generate::Generator;
-use super::solve::Solver;
-
-/// Most records of a contour.
-pub(super) const MOST_RECORDS: usize = 5000;
 
 /// An NC block of the contour: a corner point before rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -125,37 +117,9 @@ impl Unsolved {
     }
 }
 
-/// Works out the NC blocks as the editor writes them, in mm.
-///
-/// # Errors
-/// See [`Unsolved`].
-pub(super) fn solve(records: &[Record], written: Written, tables: &Undercuts) -> Result<Contour, Unsolved> {
-    make(records, written, tables, true)
-}
-
-/// The same with undercuts as corners, which lowering makes where their conditions hold.
-///
-/// # Errors
-/// See [`Unsolved`].
-pub(super) fn outline(records: &[Record], written: Written, tables: &Undercuts) -> Result<Contour, Unsolved> {
-    make(records, written, tables, false)
-}
-
-/// Everything is worked out in the unit of the program, since values are rounded to its places.
-fn make(records: &[Record], written: Written, tables: &Undercuts, expanded: bool) -> Result<Contour, Unsolved> {
-    if records.len() > MOST_RECORDS {
-        return Err(Unsolved::TooLong);
-    }
-    let mut solver = Solver::new(written.diameter);
-    let start = solver.read(records)?;
-    let (corner, elements) = solver.elements_from(start)?;
-    let contour = Generator { records, tables, elements, written, expanded }.blocks(start, corner)?;
-    Ok(Contour { chosen: solver.chosen, ..contour.scaled(written.unit) })
-}
-
 impl Contour {
     /// From the unit of the program to mm. Undercuts are in mm already.
-    fn scaled(mut self, unit: f64) -> Contour {
+    pub(super) fn scaled(mut self, unit: f64) -> Contour {
         if unit == 1.0 {
             return self;
         }

@@ -26,7 +26,8 @@ use super::tangent::Heading;
 use super::{Channel, Core, Outcome, Reported, Run};
 use compare::compare;
 use difference::Told;
-use made::{Contour, ContourBlock, CornerWord, MOST_RECORDS, NoUndercut, Unsolved, Written, outline, solve};
+use generate::{MOST_RECORDS, outline, solve};
+use made::{Contour, ContourBlock, CornerWord, NoUndercut, Unsolved, Written};
 
 /// How far blocks and records may differ, in the unit of the program.
 const TOLERANCE: f64 = 0.001;

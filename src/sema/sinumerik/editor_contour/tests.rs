@@ -4,6 +4,7 @@ use crate::machine::Undercuts;
 use crate::parser::sinumerik::records::{Record, read};
 
 use super::compare::{Difference, compare};
+use super::generate::solve;
 use super::made::*;
 
 const DIAMETERS: Written = Written { diameter: true, unit: 1.0 };

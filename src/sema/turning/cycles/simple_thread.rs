@@ -1,6 +1,6 @@
 //! G32, a thread from where the tool stands to an end point, cut in several passes.
 //!
-//! No manual at hand shows its list of words; they are read as docs/turning.md says, from the reference, section
+//! No available manual shows its list of words; they are read as docs/turning.md says, from the reference, section
 //! 10.4; `[control] simple_thread = "refuse"` refuses them.
 
 use crate::diag::{Answer, Fault, codes};

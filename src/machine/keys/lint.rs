@@ -1,9 +1,9 @@
 //! `[lint]`: which findings are reported, and how bad they are.
 
+use super::key::{Key, Kind, key};
 use crate::diag::selection::{Choice, Selector};
 use crate::diag::{Severity, codes};
 use crate::machine::axis::Axis;
-use crate::machine::keys::{Key, Kind, key};
 use crate::machine::tree::{ConfigError, Node, Value, did_you_mean};
 use crate::machine::values::{fits, put, range, table_of, text};
 

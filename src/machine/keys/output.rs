@@ -1,7 +1,7 @@
 //! `[output]`, `[limits]` and `[include]`: what is printed, how long a run may be, and what it may open.
 
+use super::key::{Key, Kind, key};
 use crate::machine::PathChoice;
-use crate::machine::keys::{Key, Kind, key};
 use crate::machine::settings::{Compensation, Decimals, Settings, ToolChange, Units};
 use crate::machine::tree::{ConfigError, Node, Value};
 use crate::machine::values::{flag, is, number, put, table_of, text, texts, whole, wholes};
@@ -118,7 +118,7 @@ pub const KEYS: &[Key] = &[
         Kind::Corners,
         "how corners are taken where the program has no say: \"exact\", { tolerance = 0.01 } in mm, or \"none\": no word of it \
          is printed; without it a tolerance of 0.01 where the target can say one, on lathes \"exact\"",
-        |s, v| put(&mut s.output.path_control, Some(PathChoice::read(v)?)),
+        |s, v| put(&mut s.output.path_control, Some(path_choice(v)?)),
     ),
 ];
 
@@ -206,4 +206,22 @@ fn one_spelling(prefix: &str) -> String {
         _ => part.to_owned(),
     });
     parts.collect::<Vec<_>>().join("/")
+}
+
+/// `"exact"`, `"none"` or `{ tolerance = 0.01 }`
+fn path_choice(node: &Node) -> Result<PathChoice, ConfigError> {
+    let wanted = "\"exact\", { tolerance = 0.01 } or \"none\"";
+    match &node.value {
+        Value::Text(text) if text == "exact" => Ok(PathChoice::Exact),
+        Value::Text(text) if text == "none" => Ok(PathChoice::None),
+        Value::Table(table) => match (table.get("tolerance"), table.len()) {
+            (Some(tolerance), 1) => {
+                let mm = number(tolerance).filter(|mm| (0.001..=1.0).contains(mm));
+                let mm = mm.ok_or_else(|| tolerance.fail("0.001 to 1 mm"))?;
+                Ok(PathChoice::Within(libm::round(mm * 1e6) as u32))
+            }
+            _ => Err(node.fail(format!("`path_control` is {wanted}"))),
+        },
+        _ => Err(node.fail(format!("`path_control` is {wanted}"))),
+    }
 }

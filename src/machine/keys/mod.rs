@@ -1,74 +1,24 @@
-//! Every key of a `partc.toml`: its kind, its default, its meaning.
+//! Every key of a `partc.toml`, one file an owner. A new key is a row here and a field of the settings.
+
+mod control;
+mod cycles;
+mod key;
+mod klartext;
+mod klartext_cycles;
+mod lint;
+mod machine;
+mod mtc200;
+pub(super) mod output;
+mod sinumerik;
+mod turning;
+mod undercut;
 
 use crate::diag::Answer;
 
-use super::options::{
-    control, cycles, klartext, klartext_cycles, lint, machine, mtc200, output, sinumerik, turning, undercut,
-};
-use super::settings::{Settings, Unit};
-use super::tree::{ConfigError, Node};
+use super::unit::Unit;
 use super::values::{is, put};
-
-/// What may stand behind a key.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    Text,
-    Flag,
-    Number,
-    Whole,
-    Choice(&'static [&'static str]),
-    /// List of whole numbers.
-    Wholes,
-    /// List of numbers from 0 to 9.
-    Digits,
-    /// List of texts.
-    Texts,
-    /// Table whose keys are names.
-    Free,
-    /// Number of decimal places, or table of them by quantity.
-    Places,
-    /// `"exact"`, `"none"`, or a table with a tolerance.
-    Corners,
-    /// List of names, or table of names and what is printed for them.
-    Words,
-    /// A number, or this text in its place.
-    NumberOr(&'static str),
-}
-
-/// One key of the configuration.
-#[derive(Debug)]
-pub struct Key {
-    pub name: &'static str,
-    pub kind: Kind,
-    pub doc: &'static str,
-    /// TOML text of the value that holds without the key; empty where none does.
-    pub default: &'static str,
-    /// Without the key its default is a reading that warns; setting the key confirms it.
-    pub warns: bool,
-    /// Takes the value over into the settings.
-    pub(super) set: Set,
-}
-
-/// Takes the value of a key, which is of its kind, over into the settings.
-pub(super) type Set = fn(&mut Settings, &Node) -> Result<(), ConfigError>;
-
-impl Key {
-    /// The same key with the value that holds without it.
-    pub(super) const fn or(self, default: &'static str) -> Key {
-        Key { default, ..self }
-    }
-
-    /// The same key with the reading that is taken, with a warning, without it.
-    pub(super) const fn or_warn(self, reading: &'static str) -> Key {
-        Key { default: reading, warns: true, ..self }
-    }
-
-    /// The default as a node of the tree.
-    pub fn default_node(&self) -> Option<Node> {
-        let tree = super::tree::parse(&format!("x = {}", self.default), "default").ok()?;
-        tree.into_values().next()
-    }
-}
+use key::part;
+pub use key::{Key, Kind};
 
 /// One table of the configuration. A section without keys takes any name.
 #[derive(Debug)]
@@ -99,16 +49,6 @@ pub fn choices(answer: &Answer) -> Vec<String> {
         Some(Kind::Flag) => vec!["true".to_owned(), "false".to_owned()],
         _ => Vec::new(),
     }
-}
-
-/// A key with its kind, its meaning, and what takes its value over.
-pub(super) const fn key(name: &'static str, kind: Kind, doc: &'static str, set: Set) -> Key {
-    Key { name, kind, doc, default: "", warns: false, set }
-}
-
-/// A key of a table whose names the user chose: whoever reads the table takes it.
-const fn part(name: &'static str, kind: Kind, doc: &'static str) -> Key {
-    key(name, kind, doc, |_, _| Ok(()))
 }
 
 pub(super) const TOOL_KEYS: &[Key] = &[

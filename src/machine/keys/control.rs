@@ -1,11 +1,11 @@
 //! `[control]` keys that several languages share, and those that name the control.
 
-use crate::machine::keys::{Key, Kind, key};
-use crate::machine::settings::Unit;
+use super::key::{Key, Kind, key};
 use crate::machine::tree::{ConfigError, Node};
+use crate::machine::unit::Unit;
 use crate::machine::values::{is, number, put, text, wholes};
 
-use super::klartext::Generation;
+use crate::machine::options::klartext::Generation;
 
 const GENERATIONS: &[&str] = &["tnc426", "itnc530", "tnc640", "tnc7"];
 const SINUMERIKS: &[&str] = &["802d", "810d", "828d", "840dsl", "one"];

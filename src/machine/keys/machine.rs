@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use super::key::{Key, Kind, key};
 use crate::machine::axis::Axis;
-use crate::machine::keys::{Key, Kind, key};
 use crate::machine::settings::{MachineKind, Settings};
 use crate::machine::tree::{ConfigError, Node, Value};
 use crate::machine::values::{

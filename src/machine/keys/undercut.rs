@@ -1,6 +1,6 @@
 //! `[undercut]`: sizes of undercuts that differ from DIN 509 and DIN 76. docs/undercuts.md describes them.
 
-use crate::machine::keys::{Key, Kind, key};
+use super::key::{Key, Kind, key};
 
 pub const KEYS: &[Key] = &[
     key("din509", Kind::Free, "size of forms E and F: \"0.6x0.3\" = { f = 2.5, t2 = 0.2 }", |s, v| {
