@@ -43,6 +43,7 @@ mod frames;
 mod g_functions;
 mod g_groups;
 mod kept;
+mod known_values;
 mod known_words;
 mod lane;
 mod left_out;
