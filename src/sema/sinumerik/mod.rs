@@ -456,18 +456,6 @@ impl Run<'_> {
         }
     }
 
-    /// An executable block: DEF is too late from here on, arguments without PROC are too many.
-    fn begins_executing(&mut self) {
-        let level = self.channel.core.program_level();
-        if level.executed {
-            return;
-        }
-        level.executed = true;
-        if level.arguments.is_some() {
-            self.channel.core.refuse_arguments();
-        }
-    }
-
     /// Reads the block again, now that more is known.
     fn again(&mut self, block: &Block, text: &[u8]) -> Outcome {
         let line = if text.is_empty() { self.block_text(block) } else { text.to_vec() };

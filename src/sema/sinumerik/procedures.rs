@@ -198,13 +198,13 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome {
         let name = self.channel.core.symbols.name(call.name).to_owned();
-        let formulas: Vec<Formula> = call.args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
         if let Some(result) = self.machining_cycle(&name, call, block, text) {
             if self.channel.core.has_other_words(w) {
                 return self.channel.core.call_not_alone(call.span);
             }
             return result;
         }
+        let formulas: Vec<Formula> = call.args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
         let by_file = matches!(self.channel.core.job.settings.programs.get(&name), Some(StandIn::File(_)));
         match procedure {
             Procedure::Refused(_) if super::cycles::measures(&name) && !by_file && !self.is_here(&name) => {
