@@ -43,58 +43,7 @@ impl Run<'_> {
             if !self.takes_cycle_word(nature, number, word, &read, text) {
                 return self.cycle_word(word.span, number);
             }
-            match word.addr {
-                Addr::Axis { axis, .. } if nature.is_machining() => {
-                    let value = self.number(word.value, word.span)?;
-                    self.keep_part(What::Along(axis), value);
-                }
-                Addr::TurnPlus | Addr::TurnMinus if nature.is_machining() => {
-                    self.keep_part(What::Turn, if word.addr == Addr::TurnPlus { 1.0 } else { -1.0 });
-                }
-                Addr::Axis { axis, incremental } => {
-                    if matches!(nature, Nature::DatumShift | Nature::Mirror | Nature::AxisScaling)
-                        && self.open_cycle().axes.iter().any(|other| other.axis == axis)
-                    {
-                        return self.twice(word, block);
-                    }
-                    let value = self.number_if(word.value, word.span)?;
-                    let loc = self.core.loc(word.span);
-                    self.open_cycle().axes.push(AxisValue { axis, incremental, value, loc });
-                }
-                Addr::Name if matches!(nature, Nature::Mirror) => self.mirror_letters(word, block, text)?,
-                Addr::Name => {
-                    read.label = Some((String::from_utf8_lossy(word.span.of(text)).to_ascii_uppercase(), word.span));
-                }
-                Addr::Hash => {
-                    read.label = Some(("#".to_owned(), word.span));
-                    self.open_cycle().table_row = true;
-                }
-                Addr::Value => {
-                    self.doubtful_point(&read, word, text)?;
-                    let value = self.number(word.value, word.span)?;
-                    let label = read.label.take().map(|(label, _)| label).unwrap_or_default();
-                    read.values += 1;
-                    self.keep_part(What::Value, value);
-                    self.open_cycle().values.push(Labelled { label, value });
-                }
-                Addr::Feed if nature.is_machining() => {
-                    let value = self.number(word.value, word.span)?;
-                    read.values += 1;
-                    self.keep_part(What::Feed, value);
-                }
-                Addr::Assign(q) => self.cycle_parameter(q, word, text)?,
-                Addr::Feed | Addr::FeedMax if matches!(nature, Nature::Tilt) => {
-                    let label = if word.addr == Addr::Feed { "F" } else { "FMAX" }.to_owned();
-                    let value = self.number_if(word.value, word.span)?.unwrap_or_default();
-                    self.open_cycle().values.push(Labelled { label, value });
-                }
-                Addr::Text => {
-                    let name = self.program_name(strip_pgm(word.span.of(text)))?;
-                    self.open_cycle().program = Some(name);
-                }
-                // Words of cycles that are refused.
-                _ => {}
-            }
+            self.read_cycle_word(word, nature, &mut read, block, text)?;
         }
         match read.label {
             Some((label, span)) if needs_its_value(nature, self.open_cycle().part) => {
@@ -102,6 +51,68 @@ impl Run<'_> {
             }
             _ => Ok(()),
         }
+    }
+
+    fn read_cycle_word(&mut self, word: Word, nature: Nature, read: &mut Read, block: &Block, text: &[u8]) -> Outcome {
+        match word.addr {
+            Addr::TurnPlus | Addr::TurnMinus if nature.is_machining() => {
+                self.keep_part(What::Turn, if word.addr == Addr::TurnPlus { 1.0 } else { -1.0 });
+            }
+            Addr::Axis { .. } => return self.axis_of_cycle(word, nature, block),
+            Addr::Name if matches!(nature, Nature::Mirror) => self.mirror_letters(word, block, text)?,
+            Addr::Name => {
+                read.label = Some((String::from_utf8_lossy(word.span.of(text)).to_ascii_uppercase(), word.span));
+            }
+            Addr::Hash => {
+                read.label = Some(("#".to_owned(), word.span));
+                self.open_cycle().table_row = true;
+            }
+            Addr::Value => {
+                self.doubtful_point(read, word, text)?;
+                let value = self.number(word.value, word.span)?;
+                let label = read.label.take().map(|(label, _)| label).unwrap_or_default();
+                read.values += 1;
+                self.keep_part(What::Value, value);
+                self.open_cycle().values.push(Labelled { label, value });
+            }
+            Addr::Feed if nature.is_machining() => {
+                let value = self.number(word.value, word.span)?;
+                read.values += 1;
+                self.keep_part(What::Feed, value);
+            }
+            Addr::Assign(q) => self.cycle_parameter(q, word, text)?,
+            Addr::Feed | Addr::FeedMax if matches!(nature, Nature::Tilt) => {
+                let label = if word.addr == Addr::Feed { "F" } else { "FMAX" }.to_owned();
+                let value = self.number_if(word.value, word.span)?.unwrap_or_default();
+                self.open_cycle().values.push(Labelled { label, value });
+            }
+            Addr::Text => {
+                let name = self.program_name(strip_pgm(word.span.of(text)))?;
+                self.open_cycle().program = Some(name);
+            }
+            // Words of cycles that are refused.
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// A coordinate: of a machining cycle a part of its place, else what the cycle does to the axis.
+    fn axis_of_cycle(&mut self, word: Word, nature: Nature, block: &Block) -> Outcome {
+        let Addr::Axis { axis, incremental } = word.addr else { return Ok(()) };
+        if nature.is_machining() {
+            let value = self.number(word.value, word.span)?;
+            self.keep_part(What::Along(axis), value);
+            return Ok(());
+        }
+        if matches!(nature, Nature::DatumShift | Nature::Mirror | Nature::AxisScaling)
+            && self.open_cycle().axes.iter().any(|other| other.axis == axis)
+        {
+            return self.twice(word, block);
+        }
+        let value = self.number_if(word.value, word.span)?;
+        let loc = self.core.loc(word.span);
+        self.open_cycle().axes.push(AxisValue { axis, incremental, value, loc });
+        Ok(())
     }
 
     /// `8.1 XY`: letters written together name both axes.

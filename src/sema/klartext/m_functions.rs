@@ -168,17 +168,7 @@ impl Run<'_> {
                 self.st.spindle.stop();
                 self.function(Function::Spindle(Spindle::Orient(angle)));
             }
-            Act::PlungeShare => {
-                if let Some(share) = m.args.feed
-                    && !(share > 0.0 && share <= 100.0)
-                {
-                    return self.core.refuse(m.span, codes::K2707::m103_f_is_no_share_of_feed(&share));
-                }
-                if m.args.feed.is_none() && self.st.feed.plunge_share().is_none() {
-                    self.note_m(m);
-                }
-                self.st.feed.share_plunges(m.args.feed.map(|percent| percent / 100.0));
-            }
+            Act::PlungeShare => return self.share_plunges(m),
             Act::EdgeFeed(FeedAt::Centre) if self.st.feed.at == FeedAt::Centre => self.note_m(m),
             Act::RotaryFeed(false) if !self.st.feed.at_surface => self.note_m(m),
             Act::ShortWay(false) if !self.st.rotary.short_way => self.note_m(m),
@@ -210,11 +200,24 @@ impl Run<'_> {
             }
             Act::CompensationOnly | Act::LookAhead if self.computes_path() && self.st.compensation.is_on() => {}
             Act::CompensationOnly | Act::LookAhead => {
-                let found = codes::K2703::m_has_no_word_in_output(&m.number).at(self.core.loc(m.span));
-                self.core.report(found);
+                self.core.report(codes::K2703::m_has_no_word_in_output(&m.number).at(self.core.loc(m.span)));
             }
             Act::Block | Act::Refused => {}
         }
+        Ok(())
+    }
+
+    /// M103: plunges run at a share of the feed.
+    fn share_plunges(&mut self, m: &MWord) -> Outcome {
+        if let Some(share) = m.args.feed
+            && !(share > 0.0 && share <= 100.0)
+        {
+            return self.core.refuse(m.span, codes::K2707::m103_f_is_no_share_of_feed(&share));
+        }
+        if m.args.feed.is_none() && self.st.feed.plunge_share().is_none() {
+            self.note_m(m);
+        }
+        self.st.feed.share_plunges(m.args.feed.map(|percent| percent / 100.0));
         Ok(())
     }
 

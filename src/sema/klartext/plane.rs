@@ -360,16 +360,7 @@ impl Run<'_> {
         if angle == before {
             return Ok(());
         }
-        if self.st.frames.transform().shifted_in_turn && self.st.frames.transform().is_shifted_in_plane() {
-            self.core.say_here(codes::K2852::working_plane_turns_while_datum_shift_along());
-            self.lose_all();
-            return Err(Reported);
-        }
-        if self.st.frames.transform().turns_with_the_plane() {
-            self.core.say_here(codes::K2852::working_plane_turns_while_mirror_or_uneven());
-            self.lose_all();
-            return Err(Reported);
-        }
+        self.may_turn_transformation()?;
         self.refuse_compensated("the working plane turns");
         if self.st.compensation.is_on() {
             self.core.report(codes::P2041::turn_of_plane_ends_radius_compensation().at(here));
@@ -392,6 +383,21 @@ impl Run<'_> {
             // The part turns away from under the tool, or not: both axes have to be named again.
             self.st.position.forget([Axis::X, Axis::Y].into_iter().collect());
             self.st.polar.forget_last();
+        }
+        Ok(())
+    }
+
+    /// A turn under a shift of the turned plane, a mirror or an uneven scale would need another order of them.
+    fn may_turn_transformation(&mut self) -> Outcome {
+        if self.st.frames.transform().shifted_in_turn && self.st.frames.transform().is_shifted_in_plane() {
+            self.core.say_here(codes::K2852::working_plane_turns_while_datum_shift_along());
+            self.lose_all();
+            return Err(Reported);
+        }
+        if self.st.frames.transform().turns_with_the_plane() {
+            self.core.say_here(codes::K2852::working_plane_turns_while_mirror_or_uneven());
+            self.lose_all();
+            return Err(Reported);
         }
         Ok(())
     }

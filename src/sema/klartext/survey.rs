@@ -59,6 +59,13 @@ pub fn survey(job: &Job<'_>, file: FileId, visitor: &mut dyn Visitor) {
 }
 
 fn note(block: &Block, text: &[u8], notes: &mut Notes) {
+    note_statement(block, text, notes);
+    note_words(block, notes);
+    parameters(block, text, notes);
+}
+
+/// Labels, calls, and where the program begins, ends and leaves its own text.
+fn note_statement(block: &Block, text: &[u8], notes: &mut Notes) {
     let used = |label: LabelRef| Label::written(label, text).map_or(What::UsesUnknown, |l| What::Uses(l.to_string()));
     match block.stmt {
         // The end of a called section; what runs through it goes on behind it.
@@ -99,6 +106,10 @@ fn note(block: &Block, text: &[u8], notes: &mut Notes) {
         }
         _ => {}
     }
+}
+
+/// Feeds, speeds, coordinates and M functions that are numbers.
+fn note_words(block: &Block, notes: &mut Notes) {
     for word in &block.words {
         if let (Stmt::ToolCall, Addr::Axis { axis, .. }) = (block.stmt, word.addr) {
             notes
@@ -122,7 +133,6 @@ fn note(block: &Block, text: &[u8], notes: &mut Notes) {
             notes.word(letter, value, word.span);
         }
     }
-    parameters(block, text, notes);
 }
 
 /// `BLK FORM 0.1 Z X+0 Y+0 Z-20`, where all coordinates are numbers; increments of the high corner count from the `low` one.

@@ -9,6 +9,8 @@ use crate::machine::{Axis, Generation, ToolKey, Unit};
 use crate::parser::klartext::ast::{Addr, Block};
 
 use super::meanings;
+use super::state::State;
+use super::transformation::Transformation;
 use super::vars::Slot;
 use super::{Outcome, Reported, Run};
 
@@ -29,6 +31,12 @@ impl Request {
 }
 
 impl Request {
+    /// IDX as the number of an axis.
+    fn axis(self) -> Option<Axis> {
+        let index = self.idx.filter(|n| n.fract() == 0.0 && (1.0..=9.0).contains(n))?;
+        Axis::ALL.get(index as usize - 1).copied()
+    }
+
     /// Does it ask for a length?
     fn is_length(self) -> bool {
         let rotary = self.idx.is_some_and(|n| (4.0..=6.0).contains(&n));
@@ -37,6 +45,42 @@ impl Request {
             (220, 2) | (240, 1) | (270, 1) => !rotary,
             _ => false,
         }
+    }
+}
+
+impl State {
+    /// Active tool: radius, length, corner radius; IDX 1 without, 2 with table, 3 with all oversizes.
+    fn tool_size(&self, r: Request, mm: f64) -> Option<f64> {
+        let tool = self.tool.active()?;
+        let (value, i) = match r.nr {
+            1 => (tool.radius?, 1),
+            2 => (tool.length?, 0),
+            _ => (tool.corner_radius?, 2),
+        };
+        let table = tool.table_deltas[i];
+        match r.idx.map(|n| n as u32) {
+            Some(1) => Some(value / mm),
+            Some(2) => Some((value + table) / mm),
+            Some(3) => Some((value + table + tool.call_deltas[i]) / mm),
+            _ => None,
+        }
+    }
+}
+
+/// ID 210 and ID 220: what the transformation does.
+fn transformed(t: &Transformation, r: Request, mm: f64) -> Option<f64> {
+    match (r.id, r.nr) {
+        (210, 1) => t.basic.map(|angle| angle.0),
+        (210, 2) => Some(t.angle.0),
+        (210, 3) => Some((0..3).map(|i| if t.mirror.contains(Axis::ALL[i]) { f64::from(1 << i) } else { 0.0 }).sum()),
+        (210, 4) => r.axis().map(|axis| t.scale * t.axis_scale.get(axis.index()).copied().unwrap_or(1.0)),
+        (210, 5) if t.turn.0 == 0.0 => r.axis().filter(|axis| axis.is_main()).map(|_| 0.0),
+        (210, 6) if t.turn.0 == 0.0 => Some(0.0),
+        (220, 2) => r.axis().map(|axis| {
+            let shift = t.shift[axis.index()];
+            if axis.is_rotary() { shift } else { shift / mm }
+        }),
+        _ => None,
     }
 }
 
@@ -96,9 +140,7 @@ impl Run<'_> {
 
     fn answer(&mut self, r: Request, block: &Block) -> Outcome<f64> {
         let mm = self.unit_of_lengths();
-        let index = r.idx.filter(|n| n.fract() == 0.0 && (1.0..=9.0).contains(n)).map(|n| n as usize);
-        let axis = index.map(|n| Axis::ALL[n - 1]);
-        let t = self.st.frames.transform();
+        let axis = r.axis();
         let known = match (r.id, r.nr) {
             // State of the machine as the program set it.
             (20, 1) => self.st.tool.active().and_then(|tool| tool.own).map(f64::from),
@@ -110,33 +152,8 @@ impl Run<'_> {
             }),
             (20, 4) => self.st.spindle.speed(),
             (50, 1..=6) => return self.table_value(r, block),
-            // Active tool: radius, length, corner radius; IDX 1 without, 2 with table, 3 with all oversizes.
-            (200, 1..=3) => self.st.tool.active().and_then(|tool| {
-                let (value, i) = match r.nr {
-                    1 => (tool.radius?, 1),
-                    2 => (tool.length?, 0),
-                    _ => (tool.corner_radius?, 2),
-                };
-                let table = tool.table_deltas[i];
-                match r.idx.map(|n| n as u32) {
-                    Some(1) => Some(value / mm),
-                    Some(2) => Some((value + table) / mm),
-                    Some(3) => Some((value + table + tool.call_deltas[i]) / mm),
-                    _ => None,
-                }
-            }),
-            (210, 1) => t.basic.map(|angle| angle.0),
-            (210, 2) => Some(t.angle.0),
-            (210, 3) => {
-                Some((0..3).map(|i| if t.mirror.contains(Axis::ALL[i]) { f64::from(1 << i) } else { 0.0 }).sum())
-            }
-            (210, 4) => index.map(|n| t.scale * t.axis_scale.get(n - 1).copied().unwrap_or(1.0)),
-            (210, 5) if t.turn.0 == 0.0 => index.filter(|n| *n <= 3).map(|_| 0.0),
-            (210, 6) if t.turn.0 == 0.0 => Some(0.0),
-            (220, 2) => axis.map(|axis| {
-                let shift = t.shift[axis.index()];
-                if axis.is_rotary() { shift } else { shift / mm }
-            }),
+            (200, 1..=3) => self.st.tool_size(r, mm),
+            (210 | 220, _) => transformed(self.st.frames.transform(), r, mm),
             (240, 1) => axis.filter(|axis| !self.st.position.may_be_moved(*axis)).and_then(|axis| {
                 let value = self.machine_coordinate(axis)?;
                 Some(if axis.is_rotary() { value } else { value / mm })

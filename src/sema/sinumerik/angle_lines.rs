@@ -123,39 +123,44 @@ impl Channel<'_> {
             // The first line was refused.
             ([true, true], None) if lost => Err(Reported),
             ([true, true], None) => self.core.refuse(given.span, codes::S2070::both_end_coordinates()),
-            ([false, false], None) => {
-                self.st.pair.lost = true;
-                if self.st.position.in_plane(plane).is_none() {
-                    let axis = if self.st.position.get(first).is_none() { first } else { second };
-                    return self.unknown_axis(axis, given.span);
-                }
-                match self.st.offsets.outer() {
-                    Outer::Machine => {
-                        let message = "a contour definition cannot be printed in machine coordinates";
-                        return self.core.in_machine_only_lines(given.span, message);
-                    }
-                    Outer::Unrelated => return self.core.unrelated(given.span, "G500 stands beside"),
-                    Outer::Basic | Outer::Printed(_) => {}
-                }
-                self.st.pair.lost = false;
-                self.st.pair.first = Some(Box::new(FirstLine {
-                    angle,
-                    plane,
-                    rest: end,
-                    path,
-                    side: self.st.side_of_move(),
-                    corner: corner.copied(),
-                    origin: self.core.here.origin,
-                    functions: Vec::new(),
-                }));
-                Ok(())
-            }
+            ([false, false], None) => self.first_line(angle, end, path, corner, given.span),
             _ => {
                 let end = self.one_coordinate(&end, angle, plane, [first, second], given.span)?;
                 self.send(&end, path);
                 Ok(())
             }
         }
+    }
+
+    /// A line without an end waits for the line behind it.
+    fn first_line(&mut self, angle: Deg, end: Pos, path: Path, corner: Option<&Corner>, span: Span) -> Outcome {
+        let plane = self.st.plane();
+        let [first, second, _] = self.st.roles();
+        self.st.pair.lost = true;
+        if self.st.position.in_plane(plane).is_none() {
+            let axis = if self.st.position.get(first).is_none() { first } else { second };
+            return self.unknown_axis(axis, span);
+        }
+        match self.st.offsets.outer() {
+            Outer::Machine => {
+                let message = "a contour definition cannot be printed in machine coordinates";
+                return self.core.in_machine_only_lines(span, message);
+            }
+            Outer::Unrelated => return self.core.unrelated(span, "G500 stands beside"),
+            Outer::Basic | Outer::Printed(_) => {}
+        }
+        self.st.pair.lost = false;
+        self.st.pair.first = Some(Box::new(FirstLine {
+            angle,
+            plane,
+            rest: end,
+            path,
+            side: self.st.side_of_move(),
+            corner: corner.copied(),
+            origin: self.core.here.origin,
+            functions: Vec::new(),
+        }));
+        Ok(())
     }
 
     /// From where increments of the second line count, from the start of the first or from the corner, is not confirmed.

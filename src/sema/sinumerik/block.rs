@@ -105,20 +105,8 @@ impl Run<'_> {
         {
             return self.channel.measures_beside(probe, span);
         }
-        if !w.codes.is_empty() || w.diameter.is_some() || w.dynamics.is_some() || w.smoothing.is_given() {
-            self.channel.core.check_codes(w)?;
-            if let Some((code, span)) = w.code_of(Group::Nonmodal) {
-                self.channel.modal_codes(w)?;
-                return self.nonmodal_block(code, span, w);
-            }
-            if let Some((code, span)) = w.code_of(Group::Frame) {
-                self.channel.modal_codes(w)?;
-                return self.channel.frame_block(code, span, w);
-            }
-            self.channel.modal_codes(w)?;
-            if let Some((code, span)) = w.code_of(Group::Buffer).filter(|(code, _)| *code != GCode::FIFOCTRL) {
-                return self.channel.buffer_code(code, span, w);
-            }
+        if self.codes_of_block(w)? {
+            return Ok(());
         }
         if self.channel.st.codes.of(Group::Motion).is_tapping() && !w.axes.is_empty() {
             self.channel.only_tapping(w)?;
@@ -127,30 +115,12 @@ impl Run<'_> {
         self.channel.technology(w)?;
         self.channel.early_functions(w)?;
         let corner_before = self.channel.st.corners.open.site();
-        let moved = match w.probe {
-            Some(probe) if !probe.whole_way && !self.channel.never_touches() => {
-                self.channel.probe_block(w, probe).map(|()| false)?
-            }
-            Some(probe) => {
-                self.channel.may_leave_probe_out(probe)?;
-                let moved = self.channel.motion(w, block)?;
-                self.channel.measured_on_the_way(probe, moved)
-            }
-            None => self.channel.motion(w, block)?,
-        };
+        let moved = self.channel.probed_motion(w, block)?;
         if moved && self.channel.st.corners.open.site() == corner_before {
             self.channel.st.corners.open.close();
         }
         self.channel.block_behind_corner(moved)?;
-        if let Some(left) = w.left() {
-            return self.channel.core.does_not_fit_motion(w, left.span);
-        }
-        if let Some(axis) = w.beside.machine.first() {
-            return self.channel.core.unnamed_axis(*axis);
-        }
-        if let Some(passes) = w.calls.passes {
-            return self.channel.core.does_not_fit(passes.span);
-        }
+        self.channel.core.all_words_fit(w)?;
         self.channel.left_out_under_modal_call(w)?;
         self.late_functions(w)?;
         if moved && !self.channel.core.has_ended() {
@@ -159,6 +129,27 @@ impl Run<'_> {
             self.channel.core.warn_of_trigger(block.span);
         }
         Ok(())
+    }
+
+    /// The codes of a block; true if one of them is the whole block.
+    fn codes_of_block(&mut self, w: &mut Words) -> Outcome<bool> {
+        if w.codes.is_empty() && w.diameter.is_none() && w.dynamics.is_none() && !w.smoothing.is_given() {
+            return Ok(false);
+        }
+        self.channel.core.check_codes(w)?;
+        if let Some((code, span)) = w.code_of(Group::Nonmodal) {
+            self.channel.modal_codes(w)?;
+            return self.nonmodal_block(code, span, w).map(|()| true);
+        }
+        if let Some((code, span)) = w.code_of(Group::Frame) {
+            self.channel.modal_codes(w)?;
+            return self.channel.frame_block(code, span, w).map(|()| true);
+        }
+        self.channel.modal_codes(w)?;
+        if let Some((code, span)) = w.code_of(Group::Buffer).filter(|(code, _)| *code != GCode::FIFOCTRL) {
+            return self.channel.buffer_code(code, span, w).map(|()| true);
+        }
+        Ok(false)
     }
 }
 
@@ -169,7 +160,6 @@ impl Channel<'_> {
     fn motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
         let interpolation = self.st.codes.of(Group::Motion);
         self.modal_contour_words(w)?;
-        let suppressed = w.code_of(Group::Suppression).filter(|(code, _)| *code != GCode::SUPD);
         let polar = w.get(Address::Ap).is_some() || w.get(Address::Rp).is_some();
         let round = matches!(interpolation, GCode::G2 | GCode::G3);
         let arc = round && ARC_ADDRESSES.iter().any(|address| w.get(*address).is_some());
@@ -191,13 +181,7 @@ impl Channel<'_> {
             }
         }
         if !moves {
-            if self.core.has_corner_words(w) {
-                return self.core.no_corner(block.span);
-            }
-            if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.beside.positioning.is_empty()) {
-                self.core.control_words_are_left_out(span);
-            }
-            return Ok(false);
+            return self.without_path(w, block.span);
         }
         if interpolation != GCode::G33 {
             self.st.threads.end_chain();
@@ -207,42 +191,68 @@ impl Channel<'_> {
         {
             return self.core.does_not_fit_motion(w, polar.span);
         }
-        if let Some((_, span)) = suppressed {
+        if let Some((_, span)) = w.code_of(Group::Suppression).filter(|(code, _)| *code != GCode::SUPD) {
             return self.machine_move(w, interpolation, span).map(|()| true);
         }
         if let Some((_, span)) = w.code_of(Group::Suppression) {
             self.suppressed_tool(w, span)?;
         }
+        self.path_block(w, interpolation, polar, block.span).map(|()| true)
+    }
+
+    /// A block of words that names no place to go to.
+    fn without_path(&self, w: &Words, span: Span) -> Outcome<bool> {
+        if self.core.has_corner_words(w) {
+            return self.core.no_corner(span);
+        }
+        if let Some((_, span)) = w.code_of(Group::Suppression).filter(|_| w.beside.positioning.is_empty()) {
+            self.core.control_words_are_left_out(span);
+        }
+        Ok(false)
+    }
+
+    /// Checks the path of a block, sends it, and the corner behind it.
+    fn path_block(&mut self, w: &mut Words, interpolation: GCode, polar: bool, span: Span) -> Outcome {
         let in_plane = polar || w.get(Address::Ang).is_some() || {
             let [first, second, _] = self.st.roles();
             w.axes.contains(first) || w.axes.contains(second)
         };
         self.check_offsets(w)?;
-        self.check_start_of_compensation(interpolation, in_plane, block.span)?;
+        self.check_start_of_compensation(interpolation, in_plane, span)?;
         if interpolation == GCode::G33 {
-            self.no_corner_at_thread(w, block.span)?;
+            self.no_corner_at_thread(w, span)?;
         }
         let corner = self.corner_words(w)?;
         if !matches!(interpolation, GCode::G0 | GCode::G1) {
-            self.only_lines_in_a_pair(block.span)?;
+            self.only_lines_in_a_pair(span)?;
         }
         match interpolation {
             GCode::G0 | GCode::G1 => self.line_block(w, interpolation, polar, corner.as_ref())?,
             GCode::G2 | GCode::G3 => self.circle_block(w, interpolation == GCode::G3, polar)?,
             GCode::CIP => self.via_block(w)?,
             GCode::CT => self.tangent_block(w)?,
-            GCode::G33 => self.thread_block(w, block.span)?,
-            GCode::G331 | GCode::G332 => {
-                self.tap_block(w, interpolation, block.span)?;
-                return Ok(true);
-            }
-            _ => return self.core.check_interpolation(interpolation, block.span).and(Err(Reported)),
+            GCode::G33 => self.thread_block(w, span)?,
+            GCode::G331 | GCode::G332 => return self.tap_block(w, interpolation, span),
+            _ => return self.core.check_interpolation(interpolation, span).and(Err(Reported)),
         }
         // The first line of a pair sends its corner when its end is known.
         if !self.st.pair.is_open() {
             self.send_corner(corner);
         }
-        Ok(true)
+        Ok(())
+    }
+
+    /// The motion of the block, as far as the probe lets it be printed.
+    fn probed_motion(&mut self, w: &mut Words, block: &Block) -> Outcome<bool> {
+        match w.probe {
+            Some(probe) if !probe.whole_way && !self.never_touches() => self.probe_block(w, probe).map(|()| false),
+            Some(probe) => {
+                self.may_leave_probe_out(probe)?;
+                let moved = self.motion(w, block)?;
+                Ok(self.measured_on_the_way(probe, moved))
+            }
+            None => self.motion(w, block),
+        }
     }
 
     /// Under D0 the control counts from the spindle nose, which the target cannot say.
@@ -297,6 +307,20 @@ impl Core<'_> {
 
     fn does_not_fit_code<T>(&self, span: Span, alarm: u32) -> Outcome<T> {
         self.refuse(span, codes::P1003::word_does_not_fit_other_words().alarm(alarm))
+    }
+
+    /// What no part of the block has taken belongs to another block.
+    fn all_words_fit(&self, w: &Words) -> Outcome {
+        if let Some(left) = w.left() {
+            return self.does_not_fit_motion(w, left.span);
+        }
+        if let Some(axis) = w.beside.machine.first() {
+            return self.unnamed_axis(*axis);
+        }
+        if let Some(passes) = w.calls.passes {
+            return self.does_not_fit(passes.span);
+        }
+        Ok(())
     }
 
     pub(super) fn check_interpolation(&self, code: GCode, span: Span) -> Outcome {

@@ -74,6 +74,18 @@ impl Frame {
 }
 
 impl Run<'_> {
+    /// An executable block: DEF is too late from here on, arguments without PROC are too many.
+    pub(super) fn begins_executing(&mut self) {
+        let level = self.channel.core.program_level();
+        if level.executed {
+            return;
+        }
+        level.executed = true;
+        if level.arguments.is_some() {
+            self.channel.core.refuse_arguments();
+        }
+    }
+
     /// A section or program ran up to its last block. False if nothing ended.
     pub(super) fn ends_here(&mut self, at: u32) -> bool {
         let level = self.channel.core.level();

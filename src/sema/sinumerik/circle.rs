@@ -71,28 +71,10 @@ impl Channel<'_> {
         let span = self.core.arc_span(w);
         let center = self.center(w, plane, start)?;
         let shape = match (w.take(Address::Cr), w.take(Address::Ar), center) {
-            (Some(cr), None, None) => {
-                if !named {
-                    return self.core.refuse(cr.span, codes::P3002::arc_by_cr_needs_end_point());
-                }
-                let radius = cr.value * self.st.length_unit();
-                let chord = crate::geo::distance(start, to);
-                if chord <= SAME {
-                    return self.core.refuse(cr.span, codes::P3002::arc_by_cr_ends_where_it_starts());
-                }
-                if radius == 0.0 || chord > 2.0 * radius.abs() + self.core.circle_tolerance(radius) {
-                    return self.core.refuse(
-                        cr.span,
-                        codes::S3001::points_are_mm_apart(
-                            &chord,
-                            &cr.value,
-                            &(2.0 * radius.abs()),
-                            &(chord / 2.0 / self.st.length_unit()),
-                        ),
-                    );
-                }
-                ArcShape::Radius { radius, ccw, tol: self.core.circle_tolerance(radius) }
+            (Some(cr), None, None) if !named => {
+                return self.core.refuse(cr.span, codes::P3002::arc_by_cr_needs_end_point());
             }
+            (Some(cr), None, None) => self.arc_by_radius(cr, crate::geo::distance(start, to), ccw)?,
             (None, Some(ar), center) => {
                 let sweep = self.core.opening(ar, ccw)?;
                 match center {
@@ -127,6 +109,21 @@ impl Channel<'_> {
             end.set_in_plane(plane, to);
         }
         self.send_arc(&end, Arc { plane, shape, turns }, feed, span)
+    }
+
+    /// CR: a radius, below 0 for the longer way around.
+    fn arc_by_radius(&self, cr: Given, chord: f64, ccw: bool) -> Outcome<ArcShape> {
+        let radius = cr.value * self.st.length_unit();
+        if chord <= SAME {
+            return self.core.refuse(cr.span, codes::P3002::arc_by_cr_ends_where_it_starts());
+        }
+        let tol = self.core.circle_tolerance(radius);
+        if radius == 0.0 || chord > 2.0 * radius.abs() + tol {
+            let needed = chord / 2.0 / self.st.length_unit();
+            let fault = codes::S3001::points_are_mm_apart(&chord, &cr.value, &(2.0 * radius.abs()), &needed);
+            return self.core.refuse(cr.span, fault);
+        }
+        Ok(ArcShape::Radius { radius, ccw, tol })
     }
 
     pub(super) fn send_arc(&mut self, end: &Pos, arc: Arc, feed: Feed, place: impl Into<Where>) -> Outcome {

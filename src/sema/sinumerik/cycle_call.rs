@@ -125,7 +125,7 @@ impl Run<'_> {
             }
         }
         if !matches!(row.work, Work::Hole(_)) {
-            self.channel.meets_needs(row, given)?;
+            self.channel.asked(given, |call| call.meets_row(row))?;
         }
         match &row.work {
             Work::Hole(_) => {
@@ -246,18 +246,10 @@ impl Channel<'_> {
         }
     }
 
-    /// What the row asks of the channel, in its order.
-    fn meets_needs(&mut self, row: &Row, given: &Given) -> Outcome {
-        for need in row.needs {
-            self.asked(given, |call| call.meets(*need))?;
-        }
-        self.asked(given, |call| call.digits_are_known())
-    }
-
     /// The hole of a drilling cycle.
     fn hole_of(&mut self, row: &Row, given: &Given) -> Outcome<Drilling> {
         let Work::Hole(drilling) = &row.work else { return Err(Reported) };
-        self.meets_needs(row, given)?;
+        self.asked(given, |call| call.meets_row(row))?;
         let hole = self.asked(given, |call| call.hole(drilling))?;
         if matches!(hole.method, Method::Tap(Tap { rigid: true, .. })) {
             self.st.spindles.forget_angle();

@@ -6,15 +6,16 @@ use crate::diag::{Label, codes};
 use crate::parser::sinumerik::SPLIT;
 use crate::parser::sinumerik::ast::{Block, Formula, Stmt, TypeName, Variable};
 use crate::parser::sinumerik::parse_block;
+use crate::parser::symbols::Symbol;
 use crate::sema::run::{not_opened, open_cursor, refused};
-use crate::text::{FileError, Loc, Next, Opened, Place, Request, Within};
+use crate::text::{FileError, Loc, Next, Opened, Place, Request, Span, Within};
 
 use super::control_folders::names_below;
 use super::formula_functions;
 use super::value::{MOST_TEXT, Val, whole};
 use super::vars::{Kept, MOST_ELEMENTS, Slot, Var};
 use super::vocabulary::Meaning;
-use super::{Outcome, Reported, Run};
+use super::{Core, Outcome, Reported, Run};
 
 /// The folder of the control in which definitions count.
 const DEFINITIONS: &str = "/_N_DEF_DIR";
@@ -82,10 +83,43 @@ impl Run<'_> {
     ) -> Outcome {
         let Some(name) = variable.name else { return Ok(()) };
         let word = self.channel.core.symbols.name(name).to_owned();
-        if word.len() > LONGEST_NAME {
-            return self.channel.core.refuse(variable.span, codes::S1014::name_has_characters(&word.len()));
+        self.is_free_name(name, global, variable.span)?;
+        let sizes = self.sizes_of(variable, block, text)?;
+        let count = self.channel.core.elements_of(&sizes, variable.span)?;
+        let limits = block.limits;
+        if let [Some(least), Some(most)] = limits
+            && least > most
+        {
+            return self.channel.core.refuse(variable.span, codes::S2029::lli_is_above_uli(&least, &most));
         }
+        let zero = self.channel.core.start_value(kind, limits, variable.span)?;
+        let values = vec![zero; count as usize];
         let defined = self.channel.core.loc(variable.span);
+        let mut var = Var { kind, sizes, values, length, defined, lost: false, kept: Kept::default(), limits };
+        if let Some(formula) = variable.value {
+            if kind == TypeName::Frame {
+                return self.channel.core.refuse(formula.span, codes::S2017::frame_cannot_be_given_value_by_def());
+            }
+            var = self.started(var, formula, block, text)?;
+        }
+        if global {
+            var.kept = Kept::of_global(name);
+            var = self.with_kept_values(&word, var, variable.span)?;
+        }
+        self.channel.core.job.trail.forget_zero(self.channel.core.symbols.name(name));
+        if !self.vars.define(name, var, global) {
+            return self.channel.core.refuse(variable.span, codes::S2018::variables_of_program_are_too_large());
+        }
+        Ok(())
+    }
+
+    /// May a variable have this name? Not one that is known here by another definition, or as a word.
+    fn is_free_name(&mut self, name: Symbol, global: bool, span: Span) -> Outcome {
+        let word = self.channel.core.symbols.name(name).to_owned();
+        if word.len() > LONGEST_NAME {
+            return self.channel.core.refuse(span, codes::S1014::name_has_characters(&word.len()));
+        }
+        let defined = self.channel.core.loc(span);
         // Those of the definition files are one level, in whichever of them they stand.
         let known = if global { self.vars.get(Slot::Global(name)) } else { self.vars.of_level(name) };
         if let Some(first) = known.map(|var| var.defined).filter(|first| *first != defined) {
@@ -109,8 +143,12 @@ impl Run<'_> {
             _ => Some("a word of the language"),
         };
         if let Some(what) = taken {
-            return self.channel.core.refuse(variable.span, codes::S2016::is_cannot_be_variable(&word, &what));
+            return self.channel.core.refuse(span, codes::S2016::is_cannot_be_variable(&word, &what));
         }
+        Ok(())
+    }
+
+    fn sizes_of(&mut self, variable: Variable, block: &Block, text: &[u8]) -> Outcome<Vec<u32>> {
         let mut sizes = Vec::new();
         for formula in block.arguments(variable.sizes).to_vec() {
             let n = self.number(formula, block, text)?;
@@ -124,47 +162,7 @@ impl Run<'_> {
         if sizes.len() > 3 {
             return self.channel.core.refuse(variable.span, codes::S2018::array_has_at_most_three_directions());
         }
-        let count = sizes.iter().map(|n| u64::from(*n)).product::<u64>();
-        if count > u64::from(MOST_ELEMENTS) * 4 {
-            return self.channel.core.refuse(variable.span, codes::S2018::elements_are_too_many(&count));
-        }
-        // Making them is work.
-        self.channel.core.budget.take(count / 64);
-        let limits = block.limits;
-        if let [Some(least), Some(most)] = limits
-            && least > most
-        {
-            return self.channel.core.refuse(variable.span, codes::S2029::lli_is_above_uli(&least, &most));
-        }
-        let mut zero = Val::zero(kind);
-        if zero.number().is_some() {
-            // The start value moves to the nearer limit.
-            let least = limits[0].unwrap_or(f64::NEG_INFINITY);
-            let most = limits[1].unwrap_or(f64::INFINITY);
-            zero = self.channel.core.converted_or(
-                &Val::Real(0.0f64.max(least).min(most)),
-                kind,
-                variable.span,
-                [12390, 12160],
-            )?;
-        }
-        let values = vec![zero; count as usize];
-        let mut var = Var { kind, sizes, values, length, defined, lost: false, kept: Kept::default(), limits };
-        if let Some(formula) = variable.value {
-            if kind == TypeName::Frame {
-                return self.channel.core.refuse(formula.span, codes::S2017::frame_cannot_be_given_value_by_def());
-            }
-            var = self.started(var, formula, block, text)?;
-        }
-        if global {
-            var.kept = Kept::of_global(name);
-            var = self.with_kept_values(&word, var, variable.span)?;
-        }
-        self.channel.core.job.trail.forget_zero(self.channel.core.symbols.name(name));
-        if !self.vars.define(name, var, global) {
-            return self.channel.core.refuse(variable.span, codes::S2018::variables_of_program_are_too_large());
-        }
-        Ok(())
+        Ok(sizes)
     }
 
     pub(super) fn started(&mut self, mut var: Var, formula: Formula, block: &Block, text: &[u8]) -> Outcome<Var> {
@@ -280,5 +278,28 @@ impl Run<'_> {
             };
         }
         self.channel.core.here = here;
+    }
+}
+
+impl Core<'_> {
+    fn elements_of(&mut self, sizes: &[u32], span: Span) -> Outcome<u64> {
+        let count = sizes.iter().map(|n| u64::from(*n)).product::<u64>();
+        if count > u64::from(MOST_ELEMENTS) * 4 {
+            return self.refuse(span, codes::S2018::elements_are_too_many(&count));
+        }
+        // Making them is work.
+        self.budget.take(count / 64);
+        Ok(count)
+    }
+
+    /// The value of a variable that is given none: zero, or the nearer limit.
+    fn start_value(&self, kind: TypeName, limits: [Option<f64>; 2], span: Span) -> Outcome<Val> {
+        let zero = Val::zero(kind);
+        if zero.number().is_none() {
+            return Ok(zero);
+        }
+        let least = limits[0].unwrap_or(f64::NEG_INFINITY);
+        let most = limits[1].unwrap_or(f64::INFINITY);
+        self.converted_or(&Val::Real(0.0f64.max(least).min(most)), kind, span, [12390, 12160])
     }
 }

@@ -190,21 +190,25 @@ impl Channel<'_> {
             None => {
                 // Once is enough.
                 self.st.feed.lose();
-                let help = match &self.st.feed.left {
-                    Some(left) if left.lost => Help::from(format!(
-                        "program F after {} in line {}, which leaves a feed that is not known, as `[programs]` says",
-                        left.name, left.call.line
-                    )),
-                    _ => Answer::key("control", "feed").help(
-                        "program F in this block or before, again after G94, G95 and G96; a contour by itself takes `[control] feed`",
-                    ),
-                };
-                let help = match self.feed_of_measuring() {
-                    Some(help) => help.into(),
-                    None => self.or_left_at_rapid(help),
-                };
+                let help = self.help_of_missing_feed();
                 self.core.refuse(Where::Block, codes::P2002::no_feed_is_programmed().help(help))
             }
+        }
+    }
+
+    fn help_of_missing_feed(&self) -> Help {
+        let help = match &self.st.feed.left {
+            Some(left) if left.lost => Help::from(format!(
+                "program F after {} in line {}, which leaves a feed that is not known, as `[programs]` says",
+                left.name, left.call.line
+            )),
+            _ => Answer::key("control", "feed").help(
+                "program F in this block or before, again after G94, G95 and G96; a contour by itself takes `[control] feed`",
+            ),
+        };
+        match self.feed_of_measuring() {
+            Some(help) => help.into(),
+            None => self.or_left_at_rapid(help),
         }
     }
 

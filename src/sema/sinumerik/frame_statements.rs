@@ -4,6 +4,7 @@
 
 use crate::diag::{Answer, codes};
 use crate::ir::Side;
+use crate::machine::Axis;
 use crate::sema::run::Where;
 use crate::text::Span;
 
@@ -60,22 +61,27 @@ impl Channel<'_> {
         }
         let bare = w.axes.is_empty() && rpl.is_none();
         let frame = match code {
-            GCode::TRANS | GCode::ATRANS => {
-                let mut values = Vec::new();
-                for axis in w.axes.iter() {
-                    let Some(given) = w.axis(axis) else { continue };
-                    self.core.parameter_of_frame(given)?;
-                    let unit = if axis.is_rotary() { 1.0 } else { self.st.length_unit() };
-                    values.push((axis, given.value * unit));
+            GCode::ATRANS => self.st.frames.programmable().translated(&self.shifts(w)?),
+            _ => {
+                let frame = self.frame_of(code, span, w, rpl)?;
+                match (adds, bare) {
+                    (true, true) => return Ok(()),
+                    (true, false) => self.st.frames.programmable().chain(&frame),
+                    // Without axes the whole programmable frame goes.
+                    (false, true) => FrameValue::default(),
+                    (false, false) => frame,
                 }
-                if adds {
-                    let frame = self.st.frames.programmable().translated(&values);
-                    self.st.frames.set_programmable(frame);
-                    self.refresh_frame();
-                    return Ok(());
-                }
-                FrameValue::shifted(&values)
             }
+        };
+        self.st.frames.set_programmable(frame);
+        self.refresh_frame();
+        Ok(())
+    }
+
+    /// The frame that a statement makes of its words.
+    fn frame_of(&self, code: GCode, span: Span, w: &Words, rpl: Option<Given>) -> Outcome<FrameValue> {
+        Ok(match code {
+            GCode::TRANS => FrameValue::shifted(&self.shifts(w)?),
             GCode::ROT | GCode::AROT => {
                 let mut angles = self.core.geometry_values(w, 0.0)?;
                 if let Some(rpl) = rpl {
@@ -109,17 +115,18 @@ impl Channel<'_> {
             _ => {
                 return self.core.refuse(span, codes::P9011::turns_plane_by_solid_angles(&code.word()));
             }
-        };
-        let frame = match (adds, bare) {
-            (true, true) => return Ok(()),
-            (true, false) => self.st.frames.programmable().chain(&frame),
-            // Without axes the whole programmable frame goes.
-            (false, true) => FrameValue::default(),
-            (false, false) => frame,
-        };
-        self.st.frames.set_programmable(frame);
-        self.refresh_frame();
-        Ok(())
+        })
+    }
+
+    fn shifts(&self, w: &Words) -> Outcome<Vec<(Axis, f64)>> {
+        let mut values = Vec::new();
+        for axis in w.axes.iter() {
+            let Some(given) = w.axis(axis) else { continue };
+            self.core.parameter_of_frame(given)?;
+            let unit = if axis.is_rotary() { 1.0 } else { self.st.length_unit() };
+            values.push((axis, given.value * unit));
+        }
+        Ok(values)
     }
 
     /// G58 and G59: parts of the programmable shift; settable offsets on small controls.

@@ -61,6 +61,34 @@ impl Run<'_> {
     }
 }
 
+/// Groups that steer the control. SAR, splines, punching, transformations and frames of the tool are refused themselves.
+fn steers_only(group: Group) -> bool {
+    matches!(
+        group,
+        Group::Buffer
+            | Group::SplineStart
+            | Group::SplineEnd
+            | Group::RepositioningPoint
+            | Group::FineToolOffset
+            | Group::Punching
+            | Group::PunchingDelay
+            | Group::PunchingOutput
+            | Group::ConstantCompensation
+            | Group::ThreadInterruption
+            | Group::ToolCarrier
+            | Group::SoftApproach
+            | Group::SoftApproachPath
+            | Group::RetractionPlane
+            | Group::CodeMode
+            | Group::PointToPoint
+            | Group::WorkpieceFrame
+            | Group::ToolFrame
+            | Group::ToolWear
+            | Group::SoftwareLimit
+            | Group::RepositioningPointBlock
+    )
+}
+
 impl Core<'_> {
     pub(super) fn dynamics_are_left_out(&self, span: Span) {
         self.say_once(span, codes::S8002::words_that_only_shape_speed());
@@ -117,28 +145,7 @@ impl Core<'_> {
             | Group::OrientationContinuity => {
                 self.say_once(span, codes::S8104::words_for_tool_orientation_are_left_out());
             }
-            // SAR, splines, punching, transformations and frames of the tool are refused themselves.
-            Group::Buffer
-            | Group::SplineStart
-            | Group::SplineEnd
-            | Group::RepositioningPoint
-            | Group::FineToolOffset
-            | Group::Punching
-            | Group::PunchingDelay
-            | Group::PunchingOutput
-            | Group::ConstantCompensation
-            | Group::ThreadInterruption
-            | Group::ToolCarrier
-            | Group::SoftApproach
-            | Group::SoftApproachPath
-            | Group::RetractionPlane
-            | Group::CodeMode
-            | Group::PointToPoint
-            | Group::WorkpieceFrame
-            | Group::ToolFrame
-            | Group::ToolWear
-            | Group::SoftwareLimit
-            | Group::RepositioningPointBlock => self.control_words_are_left_out(span),
+            group if steers_only(group) => self.control_words_are_left_out(span),
             // The others are asked for where they count.
             _ => {}
         }

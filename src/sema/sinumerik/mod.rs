@@ -43,6 +43,7 @@ mod frames;
 mod g_functions;
 mod g_groups;
 mod kept;
+mod known_values;
 mod known_words;
 mod lane;
 mod left_out;
@@ -452,18 +453,6 @@ impl Run<'_> {
             }
             Stmt::Sync(span) => self.synchronized_action(block, text, span),
             _ => self.structure(block, text),
-        }
-    }
-
-    /// An executable block: DEF is too late from here on, arguments without PROC are too many.
-    fn begins_executing(&mut self) {
-        let level = self.channel.core.program_level();
-        if level.executed {
-            return;
-        }
-        level.executed = true;
-        if level.arguments.is_some() {
-            self.channel.core.refuse_arguments();
         }
     }
 

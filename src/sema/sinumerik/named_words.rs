@@ -13,8 +13,8 @@ use super::g_groups::{GCode, Group};
 use super::probe_state;
 use super::value::{Val, whole};
 use super::vocabulary::{Address, Indexed, Meaning, Procedure, Refusal};
-use super::words::{CallWord, MachineAxis, Positioning, SWord, Words};
-use super::{Outcome, Run};
+use super::words::{CallWord, Given, MachineAxis, Positioning, SWord, Words};
+use super::{Channel, Core, Outcome, Run};
 
 /// Does the block set an interrupt? The program it names is not called here.
 fn interrupts(words: &Words) -> bool {
@@ -159,39 +159,21 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome<bool> {
         let name = match base {
-            Base::Letter(b'R') | Base::System(_) => {
+            Base::Name(name) if self.vars.find(name).is_none() => name,
+            Base::Letter(letter) if letter != b'R' && self.letter_variable(letter).is_none() => {
+                return self.indexed_letter(words, letter, args, word, block, text).map(|()| false);
+            }
+            Base::Name(_) | Base::Letter(_) | Base::System(_) => {
                 self.assign_word(word, block, text)?;
                 return Ok(true);
             }
-            Base::Letter(letter) if self.letter_variable(letter).is_some() => {
-                self.assign_word(word, block, text)?;
-                return Ok(true);
-            }
-            Base::Letter(letter) => return self.indexed_letter(words, letter, args, word, block, text).map(|()| false),
-            Base::Name(name) => name,
         };
-        if self.vars.find(name).is_some() {
-            self.assign_word(word, block, text)?;
-            return Ok(true);
-        }
         match self.meaning(name) {
             Meaning::Indexed(indexed) => self.indexed_address(words, indexed, args, word, block, text).map(|()| false),
-            Meaning::Address(Address::Lims | Address::Spos | Address::Sposa) => {
+            Meaning::Address(address @ (Address::Lims | Address::Spos | Address::Sposa)) => {
                 let spindle = self.spindle_index(args, block, text)?;
-                if spindle == self.channel.st.spindles.master()
-                    && let Meaning::Address(address) = self.meaning(name)
-                {
-                    let given = self.given(word, block, text)?;
-                    words.set_address(&self.channel.core, address, given)?;
-                    return Ok(false);
-                }
-                if self.meaning(name) == Meaning::Address(Address::Lims) {
-                    let given = self.given(word, block, text)?;
-                    self.channel.speed_limit_of(spindle, given)?;
-                    return Ok(false);
-                }
                 let given = self.given(word, block, text)?;
-                self.channel.spindle_position_of(spindle, given).map(|()| false)
+                self.channel.address_of_spindle(words, address, spindle, given).map(|()| false)
             }
             Meaning::Address(Address::Dynamics) => {
                 self.given(word, block, text)?;
@@ -344,36 +326,17 @@ impl Run<'_> {
             Indexed::Ax => {
                 let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
-                if named.axis.is_some_and(|axis| words.axes.contains(axis)) {
-                    return self
-                        .channel
-                        .core
-                        .refuse(given.span, codes::P1002::axis_stands_twice_in_block_so_delete_one(&named.text()));
-                }
-                self.channel.axis_word(words, named, given)
+                self.channel.axis_once(words, named, given)
             }
             Indexed::Pos => {
                 let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
-                match self.channel.printed_axis(named, given.span)? {
-                    Some(axis) => words.beside.positioning.push(Positioning { axis, given }),
-                    None => words.beside.left_out.push((named, given.span)),
-                }
-                Ok(())
+                self.channel.positioning_word(words, named, given)
             }
             Indexed::Fa => {
                 let named = self.axis_index(args, block, text)?;
                 let given = self.given(word, block, text)?;
-                if given.value <= 0.0 {
-                    return self
-                        .channel
-                        .core
-                        .refuse(given.span, codes::P2003::feed_of_positioning_axis_is_not_above(&given.value));
-                }
-                if let Some(axis) = named.axis {
-                    words.beside.feeds.push((axis, given.value));
-                }
-                Ok(())
+                self.channel.core.positioning_feed(words, named, given)
             }
             Indexed::Override => {
                 if self.given(word, block, text)?.value != 100.0 {
@@ -397,24 +360,11 @@ impl Run<'_> {
             }
             Indexed::Posa => {
                 let named = self.axis_index(args, block, text)?;
-                if self.channel.printed_axis(named, word.span)?.is_none() {
-                    words.beside.left_out.push((named, word.span));
-                    return Ok(());
-                }
-                self.channel.core.refuse(
-                    word.span,
-                    codes::S9008::axis_that_moves_beside_path_cannot().answer(Answer::key("machine", "axes")),
-                )
+                self.channel.moves_beside(words, named, word.span)
             }
             Indexed::CutAxis => {
                 let named = self.axis_index(args, block, text)?;
-                if named.axis.is_some() && named.axis == self.channel.core.job.settings.machine.diameter_axis {
-                    return Ok(());
-                }
-                self.channel.core.refuse(
-                    word.span,
-                    codes::S9132::scc_refers_g96(&named.text()).answer(Answer::key("machine", "diameter_axis")),
-                )
+                self.channel.core.refers_to_cut_axis(named, word.span)
             }
             Indexed::Polynomial => self.channel.core.refuse(word.span, codes::S9002::polynomials_cannot_be_printed()),
         }
@@ -480,5 +430,64 @@ impl Run<'_> {
             _ => return self.undefined_word(name, word.span),
         }
         Ok(false)
+    }
+}
+
+impl Channel<'_> {
+    /// `AX[Z]=`: the word of an axis, once in a block.
+    fn axis_once(&mut self, words: &mut Words, named: NamedAxis, given: Given) -> Outcome {
+        if named.axis.is_some_and(|axis| words.axes.contains(axis)) {
+            return self.core.refuse(given.span, codes::P1002::axis_stands_twice_in_block_so_delete_one(&named.text()));
+        }
+        self.axis_word(words, named, given)
+    }
+
+    fn positioning_word(&mut self, words: &mut Words, named: NamedAxis, given: Given) -> Outcome {
+        match self.printed_axis(named, given.span)? {
+            Some(axis) => words.beside.positioning.push(Positioning { axis, given }),
+            None => words.beside.left_out.push((named, given.span)),
+        }
+        Ok(())
+    }
+
+    /// POSA moves its axis while the next blocks run.
+    fn moves_beside(&mut self, words: &mut Words, named: NamedAxis, span: Span) -> Outcome {
+        if self.printed_axis(named, span)?.is_none() {
+            words.beside.left_out.push((named, span));
+            return Ok(());
+        }
+        self.core
+            .refuse(span, codes::S9008::axis_that_moves_beside_path_cannot().answer(Answer::key("machine", "axes")))
+    }
+
+    /// LIMS, SPOS and SPOSA with the number of a spindle.
+    fn address_of_spindle(&mut self, words: &mut Words, address: Address, spindle: u8, given: Given) -> Outcome {
+        if spindle == self.st.spindles.master() {
+            return words.set_address(&self.core, address, given);
+        }
+        if address == Address::Lims {
+            return self.speed_limit_of(spindle, given);
+        }
+        self.spindle_position_of(spindle, given)
+    }
+}
+
+impl Core<'_> {
+    fn positioning_feed(&self, words: &mut Words, named: NamedAxis, given: Given) -> Outcome {
+        if given.value <= 0.0 {
+            return self.refuse(given.span, codes::P2003::feed_of_positioning_axis_is_not_above(&given.value));
+        }
+        if let Some(axis) = named.axis {
+            words.beside.feeds.push((axis, given.value));
+        }
+        Ok(())
+    }
+
+    /// SCC names the axis of the diameter, or nothing that can be printed.
+    fn refers_to_cut_axis(&self, named: NamedAxis, span: Span) -> Outcome {
+        if named.axis.is_some() && named.axis == self.job.settings.machine.diameter_axis {
+            return Ok(());
+        }
+        self.refuse(span, codes::S9132::scc_refers_g96(&named.text()).answer(Answer::key("machine", "diameter_axis")))
     }
 }

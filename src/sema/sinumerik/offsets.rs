@@ -112,17 +112,7 @@ impl Channel<'_> {
             }
             (None, 1..=9) => number,
             (None, _) if self.core.job.settings.output.target.offset(number).is_some() => number,
-            _ => {
-                let word = offset_word(number);
-                if self.core.job.settings.output.target.offset_range().is_none() {
-                    return self.core.prints_offset(OffsetName::Word { word: &word, mapped: false }, number, place);
-                }
-                let free = self.core.free_offset(&word);
-                return self.core.refuse(
-                    place,
-                    codes::P9014::has_no_counterpart_on_target(&word, &free).answer(Answer::key("datums", &word)),
-                );
-            }
+            _ => return self.core.no_counterpart(number, place),
         };
         let word = offset_word(number);
         self.core.prints_offset(OffsetName::Word { word: &word, mapped: mapped.is_some() }, printed, place)?;
@@ -232,6 +222,19 @@ impl Channel<'_> {
 }
 
 impl Core<'_> {
+    /// A work offset that the target has no word for.
+    fn no_counterpart(&mut self, number: u8, place: Where) -> Outcome {
+        let word = offset_word(number);
+        if self.job.settings.output.target.offset_range().is_none() {
+            return self.prints_offset(OffsetName::Word { word: &word, mapped: false }, number, place);
+        }
+        let free = self.free_offset(&word);
+        return self.refuse(
+            place,
+            codes::P9014::has_no_counterpart_on_target(&word, &free).answer(Answer::key("datums", &word)),
+        );
+    }
+
     /// What was printed under G500 cannot be taken back.
     fn offset_behind_g500(&self, place: impl Into<Where>, word: &str) -> Outcome {
         let place = place.into();

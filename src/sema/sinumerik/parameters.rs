@@ -8,9 +8,8 @@ use crate::parser::symbols::Symbol;
 use crate::text::Span;
 
 use super::calls::FrameKind;
-use super::value::{Val, type_name};
-use super::vars::{Argument, Reference};
-use super::vars::{Kept, Slot, Var};
+use super::value::{MOST_TEXT, Val, type_name};
+use super::vars::{Argument, Reference, Slot, Var};
 use super::{Core, Outcome, Reported, Run};
 
 impl Run<'_> {
@@ -182,23 +181,7 @@ impl Run<'_> {
         }
         let shown = self.channel.core.symbols.name(name).to_owned();
         let value = match (given, variable.value) {
-            (Some(argument), _) => match argument.value.converted(variable.kind) {
-                Ok(value) => {
-                    if variable.kind == TypeName::Int
-                        && let (Some(from), Some(made)) = (argument.value.number(), value.number())
-                    {
-                        self.channel.core.says_negative_half(from, made, variable.span);
-                    }
-                    value
-                }
-                Err(_) => {
-                    self.channel.core.report(
-                        codes::S2021::parameter_is_argument(&shown, &type_name(variable.kind), &argument.value.what())
-                            .at(argument.loc),
-                    );
-                    return Err(Reported);
-                }
-            },
+            (Some(argument), _) => self.channel.core.passed_value(argument, variable, &shown)?,
             (None, Some(formula)) => {
                 let value = self.eval(formula, block, text)?;
                 self.channel.core.converted(&value, variable.kind, formula.span)?
@@ -210,7 +193,7 @@ impl Run<'_> {
         };
         let length = match variable.length {
             Some(formula) => self.number(formula, block, text)? as usize,
-            None => super::value::MOST_TEXT,
+            None => MOST_TEXT,
         };
         if let (Val::Text(text), Some(argument)) = (&value, given)
             && text.len() > length
@@ -220,34 +203,17 @@ impl Run<'_> {
             );
             return Err(Reported);
         }
-        let var = Var {
-            kind: variable.kind,
-            sizes: Vec::new(),
-            values: vec![value],
-            length,
-            defined: self.channel.core.loc(variable.span),
-            lost: false,
-            kept: Kept::default(),
-            limits: [None; 2],
-        };
-        self.vars.define(name, var, false);
+        let defined = self.channel.core.loc(variable.span);
+        self.vars.define(name, Var::single(variable.kind, value, length, defined), false);
         Ok(())
     }
 
     /// A parameter whose argument was refused: what reads it is not reported again.
     pub(super) fn lose_parameter(&mut self, variable: Variable) {
         let Some(name) = variable.name else { return };
-        let var = Var {
-            kind: variable.kind,
-            sizes: Vec::new(),
-            values: vec![Val::zero(variable.kind)],
-            length: super::value::MOST_TEXT,
-            defined: self.channel.core.loc(variable.span),
-            lost: true,
-            kept: Kept::default(),
-            limits: [None; 2],
-        };
-        self.vars.define(name, var, false);
+        let defined = self.channel.core.loc(variable.span);
+        let var = Var::single(variable.kind, Val::zero(variable.kind), MOST_TEXT, defined);
+        self.vars.define(name, Var { lost: true, ..var }, false);
     }
 
     pub(super) fn reference_parameter(
@@ -261,15 +227,7 @@ impl Run<'_> {
         let shown = self.channel.core.symbols.name(name).to_owned();
         let Some(argument) = given else {
             if in_main {
-                self.lose_parameter(variable);
-                // One of them says it for all.
-                if !self.channel.core.job.diags.first_time(codes::S2021, ()) {
-                    return Err(Reported);
-                }
-                return self
-                    .channel
-                    .core
-                    .refuse(variable.span, codes::S2021::parameter_is_var_this_is_subprogram(&shown));
+                return self.reference_of_main(variable, &shown);
             }
             // An empty place between commas, or too few arguments.
             return self.channel.core.missing_argument(&shown, if left_out { 14010 } else { 12300 });
@@ -304,25 +262,41 @@ impl Run<'_> {
             Reference::Variable(slot) => self.vars.get(slot).cloned(),
             _ => None,
         };
-        let var = var.unwrap_or_else(|| Var {
-            kind,
-            sizes: Vec::new(),
-            values: vec![argument.value.clone()],
-            length: super::value::MOST_TEXT,
-            defined: argument.loc,
-            lost: false,
-            kept: Kept::default(),
-            limits: [None; 2],
-        });
+        let var = var.unwrap_or_else(|| Var::single(kind, argument.value.clone(), MOST_TEXT, argument.loc));
         self.vars.define(name, var, false);
         if let FrameKind::Program { references, .. } = &mut self.channel.core.program_level().kind {
             references.push((name, reference));
         }
         Ok(())
     }
+
+    /// A VAR parameter of the program that is compiled by itself: nothing is known of its variable.
+    fn reference_of_main(&mut self, variable: Variable, shown: &str) -> Outcome {
+        self.lose_parameter(variable);
+        // One of them says it for all.
+        if !self.channel.core.job.diags.first_time(codes::S2021, ()) {
+            return Err(Reported);
+        }
+        return self.channel.core.refuse(variable.span, codes::S2021::parameter_is_var_this_is_subprogram(&shown));
+    }
 }
 
 impl Core<'_> {
+    /// The value of an argument, as the parameter takes it.
+    fn passed_value(&self, argument: &Argument, variable: Variable, shown: &str) -> Outcome<Val> {
+        let Ok(value) = argument.value.converted(variable.kind) else {
+            let (kind, what) = (type_name(variable.kind), argument.value.what());
+            self.report(codes::S2021::parameter_is_argument(&shown, &kind, &what).at(argument.loc));
+            return Err(Reported);
+        };
+        if variable.kind == TypeName::Int
+            && let (Some(from), Some(made)) = (argument.value.number(), value.number())
+        {
+            self.says_negative_half(from, made, variable.span);
+        }
+        Ok(value)
+    }
+
     pub(super) fn missing_argument(&mut self, name: &str, alarm: u32) -> Outcome {
         if !matches!(self.program_level().kind, FrameKind::Program { .. }) {
             return Ok(());

@@ -2,7 +2,7 @@
 //!
 //! Source: S 1.5, 5.6 and 6 (docs/sources.md).
 
-use crate::diag::{Answer, codes};
+use crate::diag::{Answer, Fault, codes};
 use crate::ir::Function;
 use crate::machine::{AxisSet, StandIn};
 use crate::parser::sinumerik::ast::{Block, Formula};
@@ -11,11 +11,16 @@ use crate::text::Span;
 use super::stand_in::NameOfCall;
 use super::value::{Val, to_text, whole};
 use super::vocabulary::{Meaning, Procedure, Refusal};
-use super::words::{CallWord, Words};
+use super::words::{CallWord, Given, Words};
 use super::{Core, Outcome, Run};
 
 /// Words of the tool management that give no value and change no tool.
 const LEFT_OUT_BY_ENTRY: [&str; 2] = ["SETPIECE", "RESETMON"];
+
+/// `CYCLE` and digits: a cycle of the control or of the machine builder.
+fn is_cycle(name: &str) -> bool {
+    name.strip_prefix("CYCLE").is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
+}
 
 impl Run<'_> {
     /// A block with a call: of a procedure of the language or of a program.
@@ -66,43 +71,57 @@ impl Run<'_> {
             return self.again(block, text);
         }
         self.begins_executing();
-        if let Meaning::Known(known) = call.meaning {
-            let name = self.channel.core.symbols.name(call.name).to_owned();
-            if !self.own_program(&name) {
-                self.channel.st.position.lose(AxisSet::ALL);
-                self.channel.lost();
-                return self.channel.core.not_compiled(call.name, known, call.span);
-            }
+        self.named_program(call, passes, w, block, text)
+    }
+
+    /// A block that calls a program by its name, unless the name is another word.
+    fn named_program(
+        &mut self,
+        call: CallWord,
+        passes: Option<Given>,
+        w: &Words,
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        let name = self.channel.core.symbols.name(call.name).to_owned();
+        if let Meaning::Known(known) = call.meaning
+            && !self.own_program(&name)
+        {
+            self.channel.st.position.lose(AxisSet::ALL);
+            self.channel.lost();
+            return self.channel.core.not_compiled(call.name, known, call.span);
         }
         if self.channel.core.has_other_words(w) {
             // Words beside the name of a program; of an unknown word most often.
-            let name = self.channel.core.symbols.name(call.name).to_owned();
             return if self.own_program(&name) {
                 self.channel.core.call_not_alone(call.span)
             } else {
                 self.unknown_word(call)
             };
         }
-        let name = self.channel.core.symbols.name(call.name).to_owned();
-        if (super::formula_functions::find(&name).is_some() || super::words::is_modifier(&name))
+        if let Some(fault) = self.no_name_of_program(&name, call)
             && !self.own_program(&name)
         {
-            return self.channel.core.refuse(call.span, codes::P1001::is_function_no_block(&name));
-        }
-        let cycle = name.strip_prefix("CYCLE").is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
-        if cycle && !self.own_program(&name) {
-            self.channel.st.position.lose(AxisSet::ALL);
-            self.channel.lost();
-            let line = NameOfCall { name: &name, text: None, arguments: true, tool_waits: false }.line();
-            return self
-                .channel
-                .core
-                .refuse(call.span, codes::P9010::cycle_of_control_or_of_machine_builder(&name, &line));
-        }
-        if matches!(self.meaning(call.name), Meaning::Address(_) | Meaning::Indexed(_)) && !self.own_program(&name) {
-            return self.channel.core.refuse(call.span, codes::P1001::is_word_of_language(&name));
+            if is_cycle(&name) {
+                self.channel.st.position.lose(AxisSet::ALL);
+                self.channel.lost();
+            }
+            return self.channel.core.refuse(call.span, fault);
         }
         self.call_program(&name, call.span, Some(call), passes, block, text)
+    }
+
+    /// What a name is, if only a program of the user may make it the name of one.
+    fn no_name_of_program(&mut self, name: &str, call: CallWord) -> Option<Fault> {
+        if super::formula_functions::find(name).is_some() || super::words::is_modifier(name) {
+            return Some(codes::P1001::is_function_no_block(&name));
+        }
+        if is_cycle(name) {
+            let line = NameOfCall { name, text: None, arguments: true, tool_waits: false }.line();
+            return Some(codes::P9010::cycle_of_control_or_of_machine_builder(&name, &line));
+        }
+        let is_word = matches!(self.meaning(call.name), Meaning::Address(_) | Meaning::Indexed(_));
+        is_word.then(|| codes::P1001::is_word_of_language(&name))
     }
 
     /// A program of the user with the name of a cycle goes before it, and so does what `[programs]` gives in its place.
@@ -153,7 +172,7 @@ impl Run<'_> {
         name: &str,
         span: Span,
         call: Option<CallWord>,
-        passes: Option<super::words::Given>,
+        passes: Option<Given>,
         block: &Block,
         text: &[u8],
     ) -> Outcome {
@@ -179,13 +198,13 @@ impl Run<'_> {
         text: &[u8],
     ) -> Outcome {
         let name = self.channel.core.symbols.name(call.name).to_owned();
-        let formulas: Vec<Formula> = call.args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
         if let Some(result) = self.machining_cycle(&name, call, block, text) {
             if self.channel.core.has_other_words(w) {
                 return self.channel.core.call_not_alone(call.span);
             }
             return result;
         }
+        let formulas: Vec<Formula> = call.args.map(|args| block.arguments(args).to_vec()).unwrap_or_default();
         let by_file = matches!(self.channel.core.job.settings.programs.get(&name), Some(StandIn::File(_)));
         match procedure {
             Procedure::Refused(_) if super::cycles::measures(&name) && !by_file && !self.is_here(&name) => {
@@ -204,63 +223,56 @@ impl Run<'_> {
                 let passes = w.calls.passes.take();
                 self.call_program(&name, call.span, Some(call), passes, block, text)
             }
-            Procedure::NoEffect => {
-                self.channel.core.control_words_are_left_out(call.span);
-                Ok(())
-            }
-            Procedure::WheelSpeed => {
-                self.channel.core.changes_feeds(codes::S8101::speed_of_wheel_is_left_out(&name), call.span);
-                Ok(())
-            }
-            Procedure::Dynamics if name == "FGROUP" => self.feed_axes(&formulas, call.span, block, text),
-            Procedure::Dynamics if name == "CYCLE832" => self.high_speed_settings(&formulas, call.span, block, text),
-            Procedure::Dynamics => {
-                self.channel.core.dynamics_are_left_out(call.span);
-                Ok(())
-            }
-            Procedure::Message => self.message(&formulas, block, text),
-            Procedure::SetAlarm => self.set_alarm(&formulas, call.span, block, text),
-            Procedure::SetMaster => self.set_master_block(&formulas, call.span, block, text),
-            Procedure::Channel => {
-                self.channel.core.say_once(call.span, codes::S8015::words_that_synchronize_channels_are_left_out());
-                Ok(())
-            }
-            Procedure::Actions => {
-                self.channel.core.say_once(call.span, codes::S8170::acts_on_synchronized_actions(&name));
-                Ok(())
-            }
-            Procedure::Interrupt => {
-                self.channel.core.say_once(call.span, codes::S8016::interrupt_programs_are_left_out());
-                Ok(())
-            }
-            Procedure::FileAccess => self.file_access(&name, &formulas, call.span, block, text),
-            Procedure::CallPath => self.call_path_block(&formulas, call.span, block, text),
-            Procedure::ExecString => self.exec_string(&formulas, call.span, block, text),
-            Procedure::Return => self.return_block(&formulas, call.span, block, text),
-            Procedure::Transformation(on) => self.transformation(on, &formulas, call.span, block, text),
+            _ => self.procedure_of_language(procedure, &name, (&formulas, call.span), block, text),
+        }
+    }
+
+    /// A word that is written like a call and whose effect is the control's own.
+    fn procedure_of_language(
+        &mut self,
+        procedure: Procedure,
+        name: &str,
+        (formulas, span): (&[Formula], Span),
+        block: &Block,
+        text: &[u8],
+    ) -> Outcome {
+        let core = &self.channel.core;
+        match procedure {
+            Procedure::Dynamics if name == "FGROUP" => return self.feed_axes(formulas, span, block, text),
+            Procedure::Dynamics if name == "CYCLE832" => return self.high_speed_settings(formulas, span, block, text),
+            Procedure::NoEffect => core.control_words_are_left_out(span),
+            Procedure::WheelSpeed => core.changes_feeds(codes::S8101::speed_of_wheel_is_left_out(&name), span),
+            Procedure::Dynamics => core.dynamics_are_left_out(span),
+            Procedure::Channel => core.say_once(span, codes::S8015::words_that_synchronize_channels_are_left_out()),
+            Procedure::Actions => core.say_once(span, codes::S8170::acts_on_synchronized_actions(&name)),
+            Procedure::Interrupt => core.say_once(span, codes::S8016::interrupt_programs_are_left_out()),
+            Procedure::Message => return self.message(formulas, block, text),
+            Procedure::SetAlarm => return self.set_alarm(formulas, span, block, text),
+            Procedure::SetMaster => return self.set_master_block(formulas, span, block, text),
+            Procedure::FileAccess => return self.file_access(name, formulas, span, block, text),
+            Procedure::CallPath => return self.call_path_block(formulas, span, block, text),
+            Procedure::ExecString => return self.exec_string(formulas, span, block, text),
+            Procedure::Return => return self.return_block(formulas, span, block, text),
+            Procedure::Transformation(on) => return self.transformation(on, formulas, span, block, text),
             Procedure::TransformationOff | Procedure::DiameterChannel if !formulas.is_empty() => {
-                self.channel.core.refuse(call.span, codes::S2021::takes_no_argument(&name))
+                return core.refuse(span, codes::S2021::takes_no_argument(&name));
             }
             Procedure::TransformationOff => {
-                if !self.channel.transformation_off(call.span)? {
-                    self.channel.core.control_words_are_left_out(call.span);
+                if !self.channel.transformation_off(span)? {
+                    self.channel.core.control_words_are_left_out(span);
                 }
-                Ok(())
             }
             Procedure::Swivel if formulas.is_empty() => {
                 self.channel.swivel_off();
-                self.channel.core.control_words_are_left_out(call.span);
-                Ok(())
+                self.channel.core.control_words_are_left_out(span);
             }
-            Procedure::Swivel => self.swivel(&formulas, call.span, block, text),
-            Procedure::GeoAxes => self.geo_axes(&formulas, call.span, block, text),
-            Procedure::EndLabel => self.channel.core.refuse(call.span, codes::P1001::endlabel_is_label()),
-            Procedure::DiameterChannel => {
-                self.channel.st.diameter = None;
-                Ok(())
-            }
-            Procedure::Refused(refusal) => self.refused_procedure(&name, refusal, call.span),
+            Procedure::Swivel => return self.swivel(formulas, span, block, text),
+            Procedure::GeoAxes => return self.geo_axes(formulas, span, block, text),
+            Procedure::EndLabel => return core.refuse(span, codes::P1001::endlabel_is_label()),
+            Procedure::DiameterChannel => self.channel.st.diameter = None,
+            Procedure::Refused(refusal) => return self.refused_procedure(name, refusal, span),
         }
+        Ok(())
     }
 
     /// SETAL

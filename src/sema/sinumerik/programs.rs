@@ -9,7 +9,7 @@ use rustc_hash::FxHashMap;
 use crate::diag::{Diagnostic, Label, codes};
 use crate::parser::problem::Problem;
 use crate::parser::sinumerik::ast::Search;
-use crate::parser::sinumerik::scan::{Word, scan, skipped_line};
+use crate::parser::sinumerik::scan::{self, Word, scan, skipped_line};
 use crate::parser::symbols::{Symbol, Symbols};
 use crate::sema::Job;
 use crate::sema::run::Program;
@@ -223,31 +223,12 @@ impl Units {
                 line: place.line,
                 span: Span::at(place.at, after.at.saturating_sub(place.at + 1)),
             };
-            if let Some(label) = mark.label {
-                let marks = made.labels.entry(label).or_default();
-                if let Some(first) = marks.first()
-                    && !symbols.name(label).eq_ignore_ascii_case("ENDLABEL")
-                {
-                    push_once(job, label_again(symbols.name(label), loc, first));
-                }
-                marks.push(Mark { place, after });
-            }
-            if let Some(number) = mark.number {
-                made.numbers.entry(number).or_default().push(Mark { place, after });
-            }
+            made.names(job, &mark, Mark { place, after }, loc, symbols);
             if let Some(word) = mark.structure {
                 made.structure(job, word, Mark { place, after }, loc, &mut open);
             }
         }
-        for (word, mark) in open {
-            let loc = Loc {
-                file: entry.file,
-                line: mark.place.line,
-                span: Span::at(mark.place.at, mark.after.at - mark.place.at),
-            };
-            let found = codes::S2004::is_not_closed(&(if word == Word::Else { "IF" } else { name(word) })).at(loc);
-            push_once(job, found.help(format!("write {} at its end", closing(word))));
-        }
+        not_closed(job, entry.file, open);
         entry.cursor.seek(job.sources, back)?;
         let made = Rc::new(made);
         self.list[unit].skeleton = Some(Rc::clone(&made));
@@ -294,6 +275,22 @@ pub(super) struct Skeleton {
 }
 
 impl Skeleton {
+    /// The label and the number of a block.
+    fn names(&mut self, job: &Job<'_>, scanned: &scan::Mark, mark: Mark, loc: Loc, symbols: &Symbols) {
+        if let Some(label) = scanned.label {
+            let marks = self.labels.entry(label).or_default();
+            if let Some(first) = marks.first()
+                && !symbols.name(label).eq_ignore_ascii_case("ENDLABEL")
+            {
+                push_once(job, label_again(symbols.name(label), loc, first));
+            }
+            marks.push(mark);
+        }
+        if let Some(number) = scanned.number {
+            self.numbers.entry(number).or_default().push(mark);
+        }
+    }
+
     fn structure(&mut self, job: &Job<'_>, word: Word, mark: Mark, loc: Loc, open: &mut Vec<(Word, Mark)>) {
         match word {
             Word::If | Word::While | Word::For | Word::Loop | Word::Repeat => {
@@ -368,6 +365,16 @@ impl Skeleton {
 
     pub fn labels(&self) -> impl Iterator<Item = Symbol> + '_ {
         self.labels.keys().copied()
+    }
+}
+
+/// Structures that are still open where the program ends.
+fn not_closed(job: &Job<'_>, file: FileId, open: Vec<(Word, Mark)>) {
+    for (word, mark) in open {
+        let loc =
+            Loc { file: file, line: mark.place.line, span: Span::at(mark.place.at, mark.after.at - mark.place.at) };
+        let found = codes::S2004::is_not_closed(&(if word == Word::Else { "IF" } else { name(word) })).at(loc);
+        push_once(job, found.help(format!("write {} at its end", closing(word))));
     }
 }
 

@@ -11,11 +11,11 @@ use crate::text::Span;
 
 use super::control_folders::control_path;
 use super::frames::{Component, FrameValue};
-use super::offsets::offset_word;
+use super::offsets::{Outer, offset_word};
 use super::state::State;
 use super::system_meanings::{is_measured, meaning_of, said_meaning};
 use super::value::{Val, whole};
-use super::{Channel, Core, Outcome, Reported, Run};
+use super::{Channel, Core, Outcome, Run};
 
 impl State {
     /// Millimetres in the unit of a system variable: lengths and radii of edges follow G700 and G710.
@@ -167,203 +167,15 @@ impl Channel<'_> {
         self.core.refuse(span, codes::P2023::value_of_is_known_on_machine(&key, &said_meaning(&word, args)).help(help))
     }
 
-    fn known_value(&mut self, word: &str, args: &[Val], span: Span) -> Outcome<Option<Val>> {
-        Ok(Some(match word {
-            "$PI" => Val::Real(core::f64::consts::PI),
-            "$P_EP" | "$AA_IW" => {
-                let [Val::Axis(named)] = args else {
-                    return self.core.refuse(span, codes::S2031::needs_axis(&word));
-                };
-                let Some(axis) = named.axis else { return Ok(None) };
-                Val::Real(self.position_value(axis, span)?)
-            }
-            "$P_TOOLNO" => match self.st.tool.active() {
-                Some(number) => Val::Int(i32::try_from(number).unwrap_or(0)),
-                None => return Ok(None),
-            },
-            "$P_AD" | "$P_TOOLL" | "$P_TOOLR" if self.edge_was_rewritten() => {
-                let number = self.st.tool.active().unwrap_or(0);
-                self.edge_is_as_selected(number, self.st.tool.edge_or_first(), span)?;
-                return Ok(None);
-            }
-            "$P_TOOLP" => match self.st.tool.next().or(self.st.tool.active()) {
-                Some(number) => Val::Int(i32::try_from(number).unwrap_or(0)),
-                None => return Ok(None),
-            },
-            "$P_TOOL" => Val::Int(i32::try_from(self.st.tool.edge_or_first()).unwrap_or(1)),
-            "$TC_DP2" | "$TC_DP3" | "$TC_DP6" | "$TC_DP7" | "$TC_DP12" | "$TC_DP15" | "$P_AD" | "$P_TOOLL"
-                if !self.st.system.is_written(&system_key(word, args)) =>
-            {
-                if let Some(written) = self.written_parameter(word, args) {
-                    return Ok(Some(written));
-                }
-                let is_number = word == "$TC_DP2" || word == "$P_AD" && args.first().and_then(Val::number) == Some(2.0);
-                match self.table_value(word, args) {
-                    Some(value) if is_number => Val::Int(value as i32),
-                    Some(value) => Val::Real(value / self.st.feed_unit()),
-                    None => return Ok(None),
-                }
-            }
-            "$TC_TP2" | "$P_TOOLEXIST" if !self.st.system.is_written(&system_key(word, args)) => {
-                return Ok(self.told_of_tool(word, args));
-            }
-            "$P_TOOLR" => match self.known_radius() {
-                Some(radius) => Val::Real(radius / self.st.feed_unit()),
-                None => return Ok(None),
-            },
-            "$P_GG" => {
-                let group = args.first().and_then(Val::number).and_then(whole).and_then(|n| usize::try_from(n).ok());
-                match group.and_then(|group| self.st.codes.shown(group)) {
-                    Some(index) => Val::Int(i32::from(index)),
-                    None => return self.core.refuse(span, codes::S2018::there_is_no_such_g_group()),
-                }
-            }
-            "$P_AXN1" => Val::Axis(self.axis_names.of(self.st.roles()[0])),
-            "$P_AXN2" => Val::Axis(self.axis_names.of(self.st.roles()[1])),
-            "$P_AXN3" => Val::Axis(self.axis_names.of(self.st.roles()[2])),
-            "$P_F" => match self.st.feed.word() {
-                Some(feed @ crate::ir::Feed::InverseTime(_)) => Val::Real(feed.value()),
-                Some(feed) => Val::Real(feed.value() / self.st.feed_unit()),
-                None => Val::Real(0.0),
-            },
-            "$P_S" if self.speed_lost.is_some() => {
-                self.left_speed_is_known("this reads the speed")?;
-                return Ok(None);
-            }
-            "$P_S" => match self.st.spindles.speed() {
-                Some(speed) => Val::Real(speed),
-                None => Val::Real(0.0),
-            },
-            "$P_MSNUM" => Val::Int(i32::from(self.st.spindles.master())),
-            "$P_SIM" | "$P_SEARCH" | "$P_SEARCHL" | "$P_ISTEST" | "$P_DRYRUN" | "$P_PROGPATH_SIM" => {
-                if self.core.job.settings.variables.contains_key(word) {
-                    return Ok(None);
-                }
-                Val::Bool(false)
-            }
-            "$P_UIFRNUM" => Val::Int(i32::from(self.st.frames.offset())),
-            "$P_PFRAME" => {
-                let frame = Rc::new(self.st.frames.programmable().clone());
-                return self.frame_or_component(&frame, args, span).map(Some);
-            }
-            "$P_IFRAME" => {
-                // Under G500 the frame of the offset is none, whatever its positions are printed through.
-                let none = self.st.frames.offset() == 0 && self.st.offsets.outer() != super::offsets::Outer::Basic;
-                let frame = if none { Some(FrameValue::default()) } else { self.st.frames.settable().cloned() };
-                let Some(frame) = frame else { return Ok(None) };
-                return self.frame_or_component(&Rc::new(frame), args, span).map(Some);
-            }
-            "$P_UIFR" => {
-                let Some((number, rest)) = self.core.offset_number(args, span)? else { return Ok(None) };
-                let Some(frame) = self.offset_frame(number) else { return Ok(None) };
-                return self.frame_or_component(&Rc::new(frame), rest, span).map(Some);
-            }
-            "$P_SUBPAR" => {
-                let n = args.first().and_then(Val::number).and_then(whole).and_then(|n| usize::try_from(n).ok());
-                let given = &self.core.program_level().given;
-                Val::Bool(n.and_then(|n| n.checked_sub(1)).and_then(|n| given.get(n)).is_some_and(|given| *given))
-            }
-            "$P_MC" => Val::Bool(self.st.modal_call.is_on()),
-            "$P_OFFN" => Val::Real(self.st.path.normal() / self.st.length_unit()),
-            "$P_SDIR" => Val::Int(match self.st.spindles.turn() {
-                Some(crate::ir::function::Turn::Clockwise) => 3,
-                Some(crate::ir::function::Turn::CounterClockwise) => 4,
-                None => 5,
-            }),
-            "$AC_MARKER" | "$AC_PARAM" if !self.st.system.is_written(&system_key(word, args)) => Val::Int(0),
-            "$P_STACK" => Val::Int(self.core.levels.len() as i32 - 1),
-            _ => return Ok(None),
-        }))
-    }
-
-    /// `$P_AD[n]` is the `$TC_DPn` of the active edge, where the program wrote that.
-    fn written_parameter(&self, word: &str, args: &[Val]) -> Option<Val> {
-        let ("$P_AD", [parameter]) = (word, args) else { return None };
-        let parameter = parameter.number().and_then(whole)?;
-        let (tool, edge) = (self.st.tool.active()?, self.st.tool.edge_or_first());
-        self.st.system.get(&format!("$TC_DP{parameter}[{tool},{edge}]")).cloned()
-    }
-
-    fn frame_or_component(&self, frame: &Rc<FrameValue>, args: &[Val], span: Span) -> Outcome<Val> {
-        if args.is_empty() {
-            return Ok(Val::Frame(Rc::clone(frame)));
-        }
-        self.frame_component(frame, args, span)
-    }
-
-    /// A work offset as far as it is known: written by the program, or given under `[datums]`.
-    pub(super) fn offset_frame(&self, number: u8) -> Option<FrameValue> {
-        if let Some(frame) = self.st.frames.written(number) {
-            return Some(frame.clone());
-        }
-        let values = self.core.job.settings.datums.offsets.get(&offset_word(number))?;
-        let values: Vec<(Axis, f64)> = values.iter().map(|(axis, value)| (*axis, *value)).collect();
-        Some(FrameValue::shifted(&values))
-    }
-
-    /// Where an axis stands, as the program would write it.
-    fn position_value(&mut self, axis: Axis, span: Span) -> Outcome<f64> {
-        if self.st.position.is_lost(axis) {
-            return Err(Reported);
-        }
-        let Some(value) = self.st.position.get(axis) else {
-            return self.no_position(axis, span, codes::P2001::where_axis_stands_is_not_known_2);
-        };
-        if axis.is_rotary() {
-            return Ok(if self.st.machine.modulo.contains(axis) { super::rotary::reduced(value) } else { value });
-        }
-        let diameter = self.core.is_diameter_axis(axis) && self.st.diameter_mode() != super::diameter::Diameter::Off;
-        Ok(value * if diameter { 2.0 } else { 1.0 } / self.st.feed_unit())
-    }
-
     /// Writes `$NAME[args]`.
     pub(super) fn write_system(&mut self, name: Symbol, args: &[Val], value: Val, span: Span) -> Outcome {
         let word = self.core.symbols.name(name).to_owned();
+        let starts = |prefixes: &[&str]| prefixes.iter().any(|prefix| word.starts_with(prefix));
         match word.as_str() {
-            "$P_PFRAME" => {
-                let frame = self.new_frame(&self.st.frames.programmable().clone(), args, &value, span)?;
-                self.frame_is_free(span)?;
-                self.st.frames.set_programmable(frame);
-                self.refresh_frame();
-                Ok(())
-            }
-            "$P_IFRAME" => {
-                let old = self.st.frames.settable().cloned().unwrap_or_default();
-                let frame = self.new_frame(&old, args, &value, span)?;
-                self.frame_is_free(span)?;
-                self.core.resolved_offset_note(span);
-                self.resolves_offsets(span)?;
-                self.counts_from(super::offsets::Outer::Basic, Some(frame));
-                Ok(())
-            }
-            "$P_UIFR" => {
-                let Some((number, rest)) = self.core.offset_number(args, span)? else {
-                    return self.core.refuse(span, codes::S2018::number_of_work_offset_is_missing());
-                };
-                let old = match self.offset_frame(number) {
-                    Some(frame) => frame,
-                    None if rest.is_empty() => FrameValue::default(),
-                    None => {
-                        let word = offset_word(number);
-                        return self.core.refuse(
-                            span,
-                            codes::P2023::one_component_of_is_set(&word).answer(Answer::key("datums", &word)),
-                        );
-                    }
-                };
-                let frame = self.new_frame(&old, rest, &value, span)?;
-                self.st.frames.write(number, frame);
-                self.core.resolved_offset_note(span);
-                Ok(())
-            }
-            _ if word.starts_with("$SC_") || word.starts_with("$SN_") => {
-                self.write_setting(&word, system_key(&word, args), value, span)
-            }
-            _ if word.starts_with("$TC_")
-                || word.starts_with("$AC_MARKER")
-                || word.starts_with("$AC_PARAM")
-                || word.starts_with("$P_AD") =>
-            {
+            "$P_PFRAME" | "$P_IFRAME" => self.write_frame(&word, args, &value, span),
+            "$P_UIFR" => self.write_offset(args, &value, span),
+            _ if starts(&["$SC_", "$SN_"]) => self.write_setting(&word, system_key(&word, args), value, span),
+            _ if starts(&["$TC_", "$AC_MARKER", "$AC_PARAM", "$P_AD"]) => {
                 let unit = self.st.tool_data_unit(&word);
                 let value = match value.number() {
                     Some(number) if unit != 1.0 => Val::Real(number * unit),
@@ -375,7 +187,7 @@ impl Channel<'_> {
                 self.st.system.set(key, value);
                 Ok(())
             }
-            _ if word.starts_with("$A_") || word.starts_with("$AC_") || word.starts_with("$AN_") => {
+            _ if starts(&["$A_", "$AC_", "$AN_"]) => {
                 self.core.say_once(span, codes::S8006::is_output_or_counter_of_control(&word));
                 self.st.system.set(system_key(&word, args), value);
                 Ok(())
@@ -385,6 +197,43 @@ impl Channel<'_> {
             }
             _ => self.core.refuse(span, codes::P2023::cannot_be_set_by_compiled_program(&word)),
         }
+    }
+
+    /// `$P_PFRAME`, `$P_IFRAME`: the frames in force.
+    fn write_frame(&mut self, word: &str, args: &[Val], value: &Val, span: Span) -> Outcome {
+        let programmable = word == "$P_PFRAME";
+        let old = if programmable { Some(self.st.frames.programmable()) } else { self.st.frames.settable() };
+        let frame = self.new_frame(old.cloned().unwrap_or_default(), args, value, span)?;
+        self.frame_is_free(span)?;
+        if programmable {
+            self.st.frames.set_programmable(frame);
+            self.refresh_frame();
+        } else {
+            self.core.resolved_offset_note(span);
+            self.resolves_offsets(span)?;
+            self.counts_from(Outer::Basic, Some(frame));
+        }
+        Ok(())
+    }
+
+    /// `$P_UIFR[n]`: a work offset, which counts once it is selected.
+    fn write_offset(&mut self, args: &[Val], value: &Val, span: Span) -> Outcome {
+        let Some((number, rest)) = self.core.offset_number(args, span)? else {
+            return self.core.refuse(span, codes::S2018::number_of_work_offset_is_missing());
+        };
+        let old = match self.offset_frame(number) {
+            Some(frame) => frame,
+            None if rest.is_empty() => FrameValue::default(),
+            None => {
+                let word = offset_word(number);
+                let fault = codes::P2023::one_component_of_is_set(&word).answer(Answer::key("datums", &word));
+                return self.core.refuse(span, fault);
+            }
+        };
+        let frame = self.new_frame(old, rest, value, span)?;
+        self.st.frames.write(number, frame);
+        self.core.resolved_offset_note(span);
+        Ok(())
     }
 
     /// `$SC_…`, `$SN_…`: setting data, which change what other words do.
@@ -410,14 +259,13 @@ impl Channel<'_> {
         Ok(())
     }
 
-    fn new_frame(&self, old: &FrameValue, args: &[Val], value: &Val, span: Span) -> Outcome<FrameValue> {
+    fn new_frame(&self, mut frame: FrameValue, args: &[Val], value: &Val, span: Span) -> Outcome<FrameValue> {
         if args.is_empty() {
             return match value {
                 Val::Frame(frame) => Ok((**frame).clone()),
                 other => self.core.refuse(span, codes::P2024::frame_is_needed(&other.what())),
             };
         }
-        let mut frame = old.clone();
         self.set_frame_component(&mut frame, args, value, span)?;
         Ok(frame)
     }
@@ -473,15 +321,6 @@ impl Channel<'_> {
 }
 
 impl Core<'_> {
-    /// Number of a work offset and what follows it in the brackets.
-    fn offset_number<'v>(&self, args: &'v [Val], span: Span) -> Outcome<Option<(u8, &'v [Val])>> {
-        let Some((first, rest)) = args.split_first() else { return Ok(None) };
-        match first.number().and_then(whole).and_then(|n| u8::try_from(n).ok()).filter(|n| *n <= 99) {
-            Some(number) => Ok(Some((number, rest))),
-            None => self.refuse(span, codes::S2018::work_offsets_have_numbers_0_to_99()),
-        }
-    }
-
     /// Tool data besides the radius stay in the program.
     fn note_tool_data(&self, word: &str, span: Span) {
         if !word.starts_with("$TC_") || matches!(word, "$TC_DP6" | "$TC_DP15") {

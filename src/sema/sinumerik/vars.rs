@@ -266,6 +266,12 @@ impl Vars {
 }
 
 impl Var {
+    /// A variable of one value, without limits.
+    pub fn single(kind: TypeName, value: Val, length: usize, defined: Loc) -> Var {
+        let (sizes, values) = (Vec::new(), vec![value]);
+        Var { kind, sizes, values, length, defined, lost: false, kept: Kept::default(), limits: [None; 2] }
+    }
+
     /// Offset of an element, row by row.
     pub fn offset(&self, indices: &[i32]) -> Option<usize> {
         if indices.len() != self.sizes.len() {

@@ -15,8 +15,8 @@ use super::super::diameter::Diameter;
 use super::super::g_groups::Group;
 use super::super::spindle_state::MAIN_SPINDLE;
 use super::super::state::State;
-use super::names::DMODE;
-use super::table::Need;
+use super::names::{AMODE, DMODE, GMODE};
+use super::table::{Cycle as Row, Need};
 
 /// A call of a cycle while it is planned.
 pub(in super::super) type CycleCall<'c> = Call<'c, State>;
@@ -217,8 +217,17 @@ impl CycleCall<'_> {
         }])
     }
 
+    /// What the row asks of the channel, in its order, and of the coded arguments.
+    pub(in super::super) fn meets_row(&self, row: &Row) -> Made {
+        for need in row.needs {
+            self.meets(*need)?;
+        }
+        self.digits_of_are_known(GMODE)?;
+        self.digits_of_are_known(AMODE)
+    }
+
     /// Does the channel have what a row asks for?
-    pub(in super::super) fn meets(&self, need: Need) -> Made {
+    fn meets(&self, need: Need) -> Made {
         let (given, st) = (self.given, self.st);
         match need {
             Need::Lathe if self.settings.machine.kind != MachineKind::Lathe => {

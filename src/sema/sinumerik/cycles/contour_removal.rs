@@ -76,23 +76,7 @@ impl CycleCall<'_> {
     pub(super) fn classic_removal(&self, contours: &[CalledContour]) -> Made<Acts> {
         let [part] = contours else { return Ok(Acts::new()) };
         self.removal_digits()?;
-        let given = self.given;
-        let help = "1 to 4 rough, 5 to 8 finish, 9 to 12 do both; of each along Z or X, outside or inside; 2 before them leaves steps";
-        let vari = given.or_zero(VARI);
-        if !(1.0..300.0).contains(&vari) || vari.fract() != 0.0 {
-            return self.kind_fault(VARI, help);
-        }
-        let (kind, steps) = (vari as i32 % 100, vari as i32 / 100);
-        if !(1..=12).contains(&kind) || steps == 1 {
-            return self.kind_fault(VARI, help);
-        }
-        let Some(operation) = self.operation((kind - 1) / 4 + 1) else { return self.kind_fault(VARI, help) };
-        let side = match (kind - 1) % 4 {
-            0 => Side { into: Towards::MinusX, along: -1.0 },
-            1 => Side { into: Towards::MinusZ, along: -1.0 },
-            2 => Side { into: Towards::PlusX, along: -1.0 },
-            _ => Side { into: Towards::MinusZ, along: 1.0 },
-        };
+        let (operation, side, leaves_steps) = self.way_95()?;
         let (contour, turned) = side.in_order(&elements(&part.made));
         let most = self.infeed(MID, operation)?;
         let keys = self.settings.cycles.layers.clone();
@@ -128,7 +112,7 @@ impl CycleCall<'_> {
             allowance,
             most,
             segmentation: Segmentation::Uniform,
-            trace: if steps == 2 { Trace::Level } else { Trace::Overlapping },
+            trace: if leaves_steps { Trace::Level } else { Trace::Overlapping },
             chips,
             relief: Relief::Cut,
             limits: Limits::default(),
@@ -144,6 +128,28 @@ impl CycleCall<'_> {
             return self.rough_by_tip(layers);
         }
         self.send_layers(layers)
+    }
+
+    /// VARI of CYCLE95: what is done, from where, and whether the cuts leave their steps.
+    fn way_95(&self) -> Made<(Operation, Side, bool)> {
+        let given = self.given;
+        let help = "1 to 4 rough, 5 to 8 finish, 9 to 12 do both; of each along Z or X, outside or inside; 2 before them leaves steps";
+        let vari = given.or_zero(VARI);
+        if !(1.0..300.0).contains(&vari) || vari.fract() != 0.0 {
+            return self.kind_fault(VARI, help);
+        }
+        let (kind, steps) = (vari as i32 % 100, vari as i32 / 100);
+        if !(1..=12).contains(&kind) || steps == 1 {
+            return self.kind_fault(VARI, help);
+        }
+        let Some(operation) = self.operation((kind - 1) / 4 + 1) else { return self.kind_fault(VARI, help) };
+        let side = match (kind - 1) % 4 {
+            0 => Side { into: Towards::MinusX, along: -1.0 },
+            1 => Side { into: Towards::MinusZ, along: -1.0 },
+            2 => Side { into: Towards::PlusX, along: -1.0 },
+            _ => Side { into: Towards::MinusZ, along: 1.0 },
+        };
+        Ok((operation, side, steps == 2))
     }
 
     /// Roughing by the programmed tip, finishing with the nose.
@@ -206,23 +212,7 @@ impl CycleCall<'_> {
         };
         self.removal_digits()?;
         let given = self.given;
-        let help = "units 1 along Z, 2 along X; tens 1 rough, 2 finish, 3 both; hundreds 1 X-, 2 X+, 3 Z-, 4 Z+; thousands 1 outside, \
-            2 inside, 3 front, 4 rear";
-        let vari = given.or_zero(VARI);
-        if !(1.0..1e7).contains(&vari) || vari.fract() != 0.0 {
-            return self.refuse_argument(VARI, codes::S9015::this_process_vari_has_7_digits());
-        }
-        if given.digit(VARI, 0) == 3 {
-            return self.refuse_argument(VARI, codes::S9015::cutting_parallel_to_contour());
-        }
-        let Some(operation) = self.operation(given.digit(VARI, 1)) else { return self.kind_fault(VARI, help) };
-        let side = match (given.digit(VARI, 0), given.digit(VARI, 2), given.digit(VARI, 3)) {
-            (1, way @ (3 | 4), 1) => Side { into: Towards::MinusX, along: if way == 3 { -1.0 } else { 1.0 } },
-            (1, way @ (3 | 4), 2) => Side { into: Towards::PlusX, along: if way == 3 { -1.0 } else { 1.0 } },
-            (2, way @ (1 | 2), 3) => Side { into: Towards::MinusZ, along: if way == 1 { -1.0 } else { 1.0 } },
-            (2, way @ (1 | 2), 4) => Side { into: Towards::PlusZ, along: if way == 1 { -1.0 } else { 1.0 } },
-            _ => return self.kind_fault(VARI, help),
-        };
+        let (operation, side) = self.way_952()?;
         self.no_residual(blank.is_some())?;
         self.digits_952()?;
         let relief = match given.digit(VARI, 6) {
@@ -264,6 +254,29 @@ impl CycleCall<'_> {
         };
         self.plunge_feed(&mut layers, FR)?;
         self.send_with_u1(layers, side)
+    }
+
+    /// VARI of CYCLE952: what is done, and from where.
+    fn way_952(&self) -> Made<(Operation, Side)> {
+        let given = self.given;
+        let help = "units 1 along Z, 2 along X; tens 1 rough, 2 finish, 3 both; hundreds 1 X-, 2 X+, 3 Z-, 4 Z+; thousands 1 outside, \
+            2 inside, 3 front, 4 rear";
+        let vari = given.or_zero(VARI);
+        if !(1.0..1e7).contains(&vari) || vari.fract() != 0.0 {
+            return self.refuse_argument(VARI, codes::S9015::this_process_vari_has_7_digits());
+        }
+        if given.digit(VARI, 0) == 3 {
+            return self.refuse_argument(VARI, codes::S9015::cutting_parallel_to_contour());
+        }
+        let Some(operation) = self.operation(given.digit(VARI, 1)) else { return self.kind_fault(VARI, help) };
+        let side = match (given.digit(VARI, 0), given.digit(VARI, 2), given.digit(VARI, 3)) {
+            (1, way @ (3 | 4), 1) => Side { into: Towards::MinusX, along: if way == 3 { -1.0 } else { 1.0 } },
+            (1, way @ (3 | 4), 2) => Side { into: Towards::PlusX, along: if way == 3 { -1.0 } else { 1.0 } },
+            (2, way @ (1 | 2), 3) => Side { into: Towards::MinusZ, along: if way == 1 { -1.0 } else { 1.0 } },
+            (2, way @ (1 | 2), 4) => Side { into: Towards::PlusZ, along: if way == 1 { -1.0 } else { 1.0 } },
+            _ => return self.kind_fault(VARI, help),
+        };
+        Ok((operation, side))
     }
 
     /// `_U1` moves the contour away from the material, below 0 into it, along X as a radius and along Z. Roughing leaves

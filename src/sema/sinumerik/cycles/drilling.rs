@@ -119,24 +119,7 @@ impl CycleCall<'_> {
         let Some(first) = Pecking::first_step(levels, self.given.length_if(FDEP), self.given.length_if(FDPR)) else {
             return self.refuse_argument(FDEP, codes::P2090::first_drilling_depth_does_not_lie_between());
         };
-        let unit = self.given.unit;
-        let percent = given.digit(AMODE, 5) == 2;
-        let degression = match given.or_zero(DAM) {
-            percentage if percent && percentage > 0.0 && percentage <= 100.0 => {
-                self.say_of(AMODE, codes::P8106::amode_says_that_dam_is_percentage());
-                let least = self.given.length(MDEP).abs();
-                Degression::Factor { factor: percentage / 100.0, least }
-            }
-            _ if percent => {
-                return self.refuse_argument(DAM, codes::P2090::degression_is_above_0_to_100_percent());
-            }
-            0.0 => Degression::constant(first),
-            amount if amount > 0.0 => Degression::Amount(amount * unit),
-            factor if factor >= -1.0 => Degression::Factor { factor: -factor, least: self.given.length(MDEP).abs() },
-            _ => {
-                return self.refuse_argument(DAM, codes::P2090::degression_factor_is_above_1());
-            }
-        };
+        let degression = self.degression(first)?;
         if !matches!(degression, Degression::Factor { .. }) && given.or_zero(MDEP) != 0.0 {
             self.unused(MDEP, "unless DAM is a factor");
         }
@@ -170,6 +153,29 @@ impl CycleCall<'_> {
             }
         }
         Ok(Method::Peck(peck))
+    }
+
+    /// DAM and AMODE: how the depth of a step changes from the `first` on.
+    fn degression(&self, first: f64) -> Made<Degression> {
+        let given = self.given;
+        let unit = self.given.unit;
+        let percent = given.digit(AMODE, 5) == 2;
+        Ok(match given.or_zero(DAM) {
+            percentage if percent && percentage > 0.0 && percentage <= 100.0 => {
+                self.say_of(AMODE, codes::P8106::amode_says_that_dam_is_percentage());
+                let least = self.given.length(MDEP).abs();
+                Degression::Factor { factor: percentage / 100.0, least }
+            }
+            _ if percent => {
+                return self.refuse_argument(DAM, codes::P2090::degression_is_above_0_to_100_percent());
+            }
+            0.0 => Degression::constant(first),
+            amount if amount > 0.0 => Degression::Amount(amount * unit),
+            factor if factor >= -1.0 => Degression::Factor { factor: -factor, least: self.given.length(MDEP).abs() },
+            _ => {
+                return self.refuse_argument(DAM, codes::P2090::degression_factor_is_above_1());
+            }
+        })
     }
 
     /// The pitch from PIT or MPIT, sizes up to M`largest`; positive for a right-hand thread.

@@ -182,11 +182,6 @@ impl CycleCall<'_> {
     }
 
     /// Digits whose meaning is not known.
-    pub(in super::super) fn digits_are_known(&self) -> Made {
-        self.digits_of_are_known(GMODE)?;
-        self.digits_of_are_known(AMODE)
-    }
-
     pub(super) fn digits_of_are_known(&self, key: Name) -> Made {
         let given = self.given;
         let Some(row::Kind::Digits(digits)) = given.signature.parameter(key).map(|parameter| parameter.kind) else {

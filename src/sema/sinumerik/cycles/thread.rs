@@ -98,7 +98,6 @@ impl CycleCall<'_> {
     }
 
     fn thread(&self, course: &Course) -> Made<Acts> {
-        let given = self.given;
         let points = &course.points;
         self.no_face_thread(points)?;
         let (internal, area) = self.variant(course)?;
@@ -106,33 +105,9 @@ impl CycleCall<'_> {
         let finish = self.given.length(FAL).abs();
         let passes = self.roughing_passes(depth - finish, area)?;
         let idle = self.whole_of(NID, 0)?;
-        let starts = self.whole_of(course.starts, 0)?.max(1);
-        if !course.coded && given.number(course.starts) == Some(0.0) {
-            self.say_of(course.starts, codes::P8106::numt_0_is_taken_as_one_start());
-        }
-        if course.coded && starts > 1 {
-            self.note(given.place_of(course.starts), codes::S8019::cuts_starts(&given.called, &starts), Kind::Each);
-        }
-        // Whether the cycle overrides the setting datum is not confirmed.
-        if let Some(value) = self.st.system.number(START_ANGLE).filter(|value| *value != 0.0) {
-            let fault = codes::S9012::whether_holds_for_threads_of_cycle(&START_ANGLE, &value);
-            return self.refuse_as_said(given.place_of(NSP), fault);
-        }
-        let start_angle = given.or_zero(NSP);
-        if !(0.0..360.0).contains(&start_angle) {
-            return self.refuse_argument(NSP, codes::P2090::start_angle_nsp(&start_angle));
-        }
-        let angle = given.or_zero(IANG);
-        if given.or_zero(MPIT) != 0.0 && angle.abs() > METRIC_FLANK {
-            return self.refuse_argument(IANG, codes::P2090::infeed_angle_iang(&angle));
-        }
-        let flank = if angle == 0.0 {
-            Flank::Radial
-        } else if angle > 0.0 {
-            self.flank_reference(IANG, angle)
-        } else {
-            Flank::Alternating { angle: Deg(-angle) }
-        };
+        let starts = self.number_of_starts(course)?;
+        let start_angle = self.start_angle()?;
+        let flank = self.flank_of_infeed()?;
         let mut parts = Vec::new();
         for (end, lead) in points.iter().skip(1).zip(&course.leads) {
             parts.push(ThreadPart { end: *end, lead: *lead });
@@ -150,13 +125,66 @@ impl CycleCall<'_> {
             run_out: self.given.length(ROP).abs(),
             fixed_end: true,
             starts,
-            start_angle: Deg(start_angle),
+            start_angle,
             retract: 0.0,
             park: points[0],
         };
         thread.retract = self.lift_off(course.lift, &thread, internal);
+        self.lies_in_part(&thread, points, internal)?;
+        if let Err(fault) = thread.check() {
+            return self.unsound_call(None, &fault, "check the arguments of the cycle");
+        }
+        let front =
+            thread.parts.first().map_or(thread.start, |part| thread.extended(part.end, thread.start, thread.run_in));
+        self.says_shifted_starts(course.starts, &thread);
+        self.begins_at(Point2::new(front.x, thread.retract), |park| Cycle::Thread(Thread { park, ..thread }))
+    }
+
+    fn number_of_starts(&self, course: &Course) -> Made<u32> {
+        let given = self.given;
+        let starts = self.whole_of(course.starts, 0)?.max(1);
+        if !course.coded && given.number(course.starts) == Some(0.0) {
+            self.say_of(course.starts, codes::P8106::numt_0_is_taken_as_one_start());
+        }
+        if course.coded && starts > 1 {
+            self.note(given.place_of(course.starts), codes::S8019::cuts_starts(&given.called, &starts), Kind::Each);
+        }
+        Ok(starts)
+    }
+
+    fn start_angle(&self) -> Made<Deg> {
+        let given = self.given;
+        // Whether the cycle overrides the setting datum is not confirmed.
+        if let Some(value) = self.st.system.number(START_ANGLE).filter(|value| *value != 0.0) {
+            let fault = codes::S9012::whether_holds_for_threads_of_cycle(&START_ANGLE, &value);
+            return self.refuse_as_said(given.place_of(NSP), fault);
+        }
+        let start_angle = given.or_zero(NSP);
+        if !(0.0..360.0).contains(&start_angle) {
+            return self.refuse_argument(NSP, codes::P2090::start_angle_nsp(&start_angle));
+        }
+        Ok(Deg(start_angle))
+    }
+
+    /// IANG: along one flank, along both in turn, or straight in.
+    fn flank_of_infeed(&self) -> Made<Flank> {
+        let given = self.given;
+        let angle = given.or_zero(IANG);
+        if given.or_zero(MPIT) != 0.0 && angle.abs() > METRIC_FLANK {
+            return self.refuse_argument(IANG, codes::P2090::infeed_angle_iang(&angle));
+        }
+        Ok(if angle == 0.0 {
+            Flank::Radial
+        } else if angle > 0.0 {
+            self.flank_reference(IANG, angle)
+        } else {
+            Flank::Alternating { angle: Deg(-angle) }
+        })
+    }
+
+    fn lies_in_part(&self, thread: &Thread, points: &[Point2], internal: bool) -> Made {
         let smallest = points.iter().map(|point| point.y).fold(f64::INFINITY, f64::min);
-        let beyond = if internal { thread.retract <= 0.0 } else { depth >= smallest };
+        let beyond = if internal { thread.retract <= 0.0 } else { thread.depth >= smallest };
         if beyond {
             return self.refuse_argument(
                 TDEP,
@@ -167,13 +195,7 @@ impl CycleCall<'_> {
                 },
             );
         }
-        if let Err(fault) = thread.check() {
-            return self.unsound_call(None, &fault, "check the arguments of the cycle");
-        }
-        let front =
-            thread.parts.first().map_or(thread.start, |part| thread.extended(part.end, thread.start, thread.run_in));
-        self.says_shifted_starts(course.starts, &thread);
-        self.begins_at(Point2::new(front.x, thread.retract), |park| Cycle::Thread(Thread { park, ..thread }))
+        Ok(())
     }
 
     /// NRC; in CYCLE99 also by the infeed `_MID`, which the editor writes beside it: the two must agree.

@@ -4,7 +4,7 @@
 
 use core::fmt;
 
-use crate::diag::codes;
+use crate::diag::{Fault, codes};
 use crate::ir::cycle::undercut::{UndercutCycle, UndercutFault};
 use crate::ir::cycle::{Cycle, Family};
 use crate::ir::undercut::Surface;
@@ -209,14 +209,7 @@ impl CycleCall<'_> {
         let corner = if given.argument(DIATH) > 0 { DIATH } else { SPD };
         match fault {
             CallFault::Missing(name) => {
-                let help = match name {
-                    "_LAGE" => "0 is external +Z, 1 external -Z, 2 internal +Z, 3 internal -Z",
-                    "_STA" if new && matches!(one_letter(given), Some(b'A'..=b'D' | b'a'..=b'd')) => {
-                        "DIN 76 has 30 degrees: give 30 to 90"
-                    }
-                    "_FORM" => "\"E\" and \"F\" are of DIN 509, \"A\" to \"D\" of DIN 76, \"T\" is free",
-                    _ => "arguments are counted by their commas",
-                };
+                let help = self.help_of_missing(name);
                 self.refuse(codes::P2090::is_missing_2(&name).help(help))
             }
             CallFault::Range(name) => {
@@ -252,14 +245,7 @@ impl CycleCall<'_> {
                 };
                 self.refuse_at(at, codes::P2090::table_has_no_such_size_or_pitch().help(help))
             }
-            CallFault::Pitch => {
-                let inside = matches!(one_letter(given), Some(b'C' | b'D'));
-                let surface = if inside { Surface::Internal } else { Surface::External };
-                self.refuse(match proposed_index(&self.settings.undercut, surface, given.length(corner)) {
-                    Some((pitch, at)) => codes::P2090::pitch_piti_is_usually(&pitch, &at),
-                    None => codes::P2090::pitch_piti(),
-                })
-            }
+            CallFault::Pitch => self.refuse(self.pitch_fault(given.length(corner))),
             CallFault::SizeMissing => self.refuse(match proposed_size(&self.settings.undercut, given.length(corner)) {
                 Some(([radius, depth], at)) => codes::P2090::size_piti_is_usually(&Plain(radius), &Plain(depth), &at),
                 None => codes::P2090::size_piti(),
@@ -267,6 +253,29 @@ impl CycleCall<'_> {
             CallFault::BothAllowances => {
                 self.refuse_argument(FAL, codes::P2090::allowance_on_all_sides_stands_beside())
             }
+        }
+    }
+
+    fn help_of_missing(&self, name: &str) -> &'static str {
+        match name {
+            "_LAGE" => "0 is external +Z, 1 external -Z, 2 internal +Z, 3 internal -Z",
+            "_STA"
+                if self.given.argument(LAGE) > 0
+                    && matches!(one_letter(self.given), Some(b'A'..=b'D' | b'a'..=b'd')) =>
+            {
+                "DIN 76 has 30 degrees: give 30 to 90"
+            }
+            "_FORM" => "\"E\" and \"F\" are of DIN 509, \"A\" to \"D\" of DIN 76, \"T\" is free",
+            _ => "arguments are counted by their commas",
+        }
+    }
+
+    fn pitch_fault(&self, diameter: f64) -> Fault {
+        let inside = matches!(one_letter(self.given), Some(b'C' | b'D'));
+        let surface = if inside { Surface::Internal } else { Surface::External };
+        match proposed_index(&self.settings.undercut, surface, diameter) {
+            Some((pitch, at)) => codes::P2090::pitch_piti_is_usually(&pitch, &at),
+            None => codes::P2090::pitch_piti(),
         }
     }
 

@@ -153,39 +153,7 @@ impl Run<'_> {
                 Err(why) => self.channel.core.no_contour(&why, stored),
             };
         }
-        let made = match solve(&stored.records, written, &self.channel.core.job.settings.undercut) {
-            Ok(made) => made,
-            Err(why) => {
-                if !matches!(why, Unsolved::Unknown(_)) || !self.channel.core.agrees_without_unknown(stored, written) {
-                    self.channel.core.unchecked(&why, stored);
-                }
-                return Ok(());
-            }
-        };
-        if stored.blocks.len() > MOST_BLOCKS {
-            self.channel.core.unchecked(&Unsolved::TooLong, stored);
-            return Ok(());
-        }
-        let start = stored.start.unwrap_or(made.start);
-        let mut compared = compare(start, &stored.blocks, &made, TOLERANCE * written.unit);
-        if compared.is_err() && written.unit != 1.0 && self.channel.core.agrees_in_millimetres(stored, written) {
-            compared = Ok(());
-        }
-        if let (Ok(()), Some(i)) = (&compared, stored.rapid) {
-            let place = stored.places.get(i).copied().unwrap_or(stored.begin);
-            self.channel.core.report(codes::S8026::element_runs_at_rapid_traverse(&(i + 1)).at(place));
-        }
-        if let Err(difference) = compared {
-            let told = Told { axes: here, written, start, blocks: &stored.blocks, made: &made };
-            let (at, fault) = told.difference(difference);
-            let place = at.and_then(|i| stored.places.get(i)).copied().unwrap_or(stored.begin);
-            let record = told.record(difference).and_then(|at| stored.record_places.get(at));
-            let mut found = fault.at(place);
-            if let Some(record) = record {
-                found = found.also(*record, Label::Typed);
-            }
-            self.channel.core.report(found);
-        }
+        self.channel.core.check_blocks(stored, written, here);
         Ok(())
     }
 }
@@ -268,6 +236,43 @@ impl Channel<'_> {
 }
 
 impl Core<'_> {
+    /// Compares the blocks of a contour with what its records say.
+    fn check_blocks(&self, stored: &Stored, written: Written, axes: (u8, u8)) {
+        let made = match solve(&stored.records, written, &self.job.settings.undercut) {
+            Ok(made) => made,
+            Err(why) => {
+                if !matches!(why, Unsolved::Unknown(_)) || !self.agrees_without_unknown(stored, written) {
+                    self.unchecked(&why, stored);
+                }
+                return;
+            }
+        };
+        if stored.blocks.len() > MOST_BLOCKS {
+            self.unchecked(&Unsolved::TooLong, stored);
+            return;
+        }
+        let start = stored.start.unwrap_or(made.start);
+        let mut compared = compare(start, &stored.blocks, &made, TOLERANCE * written.unit);
+        if compared.is_err() && written.unit != 1.0 && self.agrees_in_millimetres(stored, written) {
+            compared = Ok(());
+        }
+        if let (Ok(()), Some(i)) = (&compared, stored.rapid) {
+            let place = stored.places.get(i).copied().unwrap_or(stored.begin);
+            self.report(codes::S8026::element_runs_at_rapid_traverse(&(i + 1)).at(place));
+        }
+        if let Err(difference) = compared {
+            let told = Told { axes, written, start, blocks: &stored.blocks, made: &made };
+            let (at, fault) = told.difference(difference);
+            let place = at.and_then(|i| stored.places.get(i)).copied().unwrap_or(stored.begin);
+            let record = told.record(difference).and_then(|at| stored.record_places.get(at));
+            let mut found = fault.at(place);
+            if let Some(record) = record {
+                found = found.also(*record, Label::Typed);
+            }
+            self.report(found);
+        }
+    }
+
     /// Do the blocks agree with the records that are known? What is left over is no element then, as the pole is none.
     fn agrees_without_unknown(&self, stored: &Stored, written: Written) -> bool {
         let known: Vec<Record> = stored
