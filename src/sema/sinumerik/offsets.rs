@@ -229,10 +229,10 @@ impl Core<'_> {
             return self.prints_offset(OffsetName::Word { word: &word, mapped: false }, number, place);
         }
         let free = self.free_offset(&word);
-        return self.refuse(
+        self.refuse(
             place,
             codes::P9014::has_no_counterpart_on_target(&word, &free).answer(Answer::key("datums", &word)),
-        );
+        )
     }
 
     /// What was printed under G500 cannot be taken back.

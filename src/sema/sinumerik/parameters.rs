@@ -277,7 +277,7 @@ impl Run<'_> {
         if !self.channel.core.job.diags.first_time(codes::S2021, ()) {
             return Err(Reported);
         }
-        return self.channel.core.refuse(variable.span, codes::S2021::parameter_is_var_this_is_subprogram(&shown));
+        self.channel.core.refuse(variable.span, codes::S2021::parameter_is_var_this_is_subprogram(&shown))
     }
 }
 

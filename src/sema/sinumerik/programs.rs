@@ -371,8 +371,7 @@ impl Skeleton {
 /// Structures that are still open where the program ends.
 fn not_closed(job: &Job<'_>, file: FileId, open: Vec<(Word, Mark)>) {
     for (word, mark) in open {
-        let loc =
-            Loc { file: file, line: mark.place.line, span: Span::at(mark.place.at, mark.after.at - mark.place.at) };
+        let loc = Loc { file, line: mark.place.line, span: Span::at(mark.place.at, mark.after.at - mark.place.at) };
         let found = codes::S2004::is_not_closed(&(if word == Word::Else { "IF" } else { name(word) })).at(loc);
         push_once(job, found.help(format!("write {} at its end", closing(word))));
     }
