@@ -130,7 +130,6 @@ const NOT_SAID: &[(&str, &str)] = &[
     ("at hand", "no available manual says …"),
     ("nobody", "it is not known …"),
     ("somebody", "another user"),
-    ("holds on", "is modal"),
     ("goes before it", "takes precedence"),
     ("is worth a word", "is reported"),
 ];
