@@ -12,7 +12,9 @@ use crate::ir::{Function, Origin, Pos};
 use crate::machine::Axis;
 
 pub use clock::{Clock, Ended, Model, SMOOTH_DEG, Step, Time};
-pub use figures::{Figures, Stats, ToolFigures};
+#[cfg(feature = "cli")]
+pub use figures::Figures;
+pub use figures::{Stats, ToolFigures};
 
 #[cfg(feature = "cli")]
 pub use figures::short;
