@@ -229,7 +229,7 @@ fn an_output_that_is_a_pipe_which_nobody_reads_is_given_up() {
     let folder = Folder::new("pipe_out").with(&[("PART.H", PART)]);
     let pipe = folder.0.join("out");
     assert!(Command::new("mkfifo").arg(&pipe).status().expect("mkfifo runs").success());
-    folder.run(&["compile", "PART.H", "-o", "out"]).exits(2).says("nobody reads");
+    folder.run(&["compile", "PART.H", "-o", "out"]).exits(2).says("without a reader");
     let reader = std::thread::spawn(move || fs::read_to_string(pipe));
     folder.run(&["compile", "PART.H", "-o", "out"]).exits(0);
     assert!(reader.join().expect("a reader").expect("a pipe").contains("M30"));
