@@ -170,8 +170,12 @@ it moves away `lost = [\"X\"]`. Give a program of your own for it (`TC = { file 
 P8106 Warning "reading-not-confirmed" "reading that no available manual confirms" was "M8004 mtc-reading S8162 siemens-cycle-reading"
 "MTC200: What the program says here is read in a way that fits the names of the words and the programs seen, but that no available \
 manual confirms for this control. Check it once at the machine; then list it in `[control] confirmed`, and the warning is gone.\n\n\
-SINUMERIK: The argument has a meaning that follows from a few stored programs or from similar cycles, and no available manual says it. \
-partc takes it as the message says; compare with what the machine does." {
+SINUMERIK, Klartext: The argument has a meaning that follows from its name, from a few stored programs or from similar cycles, and no \
+available manual says it. partc takes it as the message says; compare with what the machine does." {
+    q573_0_is_read_as_inscribed_circle() "Q573 = 0 is read as the inscribed circle; this is not confirmed"
+        help "compare the size of the stud with what the machine makes";
+    q573_1_is_read_as_circumscribed_circle() "Q573 = 1 is read as the circumscribed circle; this is not confirmed"
+        help "compare the size of the stud with what the machine makes";
     of_0_in_millions_of_vari_is_taken()
         "0 in the millions of `_VARI` is taken as 1: relief cuts are machined; this is not confirmed"
         help "compare with what the machine does";

@@ -153,13 +153,17 @@ impl CycleCall<'_> {
         };
         let (edges, radius) = (given.whole(CORNERS).unsigned_abs(), given.length(CIRCLE) / 2.0);
         let cos = Deg(180.0 / f64::from(edges)).sin_cos().1;
-        let (apothem, corner) =
-            if given.whole(CIRCLE_THROUGH) == 0 { (radius, radius / cos) } else { (radius * cos, radius) };
+        let (apothem, corner, read) = if given.whole(CIRCLE_THROUGH) == 0 {
+            (radius, radius / cos, codes::P8106::q573_0_is_read_as_inscribed_circle())
+        } else {
+            (radius * cos, radius, codes::P8106::q573_1_is_read_as_circumscribed_circle())
+        };
         let raw = given.length(RAW_DIAMETER) / 2.0;
         if raw < corner - 1e-9 {
             return self
                 .refuse_argument(RAW_DIAMETER, codes::P2090::blank_q222_is_within_corners(&shown(2.0 * corner)));
         }
+        self.say_of_all(read);
         let place = Place { at: self.call_point()?, turn: Deg(given.or_zero(TURN)) };
         let blank = Blank { reach: raw, stock: raw - apothem, aside: ASIDE };
         self.stud((mill, asked), place, Shape::Polygon { edges, apothem, starts: starts.into() }, blank)
