@@ -122,14 +122,15 @@ pub(super) fn explain(code: &str, format: ListFormat) -> Result<Exit, Trouble> {
     print(text.as_bytes())
 }
 
-/// What a code says of its faults, each with what to do.
+/// What a code says of its faults, and what to do: once behind those that have it in common. A fault that is all quantity says nothing here.
 fn wordings(code: &codes::Code) -> String {
-    let mut text = String::new();
-    for wording in code.wordings {
+    let says = |wording: &&Wording| wording.shown(wording.message).contains(char::is_alphabetic);
+    let mut told = code.wordings.iter().filter(says).peekable();
+    let mut text = if told.peek().is_some() { "\nIt says:\n".to_owned() } else { String::new() };
+    while let Some(wording) = told.next() {
         let alarm = wording.alarm.map_or_else(String::new, |alarm| format!(" (alarm {alarm})"));
-        text += if text.is_empty() { "\nIt says:\n" } else { "" };
         text += &format!("  {}{alarm}\n", wording.shown(wording.message));
-        if !wording.help.is_empty() {
+        if !wording.help.is_empty() && told.peek().is_none_or(|next| next.help != wording.help) {
             text += &format!("    {}\n", wording.shown(wording.help));
         }
     }
