@@ -165,7 +165,7 @@ impl Printer<'_> {
         };
         if (units as f64 / places.scale() - tap.lead).abs() * tap.turns() > tolerance::PITCH_LEAVES {
             let asking = codes::O9341::target_has_no_word_for_this_pitch(&self.target.name);
-            return Err(Some(asking.answers([])));
+            return Err(Some(asking.answer(Answer::key("output", "decimals"))));
         }
         Ok(units)
     }
@@ -319,7 +319,10 @@ impl Printer<'_> {
         };
         match best {
             Some((kind, units, off)) if off <= tolerance::PITCH_LEAVES => Ok((kind, units)),
-            _ => Err(Some(codes::O9341::target_has_no_word_for_this_pitch_as_feed(&self.target.name).answers([]))),
+            _ => {
+                let asking = codes::O9341::target_has_no_word_for_this_pitch_as_feed(&self.target.name);
+                Err(Some(asking.answer(Answer::key("output", "decimals"))))
+            }
         }
     }
 
