@@ -276,8 +276,6 @@ pub enum DrillingFault {
     Clearance,
     /// The tool would enter the hole above the start plane, or below the bottom.
     Entry,
-    /// The retract height lies below the start plane, so that the tool would rest in the clearance.
-    RetractBelowStart,
     /// A dwell is negative.
     Dwell,
     /// A peck, its amount or its factor is out of range.
@@ -299,7 +297,6 @@ impl fmt::Display for DrillingFault {
             DrillingFault::ReferencePlane => "the surface must lie between the retract height and the depth",
             DrillingFault::Clearance => "the safety distance must not be negative",
             DrillingFault::Entry => "drilling has to begin between the start plane and the depth",
-            DrillingFault::RetractBelowStart => "the retract height lies below the surface plus the safety distance",
             DrillingFault::Dwell => "the dwell time must not be negative",
             DrillingFault::Peck => "the steps of the hole must be over 0, and a factor at most 1",
             DrillingFault::Lead => "the pitch must be over 0",
@@ -342,10 +339,8 @@ impl Levels {
         // SINUMERIK uses the magnitude of the safety distance.
         let levels = Levels { retract, reference, clearance: clearance.abs(), depth };
         let overridden = relative.is_some() && absolute.is_some_and(|given| given != 0.0 && given != depth);
-        match levels.check() {
-            Ok(()) | Err(DrillingFault::RetractBelowStart) => Ok(Resolved { levels, overridden }),
-            Err(fault) => Err(fault),
-        }
+        levels.check()?;
+        Ok(Resolved { levels, overridden })
     }
 
     /// Direction out of the hole along the drilling axis: 1 where the hole goes down, -1 where it goes up; 0 for a hole

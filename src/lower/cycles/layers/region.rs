@@ -206,7 +206,7 @@ impl Limits {
             let [a, b] = pair.map(|v| v.map(place));
             match (a, b) {
                 (Some(a), Some(b)) => (a.min(b), a.max(b)),
-                // One border alone lies on the side of its name: the first in front and outside, the second behind and inside.
+                // One border alone: the first lies in front and at the smaller radius, the second behind and at the larger one.
                 (a, b) => (a.unwrap_or(f64::NEG_INFINITY), b.unwrap_or(f64::INFINITY)),
             }
         };
