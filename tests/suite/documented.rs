@@ -3,8 +3,9 @@
 //! The lint `missing_docs` looks at what leaves the crate only, and these folders do not. So the sources are read here, as
 //! rustfmt lays them out: one item, field or variant a line, its own indentation deeper than the block it is in.
 
-use std::fs;
 use std::path::Path;
+
+use super::layering::sources;
 
 /// Folders that are documented throughout.
 const FOLDERS: [&str; 2] = ["src/ir", "src/target"];
@@ -110,25 +111,13 @@ fn scan(source: &str) -> Scan {
     found
 }
 
-fn sources(folder: &Path) -> Vec<(String, String)> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder).expect("a folder of sources") {
-        let path = entry.expect("a readable entry").path();
-        if path.is_dir() {
-            found.extend(sources(&path));
-        } else if path.extension().is_some_and(|extension| extension == "rs") && !path.ends_with("tests.rs") {
-            let text = fs::read_to_string(&path).expect("a readable source").replace('\r', "");
-            found.push((path.display().to_string(), text));
-        }
-    }
-    found
-}
-
 #[test]
 fn every_field_of_the_shared_languages_is_documented() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let (mut items, mut bare) = (0, Vec::new());
-    for (file, text) in FOLDERS.iter().flat_map(|folder| sources(&root.join(folder))) {
+    for (file, text) in
+        FOLDERS.iter().flat_map(|folder| sources(&root.join(folder))).filter(|(file, _)| !file.ends_with("tests.rs"))
+    {
         assert!(text.starts_with("//!"), "{file} does not say what it is");
         let found = scan(&text);
         items += found.items;

@@ -53,7 +53,8 @@ fn the_reader_of_outputs_stands_alone() {
 /// Names of dialects, which nothing behind the contour items may know.
 const DIALECTS: &[&str] = &["klartext", "sinumerik", "heidenhain", "siemens", "manualplus", "mtc200", "indramat"];
 
-fn sources(folder: &Path) -> Vec<(String, String)> {
+/// The sources below a folder, with their names.
+pub fn sources(folder: &Path) -> Vec<(String, String)> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).expect("a folder of sources") {
         let path = entry.expect("a readable entry").path();
