@@ -4,6 +4,7 @@ use std::fmt;
 use std::io;
 use std::rc::Rc;
 
+use crate::block_ends::{BlockEnds, Looks};
 #[cfg(feature = "arrow")]
 use crate::columns::{self, Known, Take};
 use crate::diag::{Diags, Finding, Judge, Trail};
@@ -15,16 +16,15 @@ use crate::emit::{LineMap, Output, Printer};
 use crate::ir::refused::Remarks;
 use crate::ir::{Function, Origin, Pos, Tap, contour, motion, verify};
 use crate::lint::Checks;
+use crate::lint::fingerprint::MotionFingerprint;
 use crate::lint::fix::Fix;
-use crate::lint::imprint::Imprint;
 use crate::lint::motion::{OnContour, OnMotion, Watching};
 use crate::lint::policy::Policy;
 use crate::lower::Lower;
 use crate::machine::Settings;
-use crate::seen::{Looks, Seen};
+use crate::program_needs::{ProgramNeeds, Watch};
 use crate::sema::Job;
 use crate::text::{FileId, Files, Opened, Sources};
-use crate::uses::{Uses, Watch};
 use crate::validate::{Mismatch, Validator};
 use crate::validated::Validated;
 
@@ -54,7 +54,7 @@ impl fmt::Display for Failure {
 impl std::error::Error for Failure {}
 
 /// What an editor sees of a run, and whether the run is to go on.
-type Watched<'w> = (&'w mut Seen, &'w dyn Fn() -> bool);
+type Watched<'w> = (&'w mut BlockEnds, &'w dyn Fn() -> bool);
 
 /// One run: its files, findings and call paths.
 #[derive(Debug, Default)]
@@ -231,7 +231,7 @@ impl Session {
         dialect: &Dialect,
         settings: &Settings,
         files: &dyn Files,
-        mut seen: Option<&mut Seen>,
+        mut seen: Option<&mut BlockEnds>,
         goes_on: &dyn Fn() -> bool,
     ) -> Vec<Fix> {
         let policy = self.judge(dialect, settings);
@@ -279,7 +279,7 @@ impl Session {
     }
 
     /// Reads all blocks and runs the program without output and without rules: the findings say what is missing.
-    pub fn uses(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> Uses {
+    pub fn uses(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> ProgramNeeds {
         self.judge(dialect, settings);
         let settings = dialect.settings(settings);
         let settings = settings.as_ref();
@@ -301,11 +301,11 @@ impl Session {
     }
 
     /// What the program does, as one number.
-    pub fn imprint(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> u128 {
+    pub fn fingerprint(&self, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> u128 {
         self.judge(dialect, settings);
-        let mut imprint = Imprint::default();
-        self.run(dialect, settings, files, &mut imprint);
-        imprint.number()
+        let mut fingerprint = MotionFingerprint::default();
+        self.run(dialect, settings, files, &mut fingerprint);
+        fingerprint.number()
     }
 
     /// Draws the resolved path. That of a program with errors ends at the first one, says so, and shows pale what is known

@@ -16,6 +16,7 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), deny(clippy::unwrap_used))]
 
+mod block_ends;
 #[cfg(feature = "cli")]
 pub mod cli;
 #[cfg(feature = "arrow")]
@@ -25,7 +26,6 @@ mod diag;
 mod dialect;
 mod driver;
 mod emit;
-pub mod exhibit;
 mod facade;
 mod geo;
 mod ir;
@@ -35,14 +35,14 @@ mod lower;
 #[cfg(feature = "cli")]
 mod lsp;
 mod machine;
+pub mod page_data;
 mod parser;
+mod program_needs;
 mod read;
-mod seen;
 mod sema;
 mod standard;
 mod target;
 mod text;
-mod uses;
 mod validate;
 mod validated;
 

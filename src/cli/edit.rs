@@ -81,8 +81,8 @@ impl Program {
     /// What this text of the program does, and how many errors it has.
     pub(super) fn does(&self, text: &[u8]) -> (u128, u32) {
         let session = self.session(text);
-        let imprint = session.imprint(self.dialect, &self.settings, &self.files);
-        (imprint, session.diags.errors())
+        let fingerprint = session.fingerprint(self.dialect, &self.settings, &self.files);
+        (fingerprint, session.diags.errors())
     }
 }
 

@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use crate::driver::{Failure, Session};
-use crate::exhibit;
+use crate::page_data;
 use crate::text::{FileId, Memory, Opened, Span};
 
 use super::answers::{Needs, requests};
@@ -52,13 +52,13 @@ pub(super) fn report(args: &Page) -> Result<Exit, Trouble> {
     let targets = Targets::new([target.as_path()].into_iter().chain(reporter.files()).chain(args.deps.file()));
     let mut out = Destination::open_for(&target, Replaces::by(Made::Report, args.force)).map_err(trouble)?;
     let ticker = Ticker::start(true, &place);
-    let made = exhibit::made_unless(&session, dialect, &settings, &files, &|session| reporter.look().fails(session));
+    let made = page_data::made_unless(&session, dialect, &settings, &files, &|session| reporter.look().fails(session));
     // Standard input is read once.
     let size = u32::try_from(session.sources.size(FileId(0))).unwrap_or(u32::MAX);
     let source = session.sources.bytes(FileId(0), Span { start: 0, end: size });
     let (name, identity) = (session.sources.name(FileId(0)), session.sources.identity(FileId(0)));
     let again = Session::new(Opened { name, identity, text: Box::new(Memory::new(source.as_slice())) });
-    let checked = exhibit::checked(&again, dialect, &settings, &files);
+    let checked = page_data::checked(&again, dialect, &settings, &files);
     let paste = to_paste(&again, args);
     drop(ticker);
     targets.spare(&args.input, &args.common, &files)?;

@@ -13,7 +13,7 @@ use arrow_buffer::{
 };
 use arrow_schema::DataType;
 
-use super::spare::Spare;
+use super::buffer_pool::BufferPool;
 
 /// Values of which some are missing. Where all are, nothing is kept.
 #[derive(Debug)]
@@ -23,7 +23,7 @@ pub struct Values<T> {
     gaps: Vec<(usize, usize)>,
     /// The array of the last batch, if it held nothing.
     empty: Option<ArrayRef>,
-    spare: Spare,
+    pool: BufferPool,
 }
 
 /// Gaps up to this are filled value by value.
@@ -31,7 +31,7 @@ const SHORT: usize = 16;
 
 impl<T: Copy + Default + ArrowNativeType> Values<T> {
     pub fn new() -> Values<T> {
-        Values { values: Vec::new(), gaps: Vec::new(), empty: None, spare: Spare::default() }
+        Values { values: Vec::new(), gaps: Vec::new(), empty: None, pool: BufferPool::default() }
     }
 
     /// The value of a row; rows in front of it without one have none.
@@ -72,9 +72,9 @@ impl<T: Copy + Default + ArrowNativeType> Values<T> {
         }
         let nulls = self.nulls(rows);
         let values = Buffer::from_vec(std::mem::take(&mut self.values));
-        self.spare.hand_out(&values);
+        self.pool.hand_out(&values);
         // The next batch is as long.
-        self.values = self.spare.take(rows);
+        self.values = self.pool.take(rows);
         Some((values.into(), nulls))
     }
 
@@ -252,8 +252,8 @@ pub struct Texts {
     /// Where each text begins, and where the last one ends.
     ends: Vec<i32>,
     nulls: Option<NullBufferBuilder>,
-    spare_text: Spare,
-    spare_ends: Spare,
+    text_pool: BufferPool,
+    ends_pool: BufferPool,
 }
 
 impl Texts {
@@ -280,10 +280,10 @@ impl Texts {
         }
         let ends = Buffer::from_vec(std::mem::take(&mut self.ends));
         let nulls = self.nulls.take().and_then(|mut nulls| nulls.finish());
-        self.spare_text.hand_out(&text);
-        self.spare_ends.hand_out(&ends);
-        self.text = self.spare_text.take(0);
-        self.ends = self.spare_ends.take(0);
+        self.text_pool.hand_out(&text);
+        self.ends_pool.hand_out(&ends);
+        self.text = self.text_pool.take(0);
+        self.ends = self.ends_pool.take(0);
         let offsets = OffsetBuffer::new(ends.into());
         Arc::new(StringArray::new(offsets, text, nulls))
     }
@@ -311,12 +311,12 @@ impl Truths {
 }
 
 /// Times in the order of the moves; a place that is no number has none.
-pub fn times(mut values: Vec<f64>, spare: &mut Spare) -> ArrayRef {
+pub fn times(mut values: Vec<f64>, pool: &mut BufferPool) -> ArrayRef {
     let nulls = values.iter().any(|value| value.is_nan());
     let nulls = nulls.then(|| NullBuffer::from_iter(values.iter().map(|value| !value.is_nan())));
     values.iter_mut().filter(|value| value.is_nan()).for_each(|value| *value = 0.0);
     let values = Buffer::from_vec(values);
-    spare.hand_out(&values);
+    pool.hand_out(&values);
     Arc::new(Float64Array::new(values.into(), nulls))
 }
 

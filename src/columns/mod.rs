@@ -9,13 +9,13 @@ mod arrays;
 mod arrow_file;
 #[cfg(feature = "columns")]
 mod binary;
+mod buffer_pool;
 mod chunk;
 #[cfg(feature = "cli")]
 mod csv;
-mod front;
+mod producer;
 mod row;
 pub mod schema;
-mod spare;
 #[cfg(feature = "cli")]
 mod table;
 
@@ -28,12 +28,12 @@ use arrow_array::{ArrayRef, RecordBatch};
 use crate::emit::stats::{Clock, Ended, Model, Time};
 use crate::ir::motion::Sink;
 
+use buffer_pool::BufferPool;
 use chunk::{Chunk, Item, Row};
-use front::Front;
-pub(crate) use front::Known;
+use producer::Front;
+pub(crate) use producer::Known;
 use row::{Rows, TIME};
 pub use schema::{COLUMNS, Column, Kind, VERSION, VERSION_KEY, schema};
-use spare::Spare;
 #[cfg(feature = "cli")]
 pub use table::{Form, Table};
 
@@ -96,7 +96,7 @@ struct Columns<'a> {
     first: u64,
     /// Times of the open batch, no number where none is known.
     times: Vec<f64>,
-    spare: Spare,
+    pool: BufferPool,
     /// Batches that are full, of which the time of a move is still open.
     full: VecDeque<Full>,
     take: &'a mut Take<'a>,
@@ -117,7 +117,7 @@ impl<'a> Columns<'a> {
             most: options.rows.max(1),
             first: 0,
             times: Vec::new(),
-            spare: Spare::default(),
+            pool: BufferPool::default(),
             full: VecDeque::new(),
             take,
             ended: false,
@@ -194,7 +194,7 @@ impl<'a> Columns<'a> {
 
     /// The open batch is full.
     fn close(&mut self) {
-        let times = std::mem::replace(&mut self.times, self.spare.take(self.most.min(1 << 16)));
+        let times = std::mem::replace(&mut self.times, self.pool.take(self.most.min(1 << 16)));
         let first = self.first;
         self.first += times.len() as u64;
         self.full.push_back(Full { first, columns: self.rows.finish(), times });
@@ -209,7 +209,7 @@ impl<'a> Columns<'a> {
                 return;
             }
             let mut columns = full.columns;
-            columns.insert(TIME, arrays::times(full.times, &mut self.spare));
+            columns.insert(TIME, arrays::times(full.times, &mut self.pool));
             let batch = RecordBatch::try_new(schema(), columns).expect("a column for each field, all of one length");
             self.ended = self.ended || !(self.take)(batch);
         }

@@ -1,6 +1,6 @@
 //! The open batch: a column for each field but the time.
 
-use crate::emit::told::{Sense, Speed, Told};
+use crate::emit::spindle_and_tool::{Sense, Speed, SpindleAndTool};
 use crate::geo::{Plane, distance};
 use crate::ir::motion::{Arc, Move, Path};
 use crate::ir::{Feed, Function, Pos, Side};
@@ -22,7 +22,7 @@ const SIDES: &[&str] = &["left", "right"];
 pub(super) struct Rows {
     /// Of the open batch.
     row: usize,
-    told: Told,
+    program: SpindleAndTool,
     kind: Words,
     start: [Values<f64>; AXES],
     end: [Values<f64>; AXES],
@@ -51,7 +51,7 @@ impl Rows {
     pub fn new() -> Rows {
         Rows {
             row: 0,
-            told: Told::default(),
+            program: SpindleAndTool::default(),
             kind: Words::new(KINDS),
             start: std::array::from_fn(|_| Values::new()),
             end: std::array::from_fn(|_| Values::new()),
@@ -78,7 +78,7 @@ impl Rows {
     }
 
     pub fn function(&mut self, function: &Function) {
-        self.told.function(function);
+        self.program.function(function);
     }
 
     /// Names that rows will speak of.
@@ -92,7 +92,7 @@ impl Rows {
         let mv = &row.mv;
         self.places(mv, from);
         self.path(&mv.path, length);
-        self.told();
+        self.spindle_and_tool();
         let side = match mv.side {
             Side::None => None,
             Side::Left => Some(0),
@@ -171,9 +171,9 @@ impl Rows {
         self.sweep.put(row, arc.sweep.to_degrees());
     }
 
-    fn told(&mut self) {
+    fn spindle_and_tool(&mut self) {
         let row = self.row;
-        let (speed, mode, limit) = match self.told.speed {
+        let (speed, mode, limit) = match self.program.speed {
             None => (None, None, None),
             Some(Speed::Turns(speed)) => (Some(speed), Some(0), None),
             Some(Speed::Cutting(speed, limit)) => (Some(speed), Some(1), limit),
@@ -181,8 +181,8 @@ impl Rows {
         self.spindle.put(row, speed);
         self.spindle_mode.put(row, mode);
         self.spindle_limit.put(row, limit);
-        self.spindle_direction.put(row, self.told.sense.map(|sense| sense as i32));
-        self.tool.put(row, self.told.tool.map(i64::from));
+        self.spindle_direction.put(row, self.program.sense.map(|sense| sense as i32));
+        self.tool.put(row, self.program.tool.map(i64::from));
     }
 
     /// The columns in order, without the time; the next batch begins.

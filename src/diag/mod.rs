@@ -8,10 +8,10 @@ pub mod decimals;
 pub mod fault;
 pub mod finding;
 pub mod label;
+mod once;
 pub mod render;
 pub mod report;
 pub mod selection;
-mod told;
 pub mod trail;
 
 use std::borrow::Cow;
@@ -31,7 +31,7 @@ pub use label::Label;
 pub use selection::Selection;
 pub use trail::{CallPath, Trail};
 
-use told::Told;
+use once::Once;
 
 /// How bad it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -183,7 +183,7 @@ struct Inner {
     list: Vec<Diagnostic>,
     /// Index in `list`; `None` for those that are only counted.
     seen: FxHashMap<(&'static str, Loc), Option<usize>>,
-    told: Told,
+    once: Once,
     counts: [u32; 3],
     dropped: u32,
     /// As many are kept, where it is more than usual.
@@ -324,7 +324,7 @@ impl Diags {
 
     /// True the first time it is asked about this fact of `code`: the values that the finding names, `()` where it names none.
     pub fn first_time(&self, code: &'static Code, fact: impl Hash) -> bool {
-        self.inner.borrow_mut().told.is_first(code.id, fact)
+        self.inner.borrow_mut().once.is_first(code.id, fact)
     }
 
     /// Notes, warnings and errors, also those that were only counted.
@@ -346,11 +346,11 @@ impl Diags {
 
     /// The findings, in the order of file and place; those of one place as they were found.
     pub fn into_sorted(self) -> Vec<Diagnostic> {
-        let Inner { mut list, told, .. } = self.inner.into_inner();
+        let Inner { mut list, once, .. } = self.inner.into_inner();
         let last: FxHashMap<&'static str, &mut Diagnostic> =
             list.iter_mut().map(|found| (found.code.id, found)).collect();
         for (code, found) in last {
-            if let Some((more, at_least)) = told.unlisted(code) {
+            if let Some((more, at_least)) = once.unlisted(code) {
                 let least = if at_least { "at least " } else { "" };
                 found.message += &format!("; {least}{more} more of this kind are not listed");
             }

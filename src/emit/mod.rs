@@ -9,13 +9,13 @@ pub mod arc;
 pub mod comment;
 mod compensation;
 pub mod line;
+mod line_writer;
 mod modal;
 pub mod number;
-mod page;
 pub mod plot;
 pub mod printer;
+pub mod spindle_and_tool;
 pub mod stats;
-pub mod told;
 pub mod trace;
 
 use std::io;

@@ -31,9 +31,9 @@ use crate::target::{CompensationWords, Form, Target};
 use crate::text::Loc;
 
 use super::compensation::{Compensation, Preparation, Way};
+use super::line_writer::LineWriter;
 use super::modal::{FeedKind, Modal};
 use super::number::Places;
-use super::page::Page;
 use super::{LineMap, Output};
 use corners::Corners;
 use measures::Measures;
@@ -51,7 +51,7 @@ pub struct Printer<'a> {
     places: Places,
     measures: Measures,
     diags: &'a Diags,
-    page: Page<'a>,
+    lines: LineWriter<'a>,
     /// Where the hash of the source stands in the output.
     hash_at: u64,
     modal: Modal,
@@ -75,7 +75,7 @@ pub struct Printer<'a> {
     /// What the spindle and the coolant do, where a speed stands with the start, and no word ends both with the program.
     running: Running,
     /// What the target was told of its spindle.
-    told: Told,
+    stated: SpindleStated,
 }
 
 /// The spindle, as far as a tool change by hand stops it.
@@ -108,7 +108,7 @@ struct ToolLength {
 
 /// What the target was told of the spindle.
 #[derive(Debug, Clone, Copy, Default)]
-struct Told {
+struct SpindleStated {
     /// In units of the last place.
     speed: Option<i64>,
     turn: Option<Turn>,
@@ -134,7 +134,8 @@ impl<'a> Printer<'a> {
         let target = settings.output.target;
         let lathe = settings.machine.kind == MachineKind::Lathe;
         let step = settings.output.line_numbers;
-        let page = Page::new(target.line, step, target.feed.address, settings.limits.output_blocks, diags, out, map);
+        let lines =
+            LineWriter::new(target.line, step, target.feed.address, settings.limits.output_blocks, diags, out, map);
         let (places, measures) = Measures::of(&settings.output);
         let mut printer = Printer {
             target,
@@ -145,7 +146,7 @@ impl<'a> Printer<'a> {
             places,
             measures,
             diags,
-            page,
+            lines,
             hash_at: 0,
             modal: Modal::new(if lathe { Plane::Zx } else { Plane::Xy }),
             axes: target.axes.bytes().filter_map(Axis::of).collect(),
@@ -163,7 +164,7 @@ impl<'a> Printer<'a> {
             ended: false,
             doubted: false,
             running: Running::default(),
-            told: Told::default(),
+            stated: SpindleStated::default(),
         };
         // G96 outlives the program that programmed it: the first speed of a lathe says G97.
         printer.modal.cutting_speed = lathe;
@@ -178,19 +179,19 @@ impl<'a> Printer<'a> {
 
     /// From here on text stays until [`Printer::release`], so that somebody can read what an item became.
     pub fn hold(&mut self) {
-        self.page.hold();
+        self.lines.hold();
     }
 
     /// What was printed since the last release: bytes, of which so many count. What stands behind them means nothing.
     #[inline]
     pub fn held(&self) -> (&[u8], usize) {
-        self.page.held()
+        self.lines.held()
     }
 
     /// What was printed so far may be written.
     #[inline]
     pub fn release(&mut self) {
-        self.page.release();
+        self.lines.release();
     }
 
     /// Prints what stands behind the last item.
@@ -198,13 +199,13 @@ impl<'a> Printer<'a> {
         if !std::mem::replace(&mut self.ended, true) {
             self.template(&self.settings.footer);
             match self.target.flow.end {
-                Some(end) => self.page.block(end.as_bytes()),
+                Some(end) => self.lines.block(end.as_bytes()),
                 // Only a run that broke off has no end of its own.
                 None => self.end(None, &Origin { loc: Loc { line: 1, ..Loc::default() }, ..Origin::default() }),
             }
         }
         if let Some(last) = self.last.take() {
-            self.page.plain(last.as_bytes());
+            self.lines.plain(last.as_bytes());
         }
     }
 
@@ -215,7 +216,7 @@ impl<'a> Printer<'a> {
     pub fn finish(mut self, hash: u64) -> io::Result<()> {
         self.close();
         let hash = self.hash(hash);
-        self.page.finish(self.hash_at, &hash)
+        self.lines.finish(self.hash_at, &hash)
     }
 
     #[cold]
@@ -335,11 +336,11 @@ impl<'a> Printer<'a> {
             (Some([left, right]), Some(address), Some(radius)) => {
                 let units = self.places.units(2.0 * radius).unwrap_or(0);
                 let word = if mv.side == Side::Left { left } else { right };
-                self.page.text.word(word).number(address, units, self.places);
+                self.lines.text.word(word).number(address, units, self.places);
                 if let Some(edge) = &words.edge
                     && cutter.edge != [0, 0]
                 {
-                    self.page.text.whole(edge.address, u64::from(edge.number(cutter.edge)));
+                    self.lines.text.whole(edge.address, u64::from(edge.number(cutter.edge)));
                 }
             }
             _ => {
@@ -347,7 +348,7 @@ impl<'a> Printer<'a> {
                 self.side_words();
             }
         }
-        self.page.end_line(origin);
+        self.lines.end_line(origin);
         self.compensation.switched(mv.side);
     }
 
@@ -360,9 +361,9 @@ impl<'a> Printer<'a> {
             Side::Left => (words.left, words.tool),
             Side::Right => (words.right, words.tool),
         };
-        self.page.text.word(word);
+        self.lines.text.word(word);
         if let Some(address) = number {
-            self.page.text.whole(address, u64::from(self.compensation.cutter.number));
+            self.lines.text.whole(address, u64::from(self.compensation.cutter.number));
         }
     }
 
@@ -421,7 +422,7 @@ impl<'a> Printer<'a> {
             return self.lacks_end_of_compensation(origin);
         }
         if let Some(words) = &self.target.compensation {
-            self.page.words(words.off, origin);
+            self.lines.words(words.off, origin);
         }
         self.compensation.switched(Side::None);
     }
@@ -444,7 +445,7 @@ impl<'a> Printer<'a> {
         if plane != self.modal.plane {
             self.modal.plane = plane;
             if let Some(word) = self.target.motion.plane(plane) {
-                self.page.words(word, origin);
+                self.lines.words(word, origin);
             }
         }
     }
@@ -457,27 +458,27 @@ impl Sink for Printer<'_> {
         {
             return winding.pieces().for_each(|piece| self.movement(&piece, origin));
         }
-        if !self.page.full() {
+        if !self.lines.full() {
             self.print_move(mv, origin);
         }
     }
 
     fn tap(&mut self, tap: &Tap, place: &Place, origin: &Origin) {
-        if !self.page.full() {
+        if !self.lines.full() {
             self.print_tap(tap, place, origin);
         }
     }
 
     fn function(&mut self, function: &Function, origin: &Origin) {
-        if self.page.full() {
+        if self.lines.full() {
             return;
         }
-        let before = self.page.lines();
+        let before = self.lines.lines();
         self.print_function(function, origin);
         if self.compensation.side != Side::None
             && let Some(words) = &self.target.compensation
         {
-            self.stands_in_contour(words, function, self.page.lines() - before, origin);
+            self.stands_in_contour(words, function, self.lines.lines() - before, origin);
         }
     }
 
@@ -495,6 +496,6 @@ impl Sink for Printer<'_> {
     }
 
     fn full(&self) -> bool {
-        self.page.full()
+        self.lines.full()
     }
 }

@@ -13,8 +13,8 @@ use crate::machine::axis::Axis;
 use crate::text::decode::escaped_json;
 use crate::text::{BlockNumbers, Sources};
 
+use super::spindle_and_tool::{Sense, Speed, SpindleAndTool};
 use super::stats::{Clock, Ended, Model, Time};
-use super::told::{Sense, Speed, Told};
 
 /// Writes moves to `out`.
 pub struct Trace<'a> {
@@ -22,7 +22,7 @@ pub struct Trace<'a> {
     trail: &'a Trail,
     out: &'a mut dyn Write,
     clock: Clock,
-    told: Told,
+    program: SpindleAndTool,
     numbers: BlockNumbers,
     /// Moves so far.
     moves: u64,
@@ -46,7 +46,7 @@ impl<'a> Trace<'a> {
             trail,
             out,
             clock: Clock::new(model),
-            told: Told::default(),
+            program: SpindleAndTool::default(),
             numbers: BlockNumbers::default(),
             moves: 0,
             waiting: VecDeque::new(),
@@ -117,8 +117,8 @@ impl<'a> Trace<'a> {
         if mv.machine {
             say("machine", json!(true));
         }
-        say("tool", json!(self.told.tool));
-        spindle(&self.told, &mut say);
+        say("tool", json!(self.program.tool));
+        spindle(&self.program, &mut say);
         say("file", json!(self.sources.name(origin.loc.file)));
         say("line", json!(origin.loc.line));
         if let Some(block) = self.numbers.of(self.sources, origin.loc) {
@@ -193,7 +193,7 @@ fn path(path: &Path, say: &mut dyn FnMut(&str, Value)) {
     }
 }
 
-fn spindle(told: &Told, say: &mut dyn FnMut(&str, Value)) {
+fn spindle(told: &SpindleAndTool, say: &mut dyn FnMut(&str, Value)) {
     match told.speed {
         Some(Speed::Turns(speed)) => say("spindle", json!(rounded(speed))),
         Some(Speed::Cutting(speed, limit)) => {
@@ -251,7 +251,7 @@ impl Sink for Trace<'_> {
         }
         let ended = self.clock.function(function);
         self.settle(ended);
-        self.told.function(function);
+        self.program.function(function);
     }
 
     fn lost(&mut self, _: &Origin) {

@@ -4,7 +4,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use super::gap::crossings;
+use super::clearance::crossings;
 use super::{Element, Point2, SAME_DIRECTION, SAME_POINT, Vec2, cross, direction, distance, left, turned};
 
 /// Parallels whose ends are closer than this, in mm, meet there, if the contour hardly turns.

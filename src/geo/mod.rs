@@ -6,13 +6,14 @@
 pub mod angle;
 pub mod arc;
 pub mod area;
+pub mod clearance;
 pub mod corner;
 pub mod crossing;
 pub mod element;
-pub mod gap;
 pub mod grid;
 pub mod intersect;
 pub mod joint;
+pub mod nose_profile;
 pub mod offset;
 pub mod open;
 pub mod overlay;
@@ -23,7 +24,6 @@ pub mod profile;
 pub mod soft;
 pub mod tolerance;
 pub mod undercut;
-pub mod wall;
 
 pub use angle::Deg;
 pub use element::Element;

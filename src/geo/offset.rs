@@ -1,7 +1,7 @@
 //! The line parallel to a contour: every element moved sideways, outer corners rounded, inner corners cut.
 
 use super::arc::{NEARLY_ONE_POINT, sweep};
-use super::{Element, Point2, SAME_POINT, Vec2, cross, direction, distance, gap, left};
+use super::{Element, Point2, SAME_POINT, Vec2, clearance, cross, direction, distance, left};
 
 /// Directions whose sine is below this go on without a corner: what four decimals lose.
 const TANGENTIAL: f64 = 1e-3;
@@ -54,7 +54,7 @@ pub fn parallel(chain: &[Element], offset: f64) -> Result<Vec<OffsetElement>, No
     for part in &mut made {
         part.element = long_enough(part.element);
     }
-    let near = |a: &OffsetElement| chain.iter().any(|b| gap::between(&a.element, b) < offset.abs() - NEARER);
+    let near = |a: &OffsetElement| chain.iter().any(|b| clearance::between(&a.element, b) < offset.abs() - NEARER);
     if offset != 0.0 && made.iter().any(near) { Err(NoParallel::TooNarrow) } else { Ok(made) }
 }
 
@@ -127,10 +127,11 @@ fn tangential(last: OffsetElement, next: OffsetElement, out: &mut Vec<OffsetElem
 fn inner_corner(last: &Element, next: &Element) -> Option<Point2> {
     let inside = |e: &Element, p: &Point2| {
         let way = e.way_to(*p);
-        gap::point_to(*p, e) <= NEARER && way > 0.0 && way <= e.length() + NEARER
+        clearance::point_to(*p, e) <= NEARER && way > 0.0 && way <= e.length() + NEARER
     };
-    let touching = |p: &Point2| inside(last, p) && gap::point_to(*p, next) <= NEARER && next.way_to(*p) < next.length();
-    gap::crossings(last, next, 0.0)
+    let touching =
+        |p: &Point2| inside(last, p) && clearance::point_to(*p, next) <= NEARER && next.way_to(*p) < next.length();
+    clearance::crossings(last, next, 0.0)
         .into_iter()
         .flatten()
         .filter(touching)
@@ -228,7 +229,7 @@ mod tests {
                             }
                         };
                         for b in &chain {
-                            prop_assert!(gap::point_to(p, b) > offset.abs() - 2e-3, "{p:?} {b:?}");
+                            prop_assert!(clearance::point_to(p, b) > offset.abs() - 2e-3, "{p:?} {b:?}");
                         }
                     }
                 }

@@ -2,8 +2,8 @@
 
 #[cfg(feature = "cli")]
 pub mod ends;
+pub mod fingerprint;
 pub mod fix;
-pub mod imprint;
 pub mod motion;
 pub mod policy;
 #[cfg(feature = "cli")]

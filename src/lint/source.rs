@@ -10,13 +10,13 @@ use super::motion::{Bar, Blank, Say};
 
 /// A rule over the blocks of the main program.
 pub trait SourceRule {
-    fn block(&mut self, block: &Read<'_>, say: &mut Told<'_>);
+    fn block(&mut self, block: &Read<'_>, say: &mut Report<'_>);
     /// Does the next straight line matter? See [`Visitor::straight`].
     fn wants_straight(&self) -> bool {
         false
     }
     /// The file has no further block.
-    fn finish(&mut self, _: &mut Told<'_>) {}
+    fn finish(&mut self, _: &mut Report<'_>) {}
 }
 
 /// A block with a way to its places.
@@ -49,21 +49,21 @@ impl Read<'_> {
 }
 
 /// Takes what rules find, and how it is mended.
-pub struct Told<'t> {
+pub struct Report<'t> {
     pub say: Say<'t>,
     pub fixes: &'t mut Vec<Fix>,
 }
 
-impl std::fmt::Debug for Told<'_> {
+impl std::fmt::Debug for Report<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Told").finish_non_exhaustive()
+        f.debug_struct("Report").finish_non_exhaustive()
     }
 }
 
 /// Most changes that are proposed at once.
 const MOST_FIXES: usize = 1 << 20;
 
-impl Told<'_> {
+impl Report<'_> {
     /// Takes a finding with what mends it.
     pub fn found_with(&mut self, found: Diagnostic, fix: Fix) {
         self.say.found(found);
@@ -89,8 +89,8 @@ impl std::fmt::Debug for Reader<'_> {
 impl Reader<'_> {
     pub fn finish(&mut self) {
         let Reader { rules, say, fixes } = self;
-        let mut told = Told { say: *say, fixes };
-        rules.iter_mut().for_each(|rule| rule.finish(&mut told));
+        let mut report = Report { say: *say, fixes };
+        rules.iter_mut().for_each(|rule| rule.finish(&mut report));
     }
 }
 
@@ -109,9 +109,9 @@ impl Visitor for Reader<'_> {
 
     fn block(&mut self, block: &Surveyed<'_>, job: &Job<'_>) {
         let Reader { rules, say, fixes } = self;
-        let mut told = Told { say: *say, fixes };
+        let mut report = Report { say: *say, fixes };
         let read = Read { block, job };
-        rules.iter_mut().for_each(|rule| rule.block(&read, &mut told));
+        rules.iter_mut().for_each(|rule| rule.block(&read, &mut report));
     }
 }
 

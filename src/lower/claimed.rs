@@ -12,7 +12,7 @@ impl Lower<'_> {
     /// These axes stand there, in the frame in force, although no move says so.
     pub(super) fn claim(&mut self, at: &Pos) {
         // What a transformation moves has other axes than the program sees.
-        if self.carrier.transformer.is_some() || self.recording.is_some() {
+        if self.machine_axes.transformer.is_some() || self.recording.is_some() {
             return;
         }
         self.flush();

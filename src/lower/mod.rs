@@ -2,19 +2,19 @@
 //!
 //! In: contour items. Out: motion items. Knows no dialect and no target. The passes, in order: [`arcs`] get centre and sweep, [`corner`]s are cut (one element of
 //! look-ahead), [`frames`] map to workpiece coordinates, the radius of the tool is compensated ([`compensation`]),
-//! other axes than the program sees carry it out ([`carrier`], [`transformation`]), [`limits`] are checked.
+//! other axes than the program sees carry it out ([`machine_axes`], [`transformation`]), [`limits`] are checked.
 
 #![cfg_attr(not(test), warn(clippy::wildcard_enum_match_arm))]
 
 pub mod arcs;
 pub mod capture;
-pub mod carrier;
 mod claimed;
 pub mod compensation;
 pub mod corner;
 pub mod cycles;
 pub mod frames;
 pub mod limits;
+pub mod machine_axes;
 pub mod step;
 mod tap;
 pub mod transformation;
@@ -32,10 +32,10 @@ use crate::machine::{Axis, AxisSet, Machine};
 
 use arcs::{Adjusted, Extra, LastDirection};
 use capture::{Recording, SavedPasses};
-use carrier::{Carrier, Out};
 use compensation::Compensator;
 use corner::Corners;
 use cycles::no_path::NoPath;
+use machine_axes::{MachineAxes, Out};
 use step::{Checked, Event, Step};
 use transformation::Transformer;
 
@@ -60,7 +60,7 @@ pub struct Lower<'a> {
     /// What the steps behind the corners led to, for their check.
     chain: Checked,
     compensator: Compensator,
-    carrier: Carrier,
+    machine_axes: MachineAxes,
     /// A contour that is described now.
     recording: Option<Box<Recording>>,
     /// Where axes stand that did not move yet, as the configuration says; in the work offset in force.
@@ -94,7 +94,7 @@ impl<'a> Lower<'a> {
             corners: Corners::default(),
             chain: Checked::default(),
             compensator: Compensator::default(),
-            carrier: Carrier::default(),
+            machine_axes: MachineAxes::default(),
             recording: None,
             start: Pos::UNKNOWN,
             claimed: AxisSet::EMPTY,
@@ -124,14 +124,24 @@ impl<'a> Lower<'a> {
     }
 
     fn split(&mut self) -> (&mut Corners, Finish<'_>) {
-        let out = Out { diags: self.diags, machine: self.machine, sink: &mut *self.out, carrier: &mut self.carrier };
+        let out = Out {
+            diags: self.diags,
+            machine: self.machine,
+            sink: &mut *self.out,
+            machine_axes: &mut self.machine_axes,
+        };
         let recording = self.recording.as_deref_mut();
         let (chain, compensator) = (&mut self.chain, &mut self.compensator);
         (&mut self.corners, Finish { diags: self.diags, out, chain, compensator, recording })
     }
 
     fn compensator(&mut self) -> (&mut Compensator, Out<'_>) {
-        let out = Out { diags: self.diags, machine: self.machine, sink: &mut *self.out, carrier: &mut self.carrier };
+        let out = Out {
+            diags: self.diags,
+            machine: self.machine,
+            sink: &mut *self.out,
+            machine_axes: &mut self.machine_axes,
+        };
         (&mut self.compensator, out)
     }
 
@@ -251,7 +261,7 @@ impl<'a> Lower<'a> {
     /// Some functions change where the tool tip is in workpiece coordinates.
     fn displace(&mut self, function: &Function) {
         if let Function::WorkOffset(_) = function {
-            self.at = match self.carrier.transformer {
+            self.at = match self.machine_axes.transformer {
                 // What the start says is said of the axes of the machine.
                 Some(_) => Pos::UNKNOWN,
                 None => self.ctx.frame.unapply(&self.start),
@@ -276,7 +286,7 @@ impl<'a> Lower<'a> {
             self.position_lost(origin);
         }
         let workpiece = self.ctx.frame.apply(&self.at);
-        let mut real = match self.carrier.transformer.take() {
+        let mut real = match self.machine_axes.transformer.take() {
             Some(before) => {
                 self.moves += before.parts;
                 before.left()
@@ -289,7 +299,7 @@ impl<'a> Lower<'a> {
             for axis in [Axis::X, Axis::Y, by.rotary] {
                 self.start.forget(axis);
             }
-            self.carrier.transformer = Some(Box::new(transformer));
+            self.machine_axes.transformer = Some(Box::new(transformer));
         }
         self.at = self.ctx.frame.unapply(&real);
         self.last.forget();
@@ -300,7 +310,9 @@ impl<'a> Lower<'a> {
 
     /// The zero of an axis that a transformation moves cannot be shifted.
     fn rotary_stays(&self, ctx: &CtxRef, origin: &Origin) {
-        let Some(rotary) = self.carrier.transformer.as_ref().map(|transformer| transformer.rotary()) else { return };
+        let Some(rotary) = self.machine_axes.transformer.as_ref().map(|transformer| transformer.rotary()) else {
+            return;
+        };
         if ctx.frame.shift_of(rotary) != 0.0 {
             self.diags.push(at(*origin, codes::G3339::frame_shifts(&rotary.letter())));
         }
@@ -336,7 +348,7 @@ impl<'a> Lower<'a> {
     fn finished(&mut self, cycle: &Cycle) {
         if let Some((contour, into)) = cycle.finished()
             && self.ctx.frame.is_shift()
-            && self.carrier.transformer.is_none()
+            && self.machine_axes.transformer.is_none()
         {
             let by = Vec2::new(self.ctx.frame.shift_of(Axis::Z), self.ctx.frame.shift_of(Axis::X));
             let contour: Vec<Element> = contour.iter().map(|element| element.shifted(by)).collect();
@@ -440,7 +452,7 @@ impl Sink for Lower<'_> {
     }
 
     fn load(&self) -> Load {
-        let parts = self.carrier.transformer.as_ref().map_or(0, |transformer| transformer.parts);
+        let parts = self.machine_axes.transformer.as_ref().map_or(0, |transformer| transformer.parts);
         Load { moves: self.moves + parts, full: self.out.full() }
     }
 

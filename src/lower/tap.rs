@@ -46,7 +46,7 @@ impl Lower<'_> {
 
     /// The tap in workpiece coordinates.
     fn placed(&self, tap: &Tap) -> Result<(Tap, Place), Fault> {
-        if self.carrier.transformer.is_some() {
+        if self.machine_axes.transformer.is_some() {
             return Err(codes::G3339::hole_is_tapped_inside());
         }
         let frame = &self.ctx.frame;

@@ -2,11 +2,11 @@
 
 use lsp_types::{InlayHint, InlayHintLabel, InlayHintTooltip, Range};
 
+use crate::block_ends::{Stop, Way};
 use crate::machine::Axis;
-use crate::seen::{Stop, Way};
 use crate::text::FileId;
 
-pub use crate::seen::{coordinates, number};
+pub use crate::block_ends::{coordinates, number};
 
 use super::document::Document;
 

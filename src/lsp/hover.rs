@@ -4,10 +4,10 @@ use core::fmt::Write;
 
 use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind, Position};
 
+use crate::block_ends::Stop;
 use crate::diag::trail::{Assigned, MOST_ASSIGNED};
 use crate::ir::{Feed, Side};
 use crate::machine::Axis;
-use crate::seen::Stop;
 use crate::sema::cycle::row::{Name as ParameterName, Parameter, Signature};
 use crate::text::{FileId, Span};
 

@@ -356,7 +356,7 @@ impl<W: World> Server<W> {
         for edit in edits {
             changed.change(Some(edit.range), &edit.new_text);
         }
-        let [before, after] = [document.text.as_str(), changed.as_str()].map(|text| self.imprint(document, text));
+        let [before, after] = [document.text.as_str(), changed.as_str()].map(|text| self.fingerprint(document, text));
         if before? != after? {
             return Err(format!("with `{}` the program would do something else", params.new_name));
         }
@@ -364,7 +364,7 @@ impl<W: World> Server<W> {
     }
 
     /// What the document would do with this text, as one number, and how many errors it would have.
-    fn imprint(&self, document: &Document, text: &str) -> Result<(u128, u32), String> {
+    fn fingerprint(&self, document: &Document, text: &str) -> Result<(u128, u32), String> {
         let setting = self.world.setting(document.uri.as_str(), &document.language, text)?;
         let setting = setting.ok_or("the language of the program is not known")?;
         let main = Opened {
@@ -374,7 +374,7 @@ impl<W: World> Server<W> {
         };
         let session = Session::new(main);
         let files = WithOpen { files: setting.files.as_ref(), open: self.open_beside(document) };
-        let number = session.imprint(setting.dialect, &bounded(setting.settings.clone()), &files);
+        let number = session.fingerprint(setting.dialect, &bounded(setting.settings.clone()), &files);
         Ok((number, session.diags.errors()))
     }
 

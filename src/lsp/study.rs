@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::block_ends::BlockEnds;
 use crate::diag::trail::Assigned;
 use crate::diag::{Code, Finding, Severity, codes};
 use crate::dialect::Dialect;
@@ -10,7 +11,6 @@ use crate::lint::fix::Fix;
 use crate::lint::lead;
 use crate::machine::Settings;
 use crate::machine::keys::choices;
-use crate::seen::Seen;
 use crate::sema::Job;
 use crate::sema::run::survey::{OfStraight, StraightLine, Surveyed, Visitor, Wanted, What};
 use crate::text::{FileId, Files, Memory, Opened, Span};
@@ -20,7 +20,7 @@ use crate::text::{FileId, Files, Memory, Opened, Span};
 pub struct Study {
     pub findings: Vec<Found>,
     pub fixes: Vec<Fix>,
-    pub seen: Seen,
+    pub seen: BlockEnds,
     /// Empty until somebody asks: findings do not wait for it.
     pub survey: Survey,
     is_surveyed: bool,

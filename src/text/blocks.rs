@@ -9,9 +9,9 @@ use memchr::memchr2;
 use xxhash_rust::xxh3::Xxh3;
 
 use super::Place;
-pub use super::holes::Hole;
-use super::holes::{Holes, is_empty};
 use super::lines::{CHUNK, SplitRules, line_end};
+pub use super::nul_bytes::Hole;
+use super::nul_bytes::{Holes, is_empty};
 use super::sources::{FileId, Sources};
 
 /// Least room for reading.

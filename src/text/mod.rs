@@ -7,8 +7,8 @@ pub mod block_numbers;
 pub mod blocks;
 pub mod decode;
 pub mod files;
-mod holes;
 pub mod lines;
+mod nul_bytes;
 pub mod number;
 pub mod sources;
 

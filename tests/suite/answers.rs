@@ -92,7 +92,7 @@ const NEVER_ASKED: [(&str, &str); 7] = [
 /// Sources of the stages: what of them words findings.
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     // Tables of keys and codes, tests, and what the commands say of themselves.
-    const OTHERS: [&str; 7] = ["machine", "codes", "tests", "cli", "lsp", "exhibit", "target"];
+    const OTHERS: [&str; 7] = ["machine", "codes", "tests", "cli", "lsp", "page_data", "target"];
     for entry in std::fs::read_dir(folder).expect("a folder") {
         let path = entry.expect("an entry").path();
         let name = path.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();

@@ -7,7 +7,7 @@ use std::fs;
 use serde_json::json;
 
 use super::book;
-use super::exhibit::finds_the_same;
+use super::page_data::finds_the_same;
 
 #[test]
 fn cases_for_python() {

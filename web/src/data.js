@@ -1,4 +1,4 @@
-// What partc made, as arrays: src/exhibit of the library packs it.
+// What partc made, as arrays: src/page_data of the library packs it.
 
 const ARRAYS = {
   lines: Uint32Array, points: Float32Array, kinds: Uint8Array, owners: Uint32Array, blocks: Uint32Array, printed: Uint32Array,

@@ -1,12 +1,12 @@
 //! partc for a page: a request in, an answer out, both as bytes in the memory of the module.
 //!
 //! The page asks `request(n)` for room of `n` bytes, writes them there, and calls `answer()`; the bytes of the answer begin at
-//! `answer_at()` and are as many as `answer()` returned. They stay until the next call. [`partc::exhibit::answer`] says what they
+//! `answer_at()` and are as many as `answer()` returned. They stay until the next call. [`partc::page_data::answer`] says what they
 //! are. There is no block of `unsafe` here: names that a linker sees are the only thing that Rust calls unsafe.
 
 use std::cell::RefCell;
 
-use partc::exhibit;
+use partc::page_data;
 
 thread_local! {
     static REQUEST: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
@@ -28,7 +28,7 @@ pub extern "C" fn request(bytes: usize) -> *mut u8 {
 #[unsafe(no_mangle)]
 pub extern "C" fn answer() -> usize {
     let request = REQUEST.take();
-    let made = exhibit::answer(&request);
+    let made = page_data::answer(&request);
     let bytes = made.len();
     ANSWER.set(made);
     bytes

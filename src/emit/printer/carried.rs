@@ -71,12 +71,12 @@ impl Printer<'_> {
         if !self.is_near("feed", feed, units, self.feed_places(FeedKind::PerMinute), origin) {
             return;
         }
-        self.page.text.word(self.target.motion.line);
+        self.lines.text.word(self.target.motion.line);
         for axis in axes.iter() {
             self.axis_word(axis, ends[axis.index()]);
         }
-        self.page.text.number(self.target.feed.address, units, self.feed_places(FeedKind::PerMinute));
-        self.page.end_line(origin);
+        self.lines.text.number(self.target.feed.address, units, self.feed_places(FeedKind::PerMinute));
+        self.lines.end_line(origin);
         self.compensation.straight();
         self.modal.forget_feed();
         self.modal.reach(axes, ends);

@@ -32,23 +32,23 @@ impl Printer<'_> {
         let changed = self.spelled_out(mv, changed, ends);
         let rapid = matches!(mv.path, Path::Rapid);
         let motion = &self.target.motion;
-        self.page.text.word(if rapid { motion.rapid } else { motion.line });
+        self.lines.text.word(if rapid { motion.rapid } else { motion.line });
         for axis in changed.iter() {
-            self.page.text.hot_number(axis.letter() as u8, ends[axis.index()], self.places_of(axis));
+            self.lines.text.hot_number(axis.letter() as u8, ends[axis.index()], self.places_of(axis));
         }
         if rapid || !self.settings.modal || !self.modal.dialog.uncompensated {
-            self.page.text.word(dialog.uncompensated);
+            self.lines.text.word(dialog.uncompensated);
             self.modal.dialog.uncompensated = true;
         }
         if rapid {
-            self.page.text.word(dialog.rapid);
+            self.lines.text.word(dialog.rapid);
         } else {
             self.dialog_feed(feed);
         }
         if mv.machine {
-            self.page.text.word(motion.machine.unwrap_or_default());
+            self.lines.text.word(motion.machine.unwrap_or_default());
         }
-        self.page.end_line(origin);
+        self.lines.end_line(origin);
         if mv.machine {
             self.modal.forget(changed);
         } else {
@@ -61,9 +61,9 @@ impl Printer<'_> {
         for axis in axes.iter() {
             let (units, places) = (ends[axis.index()], self.places_of(axis));
             if front.is_empty() {
-                self.page.text.number(axis.letter() as u8, units, places);
+                self.lines.text.number(axis.letter() as u8, units, places);
             } else {
-                self.page.text.word(front).raw(&[axis.letter() as u8]).signed(units, places);
+                self.lines.text.word(front).raw(&[axis.letter() as u8]).signed(units, places);
             }
         }
     }
@@ -103,16 +103,16 @@ impl Printer<'_> {
             self.modal.dialog.center = Some((arc.plane, center));
             let mut place = at;
             [place[first], place[second]] = center;
-            self.page.text.word(dialog.center);
+            self.lines.text.word(dialog.center);
             self.signed_axes(plane, &place, "");
-            self.page.end_line(origin);
+            self.lines.end_line(origin);
         }
         if printed == plane {
-            self.page.text.word(dialog.arc);
+            self.lines.text.word(dialog.arc);
             self.signed_axes(plane, &ends, "");
             self.sense(arc);
             self.dialog_feed(feed);
-            self.page.end_line(origin);
+            self.lines.end_line(origin);
         } else {
             self.dialog_helix(&dialog.helix, arc, block, feed, origin);
         }
@@ -148,22 +148,22 @@ impl Printer<'_> {
                 ways[axis] = libm::round((ends[axis] - at[axis]) as f64 * share) as i64 - gone[axis];
                 gone[axis] += ways[axis];
             }
-            self.page.text.word(words.word).word(words.angle).signed(part * all.signum(), places);
+            self.lines.text.word(words.word).word(words.angle).signed(part * all.signum(), places);
             self.signed_axes(beside, &ways, words.way);
             self.sense(arc);
             self.dialog_feed(feed.take());
-            self.page.end_line(origin);
+            self.lines.end_line(origin);
         }
         if from != to {
-            self.page.text.word(self.target.motion.line);
+            self.lines.text.word(self.target.motion.line);
             self.signed_axes(plane, &ends, "");
-            self.page.end_line(origin);
+            self.lines.end_line(origin);
         }
     }
 
     fn sense(&mut self, arc: &Arc) {
         let words = &self.target.arcs;
-        self.page.text.word(if arc.sweep > 0.0 { words.counter_clockwise } else { words.clockwise });
+        self.lines.text.word(if arc.sweep > 0.0 { words.counter_clockwise } else { words.clockwise });
     }
 
     #[inline]
@@ -171,21 +171,21 @@ impl Printer<'_> {
         let Some((units, places)) = feed else { return };
         match self.target.feed.per_revolution {
             Some(word) if self.modal.has_feed_kind(FeedKind::PerRevolution) => {
-                self.page.text.valued(word, units, places);
+                self.lines.text.valued(word, units, places);
             }
-            _ => self.page.text.hot_number(self.target.feed.address, units, places),
+            _ => self.lines.text.hot_number(self.target.feed.address, units, places),
         }
     }
 
     /// The block of a tool, or of the speed alone.
     pub(super) fn dialog_tool(&mut self, dialog: &Dialog, number: Option<u32>, origin: &Origin) {
-        self.page.text.word(dialog.tool);
+        self.lines.text.word(dialog.tool);
         if let Some(number) = number {
             self.tool_word(number, origin);
         }
-        self.page.text.word(dialog.tool_axis);
+        self.lines.text.word(dialog.tool_axis);
         if let Some(units) = self.modal.dialog.speed {
-            self.page.text.number(self.target.spindle.speed, units, self.measures.speed);
+            self.lines.text.number(self.target.spindle.speed, units, self.measures.speed);
         }
         // Whether a feed holds behind it is a matter of the control.
         self.modal.forget_feed();
@@ -195,8 +195,8 @@ impl Printer<'_> {
     pub(super) fn dialog_offset(&mut self, dialog: &Dialog, number: u8, word: &str, origin: &Origin) {
         self.say(origin, codes::O4003::work_offset_is_printed_as_preset(&number, &word));
         let [begin, behind] = dialog.offset;
-        self.page.words(begin, origin);
-        self.page.continued(format!("  {word} {behind}").as_bytes(), origin);
+        self.lines.words(begin, origin);
+        self.lines.continued(format!("  {word} {behind}").as_bytes(), origin);
         self.modal.dialog.center = None;
     }
 }

@@ -51,7 +51,7 @@ impl Printer<'_> {
             }
             self.dialog_tap(hole, to, (steps, alone), factor, words, origin)?;
         }
-        self.told.turn = None;
+        self.stated.turn = None;
         Ok(())
     }
 
@@ -109,15 +109,15 @@ impl Printer<'_> {
         ];
         let more: [_; MORE] = [(way, places), (back, factors), (angle, self.measures.angle), (factor, factors)];
         let taken = if plain { words.of_plain } else { words.parameters.len() };
-        self.page.words(&format!("{} ~", if plain { words.plain } else { words.stepped }), origin);
+        self.lines.words(&format!("{} ~", if plain { words.plain } else { words.stepped }), origin);
         for (at, ((units, places), (name, what))) in
             of_plain.into_iter().chain(more).zip(words.parameters).take(taken).enumerate()
         {
-            self.page.text.raw(b"  ").raw(name.as_bytes()).raw(b"=").signed(units, places);
+            self.lines.text.raw(b"  ").raw(name.as_bytes()).raw(b"=").signed(units, places);
             let goes_on = if at + 1 < taken { " ~" } else { "" };
-            self.page.continued(format!(" ;{what}{goes_on}").as_bytes(), origin);
+            self.lines.continued(format!(" ;{what}{goes_on}").as_bytes(), origin);
         }
-        self.page.words(words.call, origin);
+        self.lines.words(words.call, origin);
         Ok(())
     }
 }

@@ -26,10 +26,10 @@ impl Printer<'_> {
             }
             Function::ToolPrepare { number } => {
                 if let Form::Dialog(dialog) = self.target.form {
-                    self.page.text.word(dialog.prepare);
+                    self.lines.text.word(dialog.prepare);
                 }
                 self.tool_word(*number, origin);
-                self.page.end_line(origin);
+                self.lines.end_line(origin);
             }
             Function::Cutter(cutter) => self.compensation.cutter = *cutter,
             Function::Spindle(spindle) => self.spindle(*spindle, None, origin),
@@ -40,8 +40,8 @@ impl Printer<'_> {
             Function::Dwell(seconds) => self.dwell(*seconds, origin),
             Function::Stop if !self.has_m(0, origin) => {}
             Function::Stop => {
-                self.page.words(flow.stop, origin);
-                self.told.turn = None;
+                self.lines.words(flow.stop, origin);
+                self.stated.turn = None;
                 self.modal.may_have_moved();
             }
             Function::OptionalStop if !self.has_m(1, origin) => {}
@@ -49,8 +49,8 @@ impl Printer<'_> {
                 if flow.optional_stop_is_idle {
                     self.optional_stop_is_idle(origin);
                 }
-                self.page.words(flow.optional_stop, origin);
-                self.told.turn = None;
+                self.lines.words(flow.optional_stop, origin);
+                self.stated.turn = None;
                 self.modal.may_have_moved();
             }
             Function::Aux(number) => self.m_function(*number, origin),
@@ -73,7 +73,7 @@ impl Printer<'_> {
     /// The end of the program. Where the end of the text is all there is, nothing else stops spindle and coolant.
     pub(super) fn end(&mut self, word: Option<&str>, origin: &Origin) {
         if let Some(word) = word {
-            return self.page.words(word, origin);
+            return self.lines.words(word, origin);
         }
         if self.running.turn.is_some() {
             self.spindle(Spindle::Stop, None, origin);
@@ -89,15 +89,15 @@ impl Printer<'_> {
             self.say(origin, codes::O9306::tool_target_counts_tools(&number, &self.target.name, &words.most));
         }
         match self.target.form {
-            Form::Words => drop(self.page.text.whole(words.address, u64::from(number))),
-            Form::Dialog(_) => drop(self.page.text.bare(i64::from(number), Places::new(0))),
+            Form::Words => drop(self.lines.text.whole(words.address, u64::from(number))),
+            Form::Dialog(_) => drop(self.lines.text.bare(i64::from(number), Places::new(0))),
         }
     }
 
     fn tool_change(&mut self, number: u32, origin: &Origin) {
         // The change may have moved any axis, and stopped the spindle.
         self.modal.may_have_moved();
-        self.told.turn = None;
+        self.stated.turn = None;
         if self.settings.tool_change == ToolChange::Stop {
             // D1 is a length of the tool that T has named.
             let of_call = match self.target.tool.length {
@@ -123,15 +123,15 @@ impl Printer<'_> {
         match self.target.tool.change {
             Some(Change::Word(change)) => {
                 self.tool_word(number, origin);
-                self.page.text.word(change);
+                self.lines.text.word(change);
             }
             Some(Change::Turret { digits }) if number > 0 => {
                 let place = 10u64.pow(digits as u32);
                 self.tool_word(number, origin);
-                self.page.text.drop_line();
+                self.lines.text.drop_line();
                 let (tool, digits) = (u64::from(number) * (place + 1), 2 * digits);
                 let word = format!("{}{tool:0digits$}", self.target.tool.address as char);
-                self.page.text.word(&word);
+                self.lines.text.word(&word);
             }
             Some(Change::Call) => {
                 if let Form::Dialog(dialog) = self.target.form {
@@ -147,7 +147,7 @@ impl Printer<'_> {
                 return self.deny(origin, asking.answer(stop));
             }
         }
-        self.page.end_line(origin);
+        self.lines.end_line(origin);
     }
 
     /// The length of the tool behind its change.
@@ -169,7 +169,7 @@ impl Printer<'_> {
             Length::Words(words) if number == 0 => {
                 self.length = ToolLength { tool: 0, waits: false, ..self.length };
                 match words.off {
-                    Some(off) => self.page.words(off, origin),
+                    Some(off) => self.lines.words(off, origin),
                     None => self.deny(origin, codes::O9307::target_has_no_word_for_tool_0(&self.target.name)),
                 }
             }
@@ -178,11 +178,11 @@ impl Printer<'_> {
             }
             Length::Words(words) => {
                 self.length = ToolLength { tool: number, waits: false, ..self.length };
-                self.page.text.word(words.on);
+                self.lines.text.word(words.on);
                 if let LengthNumber::Tool(address) = words.number {
-                    self.page.text.whole(address, u64::from(number));
+                    self.lines.text.whole(address, u64::from(number));
                 }
-                self.page.end_line(origin);
+                self.lines.end_line(origin);
             }
         }
     }
@@ -192,14 +192,14 @@ impl Printer<'_> {
         if !self.has_m(5, origin) || !self.has_m(0, origin) {
             return;
         }
-        self.page.words(self.target.spindle.stop, origin);
+        self.lines.words(self.target.spindle.stop, origin);
         self.running.turn = None;
         if self.spindle == HandChange::Turns {
             self.spindle = HandChange::Stopped(origin.loc);
         }
         let text = if number == 0 { "take the tool out".to_owned() } else { format!("change to tool {number}") };
         self.comment(text.as_bytes(), origin);
-        self.page.words(self.target.flow.stop, origin);
+        self.lines.words(self.target.flow.stop, origin);
     }
 
     /// A cut behind a change by hand: whether the control had the spindle turn is not known.
@@ -223,7 +223,7 @@ impl Printer<'_> {
             return;
         }
         match word {
-            Some(word) => self.page.words(word, origin),
+            Some(word) => self.lines.words(word, origin),
             None => {
                 self.deny(origin, codes::O9311::target_has_no_word_for_mist(&self.target.name));
             }
@@ -241,24 +241,24 @@ impl Printer<'_> {
             return self.wait_is_lost(seconds, origin);
         }
         if words.per_minute && self.modal.feed_kind_changes(FeedKind::PerMinute) {
-            self.page.words(self.target.feed.per_minute, origin);
+            self.lines.words(self.target.feed.per_minute, origin);
             self.modal.forget_feed();
         }
         let most = places.units(words.most).unwrap_or(i64::MAX);
         loop {
             let part = units.min(most);
             if let Form::Dialog(dialog) = self.target.form {
-                self.page.words(dialog.dwell, origin);
+                self.lines.words(dialog.dwell, origin);
             }
-            self.page.text.word(words.word);
+            self.lines.text.word(words.word);
             if matches!(self.target.form, Form::Dialog(_)) {
-                self.page.text.bare(part, places);
+                self.lines.text.bare(part, places);
             } else if self.settings.waits_in_milliseconds() {
-                self.page.text.whole(words.address, part.unsigned_abs());
+                self.lines.text.whole(words.address, part.unsigned_abs());
             } else {
-                self.page.text.number(words.address, part, places);
+                self.lines.text.number(words.address, part, places);
             }
-            self.page.end_line(origin);
+            self.lines.end_line(origin);
             units -= part;
             if units <= 0 {
                 return;
@@ -281,8 +281,8 @@ impl Printer<'_> {
         if let Some((_, does)) = words.own.iter().find(|(own, _)| *own == number) {
             self.say(origin, codes::O2001::m_is_printed_as_listed_in_pass(&number, &does));
         }
-        self.page.text.whole(words.address, u64::from(number));
-        self.page.end_line(origin);
+        self.lines.text.whole(words.address, u64::from(number));
+        self.lines.end_line(origin);
     }
 
     fn work_offset(&mut self, number: u8, origin: &Origin) {
@@ -295,7 +295,7 @@ impl Printer<'_> {
                     if number > self.target.offsets_named {
                         self.say(origin, codes::O4003::work_offset_is_printed(&word));
                     }
-                    self.page.words(&word, origin);
+                    self.lines.words(&word, origin);
                 }
                 Form::Dialog(dialog) => self.dialog_offset(dialog, number, &word, origin),
             },
@@ -326,7 +326,7 @@ impl Printer<'_> {
         }
         let said = match spindle {
             Spindle::Start(turn) => {
-                let text = &mut self.page.text;
+                let text = &mut self.lines.text;
                 text.word(if turn == Turn::Clockwise { words.clockwise } else { words.counter_clockwise });
                 if let Some(speed) = self.running.speed {
                     text.number(words.speed, speed, self.measures.speed);
@@ -334,7 +334,7 @@ impl Printer<'_> {
                 true
             }
             Spindle::Stop => {
-                self.page.text.word(words.stop);
+                self.lines.text.word(words.stop);
                 true
             }
             Spindle::Speed(speed) => self.speed(speed, number, origin),
@@ -348,17 +348,17 @@ impl Printer<'_> {
             let Some(address) = words.other else {
                 return self.deny(origin, codes::O9304::target_has_no_word_for_spindle(&self.target.name, &number));
             };
-            self.page.text.whole(address, u64::from(number.saturating_sub(1)));
+            self.lines.text.whole(address, u64::from(number.saturating_sub(1)));
         }
-        self.page.end_line(origin);
+        self.lines.end_line(origin);
     }
 
     /// Is this the speed that the tap before said already?
     fn said_by_tap(&mut self, spindle: Spindle) -> bool {
-        let by_tap = std::mem::take(&mut self.told.by_tap);
+        let by_tap = std::mem::take(&mut self.stated.by_tap);
         match spindle {
             Spindle::Speed(speed) if by_tap && !self.states_turns() => {
-                self.told.speed.is_some() && self.told.speed == self.measures.speed.units(speed)
+                self.stated.speed.is_some() && self.stated.speed == self.measures.speed.units(speed)
             }
             Spindle::Start(_)
             | Spindle::Stop
@@ -378,13 +378,13 @@ impl Printer<'_> {
         match spindle {
             Spindle::Start(turn) => {
                 self.spindle = HandChange::Turns;
-                self.told.turn = Some(turn);
+                self.stated.turn = Some(turn);
             }
             Spindle::Stop | Spindle::Orient(_) => {
                 self.spindle = HandChange::Stands;
-                self.told.turn = None;
+                self.stated.turn = None;
             }
-            Spindle::Speed(_) | Spindle::CuttingSpeed { .. } => self.told.speed = None,
+            Spindle::Speed(_) | Spindle::CuttingSpeed { .. } => self.stated.speed = None,
         }
     }
 
@@ -393,20 +393,20 @@ impl Printer<'_> {
         let words = &self.target.spindle;
         let Some(units) = self.speed_units(speed, origin) else { return false };
         if number.is_none() {
-            self.told.speed = Some(units);
+            self.stated.speed = Some(units);
         }
         if let Some(cutting) = &words.cutting_speed
             && is_first(number)
             && std::mem::take(&mut self.modal.cutting_speed)
         {
-            self.page.text.word(cutting.off);
+            self.lines.text.word(cutting.off);
             self.modal.cuts_at_speed = false;
         }
         if let Form::Dialog(dialog) = self.target.form {
             self.modal.dialog.speed = Some(units);
             self.dialog_tool(dialog, None, origin);
         } else {
-            self.page.text.number(words.speed, units, self.measures.speed);
+            self.lines.text.number(words.speed, units, self.measures.speed);
         }
         true
     }
@@ -434,20 +434,20 @@ impl Printer<'_> {
             },
             None => None,
         };
-        let text = &mut self.page.text;
+        let text = &mut self.lines.text;
         match (cutting.limit, limit) {
             (Limit::Word(word), Some(limit)) => {
                 text.word(cutting.on).valued(word, limit, places);
             }
             (Limit::Block(word), Some(limit)) => {
                 text.word(word).number(words.speed, limit, places);
-                self.page.end_line(origin);
+                self.lines.end_line(origin);
                 self.length.limited = true;
-                self.page.text.word(cutting.on);
+                self.lines.text.word(cutting.on);
             }
             (_, None) => drop(text.word(cutting.on)),
         }
-        self.page.text.number(words.speed, units, places);
+        self.lines.text.number(words.speed, units, places);
         true
     }
 
@@ -463,8 +463,8 @@ impl Printer<'_> {
             return false;
         };
         match address {
-            Some(address) => drop(self.page.text.word(word).number(address, units, places)),
-            None => drop(self.page.text.valued(word, units, places)),
+            Some(address) => drop(self.lines.text.word(word).number(address, units, places)),
+            None => drop(self.lines.text.valued(word, units, places)),
         }
         true
     }
@@ -519,8 +519,8 @@ impl Printer<'_> {
     fn comment(&mut self, text: &[u8], origin: &Origin) {
         let comments = &self.target.comments;
         for line in comment::lines(text, comments, self.comment_room()) {
-            self.page.text.raw(comments.open.as_bytes()).raw(&line).raw(comments.close.as_bytes());
-            self.page.end_line(origin);
+            self.lines.text.raw(comments.open.as_bytes()).raw(&line).raw(comments.close.as_bytes());
+            self.lines.end_line(origin);
         }
     }
 }

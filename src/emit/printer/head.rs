@@ -17,21 +17,21 @@ impl Printer<'_> {
     pub(super) fn head(&mut self, source: &str, lathe: bool) {
         let frame = &self.target.frame;
         if let Some(first) = frame.first {
-            self.page.plain(first.as_bytes());
+            self.lines.plain(first.as_bytes());
         }
         if let Some(name) = self.program_name(source) {
-            self.page.plain(name.as_bytes());
+            self.lines.plain(name.as_bytes());
         }
         let title = self.framed(&format!("partc {}, target {}", env!("CARGO_PKG_VERSION"), self.target.name));
-        self.page.plain(&title);
+        self.lines.plain(&title);
         let source = source.rsplit(['/', '\\']).next().unwrap_or(source);
         let mut name = comment::harmless(source.as_bytes(), &self.target.comments);
         name.truncate(NAME);
         let name = String::from_utf8_lossy(&name).into_owned();
         let text = self.framed(&format!("source {name}, hash {:0HASH_DIGITS$}", 0));
-        self.page.plain(&text);
+        self.lines.plain(&text);
         let behind = self.target.comments.close.len() + HASH_DIGITS + 1;
-        self.hash_at = (self.page.text.len() - behind) as u64;
+        self.hash_at = (self.lines.text.len() - behind) as u64;
         let lines = match frame.inch_head {
             Some(lines) if self.measures.inches => lines,
             None if self.measures.inches => {
@@ -41,7 +41,7 @@ impl Printer<'_> {
             _ => frame.head,
         };
         for line in lines {
-            self.page.block(line.as_bytes());
+            self.lines.block(line.as_bytes());
         }
         let modes = match (lathe, self.diameter) {
             (false, _) => frame.mill,
@@ -137,7 +137,7 @@ impl Printer<'_> {
             let comments = &self.target.comments;
             for line in comment::lines(text.as_bytes(), comments, self.comment_room()) {
                 let framed = [comments.open.as_bytes(), &line, comments.close.as_bytes()].concat();
-                self.page.plain(&framed);
+                self.lines.plain(&framed);
             }
         }
     }
@@ -145,6 +145,6 @@ impl Printer<'_> {
     /// Longest text of a comment.
     pub(super) fn comment_room(&self) -> usize {
         let comments = &self.target.comments;
-        self.page.room() - comments.open.len() - comments.close.len()
+        self.lines.room() - comments.open.len() - comments.close.len()
     }
 }

@@ -80,27 +80,27 @@ impl Printer<'_> {
             }
         }
         if mv.machine {
-            self.page.text.word(self.target.motion.machine.unwrap_or_default());
+            self.lines.text.word(self.target.motion.machine.unwrap_or_default());
         }
-        self.page.text.word(word);
+        self.lines.text.word(word);
         if self.compensation.waits {
             self.side_words();
         }
         let length = if self.length.waits { self.length_word(mv, changed) } else { None };
         let changed = if self.special { self.spelled_out(mv, changed, &mut ends) } else { changed };
         for axis in changed.iter() {
-            self.page.text.hot_number(axis.letter() as u8, ends[axis.index()], self.places_of(axis));
+            self.lines.text.hot_number(axis.letter() as u8, ends[axis.index()], self.places_of(axis));
         }
         if let Some((address, tool)) = length {
-            self.page.text.whole(address, u64::from(tool));
+            self.lines.text.whole(address, u64::from(tool));
         }
         if let Some((address, units)) = lead {
-            self.page.text.number(address, units, self.measures.lead);
+            self.lines.text.number(address, units, self.measures.lead);
         }
         if let Some((units, places)) = feed {
-            self.page.text.number(self.target.feed.address, units, places);
+            self.lines.text.number(self.target.feed.address, units, places);
         }
-        self.page.end_line(origin);
+        self.lines.end_line(origin);
         self.compensation.straight();
         if mv.machine {
             self.modal.forget(changed);
@@ -112,7 +112,7 @@ impl Printer<'_> {
 
     /// An axis with its coordinate in units.
     pub(super) fn axis_word(&mut self, axis: Axis, units: i64) {
-        self.page.text.number(axis.letter() as u8, units, self.places_of(axis));
+        self.lines.text.number(axis.letter() as u8, units, self.places_of(axis));
     }
 
     /// A line in step with the spindle.
@@ -141,20 +141,20 @@ impl Printer<'_> {
             && let Some(word) = self.target.feed.per_revolution
             && self.modal.feed_kind_changes(FeedKind::PerRevolution)
         {
-            self.page.words(word, origin);
+            self.lines.words(word, origin);
         }
-        let before = self.page.lines();
+        let before = self.lines.lines();
         let behind_thread = self.thread.as_ref().is_some_and(|(at, lines)| at == self.modal.at() && *lines != before);
         if behind_thread && !stops {
             self.deny(origin, codes::O9325::target_has_no_word_for_thread(&self.target.name));
             return self.pretend(mv);
         }
         self.straight(word, mv, Some((address, lead)), origin);
-        if self.page.lines() == before && !self.diags.has_errors() {
+        if self.lines.lines() == before && !self.diags.has_errors() {
             self.say(origin, codes::O1003::thread_has_no_length_that_can());
         }
         if !stops {
-            self.thread = Some((*self.modal.at(), self.page.lines()));
+            self.thread = Some((*self.modal.at(), self.lines.lines()));
         }
         if address == self.target.feed.address {
             // The lead was an F.
@@ -178,7 +178,7 @@ impl Printer<'_> {
 
     #[cold]
     pub(super) fn unprintable(&mut self, origin: &Origin) {
-        self.page.text.drop_line();
+        self.lines.text.drop_line();
         self.say(origin, codes::O1002::number_of_this_block_is_too_large());
     }
 
@@ -195,11 +195,11 @@ impl Printer<'_> {
             return Err(());
         }
         if self.modal.feed_kind_changes(kind) {
-            self.page.by_time = kind == FeedKind::InverseTime;
+            self.lines.by_time = kind == FeedKind::InverseTime;
             match kind.word(&self.target.feed) {
                 // In a dialog each feed says what it counts.
                 Some(_) if matches!(self.target.form, Form::Dialog(_)) => {}
-                Some(word) => self.page.words(word, origin),
+                Some(word) => self.lines.words(word, origin),
                 None => {
                     let name = &self.target.name;
                     let fault = if kind == FeedKind::PerRevolution {
@@ -329,7 +329,7 @@ impl Printer<'_> {
         let ArcBlock { printed, mut ends, offset, turns } = *block;
         let printed = if self.settings.modal { printed } else { self.with_known(printed, &mut ends) };
         let words = &self.target.arcs;
-        self.page.text.word(if arc.sweep > 0.0 { words.counter_clockwise } else { words.clockwise });
+        self.lines.text.word(if arc.sweep > 0.0 { words.counter_clockwise } else { words.clockwise });
         for axis in printed.iter() {
             self.axis_word(axis, ends[axis.index()]);
         }
@@ -338,19 +338,19 @@ impl Printer<'_> {
         let mut offsets = [(first, offset[0] / step), (second, offset[1] / step)];
         offsets.sort_by_key(|(axis, _)| *axis);
         for (axis, units) in offsets {
-            self.page.text.number(words.center[axis], units, self.places);
+            self.lines.text.number(words.center[axis], units, self.places);
         }
         match words.turns {
-            Some(Turns::All(address)) if turns > 1 => drop(self.page.text.whole(address, u64::from(turns))),
+            Some(Turns::All(address)) if turns > 1 => drop(self.lines.text.whole(address, u64::from(turns))),
             Some(Turns::More(word)) if turns > 1 => {
-                self.page.text.valued(word, i64::from(turns) - 1, Places::new(0));
+                self.lines.text.valued(word, i64::from(turns) - 1, Places::new(0));
             }
             _ => {}
         }
         if let Some((units, places)) = feed {
-            self.page.text.number(self.target.feed.address, units, places);
+            self.lines.text.number(self.target.feed.address, units, places);
         }
-        self.page.end_line(origin);
+        self.lines.end_line(origin);
         self.modal.reach(printed, &ends);
     }
 

@@ -25,16 +25,16 @@ impl Printer<'_> {
             Form::Words => None,
         };
         if !modes.is_empty() {
-            self.page.text.word(modes);
+            self.lines.text.word(modes);
         }
         if let Some(mode) = mode {
             if let Some(dialog) = dialog {
-                self.page.block(dialog.tolerance.as_bytes());
+                self.lines.block(dialog.tolerance.as_bytes());
             }
             self.corner_words(mode);
         }
         if !modes.is_empty() || mode.is_some() {
-            self.page.block(b"");
+            self.lines.block(b"");
         }
     }
 
@@ -54,10 +54,10 @@ impl Printer<'_> {
             return self.say(origin, asking.answer(resolved()));
         }
         if let Form::Dialog(dialog) = self.target.form {
-            self.page.words(dialog.tolerance, origin);
+            self.lines.words(dialog.tolerance, origin);
         }
         self.corner_words(mode);
-        self.page.end_line(origin);
+        self.lines.end_line(origin);
     }
 
     /// The words of a mode, on the line under construction.
@@ -67,7 +67,7 @@ impl Printer<'_> {
         let (bound, mm) = match mode {
             PathControl::Exact | PathControl::Unbounded => {
                 let word = if mode == PathControl::Exact { words.exact } else { words.unbounded };
-                self.page.text.word(word.unwrap_or_default());
+                self.lines.text.word(word.unwrap_or_default());
                 return;
             }
             PathControl::Within(mm) => (words.within, mm),
@@ -76,7 +76,7 @@ impl Printer<'_> {
         if let Some(PathBound { word, length }) = bound {
             let places = self.bound_places();
             let units = bound_units(mm, places);
-            self.page.text.word(word).valued(length, units, places);
+            self.lines.text.word(word).valued(length, units, places);
         }
     }
 

@@ -33,7 +33,7 @@ impl Printer<'_> {
     /// Refuses what the target has no word for.
     #[cold]
     pub(super) fn deny(&mut self, origin: &Origin, fault: Fault) {
-        self.page.text.drop_line();
+        self.lines.text.drop_line();
         self.say(origin, fault);
     }
 

@@ -31,7 +31,7 @@ impl Printer<'_> {
             && self.target.motion.machine_drops_length
             && let Some(off) = words.off
         {
-            self.page.words(off, origin);
+            self.lines.words(off, origin);
         }
         if fed && self.measures.inches && self.turns_axes(changed) {
             self.lacks_form(mv, origin);
@@ -89,7 +89,7 @@ impl Printer<'_> {
             return None;
         }
         self.length.waits = false;
-        self.page.text.word(on);
+        self.lines.text.word(on);
         Some((address, self.length.tool))
     }
 
@@ -102,7 +102,7 @@ impl Printer<'_> {
         // Some controls have dropped it.
         self.length.waits |= words.with_move;
         if self.target.motion.machine_drops_length {
-            self.page.words(words.on, origin);
+            self.lines.words(words.on, origin);
         }
     }
 }

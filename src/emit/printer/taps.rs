@@ -37,7 +37,7 @@ impl Printer<'_> {
             Ok(()) => {
                 // The control starts and stops the spindle by itself.
                 self.spindle = HandChange::Stands;
-                self.told.by_tap = true;
+                self.stated.by_tap = true;
                 self.modal.forget_feed();
             }
             Err(unfit) => {
@@ -147,10 +147,10 @@ impl Printer<'_> {
 
     /// The speed of the way in, in units; said, where the target does not know it and `said`.
     pub(super) fn tap_speed(&mut self, tap: &Tap, said: bool, origin: &Origin) -> Result<Option<i64>, Unfit> {
-        let Some(speed) = tap.speed_in else { return Ok(self.told.speed) };
+        let Some(speed) = tap.speed_in else { return Ok(self.stated.speed) };
         let units = self.speed_units(speed, origin).ok_or(None)?;
         // On a lathe the first speed says that none is a cutting speed.
-        if self.states_turns() || said && self.told.speed != Some(units) {
+        if self.states_turns() || said && self.stated.speed != Some(units) {
             self.print_function(&Function::Spindle(Spindle::Speed(speed)), origin);
         }
         Ok(Some(units))
@@ -181,7 +181,7 @@ impl Printer<'_> {
         lost.extend(tap.orient.filter(|angle| angle % 360.0 != 0.0).map(|_| ANGLE));
         self.leaves_out(&lost, origin);
         self.tap_speed(tap, true, origin)?;
-        if self.told.turn != Some(tap.turn) {
+        if self.stated.turn != Some(tap.turn) {
             self.print_function(&Function::Spindle(Spindle::Start(tap.turn)), origin);
         }
         let factor = tap.factor();
@@ -190,14 +190,14 @@ impl Printer<'_> {
                 self.print_function(&Function::Dwell(tap.pause), origin);
             }
             let places = self.places_of(tap.axis);
-            self.page.text.word(word).number(tap.axis.letter() as u8, *to, places);
-            self.page.text.number(address, lead, self.measures.lead);
+            self.lines.text.word(word).number(tap.axis.letter() as u8, *to, places);
+            self.lines.text.number(address, lead, self.measures.lead);
             if (factor - 1.0).abs() > tolerance::LOST
                 && let Some(units) = self.measures.factor.units(factor)
             {
-                self.page.text.number(of_factor, units, self.measures.factor);
+                self.lines.text.number(of_factor, units, self.measures.factor);
             }
-            self.page.end_line(origin);
+            self.lines.end_line(origin);
         }
         Ok(())
     }
@@ -229,11 +229,11 @@ impl Printer<'_> {
         for ((to, _), stroke) in hole.strokes.iter().zip(&tap.strokes) {
             if let Some(dwell) = on {
                 if words.stays && tap.pause == 0.0 && dwell == stroke.dwell {
-                    self.page.text.number(tap.axis.letter() as u8, *to, self.places_of(tap.axis));
-                    self.page.end_line(origin);
+                    self.lines.text.number(tap.axis.letter() as u8, *to, self.places_of(tap.axis));
+                    self.lines.end_line(origin);
                     continue;
                 }
-                self.page.words(words.off, origin);
+                self.lines.words(words.off, origin);
                 if tap.pause > 0.0 {
                     self.print_function(&Function::Dwell(tap.pause), origin);
                 }
@@ -241,8 +241,8 @@ impl Printer<'_> {
             self.tapping_cycle(hole, words, &cycle, (*to, stroke.dwell), origin);
             on = Some(stroke.dwell);
         }
-        self.page.words(words.off, origin);
-        self.told.turn = None;
+        self.lines.words(words.off, origin);
+        self.stated.turn = None;
         Ok(())
     }
 
@@ -259,20 +259,20 @@ impl Printer<'_> {
         if self.modal.feed_kind_changes(kind)
             && let Some(word) = kind.word(&self.target.feed)
         {
-            self.page.by_time = false;
-            self.page.words(word, origin);
+            self.lines.by_time = false;
+            self.lines.words(word, origin);
         }
         if let Some(ready) = words.ready {
-            self.page.text.word(ready).number(self.target.spindle.speed, cycle.speed, self.measures.speed);
-            self.page.end_line(origin);
-            self.told.speed = Some(cycle.speed);
+            self.lines.text.word(ready).number(self.target.spindle.speed, cycle.speed, self.measures.speed);
+            self.lines.end_line(origin);
+            self.stated.speed = Some(cycle.speed);
         }
         self.cycle_words(hole, words, cycle.word, (to, dwell));
         if let Some((address, factor)) = cycle.factor {
-            self.page.text.whole(address, factor);
+            self.lines.text.whole(address, factor);
         }
-        self.page.text.number(self.target.feed.address, feed, self.feed_places(kind));
-        self.page.end_line(origin);
+        self.lines.text.number(self.target.feed.address, feed, self.feed_places(kind));
+        self.lines.end_line(origin);
     }
 
     /// The words of a cycle but for those of its speeds.
@@ -280,21 +280,21 @@ impl Printer<'_> {
         let axis = hole.tap.axis;
         let places = self.places_of(axis);
         if let Some(level) = words.level {
-            self.page.text.word(level);
+            self.lines.text.word(level);
         }
-        self.page.text.word(word);
+        self.lines.text.word(word);
         for other in [Axis::X, Axis::Y] {
             if let Some(at) = self.modal.place(other).filter(|at| !words.from_start && self.modal.says(other, *at)) {
                 self.axis_word(other, at);
             }
         }
-        self.page.text.number(axis.letter() as u8, to, places);
-        self.page.text.number(words.begins, if words.from_start { 0 } else { hole.start }, places);
+        self.lines.text.number(axis.letter() as u8, to, places);
+        self.lines.text.number(words.begins, if words.from_start { 0 } else { hole.start }, places);
         if let Some(address) = words.dwell
             && dwell > 0.0
             && let Some(units) = self.measures.time.units(dwell)
         {
-            self.page.text.whole(address, units.unsigned_abs());
+            self.lines.text.whole(address, units.unsigned_abs());
         }
     }
 
@@ -353,11 +353,11 @@ impl Printer<'_> {
             self.unprintable(origin);
             return Err(None);
         };
-        self.page.text.valued(ready, angle, self.measures.angle);
-        self.page.end_line(origin);
+        self.lines.text.valued(ready, angle, self.measures.angle);
+        self.lines.end_line(origin);
         let letter = tap.axis.letter() as u8;
         // The first block states its speed.
-        self.told.speed = None;
+        self.stated.speed = None;
         for (at, (to, back)) in hole.strokes.iter().enumerate() {
             if at > 0 && tap.pause > 0.0 {
                 self.print_function(&Function::Dwell(tap.pause), origin);
@@ -371,7 +371,7 @@ impl Printer<'_> {
             }
             self.synchronous(out, (letter, *back), (address, lead), speed_out, origin);
         }
-        self.told.turn = None;
+        self.stated.turn = None;
         Ok(())
     }
 
@@ -384,12 +384,12 @@ impl Printer<'_> {
         origin: &Origin,
     ) {
         let places = Axis::of(letter).map_or(self.places, |axis| self.places_of(axis));
-        self.page.text.word(word).number(letter, end, places);
-        self.page.text.number(address, lead, self.measures.lead);
-        if self.told.speed.replace(speed) != Some(speed) {
-            self.page.text.number(self.target.spindle.speed, speed, self.measures.speed);
+        self.lines.text.word(word).number(letter, end, places);
+        self.lines.text.number(address, lead, self.measures.lead);
+        if self.stated.speed.replace(speed) != Some(speed) {
+            self.lines.text.number(self.target.spindle.speed, speed, self.measures.speed);
         }
-        self.page.end_line(origin);
+        self.lines.end_line(origin);
     }
 
     /// The word of a cycle for the hand of a tap down Z.

@@ -10,7 +10,7 @@ fn ends(legs: &[Leg]) -> Vec<(f64, f64)> {
     legs.iter().map(|leg| (round(leg.to().x), round(leg.to().y))).collect()
 }
 
-/// A step up and a valley behind it.
+/// A step up and a groove behind it.
 const STEPS: [(f64, f64); 6] = [(0.0, 0.0), (5.0, 0.0), (5.0, 3.0), (9.0, 3.0), (11.0, 1.0), (15.0, 1.0)];
 
 #[test]
@@ -76,9 +76,9 @@ fn what_leans_over_is_in_its_own_shadow() {
 #[test]
 fn a_dip_ends_where_its_wall_reaches_the_rim() {
     // Down 10 at half a right angle, and up 20 again: the rim of 0 is reached half the way up.
-    let valley = Profile::new(&lines(&[(0.0, 0.0), (10.0, -10.0), (30.0, 10.0), (40.0, 10.0)]), Grown::default());
+    let groove = Profile::new(&lines(&[(0.0, 0.0), (10.0, -10.0), (30.0, 10.0), (40.0, 10.0)]), Grown::default());
     let dips = |top: f64, least: f64| {
-        let dips = valley.dips(Point2::new(0.0, 0.0), top, least);
+        let dips = groove.dips(Point2::new(0.0, 0.0), top, least);
         dips.iter().map(|dip| (dip.left, dip.right, dip.rim)).collect::<Vec<_>>()
     };
     assert_eq!(dips(20.0, 1.0), [(0.0, 20.0, 0.0)]);

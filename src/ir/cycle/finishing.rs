@@ -4,7 +4,7 @@ use crate::geo::tolerance;
 use core::fmt;
 
 use crate::geo::offset::{self, NoParallel, OffsetElement};
-use crate::geo::{Element, Plane, Point2, Vec2, gap};
+use crate::geo::{Element, Plane, Point2, Vec2, clearance};
 use crate::ir::{Feed, Pos};
 
 use super::Family;
@@ -229,7 +229,7 @@ impl Finishing {
         let center = -self.nose.tip * self.nose.radius;
         let leg = Element::Line { from: from + center, to: to + center };
         let (obstacles, _) = self.obstacles();
-        let near = |least: f64, element: &Element| least.min(gap::between(&leg, element));
+        let near = |least: f64, element: &Element| least.min(clearance::between(&leg, element));
         obstacles.iter().fold(f64::INFINITY, near) - self.nose.radius
     }
 
@@ -257,10 +257,10 @@ impl Finishing {
     fn is_outside(&self, p: Point2) -> bool {
         let p = p - self.nose.tip * self.nose.radius;
         let (obstacles, left) = self.obstacles();
-        let least = obstacles.iter().map(|element| gap::point_to(p, element)).fold(f64::INFINITY, f64::min);
-        let mut nearest = obstacles.iter().filter(|element| gap::point_to(p, element) <= least + tolerance::SAME);
+        let least = obstacles.iter().map(|element| clearance::point_to(p, element)).fold(f64::INFINITY, f64::min);
+        let mut nearest = obstacles.iter().filter(|element| clearance::point_to(p, element) <= least + tolerance::SAME);
         nearest.all(|element| {
-            let side = gap::side_of(p, element);
+            let side = clearance::side_of(p, element);
             if left { side > -tolerance::SAME } else { side < tolerance::SAME }
         })
     }

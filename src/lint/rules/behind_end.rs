@@ -2,7 +2,7 @@
 
 use crate::diag::{Diagnostic, Label};
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
 
@@ -44,7 +44,7 @@ impl BehindEnd {
 }
 
 impl SourceRule for BehindEnd {
-    fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, _: &mut Report<'_>) {
         let block = read.block;
         self.targets.see(block);
         if block.items.iter().any(|item| matches!(item.what, What::Label(_) | What::Begins)) {
@@ -68,10 +68,10 @@ impl SourceRule for BehindEnd {
         self.end.is_some()
     }
 
-    fn finish(&mut self, told: &mut Told<'_>) {
+    fn finish(&mut self, report: &mut Report<'_>) {
         let mut found = self.found.drain(..);
         if let Some((_, first)) = found.find(|(number, _)| !self.targets.may_be(*number)) {
-            told.say.found(first);
+            report.say.found(first);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A comment reads like a block.
 
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 
 super::rule! { L2007 Source CommentIsCode Note off "comment-is-code"
     what "comment reads like a block"
@@ -35,12 +35,12 @@ impl CommentIsCode {
 }
 
 impl SourceRule for CommentIsCode {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, report: &mut Report<'_>) {
         for comment in read.block.comments {
             let text = comment.of(read.block.text);
             if is_code(text) {
                 let found = L2007::is_code().at(read.loc(*comment));
-                told.say.found(found);
+                report.say.found(found);
             }
         }
     }

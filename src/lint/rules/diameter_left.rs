@@ -1,7 +1,7 @@
 //! A turning program ends in another kind of X than it began in.
 
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
 
@@ -51,7 +51,7 @@ impl DiameterLeft {
 }
 
 impl SourceRule for DiameterLeft {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, report: &mut Report<'_>) {
         for item in read.block.items.iter().filter(|_| self.diameters) {
             match &item.what {
                 What::Reads(word) if word == "SAVE" => self.saved = true,
@@ -60,7 +60,7 @@ impl SourceRule for DiameterLeft {
                 What::Ends if !read.block.skip && !self.saved => {
                     if let Some(loc) = self.last.take() {
                         let found = L2017::left_on().at(loc);
-                        told.say.found(found);
+                        report.say.found(found);
                     }
                 }
                 _ => {}

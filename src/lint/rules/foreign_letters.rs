@@ -1,7 +1,7 @@
 //! A comment holds letters that controls do not show.
 
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 
 super::rule! { L2015 Source ForeignLetters Note off "comment-foreign-letters"
     what "comment holds letters that controls do not show"
@@ -37,12 +37,12 @@ impl ForeignLetters {
 }
 
 impl SourceRule for ForeignLetters {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, report: &mut Report<'_>) {
         let foreign = read.block.comments.iter().find(|comment| !comment.of(read.block.text).is_ascii());
         if let Some(comment) = foreign.filter(|_| !self.said) {
             self.said = true;
             let found = L2015::foreign().at(read.loc(*comment));
-            told.say.found(found);
+            report.say.found(found);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The program ends while G91 holds.
 
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
 
@@ -36,7 +36,7 @@ impl IncrementalLeft {
 }
 
 impl SourceRule for IncrementalLeft {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, report: &mut Report<'_>) {
         let block = read.block;
         for item in block.items {
             match &item.what {
@@ -47,7 +47,7 @@ impl SourceRule for IncrementalLeft {
                 What::Ends if !block.skip && !self.saved => {
                     if let Some(loc) = self.last.take() {
                         let found = L2009::left_on().at(loc);
-                        told.say.found(found);
+                        report.say.found(found);
                     }
                 }
                 _ => {}

@@ -2,7 +2,7 @@
 
 use crate::diag::Label;
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
 
@@ -46,14 +46,14 @@ impl LabelAlike {
 }
 
 impl SourceRule for LabelAlike {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, report: &mut Report<'_>) {
         for item in read.block.items {
             let What::Label(name) = &item.what else { continue };
             let lower = name.to_lowercase();
             let loc = read.loc(item.span);
             if let Some((_, other, first)) = self.labels.iter().find(|(low, other, _)| *low == lower && other != name) {
                 let found = L2006::alike(&name, &other).at(loc).also(*first, Label::OtherOne);
-                told.say.found(found);
+                report.say.found(found);
             }
             if self.labels.len() < MOST {
                 self.labels.push((lower, name.clone(), loc));

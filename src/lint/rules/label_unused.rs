@@ -1,7 +1,7 @@
 //! A label is never called.
 
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
 use rustc_hash::FxHashSet;
@@ -45,7 +45,7 @@ impl LabelUnused {
 }
 
 impl SourceRule for LabelUnused {
-    fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, _: &mut Report<'_>) {
         for item in read.block.items {
             match &item.what {
                 What::Label(name) => self.labels.push((name.clone(), read.loc(item.span))),
@@ -58,10 +58,10 @@ impl SourceRule for LabelUnused {
         }
     }
 
-    fn finish(&mut self, told: &mut Told<'_>) {
+    fn finish(&mut self, report: &mut Report<'_>) {
         for (name, loc) in self.labels.iter().filter(|(name, _)| !self.unknown && !self.used.contains(name)) {
             let found = L2001::unused(&name).at(*loc);
-            told.say.found(found);
+            report.say.found(found);
         }
     }
 }

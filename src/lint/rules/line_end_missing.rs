@@ -2,7 +2,7 @@
 
 use crate::lint::fix::Fix;
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 use crate::text::{FileId, Loc, Sources, Span};
 
 super::rule! { L2011 Source LineEndMissing Note off "line-end-missing"
@@ -48,7 +48,7 @@ impl<'a> LineEndMissing<'a> {
 }
 
 impl SourceRule for LineEndMissing<'_> {
-    fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, _: &mut Report<'_>) {
         let (block, site) = (read.block, &read.block.site);
         // Ctrl-Z and NUL, which a transmission puts behind the last line, are no part of it.
         let padding = block.text.iter().rev().take_while(|b| matches!(b, 0 | 0x1A)).count();
@@ -61,12 +61,12 @@ impl SourceRule for LineEndMissing<'_> {
         self.last = Some((read.words(), end, padding as u32));
     }
 
-    fn finish(&mut self, told: &mut Told<'_>) {
+    fn finish(&mut self, report: &mut Report<'_>) {
         let ends_there = |(_, end, padding): &(Loc, u32, u32)| u64::from(*end) + u64::from(*padding) >= self.size;
         let Some((loc, end, _)) = self.last.filter(ends_there) else { return };
         let found = L2011::missing().at(loc);
         let text = if self.is_windows() { b"\r\n".to_vec() } else { b"\n".to_vec() };
         let fix = Fix::new(&found, Span::at(end, 0), text);
-        told.found_with(found, fix);
+        report.found_with(found, fix);
     }
 }

@@ -1,7 +1,7 @@
 //! A block number is not larger than the one before.
 
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 use crate::sema::run::survey::What;
 
 super::rule! { L2005 Source NumberOrder Note off "block-number-order"
@@ -41,7 +41,7 @@ impl NumberOrder {
 }
 
 impl SourceRule for NumberOrder {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, report: &mut Report<'_>) {
         let block = read.block;
         self.last = block.passed.or(self.last);
         let Some(number) = block.number else { return };
@@ -51,7 +51,7 @@ impl SourceRule for NumberOrder {
         if let Some(last) = self.last.filter(|last| number <= *last && !self.said) {
             self.said = true;
             let found = L2005::out_of_order(&number, &last).at(read.words());
-            told.say.found(found);
+            report.say.found(found);
         }
         self.last = Some(number);
     }

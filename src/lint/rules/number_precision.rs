@@ -1,7 +1,7 @@
 //! A literal has more decimals than controls resolve.
 
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 use crate::sema::run::survey::{LONG, What};
 use crate::text::decode::readable;
 
@@ -40,7 +40,7 @@ impl NumberPrecision {
 }
 
 impl SourceRule for NumberPrecision {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, report: &mut Report<'_>) {
         if self.said || read.block.is_empty {
             return;
         }
@@ -50,7 +50,7 @@ impl SourceRule for NumberPrecision {
                 .map_or(0, |at| text[at + 1..].iter().filter(|b| b.is_ascii_digit()).count());
             if matches!(item.what, What::Word { .. }) && decimals > MOST_DECIMALS {
                 self.said = true;
-                told.say.found(L2012::long(&readable(text), &decimals).at(read.loc(item.span)));
+                report.say.found(L2012::long(&readable(text), &decimals).at(read.loc(item.span)));
                 return;
             }
         }

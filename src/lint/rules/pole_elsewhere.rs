@@ -3,7 +3,7 @@
 use crate::diag::Label;
 use crate::geo::Plane;
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
 
@@ -64,7 +64,7 @@ impl PoleElsewhere {
 }
 
 impl SourceRule for PoleElsewhere {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, report: &mut Report<'_>) {
         // The plane of a block holds for its pole and its coordinates.
         for item in read.block.items {
             match &item.what {
@@ -84,7 +84,7 @@ impl SourceRule for PoleElsewhere {
         if let Some(pole) = self.pole.filter(|pole| pole.stale && read.has(&What::Polar)) {
             self.pole = None;
             let found = L2016::elsewhere().at(read.words()).also(pole.loc, Label::Pole);
-            told.say.found(found);
+            report.say.found(found);
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::diag::Diagnostic;
 use crate::lint::fix::Fix;
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 use crate::sema::run::survey::{Surveyed, What};
 use crate::text::Span;
 use crate::text::decode::readable;
@@ -59,7 +59,7 @@ impl RedundantWord {
 }
 
 impl SourceRule for RedundantWord {
-    fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, _: &mut Report<'_>) {
         let block = read.block;
         self.jumps |= block.items.iter().any(|item| match &item.what {
             What::Uses(name) => is_number(name),
@@ -103,10 +103,10 @@ impl SourceRule for RedundantWord {
         true
     }
 
-    fn finish(&mut self, told: &mut Told<'_>) {
+    fn finish(&mut self, report: &mut Report<'_>) {
         let waiting = std::mem::take(&mut self.waiting);
         for (found, fix) in waiting.into_iter().filter(|_| !self.jumps) {
-            told.found_with(found, fix);
+            report.found_with(found, fix);
         }
     }
 }

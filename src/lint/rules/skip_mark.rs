@@ -1,7 +1,7 @@
 //! Blocks with a skip mark, and nothing says whether they run.
 
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 
 super::rule! { L2014 Source SkipMark Note off "skip-mark-open"
     what "blocks with a skip mark, and nothing says whether they run"
@@ -36,10 +36,10 @@ impl SkipMark {
 }
 
 impl SourceRule for SkipMark {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, report: &mut Report<'_>) {
         if read.block.skip && !self.said && self.open {
             self.said = true;
-            told.say.found(L2014::open().answers([]).at(read.words()));
+            report.say.found(L2014::open().answers([]).at(read.words()));
         }
     }
 }

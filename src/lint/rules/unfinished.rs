@@ -1,7 +1,7 @@
 //! A comment says that something is to be done.
 
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 
 super::rule! { L2013 Source Unfinished Note off "comment-unfinished"
     what "comment says that something is to be done"
@@ -34,13 +34,13 @@ impl Unfinished {
 }
 
 impl SourceRule for Unfinished {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, report: &mut Report<'_>) {
         for comment in read.block.comments {
             let text = comment.of(read.block.text);
             let words = text.split(|b| !b.is_ascii_alphanumeric());
             if words.into_iter().any(|word| matches!(word, b"TODO" | b"FIXME" | b"XXX")) {
                 let found = L2013::unfinished().at(read.loc(*comment));
-                told.say.found(found);
+                report.say.found(found);
             }
         }
     }

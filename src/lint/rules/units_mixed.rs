@@ -2,7 +2,7 @@
 
 use crate::diag::Label;
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
 
@@ -37,7 +37,7 @@ impl UnitsMixed {
 }
 
 impl SourceRule for UnitsMixed {
-    fn block(&mut self, read: &Read<'_>, told: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, report: &mut Report<'_>) {
         for item in read.block.items {
             let What::Word { letter: b'G', value } = item.what else { continue };
             let loc = read.loc(item.span);
@@ -52,7 +52,7 @@ impl SourceRule for UnitsMixed {
                 self.said = true;
                 let first = if loc == inch { mm } else { inch };
                 let found = L2010::mixed().at(loc).also(first, Label::OtherUnit);
-                told.say.found(found);
+                report.say.found(found);
             }
         }
     }

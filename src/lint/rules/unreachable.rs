@@ -4,7 +4,7 @@ use rustc_hash::FxHashSet;
 
 use crate::diag::{Diagnostic, Label};
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 use crate::sema::run::survey::{Surveyed, What};
 use crate::text::Loc;
 
@@ -69,7 +69,7 @@ impl Unreachable {
 }
 
 impl SourceRule for Unreachable {
-    fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, _: &mut Report<'_>) {
         let block = read.block;
         // Where a branch ends, the other one goes on.
         let led_to = |what: &What| matches!(what, What::Label(_) | What::Begins | What::Ends | What::Branches);
@@ -91,8 +91,8 @@ impl SourceRule for Unreachable {
         self.after.is_some()
     }
 
-    fn finish(&mut self, told: &mut Told<'_>) {
+    fn finish(&mut self, report: &mut Report<'_>) {
         let reached = self.found.drain(..).filter(|(number, _)| !self.targets.may_be(*number));
-        reached.for_each(|(_, found)| told.say.found(found));
+        reached.for_each(|(_, found)| report.say.found(found));
     }
 }

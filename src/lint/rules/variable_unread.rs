@@ -1,7 +1,7 @@
 //! A variable gets a value that nothing reads.
 
 use crate::lint::motion::Setup;
-use crate::lint::source::{Read, SourceRule, Told};
+use crate::lint::source::{Read, Report, SourceRule};
 use crate::sema::run::survey::What;
 use crate::text::Loc;
 use rustc_hash::FxHashSet;
@@ -46,7 +46,7 @@ impl VariableUnread {
 }
 
 impl SourceRule for VariableUnread {
-    fn block(&mut self, read: &Read<'_>, _: &mut Told<'_>) {
+    fn block(&mut self, read: &Read<'_>, _: &mut Report<'_>) {
         for item in read.block.items {
             match &item.what {
                 What::Writes(name)
@@ -63,12 +63,12 @@ impl SourceRule for VariableUnread {
         }
     }
 
-    fn finish(&mut self, told: &mut Told<'_>) {
+    fn finish(&mut self, report: &mut Report<'_>) {
         for (name, loc) in
             self.written.iter().filter(|(name, _)| !self.opaque && !self.read.contains(name) && !of_control(name))
         {
             let found = L2004::unread(&name).at(*loc);
-            told.say.found(found);
+            report.say.found(found);
         }
     }
 }

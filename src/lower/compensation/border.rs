@@ -33,7 +33,7 @@ impl Compensator {
         (self.side, self.plane) = (mv.side, mv.plane);
         self.d = if mv.side == Side::Right { -rules.radius } else { rules.radius };
         let point = Element::Line { from: to, to };
-        let mut entry = self.bench.spares.take(rules);
+        let mut entry = self.scratch.pool.take(rules);
         (entry.kind, entry.contour, entry.curve) = (Kind::Entry, point, point);
         (entry.stop, entry.mv, entry.origin) = (None, *mv, *origin);
         self.entry = Some(entry);
@@ -77,8 +77,8 @@ impl Compensator {
                 entry.curve = Element::Line { from: edge - heading * LONG, to: edge };
             }
         }
-        self.damage.forget(&mut self.bench.spares);
-        self.damage.refuses = first.rules.search.bottlenecks;
+        self.gouges.forget(&mut self.scratch.pool);
+        self.gouges.refuses = first.rules.search.bottlenecks;
         if let Some(mut arc) = around {
             entry.curve = Element::Line { from: arc.curve.from(), to: arc.curve.from() };
             arc.items = std::mem::take(&mut entry.items);

@@ -4,7 +4,7 @@ use crate::geo::joint::Joint;
 use crate::geo::{Deg, Element, Point2, arc, joint};
 use crate::ir::compensation::Inside;
 
-use super::piece::{Kind, Piece, Spares};
+use super::piece::{Kind, Piece, PiecePool};
 use super::reports::{self, Refused};
 use super::{Compensator, Out};
 
@@ -22,11 +22,11 @@ pub enum Made {
 
 /// What comes between two elements while they are joined, and what it is made of.
 #[derive(Debug, Default)]
-pub struct Bench {
+pub struct JointScratch {
     // They go from hand to hand, as they are.
     #[allow(clippy::vec_box)]
     pub made: Vec<Box<Piece>>,
-    pub spares: Spares,
+    pub pool: PiecePool,
     /// The last joint is one of the plain parallel: tangential, at the crossing of two lines, or about the corner.
     pub regular: bool,
 }
@@ -43,7 +43,7 @@ impl Compensator {
             self.append(next);
             return Ok(());
         };
-        match between(last, &mut next, self.d, &mut self.bench)? {
+        match between(last, &mut next, self.d, &mut self.scratch)? {
             Made::At(p) => {
                 reports::corner_without_effect(last, &next, out.diags);
                 last.stop = Some(p);
@@ -51,15 +51,15 @@ impl Compensator {
             }
             Made::Between => {
                 if last.rules.inside == Inside::Open {
-                    self.damage.is_wanted();
+                    self.gouges.is_wanted();
                 }
                 reports::open_turn(last, &next, out.diags);
                 if !last.rules.joints_are_documented
-                    && self.bench.made.iter().any(|piece| matches!(piece.curve, Element::Arc { .. }))
+                    && self.scratch.made.iter().any(|piece| matches!(piece.curve, Element::Arc { .. }))
                 {
                     reports::reading(last, &next, out.diags);
                 }
-                self.path.extend(self.bench.made.drain(..));
+                self.path.extend(self.scratch.made.drain(..));
             }
             Made::NoRoom => {
                 if next.rules.search.elements == 0 && !next.may_grow() {
@@ -69,7 +69,7 @@ impl Compensator {
                 return self.search(out);
             }
         }
-        next.joined = self.bench.regular;
+        next.joined = self.scratch.regular;
         self.append(next);
         Ok(())
     }
@@ -83,35 +83,35 @@ impl Compensator {
 
 /// Joins two neighbours; both may get longer. What comes between them is added to what is made.
 #[inline(always)]
-pub fn between(last: &mut Piece, next: &mut Piece, d: f64, bench: &mut Bench) -> Result<Made, Refused> {
-    bench.regular = false;
+pub fn between(last: &mut Piece, next: &mut Piece, d: f64, scratch: &mut JointScratch) -> Result<Made, Refused> {
+    scratch.regular = false;
     if last.kind == Kind::Gone || next.kind == Kind::Gone {
         return Ok(Made::NoRoom);
     }
     match joint::joint(&last.curve, &next.curve, last.headings.end, next.headings.start, d) {
         Joint::Tangential(p) => {
-            bench.regular = true;
+            scratch.regular = true;
             Ok(Made::At(p))
         }
         Joint::Inside(_) | Joint::NoRoom if last.rules.inside == Inside::Open => {
             let curve = Element::Line { from: last.curve.to(), to: next.curve.from() };
-            bench.made.push(bench.spares.joint(last, next, curve));
+            scratch.made.push(scratch.pool.joint(last, next, curve));
             Ok(Made::Between)
         }
         Joint::Inside(p) => {
-            bench.regular = matches!((&last.contour, &next.contour), (Element::Line { .. }, Element::Line { .. }));
+            scratch.regular = matches!((&last.contour, &next.contour), (Element::Line { .. }, Element::Line { .. }));
             Ok(Made::At(p))
         }
         Joint::NoRoom => Ok(Made::NoRoom),
-        Joint::Outside => outside(last, next, d, bench),
+        Joint::Outside => outside(last, next, d, scratch),
     }
 }
 
 #[inline(never)]
-fn outside(last: &mut Piece, next: &mut Piece, d: f64, bench: &mut Bench) -> Result<Made, Refused> {
+fn outside(last: &mut Piece, next: &mut Piece, d: f64, scratch: &mut JointScratch) -> Result<Made, Refused> {
     let rules = last.rules.outside;
     if let Some(by) = rules.by {
-        return shortened(last, next, (d, by), bench);
+        return shortened(last, next, (d, by), scratch);
     }
     if rules.prolonged > Deg(0.0)
         && turn(last, next) <= rules.prolonged.radians()
@@ -122,10 +122,10 @@ fn outside(last: &mut Piece, next: &mut Piece, d: f64, bench: &mut Bench) -> Res
         return Ok(Made::Between);
     }
     let (from, to) = (last.curve.to(), next.curve.from());
-    let mut about = about(last, next, [from, to], last.contour.to(), d < 0.0, bench)?;
+    let mut about = about(last, next, [from, to], last.contour.to(), d < 0.0, scratch)?;
     about.regular = true;
-    bench.made.push(about);
-    bench.regular = true;
+    scratch.made.push(about);
+    scratch.regular = true;
     Ok(Made::Between)
 }
 
@@ -141,18 +141,23 @@ fn about(
     [from, to]: [Point2; 2],
     center: Point2,
     ccw: bool,
-    bench: &mut Bench,
+    scratch: &mut JointScratch,
 ) -> Result<Box<Piece>, Refused> {
     let sweep = arc::sweep(from, to, center, ccw);
     if sweep.abs() < 1.0 && (to - from).norm_squared() < NO_ARC * NO_ARC {
-        return Ok(bench.spares.joint(last, next, Element::Line { from, to }));
+        return Ok(scratch.pool.joint(last, next, Element::Line { from, to }));
     }
-    let piece = bench.spares.joint(last, next, Element::Arc { from, to, center, sweep });
+    let piece = scratch.pool.joint(last, next, Element::Arc { from, to, center, sweep });
     if piece.has_feed() { Ok(piece) } else { Err(reports::no_feed(last, next)) }
 }
 
 /// M197: both are prolonged by a length along their tangents, and a smaller arc touches both.
-fn shortened(last: &mut Piece, next: &mut Piece, (d, by): (f64, f64), bench: &mut Bench) -> Result<Made, Refused> {
+fn shortened(
+    last: &mut Piece,
+    next: &mut Piece,
+    (d, by): (f64, f64),
+    scratch: &mut JointScratch,
+) -> Result<Made, Refused> {
     let half = libm::tan(turn(last, next) / 2.0);
     let whole = d.abs() * half;
     if !whole.is_finite() || by > whole + 1e-9 {
@@ -164,17 +169,17 @@ fn shortened(last: &mut Piece, next: &mut Piece, (d, by): (f64, f64), bench: &mu
         Element::Line { .. } => last.curve = joint::prolonged_to(&last.curve, from),
         Element::Arc { .. } => {
             let line = Element::Line { from: last.curve.to(), to: from };
-            bench.made.push(bench.spares.joint(last, next, line));
+            scratch.made.push(scratch.pool.joint(last, next, line));
         }
     }
     let center = from - joint::towards(t, d) * (d.abs() - by / half);
-    let arc = about(last, next, [from, to], center, d < 0.0, bench)?;
-    bench.made.push(arc);
+    let arc = about(last, next, [from, to], center, d < 0.0, scratch)?;
+    scratch.made.push(arc);
     match next.curve {
         Element::Line { .. } => next.curve = joint::prolonged_from(&next.curve, to),
         Element::Arc { .. } => {
             let line = Element::Line { from: to, to: next.curve.from() };
-            bench.made.push(bench.spares.joint(last, next, line));
+            scratch.made.push(scratch.pool.joint(last, next, line));
         }
     }
     Ok(Made::Between)

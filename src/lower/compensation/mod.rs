@@ -8,7 +8,7 @@
 
 mod border;
 mod bounds;
-mod damage;
+mod gouge;
 mod joints;
 mod piece;
 mod reports;
@@ -26,11 +26,11 @@ use crate::ir::compensation::Compensation;
 use crate::ir::motion::{Move, Path};
 use crate::ir::{Function, Origin, Pos, Side};
 
-use super::carrier::Out;
+use super::machine_axes::Out;
 use super::{at, step};
 use bounds::Seen;
-use damage::Damage;
-use joints::Bench;
+use gouge::Gouges;
+use joints::JointScratch;
 use piece::{Item, Kind, Piece, aside, moved};
 use reports::Refused;
 pub use reports::cycle_beside;
@@ -67,12 +67,12 @@ pub struct Compensator {
     path: VecDeque<Box<Piece>>,
     /// Elements behind one that the path does not meet.
     ahead: VecDeque<Box<Piece>>,
-    bench: Bench,
+    scratch: JointScratch,
     /// Elements of the contour in `path`.
     elements: u32,
     /// Where the printed path stands.
     at: Pos,
-    damage: Damage,
+    gouges: Gouges,
 }
 
 impl Compensator {
@@ -115,10 +115,10 @@ impl Compensator {
         self.entry = None;
         self.path.clear();
         self.ahead.clear();
-        self.bench.made.clear();
+        self.scratch.made.clear();
         self.elements = 0;
         self.at.clear();
-        self.damage.forget(&mut self.bench.spares);
+        self.gouges.forget(&mut self.scratch.pool);
         self.stage = Stage::Off;
     }
 
@@ -280,7 +280,7 @@ impl Compensator {
             Stage::Contour if !rules.constant => {
                 let next = self.piece(mv, contour, rules, origin)?;
                 self.join(next, out)?;
-                self.damage.refuses = rules.search.bottlenecks;
+                self.gouges.refuses = rules.search.bottlenecks;
                 self.watch_contour(out.diags);
                 self.settle(rules.search.elements, out);
                 Ok(())
@@ -349,9 +349,9 @@ impl Compensator {
             None if rules.search.elements > 0 => (Kind::Gone, contour),
             None => return Err(reports::arc_too_small(&contour, rules, origin)),
         };
-        let mut piece = self.bench.spares.take(rules);
+        let mut piece = self.scratch.pool.take(rules);
         piece.kind = kind;
-        piece.index = self.damage.next_index();
+        piece.index = self.gouges.next_index();
         piece.contour = contour;
         piece.headings = headings.unwrap_or_default();
         piece.curve = curve;
@@ -385,8 +385,8 @@ impl Compensator {
             self.send_items(std::mem::take(&mut first.items), out);
         }
         match first.kind {
-            Kind::Element | Kind::Joint | Kind::Gone => self.damage.keep(first, &mut self.bench.spares),
-            Kind::Entry | Kind::Exit => self.bench.spares.put(first),
+            Kind::Element | Kind::Joint | Kind::Gone => self.gouges.keep(first, &mut self.scratch.pool),
+            Kind::Entry | Kind::Exit => self.scratch.pool.put(first),
         }
     }
 

@@ -189,13 +189,13 @@ impl Piece {
 
 /// Pieces that were printed, to be filled in again: none is allocated for each block.
 #[derive(Debug, Default)]
-pub struct Spares {
+pub struct PiecePool {
     // They go from hand to hand, as they are.
     #[allow(clippy::vec_box)]
     pieces: Vec<Box<Piece>>,
 }
 
-impl Spares {
+impl PiecePool {
     /// A piece to be filled in, all but its rules.
     #[inline]
     pub fn take(&mut self, rules: &Rc<Compensation>) -> Box<Piece> {

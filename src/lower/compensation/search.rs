@@ -1,6 +1,6 @@
 //! Leaving out elements for which there is no room: the path goes on where it meets a later one.
 
-use crate::geo::{Element, Point2, gap, joint};
+use crate::geo::{Element, Point2, clearance, joint};
 
 use super::joints::{Made, between};
 use super::piece::{Kind, Piece};
@@ -15,9 +15,9 @@ impl Compensator {
     #[cold]
     pub(super) fn look_ahead(&mut self, mut next: Box<Piece>) -> Result<(), Refused> {
         if let Some(last) = self.ahead.back_mut()
-            && let Made::Between = between(last, &mut next, self.d, &mut self.bench)?
+            && let Made::Between = between(last, &mut next, self.d, &mut self.scratch)?
         {
-            self.ahead.extend(self.bench.made.drain(..));
+            self.ahead.extend(self.scratch.made.drain(..));
         }
         self.ahead.push_back(next);
         Ok(())
@@ -57,7 +57,7 @@ impl Compensator {
                 last.items.append(&mut piece.items);
                 if piece.kind.is_of_contour() {
                     piece.kind = Kind::Gone;
-                    self.damage.keep(piece, &mut self.bench.spares);
+                    self.gouges.keep(piece, &mut self.scratch.pool);
                 }
             }
         }
@@ -106,7 +106,7 @@ impl Compensator {
         let p = joint::first_crossing(&last.curve, &next.curve)?;
         let r = self.d.abs() - NEARER;
         let clear = |way: &Element, pieces: &mut dyn Iterator<Item = &Box<Piece>>| {
-            pieces.filter(|piece| piece.kind.is_of_contour()).all(|piece| gap::between(way, &piece.contour) >= r)
+            pieces.filter(|piece| piece.kind.is_of_contour()).all(|piece| clearance::between(way, &piece.contour) >= r)
         };
         let (before, behind) = (joint::up_to_point(&last.curve, p), joint::from_point(&next.curve, p));
         let point = Element::Line { from: p, to: p };

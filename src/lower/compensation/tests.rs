@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use super::super::carrier::Carrier;
+use super::super::machine_axes::MachineAxes;
 use super::*;
 use crate::diag::Diags;
 use crate::geo::{Point2, arc};
@@ -94,8 +94,8 @@ impl Program {
         let mut at = Pos::UNKNOWN;
         at.set_in_plane(Plane::Xy, Point2::new(self.start.0, self.start.1));
         at.set(crate::machine::Axis::Z, 0.0);
-        let mut carrier = Carrier::default();
-        let mut out = Out { diags: &diags, machine: &machine, sink: &mut paper, carrier: &mut carrier };
+        let mut machine_axes = MachineAxes::default();
+        let mut out = Out { diags: &diags, machine: &machine, sink: &mut paper, machine_axes: &mut machine_axes };
         let steps = self.contour.iter().map(|(to, change)| (*to, *change, self.side));
         for (to, change, side) in steps.chain([(self.end, same as fn(&mut Compensation), Side::None)]) {
             let mut rules = self.rules;

@@ -10,6 +10,7 @@ pub mod drilling;
 pub mod facing;
 pub mod finishing;
 mod groove_cutter;
+pub mod groove_profile;
 pub mod grooving;
 pub mod infeed;
 pub mod layers;
@@ -27,7 +28,6 @@ pub mod thread;
 pub mod thread_milling;
 pub mod track;
 pub mod undercut;
-pub mod valley;
 
 use std::rc::Rc;
 

@@ -7,7 +7,7 @@ use std::rc::Rc;
 
 use crate::diag::{Fault, codes};
 use crate::geo::soft::Touch;
-use crate::geo::{Element, Point2, Vec2, arc, distance, gap, left};
+use crate::geo::{Element, Point2, Vec2, arc, clearance, distance, left};
 use crate::ir::compensation::{Compensation, FeedAt};
 use crate::ir::cycle::milling::Place;
 use crate::ir::cycle::path_milling::{Between, Form, Lift};
@@ -72,7 +72,7 @@ impl PathMilling {
                 }
             };
             let least = self.distance() - NEARER;
-            if self.contour.iter().any(|element| gap::between(&way, element) < least) {
+            if self.contour.iter().any(|element| clearance::between(&way, element) < least) {
                 return Err(codes::G3331::way_to_contour());
             }
         }
@@ -101,7 +101,10 @@ impl PathMilling {
         }
         let back = Element::Line { from, to };
         let free = self.side != Side::None
-            && self.contour.iter().all(|element| gap::between(&back, element) >= self.distance() - tolerance::SAME);
+            && self
+                .contour
+                .iter()
+                .all(|element| clearance::between(&back, element) >= self.distance() - tolerance::SAME);
         if free {
             return Ok(());
         }

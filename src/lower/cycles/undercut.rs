@@ -9,7 +9,7 @@ mod nose;
 use crate::diag::{self, codes};
 use crate::geo::tolerance;
 use crate::geo::undercut::{Allowance, Corner, Fault, Frame, Placed, Reference, Shape, place};
-use crate::geo::{Deg, Element, Plane, Point2, Vec2, gap, parts};
+use crate::geo::{Deg, Element, Plane, Point2, Vec2, clearance, parts};
 use crate::ir::contour::{self, ArcShape, Coords, Move, Path};
 use crate::ir::cycle::Family;
 use crate::ir::cycle::undercut::{Leave, UndercutCycle, UndercutFault};
@@ -229,9 +229,10 @@ fn lift(cycle: &UndercutCycle, outline: &Outline, cut: &Cut) -> Result<Vec2, dia
     let path = cut.elements.split_last().map_or(&[][..], |(_, path)| path);
     let free = |way: &Vec2| {
         let way = Element::Line { from: center + *way * 0.05, to: center + *way };
-        let clear =
-            part.iter().all(|element| gap::between(&way, element) > (radius - tolerance::SAME).max(tolerance::SAME));
-        clear && path.iter().all(|element| gap::between(&way.shifted(cycle.tip()), element) > tolerance::SAME)
+        let clear = part
+            .iter()
+            .all(|element| clearance::between(&way, element) > (radius - tolerance::SAME).max(tolerance::SAME));
+        clear && path.iter().all(|element| clearance::between(&way.shifted(cycle.tip()), element) > tolerance::SAME)
     };
     ways.into_iter().find(free).ok_or_else(codes::G3048::there_is_no_room_between_end)
 }

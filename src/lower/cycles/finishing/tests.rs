@@ -1,5 +1,5 @@
 use super::*;
-use crate::geo::{gap, turned};
+use crate::geo::{clearance, turned};
 use crate::ir::cycle::Cycle;
 use crate::ir::cycle::recess::tests::lines;
 use crate::ir::cycle::roughing::Nose;
@@ -150,7 +150,7 @@ proptest! {
         let mut reached = vec![f64::INFINITY; contour.len()];
         // How much room the nose has about a place of its point.
         let clear = |p: Point2| {
-            let off = contour.iter().map(|element| gap::point_to(p - nose.tip * radius, element));
+            let off = contour.iter().map(|element| clearance::point_to(p - nose.tip * radius, element));
             off.fold(f64::INFINITY, f64::min) - radius - oversize
         };
         for mv in &list {
@@ -160,7 +160,7 @@ proptest! {
             for p in along(at, mv) {
                 let center = p - nose.tip * radius;
                 for (element, least) in contour.iter().zip(&mut reached) {
-                    let off = gap::point_to(center, element);
+                    let off = clearance::point_to(center, element);
                     prop_assert!(off > radius + oversize - 2e-3, "{center:?} {element:?} {off}");
                     if mv.path == Path::Rapid {
                         prop_assert!(off > radius + oversize + free - 2e-3, "{center:?} {element:?} {off}");

@@ -20,9 +20,9 @@ use crate::ir::cycle::grooving::{Grooving, Plunges};
 use crate::ir::cycle::recess::Operation;
 
 use super::groove_cutter::GrooveCutter;
+use super::groove_profile::{Above, GrooveProfile, Oversize, Slot};
 use super::infeed;
 use super::track::{Strokes, Track, View};
-use super::valley::{Above, Oversize, Slot, Valley};
 use super::{CycleItem, Expand, Start};
 
 /// Most plunges of a groove, and most steps of a plunge.
@@ -89,10 +89,10 @@ impl<'g> Groove<'g> {
             walls.reverse();
             rims.reverse();
         }
-        let valley = Valley::new(&contour).map_err(|why| why.refused("groove"))?;
+        let groove_profile = GrooveProfile::new(&contour).map_err(|why| why.refused("groove"))?;
         let tool = &grooving.tool;
         let left = Oversize { around: allowance.around, along: walls, up: allowance.depth };
-        let slot = |nose: f64, left: Oversize| valley.slot(tool.width, nose, left, Above::Nothing);
+        let slot = |nose: f64, left: Oversize| groove_profile.slot(tool.width, nose, left, Above::Nothing);
         let rough = slot(tool.nose, left);
         // The square edge stays clear of all that the rounded one stays clear of. Only where the foot of a wall is round
         // do the corners have to reach under it.

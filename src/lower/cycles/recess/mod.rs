@@ -16,9 +16,9 @@ use crate::ir::cycle::Family;
 use crate::ir::cycle::recess::{Operation, Passes, RecessEnd, RecessTurning};
 
 use super::groove_cutter::GrooveCutter;
+use super::groove_profile::{Above, GrooveProfile, Oversize, Slot};
 use super::infeed;
 use super::track::{Strokes, Track, View};
-use super::valley::{Above, Oversize, Slot, Valley};
 use super::{CycleItem, Expand, Start};
 
 /// Most levels of one groove.
@@ -92,13 +92,13 @@ impl<'r> Groove<'r> {
         let along = if recess.into.is_radial() { last.x - first.x } else { last.y - first.y };
         let view = View::new(recess.into, along);
         let contour: Vec<Element> = recess.contour.iter().map(|element| view.element(element)).collect();
-        let valley = Valley::new(&contour).map_err(|why| why.refused("recess"))?;
+        let groove_profile = GrooveProfile::new(&contour).map_err(|why| why.refused("recess"))?;
 
         let tool = &recess.tool;
         let oversize = if recess.into.is_radial() { recess.oversize } else { recess.oversize.yx() };
         let slot = |left: Vec2| {
             let left = Oversize { along: [left.x; 2], up: left.y, around: 0.0 };
-            valley.slot(tool.width, tool.nose, left, Above::Material)
+            groove_profile.slot(tool.width, tool.nose, left, Above::Material)
         };
         let (Some(rough), Some(finished)) = (slot(oversize), slot(Vec2::zeros())) else {
             return Err(codes::G3045::tool_of_mm_width_does_not(&tool.width));

@@ -1,7 +1,7 @@
 //! Why a pocket along a contour has no path.
 
 use crate::diag::{Fault, codes};
-use crate::geo::{Element, distance, gap};
+use crate::geo::{Element, clearance, distance};
 
 use super::walls::Walls;
 
@@ -26,7 +26,7 @@ fn tight_place(walls: &[Element], takes: f64) -> Option<Fault> {
     let is_tight = |width: f64| (width - takes).abs() <= ABOUT;
     for (at, a) in walls.iter().enumerate() {
         for b in &walls[..at] {
-            let width = gap::between(a, b);
+            let width = clearance::between(a, b);
             if is_tight(width) {
                 let p = a.middle();
                 return Some(codes::G3321::rings_do_not_keep_between_walls(&p.x, &p.y, &width, &takes));

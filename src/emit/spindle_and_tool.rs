@@ -35,13 +35,13 @@ impl Sense {
 
 /// Nothing is known that was not said.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Told {
+pub struct SpindleAndTool {
     pub tool: Option<u32>,
     pub speed: Option<Speed>,
     pub sense: Option<Sense>,
 }
 
-impl Told {
+impl SpindleAndTool {
     pub fn function(&mut self, function: &Function) {
         match function {
             Function::ToolChange { number } => self.tool = Some(*number),

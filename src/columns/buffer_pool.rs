@@ -11,9 +11,9 @@ const MOST: usize = 1 << 20;
 
 /// Columns that were handed out, the oldest first.
 #[derive(Debug, Default)]
-pub struct Spare(VecDeque<Buffer>);
+pub struct BufferPool(VecDeque<Buffer>);
 
-impl Spare {
+impl BufferPool {
     pub fn hand_out(&mut self, column: &Buffer) {
         if column.capacity() <= MOST {
             self.0.push_back(column.clone());
@@ -37,27 +37,27 @@ impl Spare {
 mod tests {
     use super::*;
 
-    fn column(spare: &mut Spare, value: i32) -> Buffer {
-        let mut values = spare.take::<i32>(4);
+    fn column(pool: &mut BufferPool, value: i32) -> Buffer {
+        let mut values = pool.take::<i32>(4);
         assert!(values.is_empty() && values.capacity() >= 4);
         values.extend([value; 4]);
         let column = Buffer::from_vec(values);
-        spare.hand_out(&column);
+        pool.hand_out(&column);
         column
     }
 
     #[test]
     fn memory_is_taken_again_when_nobody_reads_it() {
-        let mut spare = Spare::default();
-        let places: Vec<usize> = (0..9).map(|n| column(&mut spare, n).as_ptr() as usize).collect();
+        let mut pool = BufferPool::default();
+        let places: Vec<usize> = (0..9).map(|n| column(&mut pool, n).as_ptr() as usize).collect();
         assert_eq!(places[3..], places[..6]);
-        assert_eq!(spare.0.len(), OUT + 1);
+        assert_eq!(pool.0.len(), OUT + 1);
     }
 
     #[test]
     fn what_somebody_reads_stays_as_it_is() {
-        let mut spare = Spare::default();
-        let all: Vec<Buffer> = (0..9).map(|n| column(&mut spare, n)).collect();
+        let mut pool = BufferPool::default();
+        let all: Vec<Buffer> = (0..9).map(|n| column(&mut pool, n)).collect();
         for (n, column) in all.iter().enumerate() {
             assert_eq!(column.typed_data::<i32>(), [n as i32; 4]);
         }
@@ -65,8 +65,8 @@ mod tests {
 
     #[test]
     fn long_columns_are_not_kept() {
-        let mut spare = Spare::default();
-        spare.hand_out(&Buffer::from_vec(vec![0_u8; MOST + 1]));
-        assert!(spare.0.is_empty());
+        let mut pool = BufferPool::default();
+        pool.hand_out(&Buffer::from_vec(vec![0_u8; MOST + 1]));
+        assert!(pool.0.is_empty());
     }
 }

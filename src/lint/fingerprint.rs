@@ -9,18 +9,18 @@ use crate::ir::{Function, Origin, Pos, Tap};
 
 /// Takes everything that a program does, in order, without its comments and the places of its blocks.
 #[derive(Default)]
-pub struct Imprint {
+pub struct MotionFingerprint {
     hash: Xxh3,
     text: String,
 }
 
-impl std::fmt::Debug for Imprint {
+impl std::fmt::Debug for MotionFingerprint {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Imprint").finish_non_exhaustive()
+        f.debug_struct("MotionFingerprint").finish_non_exhaustive()
     }
 }
 
-impl Imprint {
+impl MotionFingerprint {
     pub fn number(&self) -> u128 {
         self.hash.digest128()
     }
@@ -33,7 +33,7 @@ impl Imprint {
     }
 }
 
-impl Sink for Imprint {
+impl Sink for MotionFingerprint {
     fn movement(&mut self, mv: &Move, _: &Origin) {
         self.take(mv);
     }

@@ -2,9 +2,9 @@
 
 use crate::diag::{Fault, codes};
 use crate::geo::element::quarters;
+use crate::geo::nose_profile::{NoProfile, NoseProfile};
 use crate::geo::offset::shifted;
 use crate::geo::profile::Leg;
-use crate::geo::wall::{NoWall, Wall};
 use crate::geo::{Element, Point2, Vec2, left};
 
 /// Heights closer than this belong to the floor, mm: half a unit of the fourth decimal is far more.
@@ -12,7 +12,7 @@ const LEVEL: f64 = 1e-6;
 
 /// The contour in its view, cut at its floor. Both walls fall towards +x; the second is seen in a mirror.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Valley {
+pub struct GrooveProfile {
     first: Vec<Element>,
     second: Vec<Element>,
     floor: f64,
@@ -40,7 +40,7 @@ pub enum Above {
 
 /// Why a contour is no groove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum NoValley {
+pub enum NoGroove {
     /// It has more than one floor, or rises before it falls.
     Waves,
     /// A wall leans over.
@@ -49,13 +49,13 @@ pub enum NoValley {
     Open,
 }
 
-impl NoValley {
+impl NoGroove {
     /// Why a contour is not one recess or groove, as its cycle calls it.
     pub fn refused(self, name: &str) -> Fault {
         match self {
-            NoValley::Waves => codes::G3044::contour_is_not_one(&name),
-            NoValley::Leans => codes::G3044::wall_leans_over(&name),
-            NoValley::Open => codes::G3044::contour_begins_or_ends_at_floor(&name),
+            NoGroove::Waves => codes::G3044::contour_is_not_one(&name),
+            NoGroove::Leans => codes::G3044::wall_leans_over(&name),
+            NoGroove::Open => codes::G3044::contour_begins_or_ends_at_floor(&name),
         }
     }
 }
@@ -71,40 +71,40 @@ fn mirrored(element: &Element) -> Element {
     }
 }
 
-impl Valley {
+impl GrooveProfile {
     /// Cuts `contour`, given in the view, at its floor.
     ///
     /// # Errors
-    /// See [`NoValley`].
-    pub fn new(contour: &[Element]) -> Result<Valley, NoValley> {
+    /// See [`NoGroove`].
+    pub fn new(contour: &[Element]) -> Result<GrooveProfile, NoGroove> {
         let pieces: Vec<Element> = contour.iter().flat_map(quarters).collect();
         let floor = pieces.iter().map(|p| p.from().y.min(p.to().y)).fold(f64::INFINITY, f64::min);
         let low = |p: Point2| p.y <= floor + LEVEL;
-        let (Some(start), Some(end)) = (pieces.first(), pieces.last()) else { return Err(NoValley::Open) };
+        let (Some(start), Some(end)) = (pieces.first(), pieces.last()) else { return Err(NoGroove::Open) };
         if low(start.from()) || low(end.to()) {
-            return Err(NoValley::Open);
+            return Err(NoGroove::Open);
         }
         let falls = pieces.iter().position(|p| low(p.to())).map_or(pieces.len(), |i| i + 1);
         let rises = pieces.iter().rposition(|p| low(p.from())).unwrap_or(0);
         let between = pieces.get(falls..rises).unwrap_or_default();
         if !between.iter().all(|p| matches!(p, Element::Line { .. }) && low(p.from()) && low(p.to())) {
-            return Err(NoValley::Waves);
+            return Err(NoGroove::Waves);
         }
         let first = pieces[..falls.min(pieces.len())].to_vec();
         let second: Vec<Element> = pieces[rises..].iter().rev().map(mirrored).collect();
         // The floor may be off the level by what arithmetic loses; both walls reach down to it.
         let foot = |chain: &[Element]| chain.last().map_or(floor, |e| e.to().y);
         let floor = foot(&first).max(foot(&second));
-        let valley = Valley { first, second, floor };
+        let groove_profile = GrooveProfile { first, second, floor };
         // A nose of no radius tells whether the walls are walls.
-        for chain in [&valley.first, &valley.second] {
-            Wall::new(chain, 0.0).map_err(|why| match why {
-                NoWall::Rises if chain.iter().any(|e| e.to().y > e.from().y + LEVEL) => NoValley::Waves,
-                NoWall::Rises => NoValley::Leans,
-                NoWall::Gap | NoWall::Empty => NoValley::Open,
+        for chain in [&groove_profile.first, &groove_profile.second] {
+            NoseProfile::new(chain, 0.0).map_err(|why| match why {
+                NoProfile::Rises if chain.iter().any(|e| e.to().y > e.from().y + LEVEL) => NoGroove::Waves,
+                NoProfile::Rises => NoGroove::Leans,
+                NoProfile::Gap | NoProfile::Empty => NoGroove::Open,
             })?;
         }
-        Ok(valley)
+        Ok(groove_profile)
     }
 
     /// The groove for a tool of `width` with noses of radius `nose`. `None` if the tool does not fit between the walls down
@@ -116,7 +116,7 @@ impl Valley {
             if above == Above::Nothing {
                 moved.splice(0..0, free_rim(moved.first()?, radius));
             }
-            Wall::new(&moved, radius).ok()
+            NoseProfile::new(&moved, radius).ok()
         };
         let slot = Slot {
             first: wall(&self.first, left.along[0])?,
@@ -141,8 +141,8 @@ fn free_rim(first: &Element, nose: f64) -> Option<Element> {
 /// Where a recessing tool may be. Positions are those of its edge towards -x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slot {
-    first: Wall,
-    second: Wall,
+    first: NoseProfile,
+    second: NoseProfile,
     pub floor: f64,
     width: f64,
     nose: f64,
@@ -208,24 +208,29 @@ mod tests {
         points.windows(2).map(|pair| Element::Line { from: point(pair[0]), to: point(pair[1]) }).collect()
     }
 
-    fn why(points: &[(f64, f64)]) -> NoValley {
-        Valley::new(&lines(points)).expect_err("no groove")
+    fn why(points: &[(f64, f64)]) -> NoGroove {
+        GrooveProfile::new(&lines(points)).expect_err("no groove")
     }
 
     #[test]
     fn contours_that_are_no_grooves() {
-        assert_eq!(why(&[(0.0, 5.0), (0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (6.0, 0.0), (8.0, 5.0)]), NoValley::Waves);
-        assert_eq!(why(&[(0.0, 5.0), (1.0, 6.0), (1.0, 0.0), (4.0, 0.0), (4.0, 5.0)]), NoValley::Waves);
-        assert_eq!(why(&[(0.0, 5.0), (-1.0, 0.0), (4.0, 0.0), (4.0, 5.0)]), NoValley::Leans);
-        assert_eq!(why(&[(0.0, 0.0), (4.0, 0.0), (4.0, 5.0)]), NoValley::Open);
+        assert_eq!(why(&[(0.0, 5.0), (0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (6.0, 0.0), (8.0, 5.0)]), NoGroove::Waves);
+        assert_eq!(why(&[(0.0, 5.0), (1.0, 6.0), (1.0, 0.0), (4.0, 0.0), (4.0, 5.0)]), NoGroove::Waves);
+        assert_eq!(why(&[(0.0, 5.0), (-1.0, 0.0), (4.0, 0.0), (4.0, 5.0)]), NoGroove::Leans);
+        assert_eq!(why(&[(0.0, 0.0), (4.0, 0.0), (4.0, 5.0)]), NoGroove::Open);
     }
 
     #[test]
     fn a_tool_that_is_too_wide_has_no_slot() {
-        let valley = Valley::new(&lines(&[(0.0, 5.0), (0.0, 0.0), (4.0, 0.0), (4.0, 5.0)])).expect("a groove");
-        assert!(valley.slot(4.0, 0.2, Oversize::default(), Above::Material).is_some());
-        assert!(valley.slot(4.0, 0.2, Oversize { along: [0.1; 2], ..Oversize::default() }, Above::Material).is_none());
-        let vee = Valley::new(&lines(&[(0.0, 5.0), (3.0, 0.0), (6.0, 5.0)])).expect("a groove");
+        let groove_profile =
+            GrooveProfile::new(&lines(&[(0.0, 5.0), (0.0, 0.0), (4.0, 0.0), (4.0, 5.0)])).expect("a groove");
+        assert!(groove_profile.slot(4.0, 0.2, Oversize::default(), Above::Material).is_some());
+        assert!(
+            groove_profile
+                .slot(4.0, 0.2, Oversize { along: [0.1; 2], ..Oversize::default() }, Above::Material)
+                .is_none()
+        );
+        let vee = GrooveProfile::new(&lines(&[(0.0, 5.0), (3.0, 0.0), (6.0, 5.0)])).expect("a groove");
         assert!(vee.slot(1.0, 0.2, Oversize::default(), Above::Material).is_none());
     }
 
@@ -237,10 +242,10 @@ mod tests {
             center: Point2::new(5.0, 0.0),
             sweep: core::f64::consts::PI,
         };
-        let valley = Valley::new(&[half]).expect("a groove");
-        assert!((valley.floor + 5.0).abs() < 1e-12);
+        let groove_profile = GrooveProfile::new(&[half]).expect("a groove");
+        assert!((groove_profile.floor + 5.0).abs() < 1e-12);
         // A full-radius tool reaches the floor, a flat one does not.
-        assert!(valley.slot(2.0, 1.0, Oversize::default(), Above::Material).is_some());
-        assert!(valley.slot(2.0, 0.2, Oversize::default(), Above::Material).is_none());
+        assert!(groove_profile.slot(2.0, 1.0, Oversize::default(), Above::Material).is_some());
+        assert!(groove_profile.slot(2.0, 0.2, Oversize::default(), Above::Material).is_none());
     }
 }

@@ -18,13 +18,13 @@ pub struct Out<'a> {
     pub diags: &'a Diags,
     pub machine: &'a Machine,
     pub sink: &'a mut dyn motion::Sink,
-    pub carrier: &'a mut Carrier,
+    pub machine_axes: &'a mut MachineAxes,
 }
 
 impl Out<'_> {
     #[inline]
     pub fn movement(&mut self, mv: &Move, origin: &Origin) {
-        if self.carrier.is_idle() {
+        if self.machine_axes.is_idle() {
             return print(self.diags, self.machine, self.sink, mv, origin);
         }
         if let Err(found) = self.carried(mv, origin) {
@@ -35,11 +35,11 @@ impl Out<'_> {
 
     #[cold]
     fn carried(&mut self, mv: &Move, origin: &Origin) -> Result<(), Box<Diagnostic>> {
-        let path = self.carrier.spindle.per_minute(&mv.path, origin)?;
+        let path = self.machine_axes.spindle.per_minute(&mv.path, origin)?;
         let mv = Move { path, ..*mv };
         let (diags, machine) = (self.diags, self.machine);
         let sink = &mut *self.sink;
-        match &mut self.carrier.transformer {
+        match &mut self.machine_axes.transformer {
             Some(transformer) => transformer.carry(&mv, origin, &mut |mv| print(diags, machine, sink, mv, origin)),
             None => {
                 print(diags, machine, sink, &mv, origin);
@@ -49,14 +49,14 @@ impl Out<'_> {
     }
 
     pub fn function(&mut self, function: &Function, origin: &Origin) {
-        if self.carrier.follow(function) {
+        if self.machine_axes.follow(function) {
             self.sink.function(function, origin);
         }
     }
 
     /// What the target believes of its position no longer holds.
     pub fn lost(&mut self, origin: &Origin) {
-        if let Some(transformer) = &mut self.carrier.transformer {
+        if let Some(transformer) = &mut self.machine_axes.transformer {
             transformer.lost();
         }
         self.sink.lost(origin);
@@ -64,7 +64,7 @@ impl Out<'_> {
 
     /// The contour that the next moves run beside, where machine and program see it alike.
     pub fn programmed(&mut self, mv: &Move, start: &crate::ir::Pos) {
-        if self.carrier.transformer.is_none() {
+        if self.machine_axes.transformer.is_none() {
             self.sink.programmed(mv, start);
         }
     }
@@ -80,12 +80,12 @@ fn print(diags: &Diags, machine: &Machine, sink: &mut dyn motion::Sink, mv: &Mov
 
 /// What stands between the path and the machine.
 #[derive(Debug, Default)]
-pub struct Carrier {
+pub struct MachineAxes {
     pub transformer: Option<Box<Transformer>>,
     spindle: FeedSpindle,
 }
 
-impl Carrier {
+impl MachineAxes {
     /// Does the machine move as the path says?
     #[inline]
     pub fn is_idle(&self) -> bool {

@@ -23,14 +23,14 @@ const BESIDE: f64 = 1e-9;
 
 /// A wall as a nose of some radius sees it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Wall {
+pub struct NoseProfile {
     /// In a mirror, so that it rises towards +x.
     outline: Profile,
 }
 
 /// Why a chain is no wall.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum NoWall {
+pub enum NoProfile {
     /// An element rises, or leans over.
     Rises,
     /// An element does not start where the one before ends.
@@ -38,21 +38,21 @@ pub enum NoWall {
     Empty,
 }
 
-impl Wall {
+impl NoseProfile {
     /// The wall of `chain` for a nose of `radius`. Above its start the wall goes straight up, below
     /// its end straight down.
     ///
     /// # Errors
-    /// See [`NoWall`]. Arcs must not run through a quadrant point; see [`quarters`](super::element::quarters).
-    pub fn new(chain: &[Element], radius: f64) -> Result<Wall, NoWall> {
-        let start = chain.first().ok_or(NoWall::Empty)?.from();
+    /// See [`NoProfile`]. Arcs must not run through a quadrant point; see [`quarters`](super::element::quarters).
+    pub fn new(chain: &[Element], radius: f64) -> Result<NoseProfile, NoProfile> {
+        let start = chain.first().ok_or(NoProfile::Empty)?.from();
         let mut at = start;
         for element in chain {
             if distance(at, element.from()) > super::SAME_POINT {
-                return Err(NoWall::Gap);
+                return Err(NoProfile::Gap);
             }
             if !falls(element) {
-                return Err(NoWall::Rises);
+                return Err(NoProfile::Rises);
             }
             at = element.to();
         }
@@ -62,7 +62,7 @@ impl Wall {
         whole.push(Element::Line { from: top, to: start });
         whole.extend_from_slice(chain);
         let outline = Profile::new(&whole, Grown { along: 0.0, up: -radius, disc: radius });
-        Ok(Wall { outline: outline.mirrored() })
+        Ok(NoseProfile { outline: outline.mirrored() })
     }
 
     /// Least x of the nose centre when its lowest point is at height `y`.
@@ -124,7 +124,7 @@ mod tests {
 
     #[test]
     fn a_vertical_wall_is_one_line() {
-        let wall = Wall::new(&[line((0.0, 0.0), (0.0, -5.0))], 0.2).unwrap();
+        let wall = NoseProfile::new(&[line((0.0, 0.0), (0.0, -5.0))], 0.2).unwrap();
         let (start, legs) = wall.way(1.0, -5.0);
         assert!(near(start, (0.2, 1.0)));
         assert!(matches!(legs[..], [Leg::Line { to }] if near(to, (0.2, -5.0))), "{legs:?}");
@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn a_sharp_edge_is_rolled_over() {
         // Rim, edge, vertical wall.
-        let wall = Wall::new(&[line((-3.0, 0.0), (0.0, 0.0)), line((0.0, 0.0), (0.0, -5.0))], 0.5).unwrap();
+        let wall = NoseProfile::new(&[line((-3.0, 0.0), (0.0, 0.0)), line((0.0, 0.0), (0.0, -5.0))], 0.5).unwrap();
         let (start, legs) = wall.way(1.0, -5.0);
         assert!(near(start, (-2.5, 1.0)));
         let ends: Vec<Point2> = legs.iter().map(Leg::to).collect();
@@ -154,7 +154,8 @@ mod tests {
             sweep: -core::f64::consts::FRAC_PI_2,
         };
         let foot = Point2::new(-80.66707189016574, 50.0);
-        let wall = Wall::new(&[bulge, Element::Line { from: bulge.to(), to: foot }], 0.9168178244483085).unwrap();
+        let wall =
+            NoseProfile::new(&[bulge, Element::Line { from: bulge.to(), to: foot }], 0.9168178244483085).unwrap();
         let (_, legs) = wall.way(53.1, 50.0);
         let arcs: Vec<&Leg> = legs.iter().filter(|leg| matches!(leg, Leg::Arc { .. })).collect();
         let end = (foot.x + 0.9168178244483085, 52.0 - 0.9168178244483085);
@@ -168,7 +169,7 @@ mod tests {
     fn a_short_arc_becomes_lines_that_do_not_gouge() {
         // A quarter of 5e-4 mm about the edge: its chord would come nearer than the nose is round.
         let (r, edge) = (5e-4, Point2::new(0.0, 0.0));
-        let wall = Wall::new(&[line((-3.0, 0.0), (0.0, 0.0)), line((0.0, 0.0), (0.0, -5.0))], r).unwrap();
+        let wall = NoseProfile::new(&[line((-3.0, 0.0), (0.0, 0.0)), line((0.0, 0.0), (0.0, -5.0))], r).unwrap();
         let (start, legs) = wall.way(1.0, -5.0);
         let mut at = start;
         for leg in &legs {
@@ -191,16 +192,16 @@ mod tests {
             center: Point2::new(0.3, -4.7),
             sweep: core::f64::consts::FRAC_PI_2,
         };
-        let wall = Wall::new(&[line((0.0, 0.0), (0.0, -4.7)), foot], 0.5).unwrap();
+        let wall = NoseProfile::new(&[line((0.0, 0.0), (0.0, -4.7)), foot], 0.5).unwrap();
         assert!((wall.touch(-5.0) - 0.5).abs() < 1e-12);
-        let large = Wall::new(&[line((0.0, 0.0), (0.0, -4.7)), foot], 0.1).unwrap();
+        let large = NoseProfile::new(&[line((0.0, 0.0), (0.0, -4.7)), foot], 0.1).unwrap();
         // The nose of 0.1 follows: at the floor its centre is below the centre of the hollow.
         assert!((large.touch(-5.0) - 0.3).abs() < 1e-12);
     }
 
     #[test]
     fn a_slope_offsets_by_its_normal() {
-        let wall = Wall::new(&[line((0.0, 0.0), (5.0, -5.0))], 1.0).unwrap();
+        let wall = NoseProfile::new(&[line((0.0, 0.0), (5.0, -5.0))], 1.0).unwrap();
         // Centre on the line x + y = √2, centre height y + 1.
         assert!((wall.touch(-3.0) - (2f64.sqrt() + 2.0)).abs() < 1e-12);
     }
@@ -219,7 +220,7 @@ mod tests {
             let end = Point2::new(center.x, foot.y);
             let sweep = libm::acos(sin);
             let arc = Element::Arc { from: slope.to(), to: end, center, sweep };
-            let wall = Wall::new(&[slope, arc], nose).unwrap();
+            let wall = NoseProfile::new(&[slope, arc], nose).unwrap();
             let (start, legs) = wall.way(rim.y + 1.0, foot.y);
             let mut at = start.x;
             for leg in &legs {
@@ -232,10 +233,10 @@ mod tests {
 
     #[test]
     fn rising_and_overhanging_chains_are_no_walls() {
-        assert_eq!(Wall::new(&[line((0.0, 0.0), (1.0, 1.0))], 0.1), Err(NoWall::Rises));
-        assert_eq!(Wall::new(&[line((0.0, 0.0), (-1.0, -1.0))], 0.1), Err(NoWall::Rises));
-        assert_eq!(Wall::new(&[], 0.1), Err(NoWall::Empty));
+        assert_eq!(NoseProfile::new(&[line((0.0, 0.0), (1.0, 1.0))], 0.1), Err(NoProfile::Rises));
+        assert_eq!(NoseProfile::new(&[line((0.0, 0.0), (-1.0, -1.0))], 0.1), Err(NoProfile::Rises));
+        assert_eq!(NoseProfile::new(&[], 0.1), Err(NoProfile::Empty));
         let gap = [line((0.0, 0.0), (1.0, -1.0)), line((2.0, -1.0), (3.0, -2.0))];
-        assert_eq!(Wall::new(&gap, 0.1), Err(NoWall::Gap));
+        assert_eq!(NoseProfile::new(&gap, 0.1), Err(NoProfile::Gap));
     }
 }

@@ -13,6 +13,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
+use crate::block_ends::BlockEnds;
 use crate::diag::{CallPath, Diags, Finding, Trail, codes};
 use crate::dialect::Dialect;
 use crate::driver::{Failure, Session};
@@ -23,7 +24,6 @@ use crate::ir::{Blank, Function, Origin, Pos};
 use crate::machine::keys::choices;
 use crate::machine::tools::{Tool, ToolKey};
 use crate::machine::{MachineKind, Settings};
-use crate::seen::Seen;
 use crate::text::{FileId, Files, Sources};
 
 pub use answer::answer;
@@ -121,7 +121,7 @@ fn blank(blank: &Blank) -> Value {
 /// Checks the main program of a session: findings, and the place behind each block as lines of text with the number of the
 /// block's line in front.
 pub fn checked(session: &Session, dialect: &Dialect, settings: &Settings, files: &dyn Files) -> Vec<u8> {
-    let mut seen = Seen::default();
+    let mut seen = BlockEnds::default();
     session.check_seen(dialect, settings, files, Some(&mut seen), &|| true);
     let cut_off = session.diags.any(|found| found.code.id == codes::P4001.id);
     let mut places = String::new();

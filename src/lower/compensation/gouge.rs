@@ -12,11 +12,11 @@
 use std::collections::VecDeque;
 
 use crate::diag::Diags;
-use crate::geo::{Element, Point2, Vec2, cross, direction, gap};
+use crate::geo::{Element, Point2, Vec2, clearance, cross, direction};
 use crate::ir::Origin;
 
 use super::bounds::Bounds;
-use super::piece::{Kind, Piece, Spares};
+use super::piece::{Kind, Piece, PiecePool};
 use super::{Compensator, reports};
 
 /// Elements looked back upon.
@@ -63,7 +63,7 @@ impl Looked<'_> {
     fn hits(&self, other: &Looked<'_>, r: f64) -> bool {
         match (*self.element, *other.element) {
             (Element::Line { from: a, to: b }, Element::Line { from: c, to: d }) => lines_are_near(a, b, c, d, r),
-            (a, b) => gap::between(&a, &b) < r,
+            (a, b) => clearance::between(&a, &b) < r,
         }
     }
 }
@@ -115,7 +115,7 @@ impl Window {
 
 /// What lies behind: the pieces that were printed, and elements that were left out.
 #[derive(Debug, Default)]
-pub struct Damage {
+pub struct Gouges {
     behind: VecDeque<Box<Piece>>,
     /// How many of them are elements.
     kept: usize,
@@ -129,10 +129,10 @@ pub struct Damage {
     pub refuses: bool,
 }
 
-impl Damage {
-    pub fn forget(&mut self, spares: &mut Spares) {
-        self.behind.drain(..).for_each(|piece| spares.put(piece));
-        *self = Damage { behind: std::mem::take(&mut self.behind), ..Damage::default() };
+impl Gouges {
+    pub fn forget(&mut self, pool: &mut PiecePool) {
+        self.behind.drain(..).for_each(|piece| pool.put(piece));
+        *self = Gouges { behind: std::mem::take(&mut self.behind), ..Gouges::default() };
     }
 
     /// The control itself goes beyond the contour.
@@ -147,7 +147,7 @@ impl Damage {
 
     /// A piece that was printed, or left out.
     #[inline]
-    pub fn keep(&mut self, piece: Box<Piece>, spares: &mut Spares) {
+    pub fn keep(&mut self, piece: Box<Piece>, pool: &mut PiecePool) {
         self.irregular += usize::from(!piece.regular);
         self.kept += usize::from(piece.kind.is_of_contour());
         self.behind.push_back(piece);
@@ -155,7 +155,7 @@ impl Damage {
             let Some(oldest) = self.behind.pop_front() else { return };
             self.kept -= usize::from(oldest.kind.is_of_contour());
             self.irregular -= usize::from(!oldest.regular);
-            spares.put(oldest);
+            pool.put(oldest);
         }
     }
 
@@ -170,15 +170,15 @@ impl Compensator {
     /// The contour has a new element.
     #[inline(always)]
     pub(super) fn watch_contour(&mut self, diags: &Diags) {
-        self.damage.elements += 1;
+        self.gouges.elements += 1;
         let Some(newest) = self.ahead.back().or(self.path.back()) else { return };
-        let window = &self.damage.window;
+        let window = &self.gouges.window;
         let goes_on = newest.joined && window.since < newest.index && window.admits(newest);
         if !goes_on {
             self.open_window();
         }
-        let since = if self.damage.irregular > 0 { u32::MAX } else { self.damage.window.since };
-        if self.damage.behind.front().is_some_and(|oldest| oldest.index < since) {
+        let since = if self.gouges.irregular > 0 { u32::MAX } else { self.gouges.window.since };
+        if self.gouges.behind.front().is_some_and(|oldest| oldest.index < since) {
             self.look_at_path(since, diags);
         }
     }
@@ -189,7 +189,7 @@ impl Compensator {
         let Some(newest) = self.ahead.back().or(self.path.back()) else { return };
         let towards = direction(newest.headings.start + newest.headings.end, 0.0).unwrap_or_default();
         let mut window = Window { towards, since: newest.index + 1 };
-        let pieces = self.ahead.iter().rev().chain(self.path.iter().rev()).chain(self.damage.behind.iter().rev());
+        let pieces = self.ahead.iter().rev().chain(self.path.iter().rev()).chain(self.gouges.behind.iter().rev());
         for element in pieces.filter(|piece| piece.kind.is_of_contour()) {
             if element.kind == Kind::Gone || !window.admits(element) {
                 break;
@@ -199,34 +199,34 @@ impl Compensator {
                 break;
             }
         }
-        self.damage.window = window;
+        self.gouges.window = window;
     }
 
     /// Do older pieces of the path damage the newest element?
     #[inline(never)]
     fn look_at_path(&mut self, since: u32, diags: &Diags) {
-        if self.damage.reported {
+        if self.gouges.reported {
             return;
         }
         let Some(newest) = self.ahead.back_mut().or(self.path.back_mut()).filter(|newest| !newest.rules.is_way) else {
             return;
         };
         let (d, origin, newest) = (self.d, newest.origin, newest.element());
-        let pieces = self.damage.behind.iter_mut();
+        let pieces = self.gouges.behind.iter_mut();
         let hit = pieces
             .filter(|piece| piece.kind != Kind::Gone && !piece.rules.is_way && piece.index < since)
             .find_map(|piece| piece.way().damages(&newest, d.abs() - NEARER).then_some(piece.origin));
         if let Some(path) = hit {
-            self.damage.report(&path, &origin, d, diags);
+            self.gouges.report(&path, &origin, d, diags);
         }
     }
 
     /// A piece of the path is settled.
     #[inline]
     pub(super) fn watch_path(&mut self, piece: &mut Piece, diags: &Diags) {
-        let window = self.damage.window.since;
+        let window = self.gouges.window.since;
         let in_window = piece.regular && piece.index >= window;
-        if !in_window || self.damage.behind.front().is_some_and(|oldest| oldest.index < window) {
+        if !in_window || self.gouges.behind.front().is_some_and(|oldest| oldest.index < window) {
             self.look_at_contour(piece, if in_window { window } else { u32::MAX }, diags);
         }
     }
@@ -234,16 +234,16 @@ impl Compensator {
     /// Does a piece of the path damage elements of the contour?
     #[inline(never)]
     fn look_at_contour(&mut self, piece: &mut Piece, since: u32, diags: &Diags) {
-        if self.damage.reported || piece.rules.is_way {
+        if self.gouges.reported || piece.rules.is_way {
             return;
         }
         let (d, origin, way) = (self.d, piece.origin, piece.way());
-        let pieces = self.damage.behind.iter_mut().chain(&mut self.path).chain(&mut self.ahead);
+        let pieces = self.gouges.behind.iter_mut().chain(&mut self.path).chain(&mut self.ahead);
         let hit = pieces
             .filter(|piece| piece.kind.is_of_contour() && !piece.rules.is_way && piece.index < since)
             .find_map(|piece| way.damages(&piece.element(), d.abs() - NEARER).then_some(piece.origin));
         if let Some(contour) = hit {
-            self.damage.report(&origin, &contour, d, diags);
+            self.gouges.report(&origin, &contour, d, diags);
         }
     }
 }

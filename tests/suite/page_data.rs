@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use partc::exhibit;
+use partc::page_data;
 use serde_json::{Value, json};
 
 use super::book::{self, Case};
@@ -63,7 +63,7 @@ fn a_page_shows_the_code_that_is_compiled() {
     let mut compared = 0;
     // Some of each book: the module runs all of them.
     for case in book::cases("").into_iter().step_by(5).filter(|case| finds_the_same(case)) {
-        let answer = exhibit::answer(&request(case, "make"));
+        let answer = page_data::answer(&request(case, "make"));
         let (about, parts) = read(&answer);
         let compiled = case.compile();
         if case.name.starts_with("errors/") && compiled.has_errors() != about["failed"] {
@@ -96,11 +96,11 @@ fn a_page_shows_where_blocks_lead_and_what_is_found() {
         dialect: "klartext".to_owned(),
         ..Case::default()
     };
-    let answer = exhibit::answer(&request(&case, "check"));
+    let answer = page_data::answer(&request(&case, "check"));
     let (_, parts) = read(&answer);
     let places = String::from_utf8_lossy(part(&parts, "places"));
     assert_eq!(places, "3\tX0 Y0 Z5\n5\tX10 Y0 Z5 ×3\n");
-    let answer = exhibit::answer(&request(&case, "make"));
+    let answer = page_data::answer(&request(&case, "make"));
     let (about, parts) = read(&answer);
     assert_eq!((&about["lathe"], &about["stats"]["cutting_mm"]), (&json!(false), &json!(30.0)));
     assert_eq!(words(part(&parts, "blocks")), [3, 5, 5, 5]);
@@ -119,7 +119,7 @@ fn a_page_shows_a_refused_program_up_to_its_error() {
         dialect: "klartext".to_owned(),
         ..Case::default()
     };
-    let answer = exhibit::answer(&request(&case, "make"));
+    let answer = page_data::answer(&request(&case, "make"));
     let (about, parts) = read(&answer);
     assert_eq!(
         about["incomplete"],
@@ -135,7 +135,7 @@ fn a_page_shows_a_refused_program_up_to_its_error() {
     let kinds: Vec<u8> = part(&parts, "kinds").to_vec();
     assert!(kinds[..3].iter().all(|kind| *kind == 255 || kind & 128 == 0), "{kinds:?}");
     assert_eq!((kinds[3] & 128, kinds[3] & 112 > 0, kinds[4]), (128, true, 129), "{kinds:?}");
-    let answer = exhibit::answer(&request(&case, "check"));
+    let answer = page_data::answer(&request(&case, "check"));
     let (_, parts) = read(&answer);
     let places = String::from_utf8_lossy(part(&parts, "places"));
     assert_eq!(places, "4\tX0 Y0 Z5\n5\tX10 Y0 Z5\n7\tX30 Y0 Z0 after an error\n8\tX40 Y0 Z0 after an error\n");
@@ -144,10 +144,10 @@ fn a_page_shows_a_refused_program_up_to_its_error() {
 #[test]
 fn requests_that_are_none_are_refused() {
     for bytes in [&b""[..], b"\x10\0\0\0{}", b"\x02\0\0\0{}", b"\x04\0\0\0nope", b"\xff\xff\xff\xff"] {
-        let answer = String::from_utf8(exhibit::answer(bytes)).expect("text");
+        let answer = String::from_utf8(page_data::answer(bytes)).expect("text");
         assert!(answer.starts_with("{\"trouble\":"), "{answer}");
     }
-    let about: Value = serde_json::from_slice(&exhibit::answer(b"\x10\0\0\0{\"what\":\"about\"}")).expect("JSON");
+    let about: Value = serde_json::from_slice(&page_data::answer(b"\x10\0\0\0{\"what\":\"about\"}")).expect("JSON");
     assert!(about["targets"].as_array().is_some_and(|targets| targets.len() > 10), "{about}");
 }
 
@@ -158,7 +158,7 @@ fn the_module_for_browsers_answers_with_the_same_bytes() {
     let Some(module) = std::env::var_os("PARTC_WASM") else { return };
     let mut bytes = Vec::new();
     let mut take = |request: &[u8]| {
-        let answer = exhibit::answer(request);
+        let answer = page_data::answer(request);
         for part in [request, &answer] {
             bytes.extend_from_slice(&(part.len() as u32).to_le_bytes());
             bytes.extend_from_slice(part);

@@ -15,7 +15,7 @@ const MOST: usize = 1 << 21;
 
 /// What the blocks of a program do.
 #[derive(Debug, Default)]
-pub struct Seen {
+pub struct BlockEnds {
     /// In the order in which the blocks first ran.
     pub stops: Vec<Stop>,
     pub tools: Vec<Tool>,
@@ -128,7 +128,7 @@ pub struct Tool {
     pub number: u32,
 }
 
-impl Seen {
+impl BlockEnds {
     /// The block whose words begin at `start`.
     pub fn stop(&self, file: FileId, start: u32) -> Option<&Stop> {
         self.by_block.get(&(file, start)).and_then(|at| self.stops.get(*at))
@@ -192,7 +192,7 @@ impl Seen {
 
 /// Looks on while a program runs, and hands everything to `next`.
 pub struct Looks<'s> {
-    pub seen: &'s mut Seen,
+    pub seen: &'s mut BlockEnds,
     pub trail: &'s Trail,
     pub next: &'s mut dyn Sink,
     /// Where it does not, the run ends.

@@ -18,7 +18,7 @@ const FIRST_CHUNK: usize = 1 << 14;
 const NUMBER: usize = 9;
 
 /// The output under construction.
-pub(super) struct Page<'a> {
+pub(super) struct LineWriter<'a> {
     diags: &'a Diags,
     out: &'a mut dyn Output,
     map: Option<&'a mut dyn LineMap>,
@@ -42,7 +42,7 @@ pub(super) struct Page<'a> {
     error: Option<io::Error>,
 }
 
-impl<'a> Page<'a> {
+impl<'a> LineWriter<'a> {
     pub fn new(
         mut limits: Line,
         step: u32,
@@ -51,7 +51,7 @@ impl<'a> Page<'a> {
         diags: &'a Diags,
         out: &'a mut dyn Output,
         map: Option<&'a mut dyn LineMap>,
-    ) -> Page<'a> {
+    ) -> LineWriter<'a> {
         let step = match limits.sequence {
             Sequence::Address(..) => step,
             Sequence::Blocks => 1,
@@ -61,7 +61,7 @@ impl<'a> Page<'a> {
             limits.length -= NUMBER;
         }
         let number = if limits.sequence == Sequence::Blocks { 0 } else { u64::from(step) };
-        Page {
+        LineWriter {
             diags,
             out,
             map,
@@ -127,7 +127,7 @@ impl<'a> Page<'a> {
         }
     }
 
-    /// From here on text stays until [`Page::release`].
+    /// From here on text stays until [`LineWriter::release`].
     pub fn hold(&mut self) {
         self.read = Some(0);
     }

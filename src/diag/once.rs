@@ -11,9 +11,9 @@ const COUNTED: usize = 10_000;
 
 /// The facts of each code that were told.
 #[derive(Debug, Default)]
-pub struct Told(FxHashMap<&'static str, FxHashSet<u64>>);
+pub struct Once(FxHashMap<&'static str, FxHashSet<u64>>);
 
-impl Told {
+impl Once {
     /// Is `fact` new to `code`, and one of those that are listed?
     pub fn is_first(&mut self, code: &'static str, fact: impl Hash) -> bool {
         let facts = self.0.entry(code).or_default();
@@ -33,7 +33,7 @@ mod tests {
 
     #[test]
     fn a_fact_is_told_once_and_many_are_counted() {
-        let mut told = Told::default();
+        let mut told = Once::default();
         assert!(told.is_first("K2011", "DL 0.5"));
         assert!(!told.is_first("K2011", "DL 0.5"));
         assert!(told.is_first("K2011", "DL -0.8"));

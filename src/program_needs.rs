@@ -11,7 +11,7 @@ use crate::text::Loc;
 
 /// What a program uses; each with the first block that does.
 #[derive(Debug, Clone, Default)]
-pub struct Uses {
+pub struct ProgramNeeds {
     pub tools: BTreeMap<u32, ToolUse>,
     /// Work offsets, 1 (G54) to 9 (G59.3), and on.
     pub offsets: BTreeMap<u8, Loc>,
@@ -31,14 +31,14 @@ pub struct ToolUse {
 
 /// Looks on while a program runs, and hands everything to `next`.
 pub struct Watch<'s> {
-    pub uses: Uses,
+    pub uses: ProgramNeeds,
     pub next: &'s mut dyn Sink,
     tool: u32,
 }
 
 impl<'s> Watch<'s> {
     pub fn new(next: &'s mut dyn Sink) -> Watch<'s> {
-        Watch { uses: Uses::default(), next, tool: 0 }
+        Watch { uses: ProgramNeeds::default(), next, tool: 0 }
     }
 }
 
