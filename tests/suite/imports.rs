@@ -51,7 +51,7 @@ pub fn imports(root: &Path, files: &[(String, String)]) -> Imports {
 }
 
 /// The code without comments, and without what is built for tests only; by the layout of rustfmt.
-fn code_of(text: &str) -> String {
+pub fn code_of(text: &str) -> String {
     let mut code = String::new();
     let mut lines = text.lines();
     while let Some(line) = lines.next() {

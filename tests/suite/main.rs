@@ -6,6 +6,7 @@ mod after_tool_change;
 mod answers;
 mod book;
 mod boundaries;
+mod calls;
 mod captured;
 mod cli;
 mod cli_backup;
