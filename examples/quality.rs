@@ -4,6 +4,7 @@
 //!     cargo run --release --example quality -- --giant         # a program of a gibibyte, too: needs the room on the disk
 //!     cargo run --release --example quality -- --partc FILE    # measures this command
 //!     cargo run --release --example quality -- R5 R10          # these rows, and those that come with them
+//!     cargo run --release --example quality -- --to-release    # figures of long runs that are older than the source are missed
 //!
 //! What takes hours is counted elsewhere: `fuzz/run` and `fuzz/counters.toml`. Exit code 1 if a goal is missed.
 
@@ -56,6 +57,7 @@ fn main() -> ExitCode {
     let wanted = |rows: &[&str]| named.is_empty() || named.iter().any(|name| rows.contains(&name.as_str()));
     if wanted(&["R1", "R18"]) {
         show(counted(root));
+        show(vec![counted_of_this_source(root, arguments.iter().any(|argument| argument == "--to-release"))]);
     }
     if wanted(&["R2", "R3", "R4"]) {
         show(damaged());
@@ -136,6 +138,42 @@ fn counted(root: &Path) -> Vec<Row> {
             kept: tried > 0.0 && score >= 75.0,
         },
     ]
+}
+
+/// How many commits changed the compiler since the figures of long runs were counted. A release has figures of its own source.
+fn counted_of_this_source(root: &Path, to_release: bool) -> Row {
+    let text = std::fs::read_to_string(root.join("fuzz/counters.toml")).expect("fuzz/counters.toml");
+    let counters: toml::Table = text.parse().expect("counters");
+    let commit = |table: Option<&toml::Value>, key: &str| Some(table?.get(key)?.as_str()?.to_owned());
+    let fuzzed = counters.get("fuzz").and_then(toml::Value::as_table).into_iter().flat_map(|fuzz| fuzz.values());
+    let mut commits: Vec<(&str, String)> =
+        fuzzed.filter_map(|target| Some(("fuzz", commit(Some(target), "since")?))).collect();
+    commits
+        .extend(["mutation", "coverage"].map(|name| (name, commit(counters.get(name), "commit").unwrap_or_default())));
+    commits.dedup();
+    let ages: Vec<(&str, Option<u32>)> =
+        commits.iter().map(|(name, commit)| (*name, changes_since(root, commit))).collect();
+    let shown: Vec<String> = ages
+        .iter()
+        .map(|(name, age)| {
+            format!("{name} {}", age.map_or("of no known commit".to_owned(), |age| format!("{age} commits ago")))
+        })
+        .collect();
+    Row {
+        id: "R18",
+        what: "age of these figures",
+        value: shown.join(", "),
+        goal: if to_release { "of this source" } else { "of this source, for a release" },
+        kept: !to_release || ages.iter().all(|(_, age)| *age == Some(0)),
+    }
+}
+
+/// Commits since then that changed what is compiled.
+fn changes_since(root: &Path, commit: &str) -> Option<u32> {
+    let range = format!("{commit}..HEAD");
+    let listed =
+        Command::new("git").args(["rev-list", "--count", &range, "--", "src", "grammar"]).current_dir(root).output();
+    String::from_utf8(listed.ok().filter(|listed| listed.status.success())?.stdout).ok()?.trim().parse().ok()
 }
 
 fn damaged() -> Vec<Row> {
