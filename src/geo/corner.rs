@@ -48,8 +48,7 @@ pub fn rounding(before: &Element, after: &Element, radius: f64, tol: f64) -> Res
     let side = if cross(u, w) > 0.0 { 1.0 } else { -1.0 };
     let corner = before.to();
     if let (Element::Line { .. }, Element::Line { .. }) = (before, after) {
-        // tan(φ/2) = sin φ / (1 + cos φ): no trigonometry, so right angles stay exact.
-        let back = radius * cross(u, w).abs() / (1.0 + u.dot(&w));
+        let back = radius * tan_of_half(u, w);
         fits(back, before, after, tol)?;
         let leave = corner - u * back;
         return Ok(Cut { leave, join: corner + w * back, arc: Some((leave + left(u) * (side * radius), side > 0.0)) });
@@ -103,7 +102,7 @@ pub fn cut_off(before: &Element, after: &Element, size: Size) -> Option<f64> {
     let (Element::Line { .. }, Element::Line { .. }) = (before, after) else { return None };
     let (u, w) = directions(before, after).ok()?;
     Some(match size {
-        Size::Radius(radius) => radius * cross(u, w).abs() / (1.0 + u.dot(&w)),
+        Size::Radius(radius) => radius * tan_of_half(u, w),
         Size::Side(side) => side,
         Size::Length(length) => length / (u + w).norm(),
     })
@@ -231,6 +230,13 @@ impl Track {
     }
 }
 
+/// Tangent of half the angle by which `w` turns from `u`, both of length 1: no trigonometry, so right angles stay exact. Of the two forms
+/// the one that takes no difference of numbers nearly alike.
+pub fn tan_of_half(u: Vec2, w: Vec2) -> f64 {
+    let (sin, cos) = (cross(u, w).abs(), u.dot(&w));
+    if cos >= 0.0 { sin / (1.0 + cos) } else { (1.0 - cos) / sin }
+}
+
 fn directions(before: &Element, after: &Element) -> Result<(Vec2, Vec2), NoCut> {
     let (Some(u), Some(w)) = (before.end_direction(), after.start_direction()) else {
         return Err(NoCut::Degenerate);
@@ -307,6 +313,15 @@ mod tests {
             && (distance(cut.join, center) - radius).abs() < 1e-7
             && near(a, cut.leave)
             && near(b, cut.join)
+    }
+
+    /// The lines nearly turn back: what is cut off is long, and has all its digits.
+    #[test]
+    fn rounding_of_a_sharp_corner() {
+        let (far, up) = (100_019.0, 17.3205);
+        let cut = rounding(&line((-far, 0.0), (0.0, 0.0)), &line((0.0, 0.0), (-far, up)), 3.0, 1e-9).unwrap();
+        let half = libm::atan2(up, far) / 2.0;
+        assert!((cut.leave.x + 3.0 / libm::tan(half)).abs() < 1e-6, "{cut:?}");
     }
 
     #[test]
