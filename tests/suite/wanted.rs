@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use partc::internals::driver::Session;
 use partc::internals::geo::Plane;
 use partc::internals::ir::function::{Coolant, Spindle, Turn};
-use partc::internals::ir::{Function, Origin, motion};
+use partc::internals::ir::{Function, Origin, Pos, motion};
 use partc::internals::machine::Axis;
 use partc::internals::text::{Memory, Opened};
 
@@ -18,25 +18,35 @@ use super::book::{self, Case};
 /// Four decimals, rounded or cut.
 const WRITTEN: f64 = 1.1e-4;
 
-/// What a program does.
+/// What a program does; of a move where it starts, too.
 enum Act {
-    Move(motion::Move),
+    Move(motion::Move, Pos),
     Function(Function),
 }
 
 #[derive(Default)]
-struct Acts(Vec<Act>);
+struct Acts {
+    list: Vec<Act>,
+    at: Pos,
+}
 
 impl motion::Sink for Acts {
     fn movement(&mut self, mv: &motion::Move, _: &Origin) {
-        self.0.push(Act::Move(*mv));
+        self.list.push(Act::Move(*mv, self.at));
+        self.at = if mv.machine { Pos::UNKNOWN } else { mv.end };
     }
 
     fn function(&mut self, function: &Function, _: &Origin) {
-        self.0.push(Act::Function(function.clone()));
+        self.list.push(Act::Function(function.clone()));
     }
 
-    fn lost(&mut self, _: &Origin) {}
+    fn lost(&mut self, _: &Origin) {
+        self.at = Pos::UNKNOWN;
+    }
+
+    fn begins_at(&mut self, at: &Pos) {
+        self.at.update(at);
+    }
 }
 
 /// The acts of a case, and whether it is refused.
@@ -46,7 +56,7 @@ fn acts(case: &Case) -> (Vec<Act>, bool) {
     let dialect = partc::internals::dialect::find(&case.dialect).expect("a dialect");
     let mut out = Acts::default();
     session.lower(dialect, &case.settings(), case, &mut out);
-    (out.0, session.diags.has_errors())
+    (out.list, session.diags.has_errors())
 }
 
 /// A letter and its number.
@@ -127,7 +137,7 @@ impl Item {
 
     fn is(&self, act: &Act) -> bool {
         match (self, act) {
-            (Item::Move { machine, .. }, Act::Move(mv)) => *machine == mv.machine && self.is_made_by(mv),
+            (Item::Move { machine, .. }, Act::Move(mv, from)) => *machine == mv.machine && self.is_made_by(mv, from),
             (Item::Function(word), Act::Function(function)) => does(function, *word),
             (Item::Dwell(seconds), Act::Function(Function::Dwell(made))) => near(*made, *seconds),
             (Item::Cutting(wanted), Act::Function(Function::Spindle(Spindle::CuttingSpeed { speed, .. }))) => {
@@ -137,7 +147,7 @@ impl Item {
         }
     }
 
-    fn is_made_by(&self, mv: &motion::Move) -> bool {
+    fn is_made_by(&self, mv: &motion::Move, from: &Pos) -> bool {
         let Item::Move { kind, end, start, centre, sweep, .. } = self else { return false };
         let made = match mv.path {
             motion::Path::Rapid => Kind::Rapid,
@@ -151,6 +161,8 @@ impl Item {
             ('K', motion::Path::Thread { lead }) => near(lead, word.1),
             (letter, _) => axis(letter).and_then(|axis| mv.end.get(axis)).is_some_and(|at| near(at, word.1)),
         });
+        let starts =
+            start.iter().all(|word| axis(word.0).and_then(|axis| from.get(axis)).is_some_and(|at| near(at, word.1)));
         let round = match mv.path {
             motion::Path::Arc(arc, _) => {
                 let of = |letter, point: partc::internals::geo::Point2| {
@@ -161,14 +173,12 @@ impl Item {
                     };
                     if letter == first { Some(point.x) } else { (letter == second).then_some(point.y) }
                 };
-                // What lies beside the plane of an arc is not said of its start.
-                start.iter().all(|word| of(word.0, arc.from).is_none_or(|at| near(at, word.1)))
-                    && centre.iter().all(|word| of(word.0, arc.center).is_some_and(|at| near(at, word.1)))
+                centre.iter().all(|word| of(word.0, arc.center).is_some_and(|at| near(at, word.1)))
                     && sweep.is_none_or(|wanted| near(arc.sweep.to_degrees().abs(), wanted))
             }
             _ => centre.is_empty() && sweep.is_none(),
         };
-        made == *kind && ends && round
+        made == *kind && ends && starts && round
     }
 }
 
@@ -210,7 +220,7 @@ fn does(function: &Function, word: Word) -> bool {
 /// What a line wants of the acts; the first thing that is not met.
 fn missed(line: &str, acts: &[Act]) -> Option<String> {
     if line == "no moves" {
-        return acts.iter().any(|act| matches!(act, Act::Move(_))).then(|| "it moves".to_owned());
+        return acts.iter().any(|act| matches!(act, Act::Move(..))).then(|| "it moves".to_owned());
     }
     let (exactly, line) = line.strip_prefix("exactly ").map_or((false, line), |line| (true, line));
     let mut rest = acts.iter();
@@ -220,7 +230,7 @@ fn missed(line: &str, acts: &[Act]) -> Option<String> {
             Err(why) => return Some(why),
         };
         // Where no other move may be made, the next one is it.
-        let next_move = |act: &&Act| !(exactly && item.is_move()) || matches!(act, Act::Move(_));
+        let next_move = |act: &&Act| !(exactly && item.is_move()) || matches!(act, Act::Move(..));
         let met = match exactly && item.is_move() {
             true => rest.find(next_move).is_some_and(|act| item.is(act)),
             false => rest.any(|act| item.is(act)),
@@ -229,7 +239,7 @@ fn missed(line: &str, acts: &[Act]) -> Option<String> {
             return Some(text.to_owned());
         }
     }
-    (exactly && rest.any(|act| matches!(act, Act::Move(_)))).then(|| "it moves once more".to_owned())
+    (exactly && rest.any(|act| matches!(act, Act::Move(..)))).then(|| "it moves once more".to_owned())
 }
 
 /// `CODE text`: a finding of this code says so.
