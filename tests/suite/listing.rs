@@ -4,7 +4,7 @@ mod short;
 
 use std::collections::BTreeMap;
 
-use super::book::read::{Entry, SEPARATOR, THEN, is_comment};
+use super::book::read::{Entry, SEPARATOR, THEN, WANTED, is_comment};
 use super::book::{self, Case};
 use super::common::{Compiled, Line};
 
@@ -57,7 +57,9 @@ pub fn of(book: &str, inputs: &str) -> String {
 
 fn write(entry: &Entry<'_>, made: &Made, text: &mut String) {
     for (at, part) in entry.parts.iter().enumerate() {
-        *text += &format!("{}\n", part.mark);
+        for line in std::iter::once(&part.mark).chain(&part.wanted) {
+            *text += &format!("{line}\n");
+        }
         for (line, content) in part.content().iter().enumerate() {
             put(text, content, made.beside.get(&(at, line)).map_or(&[], Vec::as_slice));
         }
@@ -158,7 +160,7 @@ fn table(entry: &Entry<'_>, rows: usize, cases: &[Case]) -> Made {
     let template = entry.parts[entry.program].content();
     let comments_at = template.iter().position(|line| *line == "{comments}");
     let written = entry.parts[rows].content();
-    let starts = (0..written.len()).filter(|at| *at == 0 || !is_comment(written[*at]));
+    let starts = (0..written.len()).filter(|at| !is_comment(written[*at]) && !written[*at].starts_with(WANTED));
     let mut beside: BTreeMap<(usize, usize), Vec<String>> = BTreeMap::new();
     // Of each row: where it stands, what each line of the template makes, and what comes of blocks out of order.
     let mut results = Vec::new();

@@ -119,5 +119,6 @@ mod undercut;
 mod undercut_conditions;
 mod undercut_tables;
 mod vocabulary;
+mod wanted;
 mod work_offsets;
 mod worked_examples;

@@ -33,6 +33,8 @@ pub struct Case {
     pub config: String,
     /// Called programs, by name.
     pub called: BTreeMap<String, Vec<u8>>,
+    /// What the program has to do, worked out by hand (`tests/suite/wanted.rs`).
+    pub wanted: Vec<String>,
 }
 
 impl Case {

@@ -31,9 +31,14 @@ fn is_mark(line: &str) -> bool {
     ["=== ", "== ", "-- "].iter().any(|mark| line.starts_with(mark))
 }
 
+/// Begins a line of what the case has to do, worked out by hand: below a mark, or below a row.
+pub const WANTED: &str = "-> ";
+
 /// A line that begins something, and the lines behind it.
 pub struct Part<'t> {
     pub mark: &'t str,
+    /// What is wanted of the case, in front of the other lines.
+    pub wanted: Vec<&'t str>,
     pub lines: Vec<&'t str>,
 }
 
@@ -77,8 +82,9 @@ fn entries(text: &str) -> Vec<Entry<'_>> {
         }
         let entry = entries.last_mut().expect("a book begins with `=== ` and its title");
         match entry.parts.last_mut() {
+            Some(part) if part.lines.is_empty() && line.starts_with(WANTED) => part.wanted.push(line),
             Some(part) if !is_mark(line) => part.lines.push(line),
-            _ => entry.parts.push(Part { mark: line, lines: Vec::new() }),
+            _ => entry.parts.push(Part { mark: line, wanted: Vec::new(), lines: Vec::new() }),
         }
     }
     entries
@@ -92,8 +98,16 @@ struct Draft {
     extension: Option<String>,
     program: Vec<u8>,
     called: BTreeMap<String, Vec<u8>>,
-    /// Name, value and comments of each row.
-    rows: Option<Vec<(String, String, Vec<String>)>>,
+    wanted: Vec<String>,
+    rows: Option<Vec<Row>>,
+}
+
+/// `value`, or `name = value`, and what stands behind it.
+struct Row {
+    name: String,
+    value: String,
+    comments: Vec<String>,
+    wanted: Vec<String>,
 }
 
 /// The entries of a book with their cases. `config` gives the text of a named configuration.
@@ -106,6 +120,7 @@ pub fn book<'t>(book: &str, inputs: &'t str, config: &dyn Fn(&str) -> String) ->
         let mut draft = Draft::default();
         for (at, part) in entry.parts.iter().enumerate() {
             let text = part.text();
+            draft.wanted.extend(part.wanted.iter().map(|line| line[WANTED.len()..].to_owned()));
             let program = match part.words() {
                 ("===", ..) => {
                     chapter = part.heading();
@@ -159,14 +174,16 @@ impl Draft {
             return vec![self.case(book, chapter, shared, &self.heading, self.program.clone())];
         };
         let template = std::str::from_utf8(&self.program).expect("a template is text");
-        let of_row = |(name, value, comments): &(String, String, Vec<String>)| {
-            let heading = self.heading.replace("{}", name);
-            let comments_text: String = comments.iter().flat_map(|line| [line, "\n"]).collect();
-            let program = template.replace("{comments}\n", &comments_text).replace("{}", value);
+        let of_row = |row: &Row| {
+            let heading = self.heading.replace("{}", &row.name);
+            let comments: String = row.comments.iter().flat_map(|line| [line, "\n"]).collect();
+            let program = template.replace("{comments}\n", &comments).replace("{}", &row.value);
             let program = program.replace("{NAME}", &slug(&heading).to_uppercase());
             let mut case = self.case(book, chapter, shared, &heading, program.into_bytes());
-            let row = if name == value { name.clone() } else { format!("{name} = {value}") };
-            case.table = Some((self.heading.clone(), row));
+            let written =
+                if row.name == row.value { row.name.clone() } else { format!("{} = {}", row.name, row.value) };
+            case.table = Some((self.heading.clone(), written));
+            case.wanted.extend(row.wanted.iter().cloned());
             case
         };
         rows.iter().map(of_row).collect()
@@ -212,6 +229,7 @@ impl Draft {
             program,
             config: self.config.clone(),
             called,
+            wanted: self.wanted.clone(),
         }
     }
 }
@@ -227,15 +245,23 @@ pub fn is_comment(line: &str) -> bool {
     line.starts_with([';', '['])
 }
 
-/// `value`, or `name = value`, each with comments behind it.
-fn rows(body: &str) -> Vec<(String, String, Vec<String>)> {
-    let mut rows: Vec<(String, String, Vec<String>)> = Vec::new();
+fn rows(body: &str) -> Vec<Row> {
+    let mut rows: Vec<Row> = Vec::new();
     for line in body.lines() {
-        match rows.last_mut() {
-            Some((.., comments)) if is_comment(line) => comments.push(line.to_owned()),
+        match (rows.last_mut(), line.strip_prefix(WANTED)) {
+            (Some(row), Some(wanted)) => row.wanted.push(wanted.to_owned()),
+            (Some(row), _) if is_comment(line) => {
+                assert!(row.wanted.is_empty(), "comments stand in front of what is wanted: {line}");
+                row.comments.push(line.to_owned());
+            }
             _ => {
                 let (name, value) = line.split_once(" = ").unwrap_or((line, line));
-                rows.push((name.to_owned(), value.to_owned(), Vec::new()));
+                rows.push(Row {
+                    name: name.to_owned(),
+                    value: value.to_owned(),
+                    comments: Vec::new(),
+                    wanted: Vec::new(),
+                });
             }
         }
     }
