@@ -294,7 +294,7 @@ fn what_is_wanted_of_cases_is_done() {
 }
 
 /// Of a hundred cases that compile, so many have their numbers worked out.
-const LEAST_DECIDED: usize = 10;
+const LEAST_DECIDED: usize = 95;
 
 /// Lines of one list are one: a list goes on while an item follows.
 fn whole_lines(lines: &[&String]) -> Vec<String> {

@@ -48,8 +48,10 @@ pub struct Transformer {
 impl Transformer {
     /// Begins where the machine stands at `real`.
     pub fn new(by: Transformation, real: &Pos) -> Transformer {
-        let angle = real.get(by.rotary);
-        Transformer { by, at: by.seen(real), angle, turns: None, quiet: false, parts: 0 }
+        let (at, angle) = (by.seen(real), real.get(by.rotary));
+        // Where the program sees Y the mantle lies as the axis counts; otherwise the first move says how.
+        let turns = at.get(Axis::Y).map(|_| 0.0);
+        Transformer { by, at, angle, turns, quiet: false, parts: 0 }
     }
 
     pub fn rotary(&self) -> Axis {
