@@ -16,13 +16,12 @@ impl Run<'_> {
         }
         let Some(label) = named.labels.first() else { return Err(Reported) };
         let contour = self.capture(label, cycle.loc)?;
-        self.check_contour(label, &contour)?;
+        self.contours.check(self.view(), label, &contour)?;
         let Some(side) = contour.side else {
             let help = "write RL, RR or nothing into its first block, and nothing after it";
-            return self.contour_fault(label, "its side changes", help);
+            return self.contours.fault(&self.core, label, "its side changes", help);
         };
-        let values = self.contours.train.clone();
-        let data = self.kept(&values)?;
+        let data = self.contours.train.read(self.reading())?;
         Ok(Train { elements: contour.pieces.iter().map(|piece| piece.element).collect(), side, data })
     }
 }

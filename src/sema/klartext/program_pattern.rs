@@ -4,7 +4,6 @@
 //! (docs/sources.md).
 
 use crate::diag::{Answer, Label, codes};
-use crate::ir::Pos;
 use crate::ir::contour::Path;
 use crate::machine::Axis;
 use crate::machine::options::klartext_cycles::PatternProgram;
@@ -24,22 +23,19 @@ impl Run<'_> {
             );
         };
         if places.iter().any(|place| place.surface != 0.0) {
-            self.core.report(
-                codes::P9010::cycl_call_pat_with_program(&name)
-                    .at(self.core.here.origin.loc)
-                    .also(places.loc, Label::Pattern),
-            );
+            let found = codes::P9010::cycl_call_pat_with_program(&name).at(self.core.here.origin.loc);
+            self.core.report(found.also(places.loc, Label::Pattern));
             return Err(Reported);
         }
         self.m_at_start(w, true)?;
         let (height, feed) = match reading {
             PatternProgram::Shift => {
-                self.set_feed(w)?;
+                self.st.set_feed(&self.core, w)?;
                 (None, None)
             }
             PatternProgram::Position => {
                 let feed = self.pattern_feed(w, "CYCL CALL PAT")?;
-                (Some(self.position_of(self.st.axis(), self.core.block_span(), "CYCL CALL PAT")?), feed)
+                (Some(self.view().position_of(self.st.axis(), self.core.block_span(), "CYCL CALL PAT")?), feed)
             }
         };
         for place in places.iter() {
@@ -47,27 +43,14 @@ impl Run<'_> {
             match height {
                 None => self.run_shifted(name, place)?,
                 Some(height) => {
-                    self.go_to_place(place, height, Path::straight(feed));
+                    // As high as the tool stood in front of the pattern, or at the clearance of the place.
+                    self.rise_to(place.clearance.map_or(height, |clearance| clearance.max(height)));
+                    self.go_in_plane(place.at, Path::straight(feed));
                     self.run_program(name)?;
                 }
             }
         }
-        self.m_at_end(w)
-    }
-
-    /// In the plane, as high as the tool stood in front of the pattern, or at the clearance of the place.
-    fn go_to_place(&mut self, place: &Place, height: f64, path: Path) {
-        let axis = self.st.axis();
-        let free = place.clearance.map_or(height, |clearance| clearance.max(height));
-        if self.st.position.get(axis).is_none_or(|at| at < free) {
-            let mut up = Pos::UNKNOWN;
-            up.set(axis, free);
-            self.send(&up, Path::Rapid);
-        }
-        let mut end = Pos::UNKNOWN;
-        end.set_in_plane(self.st.plane(), place.at);
-        self.st.polar.forget_last();
-        self.send(&end, path);
+        self.m_at_end(w.m())
     }
 
     /// The program in a system that is shifted to the place, which has to be the same behind it.
@@ -102,7 +85,7 @@ impl Run<'_> {
     /// The whole program, before the block in hand goes on.
     pub(super) fn run_whole(&mut self, name: &str) -> Outcome {
         let (here, below) = (self.core.here, self.core.levels.len());
-        self.call_program_named(name)?;
+        self.call_program(name)?;
         while self.core.levels.len() > below && !self.core.has_ended() {
             step(self);
         }

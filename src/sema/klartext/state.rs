@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use crate::diag::{Fault, codes};
 use crate::geo::{Plane, Vec2};
 use crate::ir::contour::{Ctx, CtxRef, Path};
 use crate::ir::{Pos, Side};
@@ -9,17 +10,21 @@ use crate::machine::{Axis, AxisSet, Settings};
 use crate::sema::common::compensation::Compensation;
 use crate::sema::common::position::Position;
 use crate::sema::common::start::Start;
+use crate::sema::run::Where;
+use crate::sema::run::place::move_beside;
 use crate::text::Loc;
 
-use super::active_tool::Change;
-use super::contour::{Contour, OwnCorner};
+use super::active_tool::{Change, ToolState};
+use super::contour::{Contour, LastMove, OwnCorner};
 use super::feed::FeedState;
-use super::frames::FrameState;
-use super::m_functions::SpindleState;
-use super::polar::PolarState;
+use super::frame_state::FrameState;
+use super::labels::Label;
+use super::pole::PolarState;
 use super::rotary::RotaryState;
-use super::tool::ToolState;
+use super::spindle::SpindleState;
 use super::transformation::Transformation;
+use super::words::{FeedWord, Words};
+use super::{Core, Outcome, Reported};
 
 /// Everything that one block leaves to the next. Positions are millimetres in the current input system.
 #[derive(Debug, Clone)]
@@ -39,7 +44,6 @@ pub(super) struct State {
     pub tool: ToolState,
     pub frames: FrameState,
     pub spindle: SpindleState,
-    pub coolant: bool,
     pub rotary: RotaryState,
     /// How the last move led to where it ends.
     pub last_path: Path,
@@ -47,6 +51,8 @@ pub(super) struct State {
     pub last_entry: Option<Vec2>,
     /// Something moved already.
     pub moved: bool,
+    /// The contour that is described, which is not carried out.
+    pub described: Option<Label>,
     /// The definition of the cycle that left the tool at an open place of the plane.
     pub left_by: Option<Loc>,
     pub blank: Blank,
@@ -83,25 +89,25 @@ impl State {
             tool: ToolState::default(),
             frames: FrameState::new(Transformation::none(settings.control.klartext_readings.mirror_last)),
             spindle: SpindleState::default(),
-            coolant: false,
             rotary: RotaryState::default(),
             last_path: Path::Rapid,
             last_entry: None,
             moved: false,
+            described: None,
             left_by: None,
             blank: Blank::default(),
             ctx: Rc::new(Ctx::default()),
         }
     }
 
-    /// A contour is described from here on: it depends neither on where the tool stands nor on what its moves may do.
-    pub fn begin_contour(&mut self) {
+    /// The contour of this label is described from here on: it depends neither on where the tool stands nor on what its moves may do.
+    pub fn begin_contour(&mut self, label: &Label) {
+        self.described = Some(label.clone());
         self.position.forget(AxisSet::ALL);
         self.position.not_lost(AxisSet::ALL);
         self.left_by = None;
         self.polar.forget_last();
-        self.feed.presume();
-        self.feed.share_plunges(None);
+        self.feed.describe();
         self.contour = None;
         self.tool.change = Change::None;
     }
@@ -127,6 +133,83 @@ impl State {
     pub fn lose(&mut self, axes: AxisSet) {
         self.position.lose(axes);
         self.polar.forget_last();
+    }
+
+    /// Nobody knows where the tool is.
+    pub fn lost(&mut self, core: &mut Core<'_>) {
+        self.corner = None;
+        core.send_lost(&self.ctx);
+    }
+
+    /// Nothing is known behind the block in hand; what only suffers from it is not worth another error.
+    pub fn lose_all(&mut self, core: &mut Core<'_>) {
+        self.lose(AxisSet::MAIN);
+        self.polar.lose_pole();
+        self.lost(core);
+    }
+
+    /// A block that would move is refused: afterwards no position is known.
+    pub fn refuse_motion<T>(&mut self, core: &mut Core<'_>, place: impl Into<Where>, fault: Fault) -> Outcome<T> {
+        core.say(place, fault);
+        self.lose_all(core);
+        Err(Reported)
+    }
+
+    /// Refuses what may not stand in a compensated contour, where the compiler computes it.
+    pub fn refuse_compensated(&mut self, core: &mut Core<'_>, what: &str) {
+        if !self.compensation.is_on() || !core.computes_path() {
+            return;
+        }
+        core.say_here(codes::K2606::while_radius_compensation(&what));
+        self.end_compensation();
+        self.contour = None;
+        self.lose_all(core);
+    }
+
+    /// Reports a move that does not name the axes that a left-out cycle moved; behind a left-out probe only cuts have to.
+    #[inline]
+    pub fn moves_beside(&mut self, core: &mut Core<'_>, named: AxisSet, rapid: bool) -> bool {
+        let probed = if rapid { AxisSet::EMPTY } else { self.position.left_by_probes() };
+        let left = self.position.left_by_calls().union(probed);
+        if left.is_empty() || self.described.is_some() {
+            return false;
+        }
+        let found = move_beside(&self.position, left, named, &self.ctx.frame, core.here.origin.loc);
+        let Some(found) = found else { return false };
+        core.report(found);
+        self.lose_all(core);
+        true
+    }
+
+    /// F of a block; a cycle moves along a contour at its own feeds.
+    pub fn set_feed(&mut self, core: &Core<'_>, w: &Words) -> Outcome {
+        match &self.described {
+            None => self.feed.take(core, &self.tool, w),
+            Some(_) if w.feed == FeedWord::None => Ok(()),
+            Some(label) => {
+                let fault = codes::P8103::f_in_contour_does_not_count(&label);
+                core.say_once(w.feed_span, fault.help("give the feed to the cycle, and remove it here"));
+                Ok(())
+            }
+        }
+    }
+
+    /// Axes stand at places of the datum in force, as the configuration says.
+    pub fn stand(&mut self, core: &mut Core<'_>, places: &Pos) {
+        // What compensates holds back a move; what is only described stands nowhere.
+        if self.compensation.is_on() || self.described.is_some() {
+            return;
+        }
+        let known = self.position.stand_in_offset(places, &self.ctx.frame);
+        self.polar.forget_last_of(known.known());
+        core.stands_at(&known, &self.ctx);
+    }
+
+    /// The direction in which the last move ended, in the working plane.
+    pub fn last_direction(&self) -> Option<Vec2> {
+        let plane = self.plane();
+        let (from, to) = (self.position.move_began(plane)?, self.position.in_plane(plane)?);
+        LastMove::entered(from, to, plane, self.last_path, self.last_entry).direction(false)
     }
 
     /// These axes were moved in machine coordinates: forgets every programmed coordinate that depends on them.

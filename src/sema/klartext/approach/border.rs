@@ -1,7 +1,11 @@
-//! What approaches and departures have in common: their shape, the border point of the contour, the circle at it.
+//! What approaches and departures have in common: their shape, the border point of the contour, the circle at it, and the
+//! moves that lead there.
 
-use crate::geo::{Point2, Vec2};
-use crate::ir::Side;
+use crate::diag::{Fault, codes};
+use crate::geo::{Plane, Point2, Vec2, left, tolerance};
+use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
+use crate::ir::{Feed, Pos, Side};
+use crate::machine::Axis;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Shape {
@@ -46,4 +50,67 @@ pub(super) struct Circle {
     pub center: Point2,
     pub radius: f64,
     pub ccw: bool,
+}
+
+impl Border {
+    /// Of a contour whose moves have `side`, with the tool at `radius` from it.
+    pub(super) fn new(contour: Point2, heading: Vec2, on_left: bool, (side, radius): (Side, f64), computed: bool) -> Border {
+        let out = if on_left { left(heading) } else { -left(heading) };
+        let edge = contour + out * radius;
+        let by_target = side != Side::None && !computed;
+        let (at, side, tool) = if by_target { (contour, side, radius) } else { (edge, Side::None, 0.0) };
+        Border { at, edge, heading, out, left: on_left, side, tool }
+    }
+
+    /// The circle that touches the path in the border point.
+    pub(super) fn circle(&self, radius: f64, name: &str) -> Result<Circle, Fault> {
+        // On the side of the tool the contour lies outside the path of its centre, on the other side inside.
+        let sent = radius + self.tool;
+        if radius < 0.0 && sent >= 0.0 {
+            return Err(codes::K2605::radius_of_is_not_larger_than_tool(&name));
+        }
+        let ccw = self.left == (radius > 0.0);
+        Ok(Circle { center: self.at + self.out * sent, radius: sent.abs(), ccw })
+    }
+}
+
+/// The moves of an approach or departure in a plane, in their order.
+#[derive(Debug)]
+pub(super) struct Moves {
+    plane: Plane,
+    pub list: Vec<Move>,
+}
+
+impl Moves {
+    pub(super) fn new(plane: Plane) -> Moves {
+        Moves { plane, list: Vec::new() }
+    }
+
+    /// Straight in the plane, together with the tool axis if `depth` is given.
+    pub(super) fn line(&mut self, to: Point2, depth: Option<f64>, feed: Option<Feed>, side: Side) {
+        self.add(Some(to), depth, Path::straight(feed), side);
+    }
+
+    /// The tool axis alone.
+    pub(super) fn depth(&mut self, depth: f64, feed: Option<Feed>, side: Side) {
+        self.add(None, Some(depth), Path::straight(feed), side);
+    }
+
+    /// An arc, which always has a feed.
+    pub(super) fn arc(&mut self, to: Point2, depth: Option<f64>, on: &Circle, feed: Option<Feed>, side: Side) {
+        let Some(feed) = feed else { return };
+        let shape = ArcShape::Center { center: on.center, ccw: on.ccw, tol: tolerance::SAME };
+        self.add(Some(to), depth, Path::Arc(Arc { plane: self.plane, shape, turns: 0 }, feed), side);
+    }
+
+    fn add(&mut self, to: Option<Point2>, depth: Option<f64>, path: Path, side: Side) {
+        let mut end = Pos::UNKNOWN;
+        if let Some(to) = to {
+            end.set_in_plane(self.plane, to);
+        }
+        if let Some(depth) = depth {
+            end.set(Axis::ALL[self.plane.axes().2], depth);
+        }
+        self.list.push(Move { end, path, side, coords: Coords::Frame });
+    }
 }
