@@ -10,8 +10,7 @@ mod border;
 mod departure;
 
 use crate::diag::{Answer, Fault, codes};
-use crate::geo::{Point2, SAME_DIRECTION};
-use crate::ir::Frame;
+use crate::geo::Point2;
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Block, Word};
 use crate::sema::common::plane::plane_axes;
@@ -20,7 +19,7 @@ use crate::text::Span;
 use super::block_text::block_name;
 use super::reading::Reading;
 use super::words::{Admits, Words};
-use super::{Core, Outcome, Run};
+use super::{Outcome, Run};
 
 pub(super) use arrival::{Approach, Held, MOST_HELD};
 use border::Shape;
@@ -149,14 +148,6 @@ fn shape(kind: &str, len: Option<f64>, angle: Option<f64>, radius: Option<f64>, 
             return Err(codes::P1004::takes_its_size_from_other_words(&name, &form));
         }
     })
-}
-
-/// Lengths and radii are real ones, as the radius of the tool is.
-fn forbid_scaling(core: &Core<'_>, frame: &Frame, span: Span) -> Outcome {
-    if frame.uniform_scale().is_none_or(|scale| (scale - 1.0).abs() > SAME_DIRECTION) {
-        return core.refuse(span, codes::K9003::approach_or_departure_under_scaling_is_not());
-    }
-    Ok(())
 }
 
 /// The words of an approach or departure besides LEN and CCA.

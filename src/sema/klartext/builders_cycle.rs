@@ -93,9 +93,8 @@ impl Core<'_> {
     /// Entries of `[programs]` that would make a cycle vanish that partc knows, and those that no block of this language reads.
     pub(super) fn refuse_entries_of_cycles(&self) {
         let programs = &self.job.settings.programs;
-        let motion = |name: &str| {
-            self.job.settings.left_by(name).rapid.map(|_| "Klartext has no G0 and no G1 that holds on")
-        };
+        let motion =
+            |name: &str| self.job.settings.left_by(name).rapid.map(|_| "Klartext has no G0 and no G1 that holds on");
         let entries: Vec<(&str, &str)> = programs
             .iter()
             .filter(|(name, _)| is_of_klartext(name))

@@ -49,7 +49,12 @@ impl Run<'_> {
         }
         if self.core.program().source.cursor.place() != back {
             self.core.stop_run();
-            return self.contours.fault(&self.core, label, "the program jumps out of it", "end the contour by its LBL 0");
+            return self.contours.fault(
+                &self.core,
+                label,
+                "the program jumps out of it",
+                "end the contour by its LBL 0",
+            );
         }
         made.or_else(|why| unfit(&self.core, label, why, cycle))
     }
@@ -97,9 +102,7 @@ impl State {
 fn unfit<T>(core: &Core<'_>, label: &Label, unfit: Unfit, cycle: Loc) -> Outcome<T> {
     let (origin, what, help) = match unfit {
         Unfit::Reported => return Err(Reported),
-        Unfit::TooMany(origin) => {
-            (origin, format!("it has more than {MOST_ELEMENTS} elements"), "split the contour")
-        }
+        Unfit::TooMany(origin) => (origin, format!("it has more than {MOST_ELEMENTS} elements"), "split the contour"),
         Unfit::NoStart(origin) => (
             origin,
             "it has no start point".to_owned(),

@@ -166,7 +166,9 @@ impl Run<'_> {
                 contours.train = Some(self.train_of(cycle, &contours.named)?);
                 Ok(())
             }
-            (Instead::Data(fault), Some(Contoured { data: Some(data), .. })) => data.values.cycle.refuse(&self.core, *fault),
+            (Instead::Data(fault), Some(Contoured { data: Some(data), .. })) => {
+                data.values.cycle.refuse(&self.core, *fault)
+            }
             (Instead::Data(fault), Some(Contoured { train: Some(train), .. })) => match &train.data {
                 Some(data) => data.values.cycle.refuse(&self.core, *fault),
                 None => Err(Reported),

@@ -324,13 +324,7 @@ impl Open {
 }
 
 /// The name behind the number of a cycle is decoration in any language; a value among it would be lost.
-pub(super) fn check_title(
-    core: &Core<'_>,
-    number: u32,
-    part: Option<u32>,
-    block: &Block,
-    text: &[u8],
-) -> Outcome {
+pub(super) fn check_title(core: &Core<'_>, number: u32, part: Option<u32>, block: &Block, text: &[u8]) -> Outcome {
     if part.is_none() || !find(number).nature.acts() {
         return Ok(());
     }

@@ -55,7 +55,10 @@ impl Formulas for Formula<'_, '_> {
             Op::Unary(f) => machine.unary(f)?,
             Op::Binary(f) => machine.binary(f)?,
             Op::TextFn(TextFn::Unknown) => {
-                return Ok(self.reading.core.refuse(at.span, codes::K9017::this_string_function_reads_from_control())?);
+                return Ok(self
+                    .reading
+                    .core
+                    .refuse(at.span, codes::K9017::this_string_function_reads_from_control())?);
             }
             Op::TextFn(f) => text_functions::apply(f, machine)?,
             Op::Join => text_functions::join(machine)?,
@@ -73,7 +76,8 @@ impl Formulas for Formula<'_, '_> {
         let name = q.to_string();
         let own = (q.kind == QKind::Ql).then_some(self.reading.core.here.origin.call);
         let set = SetBy::of(&self.reading.core.job, &name, own);
-        let nobody = if self.reading.vars.get(self.reading.core.locals(), q).is_none() { SetBy::Nobody } else { SetBy::Unknown };
+        let nobody =
+            if self.reading.vars.get(self.reading.core.locals(), q).is_none() { SetBy::Nobody } else { SetBy::Unknown };
         Some(Divisor { set: set.unwrap_or(nobody), name })
     }
 
@@ -86,9 +90,10 @@ impl Formulas for Formula<'_, '_> {
             Fault::Outside(Operator::Power, a, b) => codes::P2022::power_does_not_exist(&a, &b),
             Fault::Outside(_, a, b) => codes::P2022::there_is_no_result(&a, &b),
             Fault::Zero(a) => codes::P2022::value_is_divided_by_zero(&a),
-            Fault::ZeroBy(a, by) => {
-                codes::P2022::value_is_divided_by_zero_that(&a, &by.said(&self.reading.core.job, self.reading.core.here.origin.loc))
-            }
+            Fault::ZeroBy(a, by) => codes::P2022::value_is_divided_by_zero_that(
+                &a,
+                &by.said(&self.reading.core.job, self.reading.core.here.origin.loc),
+            ),
             Fault::TooLarge | Fault::TooLargeInt => codes::P2022::result_is_over_10_000_000_000(),
             Fault::Misfit(_) | Fault::Mismatch(..) => codes::P2022::number_is_needed_not_text(),
             Fault::Missing => codes::P1004::value_is_missing(),
@@ -103,11 +108,8 @@ impl Run<'_> {
     /// `Q1 = …` and FN 0 to 8, 13; a text for QS. What fails leaves the parameter without a value, not undefined.
     pub(super) fn assign(&mut self, q: QRef, block: &Block, text: &[u8]) -> Outcome {
         let reading = Reading { core: &self.core, vars: &self.vars, st: &self.st };
-        let value = evaluate(
-            &mut Formula { reading, machine: &mut self.machine },
-            &block.ops,
-            At { span: block.span, text },
-        );
+        let value =
+            evaluate(&mut Formula { reading, machine: &mut self.machine }, &block.ops, At { span: block.span, text });
         let value = value.and_then(|value| match (value, block.stmt) {
             (Val::Text(text), Stmt::AssignText(_)) => Ok(Slot::Text(text)),
             (_, Stmt::AssignText(_)) => self.core.refuse(block.span, codes::P2024::takes_text(&q)),

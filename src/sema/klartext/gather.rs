@@ -162,14 +162,7 @@ impl Reading<'_, '_> {
     }
 
     /// The arguments of an M function, and how many words they took. `w` holds the words in front of it.
-    fn m_arguments(
-        self,
-        number: u32,
-        span: Span,
-        words: &[Word],
-        block: &Block,
-        w: &Words,
-    ) -> Outcome<(Args, usize)> {
+    fn m_arguments(self, number: u32, span: Span, words: &[Word], block: &Block, w: &Words) -> Outcome<(Args, usize)> {
         let takes = m_table::takes(number);
         let mut args = Args::default();
         let mm = self.core.mm();

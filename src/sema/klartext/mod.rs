@@ -18,6 +18,7 @@ mod contour_area;
 mod contour_data;
 mod contour_train;
 mod cycle;
+mod cycle_blocks;
 mod cycle_call;
 mod cycle_definition;
 mod cycle_effects;
@@ -53,6 +54,7 @@ mod pole;
 mod probing;
 mod probing_datum;
 mod program_pattern;
+mod programs;
 mod reading;
 mod refused;
 mod rotary;
@@ -88,8 +90,8 @@ use super::value::Machine;
 use super::{Job, Outcome, Reported};
 use block_text::block_name;
 use cycle::Cycles;
-use level::Frame;
 use labels::Labels;
+use level::Frame;
 use pattern_def::{Places, begins_pattern};
 use state::State;
 use vars::Vars;
@@ -278,6 +280,7 @@ impl<'a> Interpreter<'a> for Run<'a> {
     fn end_of_file(&mut self) {
         self.plain = false;
         let _ = self.close_contour();
+        self.finish_cycle();
         self.file_over();
     }
 

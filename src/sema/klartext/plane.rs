@@ -270,13 +270,15 @@ impl Run<'_> {
         if tilted {
             let angles = [angle(Axis::A), angle(Axis::B), turn];
             let [a, b, c] = angles;
-            self.core.say_here(if self.core.job.settings.control.klartext_choices.cycle_19_axes {
-                codes::K9004::cycle_19_tilts_working_plane_by_b(&a, &b, &c)
-            } else {
-                let normal = plane_normal::shown(&plane_normal::spatial(angles));
-                codes::K9004::cycle_19_tilts_working_plane_by_b_to(&a, &b, &c, &normal)
-            });
-            return Err(Reported);
+            return self.core.refuse(
+                Where::Block,
+                if self.core.job.settings.control.klartext_choices.cycle_19_axes {
+                    codes::K9004::cycle_19_tilts_working_plane_by_b(&a, &b, &c)
+                } else {
+                    let normal = plane_normal::shown(&plane_normal::spatial(angles));
+                    codes::K9004::cycle_19_tilts_working_plane_by_b_to(&a, &b, &c, &normal)
+                },
+            );
         }
         if turn != 0.0 {
             if self.core.job.settings.control.klartext_choices.cycle_19_axes {

@@ -116,7 +116,9 @@ impl Run<'_> {
         };
         w.forbid_plane_axes(&self.core, pole.plane, "CP")?;
         let start = self.view().start_in(pole.plane, "CP")?;
-        let (radius, Some(from)) = self.st.polar.start(&pole, &|| Ok(start))? else { return angle_undefined(&self.core, w) };
+        let (radius, Some(from)) = self.st.polar.start(&pole, &|| Ok(start))? else {
+            return angle_undefined(&self.core, w);
+        };
         let sweep = if incremental {
             self.st.polar.incremental_sweep(&self.core, w, angle)?
         } else {

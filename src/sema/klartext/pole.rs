@@ -258,11 +258,11 @@ impl PolarState {
     }
 }
 
-    /// The tool stands on the pole: there is no angle.
+/// The tool stands on the pole: there is no angle.
 pub(super) fn angle_undefined<T>(core: &Core<'_>, w: &Words) -> Outcome<T> {
-        let span = if w.polar_angle.is_some() { w.polar_angle_span } else { w.polar_radius_span };
-        core.refuse(span, codes::K2110::tool_stands_on_pole())
-    }
+    let span = if w.polar_angle.is_some() { w.polar_angle_span } else { w.polar_radius_span };
+    core.refuse(span, codes::K2110::tool_stands_on_pole())
+}
 
 /// Sweep from `from` to the direction `to`, at most one turn; a turn if there is nothing to go.
 pub(super) fn absolute_sweep(core: &Core<'_>, from: Deg, to: f64, ccw: bool, radius: f64) -> Outcome<f64> {
@@ -271,9 +271,7 @@ pub(super) fn absolute_sweep(core: &Core<'_>, from: Deg, to: f64, ccw: bool, rad
     let gap = away.to_radians() * radius;
     match arc::closing(Vec2::new(gap, 0.0)) {
         Closing::Closed => Ok(if ccw { 360.0 } else { -360.0 }),
-        Closing::Unclear => {
-            core.refuse(core.block_span(), codes::G3023::cp_starts_mm_beside_its_end(&gap))
-        }
+        Closing::Unclear => core.refuse(core.block_span(), codes::G3023::cp_starts_mm_beside_its_end(&gap)),
         Closing::Open => Ok(if ccw { ahead } else { ahead - 360.0 }),
     }
 }

@@ -160,7 +160,8 @@ impl Run<'_> {
                 (*axes, codes::K9005::sets_datum_by_what_it_measures(&number))
             }
             Setting::Datum { axes, reads } => {
-                let (lay, read) = (in_words(self.core.mm(), reads, |one| one.1), in_words(self.core.mm(), reads, |one| one.2));
+                let (lay, read) =
+                    (in_words(self.core.mm(), reads, |one| one.1), in_words(self.core.mm(), reads, |one| one.2));
                 (*axes, codes::K9005::sets_datum_at_known_place(&number, &lay, &read))
             }
             Setting::Rotation => (AxisSet::MAIN, codes::K9005::turns_part_or_its_coordinates(&number)),

@@ -7,7 +7,6 @@ use crate::diag::{Answer, Label, codes};
 use crate::ir::contour::Path;
 use crate::machine::Axis;
 use crate::machine::options::klartext_cycles::PatternProgram;
-use crate::sema::run::step;
 
 use super::pattern_def::{Place, Places};
 use super::words::Words;
@@ -80,16 +79,5 @@ impl Run<'_> {
             return self.core.refuse(self.core.block_span(), codes::K2407::program_of_cycle_12_ends_with_radius(&name));
         }
         Ok(())
-    }
-
-    /// The whole program, before the block in hand goes on.
-    pub(super) fn run_whole(&mut self, name: &str) -> Outcome {
-        let (here, below) = (self.core.here, self.core.levels.len());
-        self.call_program(name)?;
-        while self.core.levels.len() > below && !self.core.has_ended() {
-            step(self);
-        }
-        self.core.here = here;
-        if self.core.has_ended() || self.core.levels.len() != below { Err(Reported) } else { Ok(()) }
     }
 }

@@ -45,11 +45,7 @@ impl Named {
     }
 
     /// The tool that the first word names, and the words behind it.
-    pub fn first<'w>(
-        reading: Reading<'_, '_>,
-        words: &'w [Word],
-        text: &[u8],
-    ) -> Outcome<Option<(Named, &'w [Word])>> {
+    pub fn first<'w>(reading: Reading<'_, '_>, words: &'w [Word], text: &[u8]) -> Outcome<Option<(Named, &'w [Word])>> {
         let Some((&first, rest)) = words.split_first() else { return Ok(None) };
         let name = |bytes: &[u8]| Named::Name(crate::text::decode::readable(bytes).trim_matches('"').to_owned());
         let tool = match (first.addr, first.value) {

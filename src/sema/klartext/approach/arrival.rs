@@ -14,8 +14,7 @@ use super::super::contour::Contour;
 use super::super::place::View;
 use super::super::words::{Comp, Words};
 use super::super::{Core, Outcome, Run};
-use super::border::{Border, Circle, Moves, Shape};
-use super::forbid_scaling;
+use super::border::{Border, Circle, Moves, Shape, forbid_scaling};
 
 /// What may stand between an approach and the first element of its contour.
 pub(in super::super) const MOST_HELD: usize = 256;
@@ -161,9 +160,7 @@ impl Approach {
     }
 
     fn way(&self, core: &Core<'_>, border: &Border) -> Outcome<Way> {
-        let circle = |radius| {
-            border.circle(radius, &self.name).or_else(|fault| core.refuse(core.block_span(), fault))
-        };
+        let circle = |radius| border.circle(radius, &self.name).or_else(|fault| core.refuse(core.block_span(), fault));
         Ok(match self.shape {
             Shape::Line { length } => Way { start: border.at - border.heading * length, arc: None, length },
             Shape::Normal { length } => Way { start: border.edge + border.out * length, arc: None, length },

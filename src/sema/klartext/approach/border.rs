@@ -2,10 +2,13 @@
 //! moves that lead there.
 
 use crate::diag::{Fault, codes};
-use crate::geo::{Plane, Point2, Vec2, left, tolerance};
+use crate::geo::{Plane, Point2, SAME_DIRECTION, Vec2, left, tolerance};
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
-use crate::ir::{Feed, Pos, Side};
+use crate::ir::{Feed, Frame, Pos, Side};
 use crate::machine::Axis;
+use crate::text::Span;
+
+use super::super::{Core, Outcome};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Shape {
@@ -54,7 +57,13 @@ pub(super) struct Circle {
 
 impl Border {
     /// Of a contour whose moves have `side`, with the tool at `radius` from it.
-    pub(super) fn new(contour: Point2, heading: Vec2, on_left: bool, (side, radius): (Side, f64), computed: bool) -> Border {
+    pub(super) fn new(
+        contour: Point2,
+        heading: Vec2,
+        on_left: bool,
+        (side, radius): (Side, f64),
+        computed: bool,
+    ) -> Border {
         let out = if on_left { left(heading) } else { -left(heading) };
         let edge = contour + out * radius;
         let by_target = side != Side::None && !computed;
@@ -113,4 +122,12 @@ impl Moves {
         }
         self.list.push(Move { end, path, side, coords: Coords::Frame });
     }
+}
+
+/// Lengths and radii are real ones, as the radius of the tool is.
+pub(super) fn forbid_scaling(core: &Core<'_>, frame: &Frame, span: Span) -> Outcome {
+    if frame.uniform_scale().is_none_or(|scale| (scale - 1.0).abs() > SAME_DIRECTION) {
+        return core.refuse(span, codes::K9003::approach_or_departure_under_scaling_is_not());
+    }
+    Ok(())
 }

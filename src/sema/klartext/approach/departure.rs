@@ -7,8 +7,7 @@ use crate::machine::{ApproachDepth, Axis, Generation};
 
 use super::super::words::{Comp, Words};
 use super::super::{Core, Outcome, Reported, Run};
-use super::border::{Border, Moves, Shape};
-use super::forbid_scaling;
+use super::border::{Border, Moves, Shape, forbid_scaling};
 
 /// The end of a departure.
 #[derive(Debug, Clone, Copy)]

@@ -1,8 +1,8 @@
 //! The words of FL, FLT, FC and FCT.
 
 use crate::diag::{Label, codes};
-use crate::geo::{Plane, Point2, Vec2};
 use crate::geo::open::window::{Base, EndAngle, Given, Item, Serial, Shape};
+use crate::geo::{Plane, Point2, Vec2};
 use crate::machine::Axis;
 use crate::parser::klartext::ast::{Addr, Block, FkHead, Word};
 use crate::sema::common::plane::plane_axes;
@@ -153,7 +153,13 @@ pub(super) fn admits(head: FkHead) -> Admits {
 }
 
 /// Takes the words of free contours out of the block.
-pub(super) fn keys(reading: Reading<'_, '_>, letters: [char; 2], head: FkHead, block: &Block, text: &[u8]) -> Outcome<(Block, Data)> {
+pub(super) fn keys(
+    reading: Reading<'_, '_>,
+    letters: [char; 2],
+    head: FkHead,
+    block: &Block,
+    text: &[u8],
+) -> Outcome<(Block, Data)> {
     let (core, mm) = (reading.core, reading.core.mm());
     let is_line = matches!(head, FkHead::Line { .. });
     let (mut rest, mut said) = (block.clone(), Data::default());
