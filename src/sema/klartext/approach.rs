@@ -14,6 +14,7 @@ use crate::geo::Point2;
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Block, Word};
 use crate::sema::common::plane::plane_axes;
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::block_text::block_name;
@@ -61,7 +62,7 @@ impl Run<'_> {
         self.view().check_m(&w)?;
         w.forbid_m(&self.core, name, &FORBIDDEN)?;
         let shape = shape(kind, len, angle, w.radius, name);
-        let shape = shape.or_else(|fault| self.core.refuse(self.core.block_span(), fault))?;
+        let shape = shape.or_else(|fault| self.core.refuse(Where::Block, fault))?;
         if departs {
             self.m_at_start(&w, true)?;
             self.depart(name, shape, polar, &w)?;

@@ -9,6 +9,7 @@ use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::machine::Axis;
 use crate::parser::klartext::ast::PathFn;
 use crate::sema::common::plane::plane_axes;
+use crate::sema::run::Where;
 
 use super::words::Words;
 use super::{Outcome, Run};
@@ -28,7 +29,7 @@ impl Run<'_> {
             }
             PathFn::CircleRadius => {
                 let Some(radius) = w.radius.filter(|r| *r != 0.0) else {
-                    return self.core.refuse(self.core.block_span(), codes::P1004::cr_needs_radius_that_is_not_zero());
+                    return self.core.refuse(Where::Block, codes::P1004::cr_needs_radius_that_is_not_zero());
                 };
                 let ccw = self.st.polar.turns(&self.core, w, name)?;
                 (self.st.plane(), ArcShape::Radius { radius, ccw, tol: CIRCLE_TOLERANCE })
@@ -54,7 +55,7 @@ impl Run<'_> {
                 PathFn::CircleRadius => codes::K2109::cr_names_no_end_point_in_working(),
                 _ => codes::K2109::ct_names_no_end_point_in_working(),
             };
-            return self.core.refuse(self.core.block_span(), fault);
+            return self.core.refuse(Where::Block, fault);
         }
         self.st.polar.forget_last();
         self.send_arc(w, plane, shape, end)

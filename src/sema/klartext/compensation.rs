@@ -16,6 +16,7 @@ use super::state::State;
 use super::words::{Comp, MWord, Words};
 use super::{Core, Outcome, Reported, Run};
 use crate::sema::common::plane::plane_axes;
+use crate::sema::run::Where;
 
 /// Most blocks that M120 LA looks ahead.
 const MOST_AHEAD: f64 = 99.0;
@@ -270,7 +271,7 @@ pub(super) fn round_border(core: &Core<'_>, word: &str, leaves: bool) -> Outcome
     };
     if !core.job.settings.control.klartext_choices.rounded_approach {
         return core.refuse(
-            core.block_span(),
+            Where::Block,
             codes::P9013::how_control_leads_tool_there_is_not(&what, &help)
                 .answer(Answer::key("control", "rounded_approach").one_of(&["\"round\""])),
         );

@@ -1,4 +1,4 @@
-//! What cycles 21 to 24 clear: the pockets among the contours that cycle 14 names, less its islands.
+//! The contours that cycles take: pockets less islands for cycles 21 to 24, one contour for cycle 25.
 //!
 //! Source: K 6.6; F B7 (docs/sources.md). How contours that cross are taken together is the HEIDENHAIN manuals' rule of superimposed
 //! contours: it goes by where their start points lie.
@@ -12,7 +12,7 @@ use crate::ir::Side;
 use crate::ir::captured::Captured;
 
 use super::cycles::DefinedCycle;
-use super::cycles::data::{Contours, NamedContours};
+use super::cycles::data::{Contours, NamedContours, Train};
 use super::labels::Label;
 use super::place::View;
 use super::{Core, Outcome, Reported, Run};
@@ -73,6 +73,23 @@ impl Run<'_> {
                 _ => self.contours.no_area(&self.core, cycle, contours, (what, help)),
             }
         })
+    }
+
+    /// The contour that cycle 25 follows: the first one of cycle 14, and what cycle 270 says of it.
+    pub(super) fn train_of(&mut self, cycle: &DefinedCycle, named: &NamedContours) -> Outcome<Train> {
+        if named.labels.len() > 1 {
+            let found = codes::K2954::cycle_25_mills_first_contour_of_cycle().at(self.core.here.origin.loc);
+            self.core.report(found.also(named.loc, diag::Label::NamedHere));
+        }
+        let Some(label) = named.labels.first() else { return Err(Reported) };
+        let contour = self.capture(label, cycle.loc)?;
+        self.contours.check(self.view(), label, &contour)?;
+        let Some(side) = contour.side else {
+            let help = "write RL, RR or nothing into its first block, and nothing after it";
+            return self.contours.fault(&self.core, label, "its side changes", help);
+        };
+        let data = self.contours.train.read(self.reading())?;
+        Ok(Train { elements: contour.pieces.iter().map(|piece| piece.element).collect(), side, data })
     }
 }
 

@@ -5,6 +5,7 @@
 use std::rc::Rc;
 
 use crate::diag::{Label as Also, codes};
+use crate::sema::run::Where;
 
 use super::cycle_definition::Open;
 use super::cycles::call::Calling;
@@ -77,7 +78,7 @@ impl Contours {
 fn named(core: &Core<'_>, open: &Open) -> Outcome<Rc<NamedContours>> {
     let count = open.contours.len();
     if !(1..=MOST_CONTOURS).contains(&count) {
-        return core.refuse(core.block_span(), codes::K2402::cycle_14_names_contours(&count, &MOST_CONTOURS));
+        return core.refuse(Where::Block, codes::K2402::cycle_14_names_contours(&count, &MOST_CONTOURS));
     }
     let (labels, program, loc) = (open.contours.clone(), core.running_program(), core.here.origin.loc);
     Ok(Rc::new(NamedContours { labels, program, loc }))

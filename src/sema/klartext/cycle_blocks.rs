@@ -112,7 +112,7 @@ impl Run<'_> {
                 let angle = open.single_value(&self.core)?;
                 if !(0.0..=360.0).contains(&angle) {
                     let fault = codes::P2090::spindle_angle_of_degrees_is_out(&angle);
-                    return self.core.refuse(self.core.block_span(), fault);
+                    return self.core.refuse(Where::Block, fault);
                 }
                 self.st.spindle.orient(angle);
             }

@@ -305,7 +305,7 @@ impl Open {
         if matches!(nature, Nature::Dwell) {
             let seconds = self.single_value(core)?;
             if !(0.0..=3600.0).contains(&seconds) {
-                return core.refuse(core.block_span(), codes::P2090::dwell_of_s_is_out_of_range(&seconds));
+                return core.refuse(Where::Block, codes::P2090::dwell_of_s_is_out_of_range(&seconds));
             }
             return Ok(Function::Dwell(seconds));
         }
@@ -317,7 +317,7 @@ impl Open {
             Some(t) if t > 0.0 => Some(PathControl::Within(t * core.mm())),
             // No deviation at all.
             Some(0.0) => Some(PathControl::Exact),
-            Some(t) => return core.refuse(core.block_span(), codes::P2090::tolerance(&t)),
+            Some(t) => return core.refuse(Where::Block, codes::P2090::tolerance(&t)),
         };
         Ok(Function::PathControl(said))
     }

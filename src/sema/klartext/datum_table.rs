@@ -47,13 +47,13 @@ impl DatumTable {
             (true, [row]) if row.label == "#" => return self.row(core, row.value),
             (true, _) => codes::K2402::cycle_7_does_not_name_one_row(),
         };
-        core.refuse(core.block_span(), fault)
+        core.refuse(Where::Block, fault)
     }
 
     /// The shift of a row.
     pub fn row(&mut self, core: &Core<'_>, number: f64) -> Outcome<Vec<AxisValue>> {
         if number.fract() != 0.0 || !(0.0..=MOST_ROWS).contains(&number) {
-            return core.refuse(core.block_span(), codes::K2402::is_no_row_of_datum_table(&number));
+            return core.refuse(Where::Block, codes::K2402::is_no_row_of_datum_table(&number));
         }
         let rows = self.rows(core)?;
         let found: Vec<&Place> = rows.list.iter().filter(|row| row.number == Some(number as u32)).collect();

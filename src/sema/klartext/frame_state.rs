@@ -137,7 +137,7 @@ impl FrameState {
     /// Cycle 8.
     pub fn mirrored(&self, core: &Core<'_>, axes: AxisSet, tool_axis: Axis) -> Outcome<Transformation> {
         if !axes.without(AxisSet::MAIN).is_empty() {
-            return core.refuse(core.block_span(), codes::P2090::only_x_y());
+            return core.refuse(Where::Block, codes::P2090::only_x_y());
         }
         if axes.contains(tool_axis) {
             core.say_here(codes::P2030::tool_axis_is_mirrored(&tool_axis.letter()));
@@ -248,7 +248,7 @@ fn check_factor(core: &Core<'_>, factor: f64) -> Outcome {
     if (0.000_001..=99.999_999).contains(&factor) {
         return Ok(());
     }
-    core.refuse(core.block_span(), codes::P2090::scaling_factor_of_is_out_of_range(&factor))
+    core.refuse(Where::Block, codes::P2090::scaling_factor_of_is_out_of_range(&factor))
 }
 
 /// Axes that cycle 26 scales about a centre given before: it goes, or stays.

@@ -65,7 +65,7 @@ impl Run<'_> {
     /// Cycle 247: a row of the preset table becomes a work offset.
     pub(super) fn preset(&mut self, open: &Open) -> Outcome {
         let Some(&(_, number)) = open.parameters.iter().find(|(q, _)| *q == 339) else {
-            return self.core.refuse(self.core.block_span(), codes::K2402::cycle_247_lacks_preset_number_q339());
+            return self.core.refuse(Where::Block, codes::K2402::cycle_247_lacks_preset_number_q339());
         };
         let row = (number >= 0.0 && number.fract() == 0.0).then_some(number as u32);
         let configured = row.and_then(|row| self.core.job.settings.datums.presets.get(&row).copied());

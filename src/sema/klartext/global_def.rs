@@ -6,7 +6,7 @@ use crate::diag::codes;
 use crate::lexer::klartext::QRef;
 use crate::machine::Unit;
 use crate::parser::klartext::ast::Block;
-use crate::text::{Span, number::decimal};
+use crate::text::Span;
 
 use super::reading::Reading;
 use super::{Core, Outcome};
@@ -115,15 +115,9 @@ fn parameter(reading: Reading<'_, '_>, word: &str, span: Span) -> Outcome<(u32, 
         "FAUTO" | "AUTO" => return Ok((q, Given::Word("FAUTO"))),
         _ => {}
     }
-    if let Some(parameter) = reading.signed(value, span) {
-        return Ok((q, Given::Number(parameter?)));
-    }
-    let digits = value.strip_prefix(['+', '-']).unwrap_or(value);
-    match decimal(digits.as_bytes(), true) {
-        Some((number, len)) if len == digits.len() => {
-            Ok((q, Given::Number(if value.starts_with('-') { -number } else { number })))
-        }
-        _ => unreadable(),
+    match reading.written(value, span) {
+        Some(number) => Ok((q, Given::Number(number?))),
+        None => unreadable(),
     }
 }
 

@@ -62,7 +62,7 @@ impl Run<'_> {
         }
         if self.st.compensation.is_on() {
             let refused = self.core.refuse(
-                self.core.block_span(),
+                Where::Block,
                 codes::P2001::moves_axes_under_radius_compensation(&name).help(under_compensation),
             );
             self.st.lose_all(&mut self.core);
@@ -96,9 +96,7 @@ impl Run<'_> {
             }
             Some(Left::Lost) => {
                 let what = if name.starts_with("CYCL ") { "cycle" } else { "program" };
-                return self
-                    .core
-                    .refuse(self.core.block_span(), codes::P9010::leaves_speed_that_is_not_known(&name, &what));
+                return self.core.refuse(Where::Block, codes::P9010::leaves_speed_that_is_not_known(&name, &what));
             }
             None => {}
         }

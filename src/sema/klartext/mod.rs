@@ -16,7 +16,6 @@ mod compensation;
 mod contour;
 mod contour_area;
 mod contour_data;
-mod contour_train;
 mod cycle;
 mod cycle_blocks;
 mod cycle_call;

@@ -8,6 +8,7 @@ use crate::ir::contour::{ArcChamfer, Blocks, Coords, Corner, CornerShape, LargeC
 use crate::ir::{Feed, Pos, Side};
 use crate::machine::AxisSet;
 use crate::parser::klartext::ast::{Addr, Block, PathFn, Stmt};
+use crate::sema::run::Where;
 
 use super::compensation::round_border;
 use super::contour::OwnCorner;
@@ -207,7 +208,7 @@ impl Run<'_> {
         let size = w.radius.or(w.number.map(|n| n * self.core.mm()));
         let Some(size) = size.filter(|size| *size > 0.0) else {
             let fault = if rounding { codes::P1004::rnd_needs_radius() } else { codes::P1004::chf_needs_length() };
-            return self.core.refuse(self.core.block_span(), fault);
+            return self.core.refuse(Where::Block, fault);
         };
         let feed = match w.feed {
             FeedWord::None => self.st.feed.in_force(&self.core)?,

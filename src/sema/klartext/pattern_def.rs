@@ -11,6 +11,7 @@ use crate::lexer::klartext::PatternKind;
 use crate::machine::Axis;
 use crate::parser::klartext::ast::{Addr, Block, PatternWord, Word};
 use crate::sema::cycle::given::Given;
+use crate::sema::run::Where;
 use crate::text::{Loc, Span};
 
 use super::cycles::call::{By, Calling, Retract};
@@ -208,7 +209,7 @@ impl Places {
             }
         }
         if list.is_empty() {
-            return core.refuse(core.block_span(), codes::K2411::names_no_place());
+            return core.refuse(Where::Block, codes::K2411::names_no_place());
         }
         Ok(Places { list, loc: core.here.origin.loc })
     }
@@ -241,7 +242,7 @@ impl Run<'_> {
             if self.pattern.lost {
                 return Err(Reported);
             }
-            return self.core.refuse(self.core.block_span(), codes::K9010::cycl_call_pat_runs_over_pattern());
+            return self.core.refuse(Where::Block, codes::K9010::cycl_call_pat_runs_over_pattern());
         };
         let result = self.run_pattern(&w, &places);
         self.pattern.places = Some(places);

@@ -223,7 +223,7 @@ impl View<'_, '_> {
         if !self.st.position.moved_by_cycle() {
             return Ok(());
         }
-        self.core.refuse(self.core.block_span(), codes::K2946::stands_directly_behind_cycle(&function))
+        self.core.refuse(Where::Block, codes::K2946::stands_directly_behind_cycle(&function))
     }
 
     /// M103: the feed component into the workpiece is limited.

@@ -12,11 +12,12 @@ use crate::lexer::klartext::{QKind, QRef};
 use crate::machine::Axis;
 use crate::parser::klartext::ast::Block;
 use crate::sema::run::Where;
-use crate::text::{Span, decode::readable, number::decimal};
+use crate::text::{Span, decode::readable};
 
 use super::block_text::block_name;
 use super::cycle_definition::{Labelled, Open};
 use super::plane_normal;
+use super::reading::signed_number;
 use super::vars::Slot;
 use super::{Outcome, Reported, Run};
 
@@ -53,7 +54,7 @@ enum Effect {
 }
 
 impl Plane {
-    /// Reads the block; `parameter` gives the value of a parameter with its sign.
+    /// Reads the block; `parameter` gives the value of a number or a parameter with its sign.
     fn read(code: &str, parameter: &mut dyn FnMut(&str) -> Option<f64>) -> Plane {
         let mut plane = Plane::default();
         for (at, word) in code.split_whitespace().enumerate() {
@@ -69,10 +70,14 @@ impl Plane {
                 (_, "COORD" | "ROT", "") => {}
                 (_, "TABLE", "") => plane.ways.push("TABLE ROT".to_owned()),
                 (_, "FMAX" | "FAUTO", "") | (_, "SEQ" | "SYM", "+" | "-") => plane.ways.push(word.to_owned()),
-                (_, "F" | "DIST" | "ABST", number) if value(number).is_some() => plane.ways.push(word.to_owned()),
-                (_, "MB", rest) if !plane.retract && (rest.is_empty() || value(rest).is_some()) => plane.retract = true,
+                (_, "F" | "DIST" | "ABST", number) if signed_number(number).is_some() => {
+                    plane.ways.push(word.to_owned())
+                }
+                (_, "MB", rest) if !plane.retract && (rest.is_empty() || signed_number(rest).is_some()) => {
+                    plane.retract = true
+                }
                 (_, "MAX", "") if plane.retract => {}
-                _ => match value(rest).or_else(|| parameter(rest)) {
+                _ => match parameter(rest) {
                     Some(number) => plane.data.push((name.to_owned(), number)),
                     None => plane.open = true,
                 },
@@ -203,20 +208,9 @@ fn end_of_name(word: &str) -> usize {
     }
 }
 
-/// `+0`, `-12,5`, `40`.
-pub(super) fn value(text: &str) -> Option<f64> {
-    let (sign, digits) = match text.as_bytes() {
-        [b'-', digits @ ..] => (-1.0, digits),
-        [b'+', digits @ ..] => (1.0, digits),
-        digits => (1.0, digits),
-    };
-    let (number, len) = decimal(digits, true)?;
-    (len == digits.len()).then_some(sign * number)
-}
-
 /// Would the block be refused for what it does to the plane?
 pub(super) fn tilts(code: &[u8]) -> bool {
-    let plane = Plane::read(&readable(code).to_ascii_uppercase(), &mut |_| None);
+    let plane = Plane::read(&readable(code).to_ascii_uppercase(), &mut signed_number);
     !matches!(plane.effect(), Effect::Turned(_) | Effect::TurnedBy(_))
 }
 
@@ -225,7 +219,7 @@ impl Run<'_> {
     pub(super) fn plane_block(&mut self, block: &Block, text: &[u8]) -> Outcome {
         let code = readable(block.span.of(text)).to_ascii_uppercase();
         let mut lost = false;
-        let plane = Plane::read(&code, &mut |rest| match self.reading().signed(rest, block.span)? {
+        let plane = Plane::read(&code, &mut |rest| match self.reading().written(rest, block.span)? {
             Ok(value) => Some(value),
             Err(Reported) => {
                 lost = true;
@@ -405,7 +399,7 @@ mod tests {
 
     #[test]
     fn turns_about_the_tool_axis() {
-        let effect = |code: &str| Plane::read(code, &mut |_| None).effect();
+        let effect = |code: &str| Plane::read(code, &mut signed_number).effect();
         assert_eq!(effect("PLANE SPATIAL SPA+0 SPB+0 SPC+30 TURN FMAX"), Effect::Turned(30.0));
         assert_eq!(effect("PLANE SPATIAL SPA+360 SPB-360 SPC+30 STAY"), Effect::Turned(30.0));
         assert_eq!(effect("PLANE SPATIAL SPA-180 SPB+180 SPC+30 STAY"), Effect::Turned(210.0));

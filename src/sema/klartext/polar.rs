@@ -8,6 +8,7 @@ use crate::ir::Pos;
 use crate::ir::contour::{Arc, ArcShape, Path};
 use crate::machine::{Axis, AxisSet, CcMissing};
 use crate::parser::klartext::ast::Block;
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::place::View;
@@ -112,7 +113,7 @@ impl Run<'_> {
             return self.core.refuse(w.polar_radius_span, codes::P1003::cp_takes_no_pr());
         }
         let Some((angle, incremental)) = w.polar_angle else {
-            return self.core.refuse(self.core.block_span(), codes::K2109::cp_needs_pa_or_ipa());
+            return self.core.refuse(Where::Block, codes::K2109::cp_needs_pa_or_ipa());
         };
         w.forbid_plane_axes(&self.core, pole.plane, "CP")?;
         let start = self.view().start_in(pole.plane, "CP")?;

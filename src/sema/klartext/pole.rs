@@ -209,7 +209,7 @@ impl PolarState {
         stands: &dyn Fn() -> Outcome<Point2>,
     ) -> Outcome<(f64, Deg)> {
         if w.polar_radius.is_none() && w.polar_angle.is_none() {
-            return core.refuse(core.block_span(), codes::K2109::has_neither_pr_nor_pa(&function));
+            return core.refuse(Where::Block, codes::K2109::has_neither_pr_nor_pa(&function));
         }
         let complete = matches!((w.polar_radius, w.polar_angle), (Some((_, false)), Some((_, false))));
         let start = if complete { (0.0, None) } else { self.start(pole, stands)? };
@@ -271,7 +271,7 @@ pub(super) fn absolute_sweep(core: &Core<'_>, from: Deg, to: f64, ccw: bool, rad
     let gap = away.to_radians() * radius;
     match arc::closing(Vec2::new(gap, 0.0)) {
         Closing::Closed => Ok(if ccw { 360.0 } else { -360.0 }),
-        Closing::Unclear => core.refuse(core.block_span(), codes::G3023::cp_starts_mm_beside_its_end(&gap)),
+        Closing::Unclear => core.refuse(Where::Block, codes::G3023::cp_starts_mm_beside_its_end(&gap)),
         Closing::Open => Ok(if ccw { ahead } else { ahead - 360.0 }),
     }
 }

@@ -14,7 +14,7 @@ use crate::text::decode::readable;
 use super::block_text::block_name;
 use super::cycles::find;
 use super::reading::Reading;
-use super::vars::{Slot, exists};
+use super::vars::{Slot, exists, named};
 use super::{Outcome, Run};
 
 /// Parameters that a block of results fills from the one it names.
@@ -49,9 +49,7 @@ impl Probe {
             // What stands behind the sign is read, not written.
             let line = line.split('=').next().unwrap_or_default();
             for word in line.split_whitespace() {
-                if let Some(q) = parameter(word) {
-                    probe.parameters.push(q);
-                }
+                probe.parameters.extend(named(word).filter(|q| !q.is_text() && exists(*q)));
             }
         }
         probe
@@ -65,10 +63,7 @@ impl Probe {
     /// A value that the cycle takes.
     pub(super) fn value(&self, reading: Reading<'_, '_>, parameter: u32, span: Span) -> Outcome<Option<f64>> {
         let Some(text) = self.text_of(parameter) else { return Ok(None) };
-        match super::plane::value(text) {
-            Some(number) => Ok(Some(number)),
-            None => reading.signed(text, span).transpose(),
-        }
+        reading.written(text, span).transpose()
     }
 
     /// Measuring in a direction fills a run of parameters.
@@ -102,17 +97,6 @@ fn assignments(line: &str) -> impl Iterator<Item = (u32, String)> {
         let value = line[at + 1..].trim_start().split(|c: char| c.is_whitespace() || c == '~').next()?;
         Some((number, value.to_owned()))
     })
-}
-
-/// `Q5`, `QL5`, `QR5`.
-fn parameter(word: &str) -> Option<QRef> {
-    let rest = word.strip_prefix('Q')?;
-    let (kind, digits) = match rest.chars().next()? {
-        'L' => (QKind::Ql, &rest[1..]),
-        'R' => (QKind::Qr, &rest[1..]),
-        _ => (QKind::Q, rest),
-    };
-    Some(QRef { kind, number: digits.parse().ok()? }).filter(|q| exists(*q))
 }
 
 /// A definition that was skipped: the lines of parameters behind it, which belong to it, go with it.

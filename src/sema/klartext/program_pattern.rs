@@ -7,6 +7,7 @@ use crate::diag::{Answer, Label, codes};
 use crate::ir::contour::Path;
 use crate::machine::Axis;
 use crate::machine::options::klartext_cycles::PatternProgram;
+use crate::sema::run::Where;
 
 use super::pattern_def::{Place, Places};
 use super::words::Words;
@@ -16,7 +17,7 @@ impl Run<'_> {
     pub(super) fn run_program_pattern(&mut self, w: &Words, places: &Places, name: &str) -> Outcome {
         let Some(reading) = self.core.job.settings.cycles.klartext.pattern_program else {
             return self.core.refuse(
-                self.core.block_span(),
+                Where::Block,
                 codes::P9010::cycl_call_pat_with_program_of_cycle_12(&name)
                     .answer(Answer::key("cycles", "pattern_program")),
             );
@@ -57,7 +58,7 @@ impl Run<'_> {
         let base = self.st.frames.transform().clone();
         let (first, second, _) = self.st.plane().axes();
         if !base.is_shift_only() || base.turn.0 != 0.0 || base.is_turned_as_a_whole() {
-            return self.core.refuse(self.core.block_span(), codes::P9010::cycl_call_pat_with_program_of_cycle(&name));
+            return self.core.refuse(Where::Block, codes::P9010::cycl_call_pat_with_program_of_cycle(&name));
         }
         let mut shifted = base.clone();
         for (axis, by) in [(first, place.at.x), (second, place.at.y)] {
@@ -66,9 +67,7 @@ impl Run<'_> {
         self.set_transformation(shifted.clone())?;
         self.run_program(name)?;
         if *self.st.frames.transform() != shifted {
-            return self
-                .core
-                .refuse(self.core.block_span(), codes::P9010::program_of_cycle_12_changes_coordinate_system(&name));
+            return self.core.refuse(Where::Block, codes::P9010::program_of_cycle_12_changes_coordinate_system(&name));
         }
         self.set_transformation(base)
     }
@@ -76,7 +75,7 @@ impl Run<'_> {
     fn run_program(&mut self, name: &str) -> Outcome {
         self.run_whole(name)?;
         if self.st.compensation.is_on() {
-            return self.core.refuse(self.core.block_span(), codes::K2407::program_of_cycle_12_ends_with_radius(&name));
+            return self.core.refuse(Where::Block, codes::K2407::program_of_cycle_12_ends_with_radius(&name));
         }
         Ok(())
     }

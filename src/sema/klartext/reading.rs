@@ -10,12 +10,12 @@ use crate::lexer::klartext::{QKind, QRef, Value};
 use crate::machine::{Axis, Generation, Unit};
 use crate::parser::klartext::ast::{LabelRef, Operand, Relation, Test};
 use crate::sema::run::Where;
-use crate::text::{Span, decode::readable};
+use crate::text::{Span, decode::readable, number::decimal};
 
 use super::labels::Label;
 use super::meanings;
 use super::state::State;
-use super::vars::{Slot, Val, Vars, exists};
+use super::vars::{Slot, Val, Vars, exists, named};
 use super::{Core, Outcome, Reported};
 
 /// The parameters of radius and length of the tool.
@@ -188,20 +188,16 @@ impl Reading<'_, '_> {
         self.core.refuse(span, asking.answer(answer))
     }
 
-    /// `+Q1`, `-QL5`: its value, `None` where `text` is no parameter.
-    pub fn signed(&self, text: &str, span: Span) -> Option<Outcome<f64>> {
-        let (negative, name) = match text.as_bytes().first()? {
-            b'-' => (true, &text[1..]),
-            b'+' => (false, &text[1..]),
-            _ => (false, text),
+    /// `+0`, `-12,5`, `+Q1`, `-QL5`: its value, `None` where `text` is neither a number nor a parameter.
+    pub fn written(&self, text: &str, span: Span) -> Option<Outcome<f64>> {
+        if let Some(number) = signed_number(text) {
+            return Some(Ok(number));
+        }
+        let (negative, name) = match text.strip_prefix('-') {
+            Some(name) => (true, name),
+            None => (false, text.strip_prefix('+').unwrap_or(text)),
         };
-        let rest = name.strip_prefix('Q')?;
-        let (kind, digits) = match rest.chars().next()? {
-            'L' => (QKind::Ql, &rest[1..]),
-            'R' => (QKind::Qr, &rest[1..]),
-            _ => (QKind::Q, rest),
-        };
-        let q = QRef { kind, number: digits.parse().ok()? };
+        let q = named(name).filter(|q| !q.is_text())?;
         Some(self.parameter(q, span).map(|value| if negative { -value } else { value }))
     }
 
@@ -256,21 +252,18 @@ impl Reading<'_, '_> {
 
     /// The label that a block names.
     pub fn label(&self, label: LabelRef, text: &[u8]) -> Outcome<Label> {
-        Ok(match label {
-            LabelRef::Number(n) => Label::Number(n),
-            LabelRef::Name(span) => Label::Name(readable(span.of(text)).into()),
-            LabelRef::Param(q) => {
-                let span = self.core.block_span();
-                match self.read(q, span)? {
-                    Val::Text(name) => Label::Name(String::from_utf8_lossy(&name).into()),
-                    Val::Real(n) if n.fract() == 0.0 && (0.0..=65535.0).contains(&n) => Label::Number(n as u32),
-                    other => {
-                        let n = other.number().unwrap_or_default();
-                        return self.core.refuse(span, codes::P2011::is_no_label_number(&q, &n));
-                    }
-                }
+        let LabelRef::Param(q) = label else {
+            return Label::written(label, text).ok_or(Reported);
+        };
+        let span = self.core.block_span();
+        match self.read(q, span)? {
+            Val::Text(name) => Ok(Label::Name(String::from_utf8_lossy(&name).into())),
+            Val::Real(n) if n.fract() == 0.0 && (0.0..=65535.0).contains(&n) => Ok(Label::Number(n as u32)),
+            other => {
+                let n = other.number().unwrap_or_default();
+                self.core.refuse(span, codes::P2011::is_no_label_number(&q, &n))
             }
-        })
+        }
     }
 
     /// The name as written: bare, in quotes, or in a text parameter.
@@ -291,4 +284,15 @@ impl Reading<'_, '_> {
         }
         Ok(name)
     }
+}
+
+/// `+0`, `-12,5`, `40`.
+pub(super) fn signed_number(text: &str) -> Option<f64> {
+    let (sign, digits) = match text.as_bytes() {
+        [b'-', digits @ ..] => (-1.0, digits),
+        [b'+', digits @ ..] => (1.0, digits),
+        digits => (1.0, digits),
+    };
+    let (number, len) = decimal(digits, true)?;
+    (len == digits.len()).then_some(sign * number)
 }

@@ -55,10 +55,7 @@ impl Vars {
         let mut vars = Vars::default();
         let mut locals = Locals::default();
         for (name, &value) in start {
-            let Some((kind, digits)) = split(name) else { continue };
-            let Ok(number) = digits.parse() else { continue };
-            let q = QRef { kind, number };
-            if exists(q) {
+            if let Some(q) = named(name).filter(|q| exists(*q)) {
                 vars.set(&mut locals, q, Slot::Number(value));
             }
         }
@@ -138,28 +135,21 @@ impl Vars {
     }
 }
 
-fn split(name: &str) -> Option<(QKind, &str)> {
+/// `Q5`, `QL5`, `QR5`, `QS5`
+pub(super) fn named(name: &str) -> Option<QRef> {
     let rest = name.strip_prefix('Q')?;
-    Some(match rest.chars().next()? {
+    let (kind, digits) = match rest.chars().next()? {
         'L' => (QKind::Ql, &rest[1..]),
         'R' => (QKind::Qr, &rest[1..]),
         'S' => (QKind::Qs, &rest[1..]),
         _ => (QKind::Q, rest),
-    })
+    };
+    Some(QRef { kind, number: digits.parse().ok()? })
 }
 
 /// The parameter in front of the first `=`: `Q1 = …`, `FN 1: Q1 = …`, `TABREAD Q10 = …`.
 fn assigned(text: &[u8]) -> Option<QRef> {
     let front = text.split(|b| *b == b'=').next().filter(|front| front.len() < text.len())?;
     let word = front.trim_ascii_end().rsplit(|b| b.is_ascii_whitespace() || *b == b':').next()?;
-    let name = word.to_ascii_uppercase();
-    let (kind, digits) = match name.as_slice() {
-        [b'Q', b'L', digits @ ..] => (QKind::Ql, digits),
-        [b'Q', b'R', digits @ ..] => (QKind::Qr, digits),
-        [b'Q', b'S', digits @ ..] => (QKind::Qs, digits),
-        [b'Q', digits @ ..] => (QKind::Q, digits),
-        _ => return None,
-    };
-    let number = std::str::from_utf8(digits).ok()?.parse().ok()?;
-    Some(QRef { kind, number })
+    named(std::str::from_utf8(&word.to_ascii_uppercase()).ok()?)
 }

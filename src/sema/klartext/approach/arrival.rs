@@ -7,7 +7,7 @@ use crate::geo::{self, Point2, SAME_POINT, Vec2, distance, joint};
 use crate::ir::contour::Move;
 use crate::ir::{Feed, Function, Origin, Pos, Side};
 use crate::machine::{ApproachDepth, Axis, Generation};
-use crate::sema::run::Site;
+use crate::sema::run::{Site, Where};
 use crate::text::Span;
 
 use super::super::contour::Contour;
@@ -160,7 +160,7 @@ impl Approach {
     }
 
     fn way(&self, core: &Core<'_>, border: &Border) -> Outcome<Way> {
-        let circle = |radius| border.circle(radius, &self.name).or_else(|fault| core.refuse(core.block_span(), fault));
+        let circle = |radius| border.circle(radius, &self.name).or_else(|fault| core.refuse(Where::Block, fault));
         Ok(match self.shape {
             Shape::Line { length } => Way { start: border.at - border.heading * length, arc: None, length },
             Shape::Normal { length } => Way { start: border.edge + border.out * length, arc: None, length },

@@ -15,7 +15,7 @@ use crate::geo::{Plane, Point2, distance};
 use crate::ir::Pos;
 use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Block, FkHead, PathFn, Stmt};
-use crate::sema::run::Site;
+use crate::sema::run::{Site, Where};
 use crate::text::{Loc, Span};
 
 use super::path::{Motion, corner_head, corner_words};
@@ -85,10 +85,10 @@ impl Free {
     fn select(&mut self, core: &Core<'_>, number: Option<f64>) -> Outcome {
         let number = number.filter(|number| number.fract() == 0.0 && (1.0..=99.0).contains(number));
         let Some(number) = number else {
-            return core.refuse(core.block_span(), codes::P1004::fselect_needs_number_of_solution());
+            return core.refuse(Where::Block, codes::P1004::fselect_needs_number_of_solution());
         };
         if self.window.next_serial() == 0 {
-            return core.refuse(core.block_span(), codes::K3004::fselect_chooses_solution_of_element_in_front());
+            return core.refuse(Where::Block, codes::K3004::fselect_chooses_solution_of_element_in_front());
         }
         self.window.select(number as u32);
         let last = self.queue.iter_mut().rev().find_map(|waiting| match &mut waiting.kind {
@@ -108,7 +108,7 @@ impl Free {
         if self.pole.is_some() {
             return Ok(());
         }
-        core.refuse(core.block_span(), codes::P1004::fpol_needs_both_axes_of_working_plane())
+        core.refuse(Where::Block, codes::P1004::fpol_needs_both_axes_of_working_plane())
     }
 
     /// Nothing closes a contour any more that began with CLSD+.

@@ -6,6 +6,7 @@ use crate::geo::{Plane, Point2, Vec2};
 use crate::machine::Axis;
 use crate::parser::klartext::ast::{Addr, Block, FkHead, Word};
 use crate::sema::common::plane::plane_axes;
+use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::super::reading::Reading;
@@ -222,9 +223,7 @@ impl Elements<'_, '_> {
         match free.pole {
             Some(pole) => item.pole = pole,
             None if polar.iter().any(Option::is_some) => {
-                return self
-                    .core
-                    .refuse(self.core.block_span(), codes::K2101::polar_words_of_need_pole_of_free(&name(head)));
+                return self.core.refuse(Where::Block, codes::K2101::polar_words_of_need_pole_of_free(&name(head)));
             }
             None => {}
         }
