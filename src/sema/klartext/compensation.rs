@@ -5,18 +5,17 @@
 
 use crate::diag::{Answer, codes};
 use crate::geo::{Deg, Point2};
-use crate::ir::compensation::{Inside, Outside, Search};
+use crate::ir::compensation::{Inside, Outside};
 use crate::ir::contour::Path;
-use crate::ir::{Pos, Side};
+use crate::ir::{Compensation, Pos, Side};
 use crate::machine::Axis;
+use crate::sema::run::Where;
 use crate::text::Span;
 
-use super::contour::{Contour, LastMove, OwnCorner};
+use super::contour::{Contour, Step, compensate};
 use super::state::State;
 use super::words::{Comp, MWord, Words};
 use super::{Core, Outcome, Reported, Run};
-use crate::sema::common::plane::plane_axes;
-use crate::sema::run::Where;
 
 /// Most blocks that M120 LA looks ahead.
 const MOST_AHEAD: f64 = 99.0;
@@ -24,123 +23,37 @@ const MOST_AHEAD: f64 = 99.0;
 const EVERY_TURN: Deg = Deg(180.0);
 
 impl State {
-    /// Does a move to `after` change the place in the working plane?
-    pub fn moves_in_plane(&self, after: &Pos, path: &Path) -> bool {
-        match self.way_in_plane(after) {
-            Some([from, to]) => self.goes(from, to, path),
-            None => !after.known().common(plane_axes(self.plane())).is_empty(),
-        }
-    }
-
-    /// Where a move to `after` begins and ends in the working plane.
+    /// How a move leads through the working plane, before its end is taken over.
     #[inline]
-    fn way_in_plane(&self, after: &Pos) -> Option<[Point2; 2]> {
-        let (first, second, _) = self.plane().axes();
-        let at = self.position.at();
+    pub fn step<'m>(&self, end: &'m Pos, path: &'m Path) -> Step<'m> {
+        let plane = self.plane();
+        let (first, second, _) = plane.axes();
         let (first, second) = (Axis::ALL[first], Axis::ALL[second]);
-        let from = Point2::new(at.get(first)?, at.get(second)?);
-        Some([from, Point2::new(after.get(first).unwrap_or(from.x), after.get(second).unwrap_or(from.y))])
-    }
-
-    #[inline]
-    fn goes(&self, from: Point2, to: Point2, path: &Path) -> bool {
-        from != to || matches!(path, Path::Arc(arc, _) if arc.plane == self.plane())
+        let from = self.position.get(first).zip(self.position.get(second)).map(|(x, y)| Point2::new(x, y));
+        let to = |from: Point2| Point2::new(end.get(first).unwrap_or(from.x), end.get(second).unwrap_or(from.y));
+        Step { plane, way: from.map(|from| [from, to(from)]), end, path }
     }
 
     /// Notes a move of a contour, or the move that leads away from it, that is about to be sent.
     #[inline]
-    pub fn note_contour(&mut self, after: &Pos, path: &Path) {
-        if self.compensation.is_on() || self.contour.is_some() {
-            self.follow_contour(after, path);
-        }
-    }
-
-    fn follow_contour(&mut self, after: &Pos, path: &Path) {
-        let side = self.compensation.side();
-        if side == Side::None && self.contour.is_some_and(|contour| contour.side != Side::None) {
-            // A block that names the plane leads to its end, even from beside it.
-            if !after.known().common(plane_axes(self.plane())).is_empty() {
-                self.contour = None;
-            }
-            return;
-        }
-        let way = self.way_in_plane(after);
-        let moves = match way {
-            Some([from, to]) => self.goes(from, to, path),
-            None => !after.known().common(plane_axes(self.plane())).is_empty(),
-        };
-        if !moves {
-            return;
-        }
-        if self.own_corner == OwnCorner::Waits {
-            self.own_corner = OwnCorner::Sent;
-        }
-        let plane = self.plane();
-        let begun = self.contour.is_some();
-        let contour = self.contour.get_or_insert(Contour::new(side));
-        contour.begun = begun;
-        match (way, path) {
-            (Some([from, to]), Path::Rapid | Path::Line(_)) => {
-                contour.last = Some(LastMove::straight(from, to, plane));
-            }
-            (Some([from, to]), Path::Arc(..) | Path::Thread(_)) => {
-                let before = contour.last.take();
-                contour.last = Some(LastMove::new(from, to, plane, *path, before));
-            }
-            (None, _) => contour.last = None,
+    pub fn note_contour(&mut self, end: &Pos, path: &Path) {
+        if self.compensation.is_on() || self.contour.now.is_some() {
+            let step = self.step(end, path);
+            self.contour.follow(self.compensation.side(), &step);
         }
     }
 
     /// The compensation ends, and what M120 says with it.
     pub fn end_compensation(&mut self) {
         self.compensation.end();
-        self.look_ahead = 0;
+        self.contour.look_ahead = 0;
     }
 
     /// The contour was refused, or lacks an element: what only suffers from it is not worth another error.
     pub fn lose_contour(&mut self) {
         self.end_compensation();
         self.compensation.lose();
-        self.contour = None;
-    }
-
-    /// The corner at the end of the block in hand is made in another way.
-    fn shape_corner(&mut self, (outside, inside): (Option<Outside>, Option<Inside>)) {
-        let Some(rules) = self.ctx.compensation.as_deref().copied() else { return };
-        let (outside, inside) = (outside.unwrap_or(rules.outside), inside.unwrap_or(rules.inside));
-        let own_corner = outside != Outside::default();
-        self.compensate(crate::ir::Compensation { outside, inside, own_corner, ..rules });
-        self.own_corner = OwnCorner::Waits;
-    }
-
-    /// M120: the blocks that are looked ahead from here on.
-    fn look_ahead(&mut self, blocks: u32) {
-        self.look_ahead = blocks;
-        if let Some(rules) = self.ctx.compensation.as_deref().copied() {
-            let search = Search { elements: blocks, bottlenecks: blocks > 0 };
-            self.compensate(crate::ir::Compensation { search, ..rules });
-        }
-    }
-
-    /// The block of M97, M98 or M197 is over.
-    #[cold]
-    pub fn end_own_corner(&mut self, core: &Core<'_>, w: &Words) -> Outcome {
-        let own = std::mem::take(&mut self.own_corner);
-        self.modal_rules();
-        match w.any_m(&[97, 98, 197]) {
-            Some(m) if own == OwnCorner::Waits => core.refuse(m.span, codes::K2607::m_acts_on_corner_at_end(&m.number)),
-            _ => Ok(()),
-        }
-    }
-
-    /// What holds from block to block.
-    pub fn modal_rules(&mut self) {
-        if let Some(rules) = self.ctx.compensation.as_deref().copied() {
-            let search = Search { elements: self.look_ahead, bottlenecks: self.look_ahead > 0 };
-            let (outside, inside) = (Outside::default(), Inside::default());
-            let (feed, own_corner) = (self.feed.at, false);
-            self.compensate(crate::ir::Compensation { search, outside, inside, feed, own_corner, ..rules });
-        }
+        self.contour.now = None;
     }
 }
 
@@ -176,11 +89,11 @@ impl Run<'_> {
             return self.core.refuse(w.comp_span, codes::P2040::radius_compensation_cannot_start_or_end());
         }
         if side == Side::None {
-            self.st.look_ahead = 0;
+            self.st.contour.look_ahead = 0;
             return Ok(());
         }
         let other = |contour: Contour| contour.side != side && contour.side != Side::None;
-        let stays = self.core.computes_path() && self.st.contour.is_some_and(other);
+        let stays = self.core.computes_path() && self.st.contour.now.is_some_and(other);
         if self.st.compensation.is_on() || stays {
             let fault = if stays {
                 codes::K2602::r0_between_rl_and_rr_moved_nothing()
@@ -191,7 +104,7 @@ impl Run<'_> {
         }
         self.compute_compensation(w.comp_span)?;
         self.st.tool.check_cutter(&self.core, w.comp_span)?;
-        self.st.contour = None;
+        self.st.contour.now = None;
         Ok(())
     }
 
@@ -208,8 +121,9 @@ impl Run<'_> {
             return self.core.refuse(span, codes::P9013::under_m128_radius_compensation_is_one());
         }
         // RND and CHF there are refused, or accepted, where they stand.
-        self.st.compensate(crate::ir::Compensation { radius, rounded_border: true, ..Default::default() });
-        self.st.modal_rules();
+        let rules = Compensation { radius, rounded_border: true, ..Compensation::default() };
+        compensate(&mut self.st.ctx, rules);
+        self.st.contour.modal_rules(&mut self.st.ctx, self.st.feed.at);
         Ok(())
     }
 
@@ -225,9 +139,12 @@ impl Run<'_> {
                     if blocks.fract() != 0.0 || !(0.0..=MOST_AHEAD).contains(&blocks) {
                         return self.core.refuse(m.span, codes::K2707::m120_looks_ahead_blocks(&blocks));
                     }
-                    self.st.look_ahead(blocks as u32);
+                    self.st.contour.look_ahead(&mut self.st.ctx, blocks as u32);
                 }
-                97 | 98 | 197 => self.st.shape_corner(own_corner(&self.core, m)?),
+                97 | 98 | 197 => {
+                    let corner = own_corner(&self.core, m)?;
+                    self.st.contour.shape_corner(&mut self.st.ctx, corner);
+                }
                 _ => {}
             }
         }

@@ -124,11 +124,7 @@ impl Run<'_> {
                 };
             }
             b"TABLE" | b"TABLINE" if kind == Transform::Datum => {
-                let written = String::from_utf8_lossy(block.span.of(text)).to_ascii_uppercase();
-                let words: Vec<&str> = written.split(';').next().unwrap_or_default().split_whitespace().collect();
-                let row = words.concat();
-                let row = row.rsplit_once("DATUMTABLETABLINE").and_then(|(_, row)| row.parse::<u32>().ok());
-                let Some(row) = row else {
+                let Some(row) = table_row(block.span.of(text)) else {
                     return self.core.refuse(block.span, codes::K2402::trans_datum_table_names_no_row());
                 };
                 let axes = self.datum_table.row(&self.core, f64::from(row))?;
@@ -188,4 +184,11 @@ fn preset_without_offset(core: &mut Core<'_>, number: f64, row: Option<u32>) -> 
         None => "write the number of a row of the preset table, a whole number, into Q339".into(),
     };
     core.refuse(Where::Block, codes::P9014::preset_has_no_work_offset(&number).help(help))
+}
+
+/// The row of `TRANS DATUM TABLE TABLINE5`.
+fn table_row(code: &[u8]) -> Option<u32> {
+    let written = String::from_utf8_lossy(code).to_ascii_uppercase();
+    let words: Vec<&str> = written.split(';').next()?.split_whitespace().collect();
+    words.concat().rsplit_once("DATUMTABLETABLINE")?.1.parse().ok()
 }

@@ -19,7 +19,7 @@ impl Run<'_> {
         let st = &self.st;
         let side = st.compensation.side();
         // A contour that has begun needs nothing but its direction noted.
-        let contour_is_plain = match st.contour {
+        let contour_is_plain = match st.contour.now {
             None => side == Side::None,
             Some(contour) => side != Side::None && contour.begun && self.core.computes_path(),
         };

@@ -153,7 +153,7 @@ impl State {
             _ if !changes => {}
             Act::EdgeFeed(at) => {
                 self.feed.at = at;
-                self.modal_rules();
+                self.contour.modal_rules(&mut self.ctx, at);
             }
             Act::RotaryFeed(on) => self.feed.at_surface = on,
             Act::ShortWay(on) => self.rotary.short_way = on,

@@ -76,9 +76,12 @@ impl Run<'_> {
 
     pub(super) fn run_motion(&mut self, motion: Motion, w: &Words) -> Outcome {
         let result = self.run_words(motion, w);
-        match self.st.own_corner {
+        match self.st.contour.own_corner {
             OwnCorner::No => result,
-            _ => result.and(self.st.end_own_corner(&self.core, w)),
+            _ => {
+                let st = &mut self.st;
+                result.and(st.contour.end_own_corner(&self.core, &mut st.ctx, st.feed.at, w))
+            }
         }
     }
 
@@ -230,7 +233,7 @@ impl Run<'_> {
             self.st.feed.check_edge(&self.core, self.st.compensation.side())?;
         }
         let shape = if rounding { CornerShape::Rounding { radius: size } } else { CornerShape::Chamfer { side: size } };
-        if let Some(contour) = &mut self.st.contour {
+        if let Some(contour) = &mut self.st.contour.now {
             let begins = !contour.begun && contour.side != Side::None;
             // What stands behind a corner begins at its cut.
             contour.last = None;

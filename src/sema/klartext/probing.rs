@@ -165,7 +165,7 @@ impl Run<'_> {
         self.st.position.clear();
         self.st.position.hide(AxisSet::MAIN, By::Probe, here);
         self.st.polar.forget_last();
-        self.st.contour = None;
+        self.st.contour.now = None;
         if probe.turns() {
             self.st.rotary.turned_by_machine([Axis::A, Axis::B, Axis::C].into_iter().collect());
         }

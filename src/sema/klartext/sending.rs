@@ -108,7 +108,7 @@ impl Run<'_> {
     /// refused. Else it is the first element of the contour, and the approach is sent.
     #[cold]
     fn wait_for_contour(&mut self, mv: &Move) -> bool {
-        if !self.st.moves_in_plane(&mv.end, &mv.path)
+        if !self.st.step(&mv.end, &mv.path).moves()
             && let Some(approach) = &mut self.approach
             && approach.held.len() < MOST_HELD
         {

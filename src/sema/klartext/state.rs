@@ -15,7 +15,7 @@ use crate::sema::run::place::move_beside;
 use crate::text::Loc;
 
 use super::active_tool::{Change, ToolState};
-use super::contour::{Contour, LastMove, OwnCorner};
+use super::contour::{ContourState, LastMove};
 use super::feed::FeedState;
 use super::frame_state::FrameState;
 use super::labels::Label;
@@ -34,11 +34,7 @@ pub(super) struct State {
     pub polar: PolarState,
     pub feed: FeedState,
     pub compensation: Compensation,
-    pub contour: Option<Contour>,
-    /// M97, M98 or M197 of this block.
-    pub own_corner: OwnCorner,
-    /// Blocks that M120 looks ahead.
-    pub look_ahead: u32,
+    pub contour: ContourState,
     /// RND or CHF that waits for its second element.
     pub corner: Option<CornerMade>,
     pub tool: ToolState,
@@ -82,9 +78,7 @@ impl State {
             polar: PolarState::default(),
             feed: FeedState::new(settings.control.feed),
             compensation: Compensation::default(),
-            contour: None,
-            own_corner: OwnCorner::No,
-            look_ahead: 0,
+            contour: ContourState::default(),
             corner: None,
             tool: ToolState::default(),
             frames: FrameState::new(Transformation::none(settings.control.klartext_readings.mirror_last)),
@@ -108,15 +102,8 @@ impl State {
         self.left_by = None;
         self.polar.forget_last();
         self.feed.describe();
-        self.contour = None;
+        self.contour.now = None;
         self.tool.change = Change::None;
-    }
-
-    /// How the compiler compensates from now on.
-    pub fn compensate(&mut self, rules: crate::ir::Compensation) {
-        if self.ctx.compensation.as_deref() != Some(&rules) {
-            self.ctx = Rc::new(Ctx { compensation: Some(Rc::new(rules)), ..(*self.ctx).clone() });
-        }
     }
 
     /// Tool axis in force: called, or that of the blank, or Z.
@@ -162,7 +149,7 @@ impl State {
         }
         core.say_here(codes::K2606::while_radius_compensation(&what));
         self.end_compensation();
-        self.contour = None;
+        self.contour.now = None;
         self.lose_all(core);
     }
 
@@ -217,11 +204,6 @@ impl State {
         self.position.moved_by_machine(end, &self.ctx.frame, loc);
         self.rotary.forget_turns(end.known());
         self.polar.forget_last();
-    }
-
-    /// What is shown for a rotary axis: the position without the whole turns that only the output counts.
-    pub fn shown(&self, axis: Axis, at: f64) -> f64 {
-        at - self.rotary.turns_of(axis)
     }
 }
 

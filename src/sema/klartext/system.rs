@@ -176,7 +176,11 @@ impl Answers<'_, '_> {
                     _ => {
                         let value = self.view.position_of(axis, self.block.span, "SYSREAD")?;
                         self.unit_is_said(r, value)?;
-                        return Ok(if axis.is_rotary() { self.view.st.shown(axis, value) } else { value / mm });
+                        return Ok(if axis.is_rotary() {
+                            value - self.view.st.rotary.turns_of(axis)
+                        } else {
+                            value / mm
+                        });
                     }
                 },
                 _ => None,

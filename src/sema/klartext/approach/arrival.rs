@@ -101,7 +101,7 @@ impl Run<'_> {
         self.approach =
             Some(Box::new(Approach { shape, name, here, span, from, to, depth, left, side, radius, lead, feed, held }));
         self.st.compensation.found();
-        self.st.contour = Some(Contour { begun: true, ..Contour::new(side) });
+        self.st.contour.now = Some(Contour { begun: true, ..Contour::new(side) });
         self.st.position.move_to(&after);
         self.st.position.forget_way();
         Ok(())
@@ -114,7 +114,7 @@ impl View<'_, '_> {
         if self.st.compensation.is_on() {
             return self.core.refuse(span, codes::K9003::while_rl_or_rr_is_active(&name));
         }
-        if self.core.computes_path() && self.st.contour.is_some() {
+        if self.core.computes_path() && self.st.contour.now.is_some() {
             return self.core.refuse(span, codes::K9003::starts_beside_contour(&name));
         }
         match w.comp {

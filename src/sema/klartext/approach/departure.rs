@@ -32,7 +32,7 @@ impl Run<'_> {
             return Err(Reported);
         }
         // Behind an approach with R0 the contour has no side.
-        let contour = self.st.contour.filter(|contour| contour.side == side);
+        let contour = self.st.contour.now.filter(|contour| contour.side == side);
         if self.approach.is_some() || contour.is_none() || w.comp.is_some_and(|comp| comp != Comp::Side(Side::None)) {
             return self.core.refuse(span, codes::K9003::is_supported_behind_contour_with_rl(&name));
         }
@@ -82,7 +82,7 @@ impl Run<'_> {
             self.st.polar.forget_last();
         }
         self.st.end_compensation();
-        self.st.contour = None;
+        self.st.contour.now = None;
         self.st.feed.last_rapid = straight.is_none();
         Ok(())
     }
