@@ -168,10 +168,8 @@ impl ToolState {
         let Some(tool) = &self.active else { return Ok(()) };
         let (Some(own), Some(table)) = (tool.radius, tool.other_radius) else { return Ok(()) };
         let called = &tool.called;
-        core.refuse(
-            span,
-            codes::K2890::tool_has_radius_in_its_tool_def(&called, &own, &table).answer(Answer::tool(called, "radius")),
-        )
+        let fault = codes::K2890::tool_has_radius_in_its_tool_def(&called, &own, &table);
+        core.refuse(span, fault.answer(Answer::tool(called, "radius")))
     }
 
     /// Radius of the active tool with its oversizes.

@@ -51,11 +51,10 @@ impl Run<'_> {
             return self.core.refuse(span, codes::K9003::is_not_supported(&name));
         }
         if kind == "LN" && !self.core.computes_path() {
-            return self.core.refuse(
-                span,
-                codes::K9003::is_not_supported_where_target_compensates(&name)
-                    .answer(Answer::key("output", "compensation").one_of(&["\"resolve\""])),
-            );
+            let fault = codes::K9003::is_not_supported_where_target_compensates(&name);
+            return self
+                .core
+                .refuse(span, fault.answer(Answer::key("output", "compensation").one_of(&["\"resolve\""])));
         }
         let (rest, len, angle) = named_lengths(self.reading(), block, text, name)?;
         let w = self.gather(&rest, name, admits(departs, polar, kind))?;

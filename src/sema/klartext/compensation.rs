@@ -187,11 +187,9 @@ pub(super) fn round_border(core: &Core<'_>, word: &str, leaves: bool) -> Outcome
         )
     };
     if !core.job.settings.control.klartext_choices.rounded_approach {
-        return core.refuse(
-            Where::Block,
-            codes::P9013::how_control_leads_tool_there_is_not(&what, &help)
-                .answer(Answer::key("control", "rounded_approach").one_of(&["\"round\""])),
-        );
+        let fault = codes::P9013::how_control_leads_tool_there_is_not(&what, &help);
+        return core
+            .refuse(Where::Block, fault.answer(Answer::key("control", "rounded_approach").one_of(&["\"round\""])));
     }
     core.say_here(codes::K2894::programmed_corner_is_cut_as_between_two(&what, &help));
     Ok(())

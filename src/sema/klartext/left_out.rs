@@ -38,10 +38,8 @@ impl Run<'_> {
     /// The program changes to the tool that was called.
     fn change_by_program(&mut self, name: &str, span: Span) -> Outcome {
         if matches!(self.st.tool.change, Change::None | Change::Announced | Change::InSpindle) {
-            return self.core.refuse(
-                span,
-                codes::K2802::changes_tool(&name).answer(Answer::key("control", "tool_change").one_of(&["\"m6\""])),
-            );
+            let fault = codes::K2802::changes_tool(&name);
+            return self.core.refuse(span, fault.answer(Answer::key("control", "tool_change").one_of(&["\"m6\""])));
         }
         self.change_at(span, &format!("`{name}`"))?;
         // Where it leaves the axes only the configuration knows.

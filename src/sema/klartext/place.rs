@@ -115,11 +115,8 @@ impl View<'_, '_> {
             match zero(&self.core.job.settings.datums, &[BUILDERS], axis) {
                 Ok(zero) => end.set(axis, zero + value),
                 Err(name) => {
-                    return self.core.refuse(
-                        span,
-                        codes::K9008::m92_counts_from_position_that_machine_builder(&axis.letter(), &name)
-                            .answer(Answer::datum(name)),
-                    );
+                    let fault = codes::K9008::m92_counts_from_position_that_machine_builder(&axis.letter(), &name);
+                    return self.core.refuse(span, fault.answer(Answer::datum(name)));
                 }
             }
         }

@@ -251,10 +251,8 @@ impl PolarState {
                 (false, false) => one_turn - 360.0,
             });
         }
-        core.refuse(
-            w.polar_angle_span,
-            codes::K2105::ipa_turns_one_way(&angle).answer(Answer::key("control", "cp_sign").one_of(&["\"dr\""])),
-        )
+        let fault = codes::K2105::ipa_turns_one_way(&angle);
+        core.refuse(w.polar_angle_span, fault.answer(Answer::key("control", "cp_sign").one_of(&["\"dr\""])))
     }
 }
 

@@ -16,11 +16,8 @@ use super::{Outcome, Reported, Run};
 impl Run<'_> {
     pub(super) fn run_program_pattern(&mut self, w: &Words, places: &Places, name: &str) -> Outcome {
         let Some(reading) = self.core.job.settings.cycles.klartext.pattern_program else {
-            return self.core.refuse(
-                Where::Block,
-                codes::P9010::cycl_call_pat_with_program_of_cycle_12(&name)
-                    .answer(Answer::key("cycles", "pattern_program")),
-            );
+            let fault = codes::P9010::cycl_call_pat_with_program_of_cycle_12(&name);
+            return self.core.refuse(Where::Block, fault.answer(Answer::key("cycles", "pattern_program")));
         };
         if places.iter().any(|place| place.surface != 0.0) {
             let found = codes::P9010::cycl_call_pat_with_program(&name).at(self.core.here.origin.loc);

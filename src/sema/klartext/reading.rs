@@ -114,10 +114,8 @@ impl Reading<'_, '_> {
         if q.kind == QKind::Q && (100..200).contains(&q.number) {
             let meaning = meanings::of_parameter(q.number);
             let what = if meaning.is_empty() { String::new() } else { format!(": {meaning}") };
-            return self.core.refuse(
-                span,
-                codes::P2023::is_set_by_control_at_machine(&q, &what).answer(Answer::variable(q, meaning)),
-            );
+            let fault = codes::P2023::is_set_by_control_at_machine(&q, &what);
+            return self.core.refuse(span, fault.answer(Answer::variable(q, meaning)));
         }
         if q.is_text() {
             return self.core.refuse(span, codes::P2020::is_read_before_text_is_assigned(&q));

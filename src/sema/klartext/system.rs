@@ -143,11 +143,8 @@ impl Answers<'_, '_> {
         if said || value == 0.0 || self.view.core.unit() == Unit::Mm || !r.is_length() {
             return Ok(());
         }
-        self.view.core.refuse(
-            self.block.span,
-            codes::K2855::is_length_in_inch_program_controls_may(&r.name())
-                .answer(Answer::key("control", "system_unit")),
-        )
+        let fault = codes::K2855::is_length_in_inch_program_controls_may(&r.name());
+        self.view.core.refuse(self.block.span, fault.answer(Answer::key("control", "system_unit")))
     }
 
     fn answer(&self, r: Request) -> Outcome<f64> {
@@ -213,11 +210,8 @@ impl Answers<'_, '_> {
             }
             _ => "",
         };
-        self.view.core.refuse(
-            self.block.span,
-            codes::K9016::system_data_id_nr_is_known(&r.id, &r.nr, &what, &why, &r.name())
-                .answer(Answer::variable(r.name(), meaning)),
-        )
+        let fault = codes::K9016::system_data_id_nr_is_known(&r.id, &r.nr, &what, &why, &r.name());
+        self.view.core.refuse(self.block.span, fault.answer(Answer::variable(r.name(), meaning)))
     }
 
     /// What `[variables]` says, in the unit of the program.

@@ -110,11 +110,8 @@ impl View<'_, '_> {
             return Ok(());
         }
         let [who, help] = self.core.job.settings.output.length_along_z();
-        self.core.refuse(
-            span,
-            codes::O9190::with_tool_axis_length_of_tool_acts(&axis.letter(), &who)
-                .help(Answer::key("output", "tool_length").one_of(&["\"off\""]).help(help)),
-        )
+        let fault = codes::O9190::with_tool_axis_length_of_tool_acts(&axis.letter(), &who);
+        self.core.refuse(span, fault.help(Answer::key("output", "tool_length").one_of(&["\"off\""]).help(help)))
     }
 }
 
