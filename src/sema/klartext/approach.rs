@@ -10,16 +10,13 @@ mod border;
 mod departure;
 
 use crate::diag::{Answer, Fault, codes};
-use crate::geo::Point2;
-use crate::machine::{Axis, AxisSet};
 use crate::parser::klartext::ast::{Addr, Block, Word};
-use crate::sema::common::plane::plane_axes;
 use crate::sema::run::Where;
 use crate::text::Span;
 
 use super::block_text::block_name;
 use super::reading::Reading;
-use super::words::{Admits, Words};
+use super::words::Admits;
 use super::{Outcome, Run};
 
 pub(super) use arrival::{Approach, Held, MOST_HELD};
@@ -57,9 +54,7 @@ impl Run<'_> {
                 .refuse(span, fault.answer(Answer::key("output", "compensation").one_of(&["\"resolve\""])));
         }
         let (rest, len, angle) = named_lengths(self.reading(), block, text, name)?;
-        let w = self.gather(&rest, name, admits(departs, polar, kind))?;
-        self.view().check_m(&w)?;
-        w.forbid_m(&self.core, name, &FORBIDDEN)?;
+        let w = self.gather_m(&rest, name, admits(departs, polar, kind), &FORBIDDEN)?;
         let shape = shape(kind, len, angle, w.radius, name);
         let shape = shape.or_else(|fault| self.core.refuse(Where::Block, fault))?;
         if departs {
@@ -72,31 +67,6 @@ impl Run<'_> {
         self.m_at_end(w.m())?;
         self.words = Some(w);
         Ok(())
-    }
-
-    /// The end point in the plane, and that of the tool axis if the block names it.
-    fn border_point(&mut self, name: &str, polar: bool, from: Point2, w: &Words) -> Outcome<(Point2, Option<f64>)> {
-        let plane = self.st.plane();
-        let (first, second, third) = plane.axes();
-        let third = Axis::ALL[third];
-        if !w.axes.known().without(plane_axes(plane)).without(AxisSet::of(third)).is_empty() {
-            return self.core.refuse(w.axes_span, codes::P1003::moves_axes_of_plane(&name));
-        }
-        let end = self.view().absolute(w)?;
-        let to = if polar {
-            let pole = self.view().pole(name)?;
-            if pole.plane != plane {
-                return self.core.refuse(w.polar_radius_span, codes::K9003::about_pole_of_another_plane(&name));
-            }
-            let (radius, angle) = self.view().polar_words(w, &pole, name)?;
-            self.st.polar.keep(radius, angle, &pole);
-            crate::geo::angle::polar_point(pole.at, radius, angle)
-        } else {
-            self.st.polar.forget_last();
-            let coordinate = |axis: usize, old: f64| end.get(Axis::ALL[axis]).unwrap_or(old);
-            Point2::new(coordinate(first, from.x), coordinate(second, from.y))
-        };
-        Ok((to, end.get(third)))
     }
 }
 

@@ -5,13 +5,11 @@
 //! text; what the run then meets has to fit to it, or is refused. Source: K 1.5 (docs/sources.md).
 
 use crate::diag::{Answer, codes};
-use crate::ir::contour::{Coords, Move, Path};
-use crate::ir::{Function, Pos};
-use crate::machine::{Axis, AxisSet};
+use crate::ir::Function;
+use crate::machine::AxisSet;
 use crate::parser::klartext::ast::{Addr, Stmt, Word};
 use crate::parser::symbols::Symbols;
 use crate::sema::common::hidden::By;
-use crate::sema::common::plane::plane_axes;
 use crate::sema::run::unexecuted::Blocks;
 use crate::text::{FileId, Loc, Span};
 
@@ -22,26 +20,6 @@ use super::state::State;
 use super::{Core, Klartext, Outcome, Run};
 
 impl State {
-    /// Does the move cut? Not at rapid traverse, and not upwards along the tool axis alone, however fast.
-    pub fn cuts(&self, mv: &Move) -> bool {
-        let (axis, plane) = (self.axis(), plane_axes(self.plane()));
-        if mv.path.is_rapid() || mv.coords == Coords::Machine {
-            return false;
-        }
-        if !matches!(mv.path, Path::Line(_)) || plane.iter().any(|axis| goes(self.position.at(), &mv.end, axis)) {
-            return true;
-        }
-        let height = match self.tool.change {
-            Change::Called { height, .. } => height,
-            _ => None,
-        };
-        match (mv.end.get(axis), self.position.get(axis), height) {
-            (Some(to), Some(from), _) => to < from,
-            (Some(to), None, Some(height)) => to <= height,
-            _ => false,
-        }
-    }
-
     /// The new length of the tool counts from here on, or the change moved the axis.
     fn forget_tip(&mut self, loc: Loc) {
         let axes = AxisSet::of(self.axis());
@@ -125,11 +103,6 @@ impl Core<'_> {
         }
         found
     }
-}
-
-/// Does the move give the axis another coordinate? Yes where the old one is not known.
-fn goes(from: &Pos, end: &Pos, axis: Axis) -> bool {
-    end.get(axis).is_some_and(|to| from.get(axis) != Some(to))
 }
 
 /// Looks for a block with M6 that the control executes.

@@ -4,16 +4,13 @@
 //! Source: K 2.12, 2.14 (docs/sources.md).
 
 use crate::diag::{Answer, codes};
-use crate::geo::{Deg, Point2};
+use crate::geo::Deg;
 use crate::ir::compensation::{Inside, Outside};
-use crate::ir::contour::Path;
-use crate::ir::{Compensation, Pos, Side};
-use crate::machine::Axis;
+use crate::ir::{Compensation, Side};
 use crate::sema::run::Where;
 use crate::text::Span;
 
-use super::contour::{Contour, Step, compensate};
-use super::state::State;
+use super::contour::{Contour, compensate};
 use super::words::{Comp, MWord, Words};
 use super::{Core, Outcome, Reported, Run};
 
@@ -21,41 +18,6 @@ use super::{Core, Outcome, Reported, Run};
 const MOST_AHEAD: f64 = 99.0;
 /// The largest turn of a contour: M97 prolongs the elements at every outside corner.
 const EVERY_TURN: Deg = Deg(180.0);
-
-impl State {
-    /// How a move leads through the working plane, before its end is taken over.
-    #[inline]
-    pub fn step<'m>(&self, end: &'m Pos, path: &'m Path) -> Step<'m> {
-        let plane = self.plane();
-        let (first, second, _) = plane.axes();
-        let (first, second) = (Axis::ALL[first], Axis::ALL[second]);
-        let from = self.position.get(first).zip(self.position.get(second)).map(|(x, y)| Point2::new(x, y));
-        let to = |from: Point2| Point2::new(end.get(first).unwrap_or(from.x), end.get(second).unwrap_or(from.y));
-        Step { plane, way: from.map(|from| [from, to(from)]), end, path }
-    }
-
-    /// Notes a move of a contour, or the move that leads away from it, that is about to be sent.
-    #[inline]
-    pub fn note_contour(&mut self, end: &Pos, path: &Path) {
-        if self.compensation.is_on() || self.contour.now.is_some() {
-            let step = self.step(end, path);
-            self.contour.follow(self.compensation.side(), &step);
-        }
-    }
-
-    /// The compensation ends, and what M120 says with it.
-    pub fn end_compensation(&mut self) {
-        self.compensation.end();
-        self.contour.look_ahead = 0;
-    }
-
-    /// The contour was refused, or lacks an element: what only suffers from it is not worth another error.
-    pub fn lose_contour(&mut self) {
-        self.end_compensation();
-        self.compensation.lose();
-        self.contour.now = None;
-    }
-}
 
 impl Run<'_> {
     pub(super) fn switch_side(&mut self, w: &Words, arc: bool) -> Outcome {

@@ -148,9 +148,7 @@ impl Run<'_> {
         };
         match kind {
             CallKind::Here => {
-                let w = self.gather(block, "CYCL CALL", Admits::M)?;
-                self.view().check_m(&w)?;
-                w.forbid_m(&self.core, "CYCL CALL", &[89, 91, 92, 99])?;
+                let w = self.gather_m(block, "CYCL CALL", Admits::M, &[89, 91, 92, 99])?;
                 if let Some(m) = w.any_m(&[2, 30]) {
                     return self.core.refuse(m.span, codes::P1005::cycle_call());
                 }

@@ -35,8 +35,11 @@ impl Reading<'_, '_> {
         let mut at = 0;
         while let Some(&word) = block.words.get(at) {
             at += 1;
+            if !admits.takes(&word) {
+                return self.core.not_admitted(word, head);
+            }
             match word.addr {
-                Addr::Axis { axis, incremental } if admits.has(Admits::AXES) => {
+                Addr::Axis { axis, incremental } => {
                     let value = self.number(word.value, word.span)?;
                     if w.axes.known().contains(axis) {
                         return self.core.twice(word, block);
@@ -47,16 +50,14 @@ impl Reading<'_, '_> {
                     }
                     w.axes_span = if w.axes_span.is_empty() { word.span } else { w.axes_span.to(word.span) };
                 }
-                Addr::Feed | Addr::FeedMax | Addr::FeedAuto | Addr::FeedPerRev | Addr::FeedOther
-                    if admits.has(Admits::FEED) =>
-                {
+                Addr::Feed | Addr::FeedMax | Addr::FeedAuto | Addr::FeedPerRev | Addr::FeedOther => {
                     if w.feed != FeedWord::None {
                         return self.core.twice(word, block);
                     }
                     w.feed = self.feed_word(word, mm)?;
                     w.feed_span = word.span;
                 }
-                Addr::M(number) if admits.has(Admits::M) => {
+                Addr::M(number) => {
                     let (args, used) = self.m_arguments(number, word.span, &block.words[at..], block, w)?;
                     at += used;
                     if w.m.len() == MOST_M {
@@ -68,7 +69,7 @@ impl Reading<'_, '_> {
                 }
                 // Empty words of old listings mean "unchanged".
                 Addr::FeedEmpty | Addr::MEmpty | Addr::RadiusEmpty => {}
-                _ => self.rare_word(word, head, admits, mm, w, block)?,
+                _ => self.rare_word(word, admits, mm, w, block)?,
             }
         }
         if w.m.len() > 1 {
@@ -78,16 +79,16 @@ impl Reading<'_, '_> {
     }
 
     /// The words that CAM programs hardly use.
-    fn rare_word(self, word: Word, head: &str, admits: Admits, mm: f64, w: &mut Words, block: &Block) -> Outcome {
+    fn rare_word(self, word: Word, admits: Admits, mm: f64, w: &mut Words, block: &Block) -> Outcome {
         match word.addr {
-            Addr::PolarRadius { incremental } if admits.has(Admits::POLAR) => {
+            Addr::PolarRadius { incremental } => {
                 let value = self.number(word.value, word.span)?;
                 if w.polar_radius.replace((value * mm, incremental)).is_some() {
                     return self.core.twice(word, block);
                 }
                 w.polar_radius_span = word.span;
             }
-            Addr::PolarAngle { incremental } if admits.has(Admits::POLAR) => {
+            Addr::PolarAngle { incremental } => {
                 let value = self.number(word.value, word.span)?;
                 if w.polar_angle.replace((value, incremental)).is_some() {
                     return self.core.twice(word, block);
@@ -98,37 +99,38 @@ impl Reading<'_, '_> {
             Addr::Radius { signed: false } if word.value == Value::Number(0.0) && admits.has(Admits::COMP) => {
                 self.comp_word(w, Comp::Side(Side::None), word, block)?;
             }
-            Addr::Radius { .. } if admits.has(Admits::RADIUS) => {
+            Addr::Radius { .. } => {
                 let value = self.number(word.value, word.span)?;
                 if w.radius.replace(value * mm).is_some() || w.number.is_some() {
                     return self.core.twice(word, block);
                 }
                 w.radius_span = word.span;
             }
-            Addr::CompLeft if admits.has(Admits::COMP) => self.comp_word(w, Comp::Side(Side::Left), word, block)?,
-            Addr::CompRight if admits.has(Admits::COMP) => self.comp_word(w, Comp::Side(Side::Right), word, block)?,
-            Addr::ParaxialPlus | Addr::ParaxialMinus if admits.has(Admits::PARAXIAL) => {
+            Addr::CompLeft => self.comp_word(w, Comp::Side(Side::Left), word, block)?,
+            Addr::CompRight => self.comp_word(w, Comp::Side(Side::Right), word, block)?,
+            Addr::ParaxialPlus | Addr::ParaxialMinus => {
                 self.comp_word(w, Comp::Paraxial(word.addr == Addr::ParaxialPlus), word, block)?;
             }
-            Addr::TurnPlus | Addr::TurnMinus if admits.has(Admits::TURN) => {
+            Addr::TurnPlus | Addr::TurnMinus => {
                 if w.turn.replace(word.addr == Addr::TurnPlus).is_some() {
                     return self.core.twice(word, block);
                 }
             }
-            Addr::Speed if admits.has(Admits::SPEED) => {
+            Addr::Speed => {
                 let value = self.number(word.value, word.span)?;
                 if w.speed.replace(value).is_some() {
                     return self.core.twice(word, block);
                 }
                 w.speed_span = word.span;
             }
-            Addr::Value if admits.has(Admits::NUMBER) => {
+            Addr::Value => {
                 let value = self.number(word.value, word.span)?;
                 if w.number.replace(value).is_some() || w.radius.is_some() {
                     return self.core.twice(word, block);
                 }
             }
-            _ => return self.core.not_admitted(word, head),
+            // No other word is admitted.
+            _ => {}
         }
         Ok(())
     }

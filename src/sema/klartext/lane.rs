@@ -73,12 +73,13 @@ impl Run<'_> {
 
     #[inline(always)]
     fn go_straight(&mut self, line: &Straight) {
+        let unit = self.core.unit();
         if let Some(written) = line.feed {
-            let feed = self.st.feed.counted(written, self.core.unit());
+            let feed = self.st.feed.counted(written, unit);
             self.st.feed.program(feed, written);
         }
         let path = if line.rapid { Path::Rapid } else { Path::straight(self.st.feed.word()) };
-        let mm = self.core.mm();
+        let mm = unit.mm();
         let end = Pos::of_main(line.values.map(|value| value * mm), line.axes);
         let side = self.st.compensation.side();
         self.core.send_move(&Move { end, path, side, coords: Coords::Frame }, &self.st.ctx);

@@ -17,6 +17,20 @@ use super::words::{Admits, Comp, MWord, Words};
 use super::{Core, Outcome, Run};
 
 impl Run<'_> {
+    /// The words of a block whose M functions may act; these have no place in it.
+    pub(super) fn gather_m(
+        &mut self,
+        block: &Block,
+        head: &str,
+        admits: Admits,
+        barred: &[u32],
+    ) -> Outcome<Box<Words>> {
+        let w = self.gather(block, head, admits)?;
+        self.view().check_m(&w)?;
+        w.forbid_m(&self.core, head, barred)?;
+        Ok(w)
+    }
+
     /// M functions that act at the start of the block. `moves` tells whether the block moves.
     pub(super) fn m_at_start(&mut self, w: &Words, moves: bool) -> Outcome {
         for m in w.m() {
@@ -61,7 +75,7 @@ impl Run<'_> {
             Act::Stop => {
                 let stopped = self.st.spindle.stop_all(&self.core, m.span);
                 stopped.into_iter().flatten().for_each(|function| self.function(function));
-                self.stop();
+                self.stop_program();
             }
             _ => {
                 let switched = self.st.spindle.switch(act);
@@ -75,7 +89,7 @@ impl Run<'_> {
     }
 
     /// The program stops: the axes may be moved by hand.
-    fn stop(&mut self) {
+    fn stop_program(&mut self) {
         self.function(Function::Stop);
         self.st.position.stops();
     }
@@ -124,13 +138,11 @@ impl Run<'_> {
 
     /// STOP with its M functions. STOP itself does not stop the spindle.
     pub(super) fn stop_block(&mut self, block: &Block) -> Outcome {
-        let w = self.gather(block, "STOP", Admits::M)?;
-        self.view().check_m(&w)?;
-        w.forbid_m(&self.core, "STOP", &[89, 91, 92, 99])?;
+        let w = self.gather_m(block, "STOP", Admits::M, &[89, 91, 92, 99])?;
         self.m_at_start(&w, false)?;
         self.m_at_end(w.m())?;
         if !w.has_m(0) && !self.core.has_ended() {
-            self.stop();
+            self.stop_program();
         }
         Ok(())
     }

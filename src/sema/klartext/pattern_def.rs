@@ -235,9 +235,8 @@ impl Run<'_> {
         // The first word is PAT itself.
         let mut rest = block.clone();
         rest.words.drain(..1);
-        let w = self.gather(&rest, "CYCL CALL PAT", Admits::FEED.and(Admits::M))?;
-        self.view().check_m(&w)?;
-        w.forbid_m(&self.core, "CYCL CALL PAT", &[2, 30, 89, 91, 92, 99])?;
+        let admits = Admits::FEED.and(Admits::M);
+        let w = self.gather_m(&rest, "CYCL CALL PAT", admits, &[2, 30, 89, 91, 92, 99])?;
         let Some(places) = self.pattern.places.take() else {
             if self.pattern.lost {
                 return Err(Reported);

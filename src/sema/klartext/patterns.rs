@@ -116,9 +116,8 @@ impl Run<'_> {
         // The first word is POS itself.
         let mut rest = block.clone();
         rest.words.drain(..1);
-        let w = self.gather(&rest, "CYCL CALL POS", Admits::AXES.and(Admits::FEED).and(Admits::M))?;
-        self.view().check_m(&w)?;
-        w.forbid_m(&self.core, "CYCL CALL POS", &[2, 30, 89, 91, 92, 99])?;
+        let admits = Admits::AXES.and(Admits::FEED).and(Admits::M);
+        let w = self.gather_m(&rest, "CYCL CALL POS", admits, &[2, 30, 89, 91, 92, 99])?;
         let axis = self.st.axis();
         let plane = plane_axes(self.st.plane());
         let named = w.axes.known();

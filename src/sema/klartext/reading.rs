@@ -7,7 +7,7 @@ use std::rc::Rc;
 use crate::diag::{Answer, Label as Also, codes};
 use crate::ir::function::Turn;
 use crate::lexer::klartext::{QKind, QRef, Value};
-use crate::machine::{Axis, Generation, Unit};
+use crate::machine::{Generation, Unit};
 use crate::parser::klartext::ast::{LabelRef, Operand, Relation, Test};
 use crate::sema::run::Where;
 use crate::text::{Span, decode::readable, number::decimal};
@@ -137,15 +137,7 @@ impl Reading<'_, '_> {
                 Some(radius) => Some(radius / mm),
                 None => return self.tool_data_missing(RADIUS, span).map(Some),
             },
-            109 => Some(match self.st.tool.axis() {
-                None => -1.0,
-                Some(Axis::X) => 0.0,
-                Some(Axis::Y) => 1.0,
-                Some(Axis::Z) => 2.0,
-                Some(Axis::U) => 6.0,
-                Some(Axis::V) => 7.0,
-                _ => 8.0,
-            }),
+            109 => Some(self.st.tool.axis().map_or(-1.0, |axis| axis.index() as f64)),
             110 => Some(match (self.st.spindle.turn(), self.st.spindle.used()) {
                 (Some(Turn::Clockwise), _) => 0.0,
                 (Some(Turn::CounterClockwise), _) => 1.0,

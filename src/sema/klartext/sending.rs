@@ -5,13 +5,14 @@ use crate::geo::Point2;
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::{Function, Pos, Side};
 use crate::machine::{Axis, AxisSet};
+use crate::sema::common::plane::plane_axes;
 
 use super::active_tool::Change;
 use super::approach::{Held, MOST_HELD};
 use super::compensation::round_border;
 use super::contour::LastMove;
 use super::known::Known;
-use super::state::CornerMade;
+use super::state::{CornerMade, State};
 use super::words::Words;
 use super::{Outcome, Reported, Run};
 
@@ -195,4 +196,31 @@ impl Run<'_> {
         }
         Ok(end)
     }
+}
+
+impl State {
+    /// Does the move cut? Not at rapid traverse, and not upwards along the tool axis alone, however fast.
+    fn cuts(&self, mv: &Move) -> bool {
+        let (axis, plane) = (self.axis(), plane_axes(self.plane()));
+        if mv.path.is_rapid() || mv.coords == Coords::Machine {
+            return false;
+        }
+        if !matches!(mv.path, Path::Line(_)) || plane.iter().any(|axis| goes(self.position.at(), &mv.end, axis)) {
+            return true;
+        }
+        let height = match self.tool.change {
+            Change::Called { height, .. } => height,
+            _ => None,
+        };
+        match (mv.end.get(axis), self.position.get(axis), height) {
+            (Some(to), Some(from), _) => to < from,
+            (Some(to), None, Some(height)) => to <= height,
+            _ => false,
+        }
+    }
+}
+
+/// Does the move give the axis another coordinate? Yes where the old one is not known.
+fn goes(from: &Pos, end: &Pos, axis: Axis) -> bool {
+    end.get(axis).is_some_and(|to| from.get(axis) != Some(to))
 }

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use crate::diag::{Fault, codes};
-use crate::geo::{Plane, Vec2};
+use crate::geo::{Plane, Point2, Vec2};
 use crate::ir::contour::{Ctx, CtxRef, Path};
 use crate::ir::{Pos, Side};
 use crate::machine::{Axis, AxisSet, Settings};
@@ -15,7 +15,7 @@ use crate::sema::run::place::move_beside;
 use crate::text::Loc;
 
 use super::active_tool::{Change, ToolState};
-use super::contour::{ContourState, LastMove};
+use super::contour::{ContourState, LastMove, Step};
 use super::feed::FeedState;
 use super::frame_state::FrameState;
 use super::labels::Label;
@@ -204,6 +204,41 @@ impl State {
         self.position.moved_by_machine(end, &self.ctx.frame, loc);
         self.rotary.forget_turns(end.known());
         self.polar.forget_last();
+    }
+
+    // The contour under compensation.
+
+    /// How a move leads through the working plane, before its end is taken over.
+    #[inline]
+    pub fn step<'m>(&self, end: &'m Pos, path: &'m Path) -> Step<'m> {
+        let plane = self.plane();
+        let (first, second, _) = plane.axes();
+        let (first, second) = (Axis::ALL[first], Axis::ALL[second]);
+        let from = self.position.get(first).zip(self.position.get(second)).map(|(x, y)| Point2::new(x, y));
+        let to = |from: Point2| Point2::new(end.get(first).unwrap_or(from.x), end.get(second).unwrap_or(from.y));
+        Step { plane, way: from.map(|from| [from, to(from)]), end, path }
+    }
+
+    /// Notes a move of a contour, or the move that leads away from it, that is about to be sent.
+    #[inline]
+    pub fn note_contour(&mut self, end: &Pos, path: &Path) {
+        if self.compensation.is_on() || self.contour.now.is_some() {
+            let step = self.step(end, path);
+            self.contour.follow(self.compensation.side(), &step);
+        }
+    }
+
+    /// The compensation ends, and what M120 says with it.
+    pub fn end_compensation(&mut self) {
+        self.compensation.end();
+        self.contour.look_ahead = 0;
+    }
+
+    /// The contour was refused, or lacks an element: what only suffers from it is not worth another error.
+    pub fn lose_contour(&mut self) {
+        self.end_compensation();
+        self.compensation.lose();
+        self.contour.now = None;
     }
 }
 

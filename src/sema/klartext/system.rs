@@ -153,12 +153,7 @@ impl Answers<'_, '_> {
         let known = match (r.id, r.nr) {
             // State of the machine as the program set it.
             (20, 1) => self.view.st.tool.active().and_then(|tool| tool.own).map(f64::from),
-            (20, 3) => self.view.st.tool.axis().map(|axis| match axis {
-                Axis::U => 6.0,
-                Axis::V => 7.0,
-                Axis::W => 8.0,
-                main => main.index() as f64,
-            }),
+            (20, 3) => self.view.st.tool.axis().map(|axis| axis.index() as f64),
             (20, 4) => self.view.st.spindle.speed(),
             (50, 1..=6) => return self.table_value(r),
             (200, 1..=3) => self.view.st.tool.active().and_then(|tool| tool.size(r, mm)),

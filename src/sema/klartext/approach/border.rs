@@ -2,13 +2,15 @@
 //! moves that lead there.
 
 use crate::diag::{Fault, codes};
-use crate::geo::{Plane, Point2, SAME_DIRECTION, Vec2, left, tolerance};
+use crate::geo::{Plane, Point2, SAME_DIRECTION, Vec2, angle, left, tolerance};
 use crate::ir::contour::{Arc, ArcShape, Coords, Move, Path};
 use crate::ir::{Feed, Frame, Pos, Side};
-use crate::machine::Axis;
+use crate::machine::{Axis, AxisSet};
+use crate::sema::common::plane::plane_axes;
 use crate::text::Span;
 
-use super::super::{Core, Outcome};
+use super::super::words::Words;
+use super::super::{Core, Outcome, Run};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Shape {
@@ -130,4 +132,37 @@ pub(super) fn forbid_scaling(core: &Core<'_>, frame: &Frame, span: Span) -> Outc
         return core.refuse(span, codes::K9003::approach_or_departure_under_scaling_is_not());
     }
     Ok(())
+}
+
+impl Run<'_> {
+    /// The end point in the plane, and that of the tool axis if the block names it.
+    pub(super) fn border_point(
+        &mut self,
+        name: &str,
+        polar: bool,
+        from: Point2,
+        w: &Words,
+    ) -> Outcome<(Point2, Option<f64>)> {
+        let plane = self.st.plane();
+        let (first, second, third) = plane.axes();
+        let third = Axis::ALL[third];
+        if !w.axes.known().without(plane_axes(plane)).without(AxisSet::of(third)).is_empty() {
+            return self.core.refuse(w.axes_span, codes::P1003::moves_axes_of_plane(&name));
+        }
+        let end = self.view().absolute(w)?;
+        let to = if polar {
+            let pole = self.view().pole(name)?;
+            if pole.plane != plane {
+                return self.core.refuse(w.polar_radius_span, codes::K9003::about_pole_of_another_plane(&name));
+            }
+            let (radius, angle) = self.view().polar_words(w, &pole, name)?;
+            self.st.polar.keep(radius, angle, &pole);
+            angle::polar_point(pole.at, radius, angle)
+        } else {
+            self.st.polar.forget_last();
+            let coordinate = |axis: usize, old: f64| end.get(Axis::ALL[axis]).unwrap_or(old);
+            Point2::new(coordinate(first, from.x), coordinate(second, from.y))
+        };
+        Ok((to, end.get(third)))
+    }
 }

@@ -189,16 +189,14 @@ impl<'a> Run<'a> {
             }
         };
         let result = match head {
-            FkHead::Pole => self.gather(block, "FPOL", Admits::AXES).and_then(|w| {
-                let result = free.set_pole(&self.core, &w, self.st.plane());
-                self.words = Some(w);
-                result
-            }),
-            FkHead::Select => self.gather(block, "FSELECT", Admits::NUMBER).and_then(|w| {
-                let result = free.select(&self.core, w.number);
-                self.words = Some(w);
-                result
-            }),
+            FkHead::Pole => {
+                let w = self.gather(block, "FPOL", Admits::AXES);
+                w.and_then(|w| free.set_pole(&self.core, &w, self.st.plane()))
+            }
+            FkHead::Select => {
+                let w = self.gather(block, "FSELECT", Admits::NUMBER);
+                w.and_then(|w| free.select(&self.core, w.number))
+            }
             FkHead::Line { .. } | FkHead::Arc { .. } => self.element(&mut free, head, block, text),
         };
         self.free = Some(free);

@@ -289,10 +289,7 @@ impl Elements<'_, '_> {
         for part in [Part::First, Part::Second, Part::Radius, Part::Angle] {
             let absolute = said.get(Key::Center { part, incremental: false });
             let incremental = said.get(Key::Center { part, incremental: true });
-            if let (Some(_), Some(twice)) = (absolute, incremental) {
-                return self.wrong(twice.span, "says again what another word of the block says");
-            }
-            let value = absolute.map(|said| (said.value, false)).or(incremental.map(|said| (said.value, true)));
+            let value = self.one_of(absolute, incremental)?;
             let from = said.get(Key::CenterFrom(part));
             let given = self.given(free, value, from, true)?;
             if let (Some(Given { from: Base::Start, .. }), Some(said)) = (given, incremental) {
@@ -308,13 +305,18 @@ impl Elements<'_, '_> {
         Ok(())
     }
 
-    fn direction_of_element(&self, item: &mut Item, free: &Free, said: &Data) -> Outcome {
-        let absolute = said.get(Key::Direction { incremental: false });
-        let incremental = said.get(Key::Direction { incremental: true });
+    /// A value that two words may give; true for the incremental one.
+    fn one_of(&self, absolute: Option<&Said>, incremental: Option<&Said>) -> Outcome<Option<(f64, bool)>> {
         if let (Some(_), Some(twice)) = (absolute, incremental) {
             return self.wrong(twice.span, "says again what another word of the block says");
         }
-        let value = absolute.map(|said| (said.value, false)).or(incremental.map(|said| (said.value, true)));
+        Ok(absolute.map(|said| (said.value, false)).or(incremental.map(|said| (said.value, true))))
+    }
+
+    fn direction_of_element(&self, item: &mut Item, free: &Free, said: &Data) -> Outcome {
+        let absolute = said.get(Key::Direction { incremental: false });
+        let incremental = said.get(Key::Direction { incremental: true });
+        let value = self.one_of(absolute, incremental)?;
         item.angle = self.given(free, value, said.get(Key::DirectionFrom), false)?;
         if (item.smooth || incremental.is_some_and(|_| said.get(Key::DirectionFrom).is_none()))
             && free.queue.is_empty()
