@@ -7,12 +7,13 @@ use crate::ir::Function;
 use crate::ir::contour::Ctx;
 use crate::lexer::klartext::Value;
 use crate::machine::AxisSet;
-use crate::parser::klartext::ast::{Addr, Block, Transform};
+use crate::parser::klartext::ast::{Addr, Block, Transform, Word};
 use crate::sema::run::{OffsetName, Where};
 use crate::text::Span;
 
 use super::cycle_definition::{AxisValue, Open};
 use super::known::Known;
+use super::reading::Reading;
 use super::transformation::Transformation;
 use super::{Core, Outcome, Run};
 
@@ -137,25 +138,7 @@ impl Run<'_> {
                 return self.core.refuse(span, codes::K2402::lacks(&head, &wanted).help(help));
             }
         }
-        let axes = matches!(kind, Transform::Datum | Transform::Mirror);
-        let mut named = Vec::new();
-        let mut value = None;
-        for &word in words {
-            match word.addr {
-                Addr::Axis { axis, incremental } if axes => {
-                    if kind == Transform::Mirror && (incremental || word.value != Value::None) {
-                        return self.core.not_admitted(word, head);
-                    }
-                    if named.iter().any(|other: &AxisValue| other.axis == axis) {
-                        return self.core.twice(word, block);
-                    }
-                    let value = self.reading().number_if(word.value, word.span)?;
-                    named.push(AxisValue { axis, incremental, value, loc: self.core.loc(word.span) });
-                }
-                Addr::Value if !axes && value.is_none() => value = Some(self.reading().number(word.value, word.span)?),
-                _ => return self.core.not_admitted(word, head),
-            }
-        }
+        let (named, value) = transform_words(self.reading(), kind, head, words.as_slice(), block)?;
         let (frames, axis) = (&self.st.frames, self.st.axis());
         let next = match (kind, value) {
             (Transform::Datum, None) if !named.is_empty() => frames.shifted(&self.core, &named)?,
@@ -191,4 +174,35 @@ fn table_row(code: &[u8]) -> Option<u32> {
     let written = String::from_utf8_lossy(code).to_ascii_uppercase();
     let words: Vec<&str> = written.split(';').next()?.split_whitespace().collect();
     words.concat().rsplit_once("DATUMTABLETABLINE")?.1.parse().ok()
+}
+
+/// The axes that TRANS DATUM and TRANS MIRROR name, and the value of the others.
+fn transform_words(
+    reading: Reading<'_, '_>,
+    kind: Transform,
+    head: &str,
+    words: &[Word],
+    block: &Block,
+) -> Outcome<(Vec<AxisValue>, Option<f64>)> {
+    let core = reading.core;
+    let axes = matches!(kind, Transform::Datum | Transform::Mirror);
+    let mut named = Vec::new();
+    let mut value = None;
+    for &word in words {
+        match word.addr {
+            Addr::Axis { axis, incremental } if axes => {
+                if kind == Transform::Mirror && (incremental || word.value != Value::None) {
+                    return core.not_admitted(word, head);
+                }
+                if named.iter().any(|other: &AxisValue| other.axis == axis) {
+                    return core.twice(word, block);
+                }
+                let value = reading.number_if(word.value, word.span)?;
+                named.push(AxisValue { axis, incremental, value, loc: core.loc(word.span) });
+            }
+            Addr::Value if !axes && value.is_none() => value = Some(reading.number(word.value, word.span)?),
+            _ => return core.not_admitted(word, head),
+        }
+    }
+    Ok((named, value))
 }

@@ -80,67 +80,41 @@ impl Reading<'_, '_> {
 
     /// The words that CAM programs hardly use.
     fn rare_word(self, word: Word, admits: Admits, mm: f64, w: &mut Words, block: &Block) -> Outcome {
-        match word.addr {
+        let number = || self.number(word.value, word.span);
+        let mut side = |comp: Comp| {
+            w.comp_span = word.span;
+            w.comp.replace(comp).is_some()
+        };
+        let again = match word.addr {
             Addr::PolarRadius { incremental } => {
-                let value = self.number(word.value, word.span)?;
-                if w.polar_radius.replace((value * mm, incremental)).is_some() {
-                    return self.core.twice(word, block);
-                }
                 w.polar_radius_span = word.span;
+                w.polar_radius.replace((number()? * mm, incremental)).is_some()
             }
             Addr::PolarAngle { incremental } => {
-                let value = self.number(word.value, word.span)?;
-                if w.polar_angle.replace((value, incremental)).is_some() {
-                    return self.core.twice(word, block);
-                }
                 w.polar_angle_span = word.span;
+                w.polar_angle.replace((number()?, incremental)).is_some()
             }
             // R0 without a sign is compensation, everything else a radius.
             Addr::Radius { signed: false } if word.value == Value::Number(0.0) && admits.has(Admits::COMP) => {
-                self.comp_word(w, Comp::Side(Side::None), word, block)?;
+                side(Comp::Side(Side::None))
             }
             Addr::Radius { .. } => {
-                let value = self.number(word.value, word.span)?;
-                if w.radius.replace(value * mm).is_some() || w.number.is_some() {
-                    return self.core.twice(word, block);
-                }
                 w.radius_span = word.span;
+                w.radius.replace(number()? * mm).is_some() || w.number.is_some()
             }
-            Addr::CompLeft => self.comp_word(w, Comp::Side(Side::Left), word, block)?,
-            Addr::CompRight => self.comp_word(w, Comp::Side(Side::Right), word, block)?,
-            Addr::ParaxialPlus | Addr::ParaxialMinus => {
-                self.comp_word(w, Comp::Paraxial(word.addr == Addr::ParaxialPlus), word, block)?;
-            }
-            Addr::TurnPlus | Addr::TurnMinus => {
-                if w.turn.replace(word.addr == Addr::TurnPlus).is_some() {
-                    return self.core.twice(word, block);
-                }
-            }
+            Addr::CompLeft => side(Comp::Side(Side::Left)),
+            Addr::CompRight => side(Comp::Side(Side::Right)),
+            Addr::ParaxialPlus | Addr::ParaxialMinus => side(Comp::Paraxial(word.addr == Addr::ParaxialPlus)),
+            Addr::TurnPlus | Addr::TurnMinus => w.turn.replace(word.addr == Addr::TurnPlus).is_some(),
             Addr::Speed => {
-                let value = self.number(word.value, word.span)?;
-                if w.speed.replace(value).is_some() {
-                    return self.core.twice(word, block);
-                }
                 w.speed_span = word.span;
+                w.speed.replace(number()?).is_some()
             }
-            Addr::Value => {
-                let value = self.number(word.value, word.span)?;
-                if w.number.replace(value).is_some() || w.radius.is_some() {
-                    return self.core.twice(word, block);
-                }
-            }
+            Addr::Value => w.number.replace(number()?).is_some() || w.radius.is_some(),
             // No other word is admitted.
-            _ => {}
-        }
-        Ok(())
-    }
-
-    fn comp_word(self, w: &mut Words, comp: Comp, word: Word, block: &Block) -> Outcome {
-        if w.comp.replace(comp).is_some() {
-            return self.core.twice(word, block);
-        }
-        w.comp_span = word.span;
-        Ok(())
+            _ => false,
+        };
+        if again { self.core.twice(word, block) } else { Ok(()) }
     }
 
     fn feed_word(self, word: Word, mm: f64) -> Outcome<FeedWord> {

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use crate::diag::{Answer, codes};
 use crate::geo::{self, Point2, SAME_POINT, Vec2, distance, joint};
 use crate::ir::contour::Move;
-use crate::ir::{Feed, Function, Origin, Pos, Side};
+use crate::ir::{Feed, Function, Origin, Side};
 use crate::machine::{ApproachDepth, Axis, Generation};
 use crate::sema::run::{Site, Where};
 use crate::text::Span;
@@ -14,7 +14,7 @@ use super::super::contour::Contour;
 use super::super::place::View;
 use super::super::words::{Comp, Words};
 use super::super::{Core, Outcome, Run};
-use super::border::{Border, Circle, Moves, Shape, forbid_scaling};
+use super::border::{Border, Circle, Moves, Shape, end_of, forbid_scaling};
 
 /// What may stand between an approach and the first element of its contour.
 pub(in super::super) const MOST_HELD: usize = 256;
@@ -90,11 +90,7 @@ impl Run<'_> {
         if depth.is_some() && self.st.feed.plunge_share().is_some() {
             return self.core.refuse(w.axes_span, codes::K9003::with_tool_axis_under_m103_is_not(&name));
         }
-        let mut after = Pos::UNKNOWN;
-        after.set_in_plane(plane, to);
-        if let Some(depth) = depth {
-            after.set(third, depth);
-        }
+        let after = end_of(plane, Some(to), depth);
         let depth = depth.map(|depth| (self.st.position.get(third), depth));
         let (here, name) = (self.core.here, name.to_owned());
         let held = Vec::new();

@@ -115,15 +115,21 @@ impl Moves {
     }
 
     fn add(&mut self, to: Option<Point2>, depth: Option<f64>, path: Path, side: Side) {
-        let mut end = Pos::UNKNOWN;
-        if let Some(to) = to {
-            end.set_in_plane(self.plane, to);
-        }
-        if let Some(depth) = depth {
-            end.set(Axis::ALL[self.plane.axes().2], depth);
-        }
+        let end = end_of(self.plane, to, depth);
         self.list.push(Move { end, path, side, coords: Coords::Frame });
     }
+}
+
+/// A point of a plane, with the tool axis at `depth`.
+pub(super) fn end_of(plane: Plane, to: Option<Point2>, depth: Option<f64>) -> Pos {
+    let mut end = Pos::UNKNOWN;
+    if let Some(to) = to {
+        end.set_in_plane(plane, to);
+    }
+    if let Some(depth) = depth {
+        end.set(Axis::ALL[plane.axes().2], depth);
+    }
+    end
 }
 
 /// Lengths and radii are real ones, as the radius of the tool is.

@@ -2,12 +2,12 @@
 
 use crate::diag::{Answer, Fault, codes};
 use crate::geo::{self, Point2, SAME_POINT, distance, joint};
-use crate::ir::{Feed, Pos, Side};
-use crate::machine::{ApproachDepth, Axis, Generation};
+use crate::ir::{Feed, Side};
+use crate::machine::{ApproachDepth, Generation};
 
 use super::super::words::{Comp, Words};
 use super::super::{Core, Outcome, Reported, Run};
-use super::border::{Border, Moves, Shape, forbid_scaling};
+use super::border::{Border, Moves, Shape, end_of, forbid_scaling};
 
 /// The end of a departure.
 #[derive(Debug, Clone, Copy)]
@@ -71,12 +71,7 @@ impl Run<'_> {
         }
         self.send_moves(&moves.list)?;
         let end = end.or_else(|fault| self.core.refuse(span, fault))?;
-        let mut after = Pos::UNKNOWN;
-        after.set_in_plane(plane, end);
-        if let Some(depth) = depth {
-            after.set(Axis::ALL[plane.axes().2], depth);
-        }
-        self.st.position.move_to(&after);
+        self.st.position.move_to(&end_of(plane, Some(end), depth));
         self.st.position.forget_way();
         if !polar {
             self.st.polar.forget_last();
